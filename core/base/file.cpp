@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/base/file.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace spherewalk {
+
+namespace {
+
+[[noreturn]] void fail(int code, const std::string& tried, const std::filesystem::path& file) {
+    const std::string reason = std::strerror(code);
+    const std::string name = file.string();
+    switch (code) {
+    case ENOENT:
+    case ENOTDIR:
+        throw Error(ErrorKind::NotFound,
+                    text("Could not ", tried, " ", name, ": there is no such file or folder."));
+    case EEXIST:
+        throw Error(ErrorKind::Exists, text("Could not ", tried, " ", name, ": it exists already."));
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        throw Error(
+            ErrorKind::Full,
+            text("Could not ", tried, " ", name, ": the disk is full; free some space and try again."),
+            reason);
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        throw Error(ErrorKind::Io,
+                    text("Could not ", tried, " ", name, ": ", reason, "; check the permissions."));
+    default:
+        throw Error(ErrorKind::Io, text("Could not ", tried, " ", name, ": ", reason, "."));
+    }
+}
+
+/// A file descriptor that is closed at the end of its scope.
+class Descriptor {
+  public:
+    explicit Descriptor(int value) : m_value(value) {}
+
+    ~Descriptor() { ::close(m_value); }
+
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int value() const { return m_value; }
+
+  private:
+    int m_value;
+};
+
+int openForReading(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        fail(errno, "read", file);
+    }
+    return descriptor;
+}
+
+/// Size of an open regular file; anything else (a folder, a device) is refused.
+std::uint64_t regularSize(const Descriptor& descriptor, const std::filesystem::path& file) {
+    struct stat status {};
+
+    if (::fstat(descriptor.value(), &status) != 0) {
+        fail(errno, "read", file);
+    }
+    if (!S_ISREG(status.st_mode)) {
+        throw Error(ErrorKind::InvalidInput, text("Could not read ", file.string(), ": it is not a file."));
+    }
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+std::size_t readSome(const Descriptor& descriptor, std::span<std::uint8_t> into,
+                     const std::filesystem::path& file) {
+    for (;;) {
+        const ssize_t count = ::read(descriptor.value(), into.data(), into.size());
+        if (count >= 0) {
+            return static_cast<std::size_t>(count);
+        }
+        if (errno != EINTR) {
+            fail(errno, "read", file);
+        }
+    }
+}
+
+} // namespace
+
+Bytes readFile(const std::filesystem::path& file, std::uint64_t maxBytes) {
+    const Descriptor descriptor(openForReading(file));
+    const std::uint64_t size = regularSize(descriptor, file);
+    if (size > maxBytes) {
+        throw Error(ErrorKind::Corrupt,
+                    text("Could not read ", file.string(), ": it has ", humanBytes(size), ", more than the ",
+                         humanBytes(maxBytes), " that such a file may have."));
+    }
+    Bytes bytes(size);
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const std::size_t count = readSome(descriptor, std::span(bytes).subspan(filled), file);
+        if (count == 0) {
+            break;
+        }
+        filled += count;
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+std::string readTextFile(const std::filesystem::path& file, std::uint64_t maxBytes) {
+    const Bytes bytes = readFile(file, maxBytes);
+    return std::string(textOf(bytes));
+}
+
+void readFileInPieces(const std::filesystem::path& file, const std::function<void(ByteView)>& take) {
+    const Descriptor descriptor(openForReading(file));
+    regularSize(descriptor, file);
+    Bytes buffer(1 << 20);
+    while (const std::size_t count = readSome(descriptor, buffer, file)) {
+        take(ByteView(buffer).first(count));
+    }
+}
+
+DurableFile::DurableFile(std::filesystem::path finalName) : m_finalName(std::move(finalName)) {
+    static std::atomic<unsigned> counter{0};
+    m_temporaryName = m_finalName;
+    m_temporaryName += text(".", ::getpid(), "-", counter++, ".part");
+    m_descriptor = ::open(m_temporaryName.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (m_descriptor < 0) {
+        fail(errno, "write", m_finalName);
+    }
+}
+
+DurableFile::~DurableFile() {
+    if (m_descriptor >= 0) {
+        ::close(m_descriptor);
+        ::unlink(m_temporaryName.c_str());
+    }
+}
+
+void DurableFile::write(ByteView bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (count < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            fail(errno, "write", m_finalName);
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        m_sizeBytes += static_cast<std::uint64_t>(count);
+    }
+}
+
+void DurableFile::commit(Overwrite overwrite) {
+    if (::fsync(m_descriptor) != 0) {
+        fail(errno, "write", m_finalName);
+    }
+    if (overwrite == Overwrite::Yes) {
+        if (::rename(m_temporaryName.c_str(), m_finalName.c_str()) != 0) {
+            fail(errno, "write", m_finalName);
+        }
+    } else {
+        // A hard link fails if the name is taken, which a rename would not.
+        if (::link(m_temporaryName.c_str(), m_finalName.c_str()) != 0) {
+            fail(errno, "write", m_finalName);
+        }
+        ::unlink(m_temporaryName.c_str());
+    }
+    ::close(std::exchange(m_descriptor, -1));
+    syncFolder(m_finalName.has_parent_path() ? m_finalName.parent_path() : ".");
+}
+
+void writeFile(const std::filesystem::path& file, ByteView bytes, DurableFile::Overwrite overwrite) {
+    DurableFile output(file);
+    output.write(bytes);
+    output.commit(overwrite);
+}
+
+void syncFolder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) {
+        fail(errno, "sync", folder);
+    }
+    const Descriptor guard(descriptor);
+    // Some file systems cannot sync a folder and say EINVAL; their renames are as durable as they get.
+    if (::fsync(descriptor) != 0 && errno != EINVAL) {
+        fail(errno, "sync", folder);
+    }
+}
+
+bool isSafeRelativePath(std::string_view name) {
+    if (name.empty() || name.front() == '/' || name.size() > 1024 || printable(name, name.size()) != name) {
+        return false;
+    }
+    if (name.find('\\') != std::string_view::npos) {
+        return false;
+    }
+    while (!name.empty()) {
+        const std::size_t slash = name.find('/');
+        const std::string_view part = name.substr(0, slash);
+        if (part.empty() || part == "." || part == "..") {
+            return false;
+        }
+        if (slash == std::string_view::npos) {
+            return true;
+        }
+        name.remove_prefix(slash + 1);
+    }
+    return false; // ends in a slash
+}
+
+} // namespace spherewalk

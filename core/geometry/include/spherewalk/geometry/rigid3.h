@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace spherewalk {
+
+/// A rotation followed by a translation, in metres. A variable is named aFromB: pInA = aFromB * pInB, and the
+/// translation is the origin of b in a.
+struct Rigid3 {
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d operator*(const Eigen::Vector3d& pInB) const { return rotation * pInB + translation; }
+
+    /// aFromC = aFromB * bFromC.
+    Rigid3 operator*(const Rigid3& bFromC) const {
+        return {(rotation * bFromC.rotation).normalized(), rotation * bFromC.translation + translation};
+    }
+
+    /// bFromA of aFromB.
+    Rigid3 inverse() const {
+        const Eigen::Quaterniond bFromA = rotation.conjugate();
+        return {bFromA, -(bFromA * translation)};
+    }
+};
+
+} // namespace spherewalk

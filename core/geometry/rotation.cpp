@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/geometry/rotation.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk {
+
+using Eigen::AngleAxisd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+Quaterniond rotation(const YawPitchRoll& angles) {
+    return AngleAxisd(angles.yaw.value(), Vector3d::UnitZ()) *
+           AngleAxisd(angles.pitch.value(), Vector3d::UnitY()) *
+           AngleAxisd(angles.roll.value(), Vector3d::UnitX());
+}
+
+YawPitchRoll yawPitchRoll(const Quaterniond& rotation) {
+    const Eigen::Matrix3d m = rotation.normalized().toRotationMatrix();
+    // atan2 of both components keeps pitch exact near the poles, where asin loses half of the digits.
+    const double cosPitch = std::hypot(m(0, 0), m(1, 0));
+    const Radians pitch(std::atan2(-m(2, 0), cosPitch));
+    if (cosPitch < 1e-12) {
+        return {wrapped(Radians(std::atan2(-m(0, 1), m(1, 1)))), pitch, Radians(0)};
+    }
+    return {wrapped(Radians(std::atan2(m(1, 0), m(0, 0)))), pitch,
+            wrapped(Radians(std::atan2(m(2, 1), m(2, 2))))};
+}
+
+Quaterniond yawRotation(Radians yaw) {
+    return Quaterniond(AngleAxisd(yaw.value(), Vector3d::UnitZ()));
+}
+
+Radians angleBetween(const Quaterniond& a, const Quaterniond& b) {
+    const Quaterniond difference = a.conjugate() * b;
+    return Radians(2 * std::atan2(difference.vec().norm(), std::abs(difference.w())));
+}
+
+Radians angleBetween(const Vector3d& a, const Vector3d& b) {
+    // Kahan's formula: accurate for parallel and antiparallel directions alike.
+    const Vector3d u = a.normalized();
+    const Vector3d v = b.normalized();
+    return Radians(2 * std::atan2((u - v).norm(), (u + v).norm()));
+}
+
+Quaterniond bodyFromOptical() {
+    return {0.5, -0.5, 0.5, -0.5};
+}
+
+Quaterniond checkedQuaternion(double w, double x, double y, double z, std::string_view whose) {
+    const Quaterniond q(w, x, y, z);
+    const double length = q.norm();
+    if (!std::isfinite(length) || std::abs(length - 1) > 0.01) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The rotation of ", whose, " (w ", w, ", x ", x, ", y ", y, ", z ", z,
+                         ") is not a unit quaternion; check the order and the values of its components."));
+    }
+    return q.normalized();
+}
+
+} // namespace spherewalk

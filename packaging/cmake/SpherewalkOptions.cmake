@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What a user may switch, and the flags that every target of ours is built with.
+include(FeatureSummary)
+include(CMakeDependentOption)
+
+option(SPHEREWALK_RENDER_ONLY "Build the render library and what it links, nothing else" OFF)
+cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
+option(SPHEREWALK_TESTS "Build the tests" ON)
+option(SPHEREWALK_WERROR "Treat warnings as errors" OFF)
+set(SPHEREWALK_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
+
+add_feature_info(desktop SPHEREWALK_GUI "the desktop application")
+add_feature_info(tests SPHEREWALK_TESTS "GoogleTest suites, run by ctest")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
+endif()
+set_property(GLOBAL PROPERTY GLOBAL_DEPENDS_NO_CYCLES ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_library(spherewalk_flags INTERFACE)
+target_compile_features(spherewalk_flags INTERFACE cxx_std_20)
+set_target_properties(spherewalk_flags PROPERTIES EXPORT_NAME flags)
+# No contraction into fused multiply-adds: the same source gives the same bits on every machine.
+set(spherewalk_warnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wcast-align -Wformat=2 -Wnull-dereference -Wimplicit-fallthrough)
+target_compile_options(spherewalk_flags INTERFACE
+  $<BUILD_INTERFACE:-ffp-contract=off>
+  $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:${spherewalk_warnings}>>
+  $<BUILD_INTERFACE:$<$<BOOL:${SPHEREWALK_WERROR}>:-Werror>>)
+if(SPHEREWALK_SANITIZE)
+  target_compile_options(spherewalk_flags INTERFACE
+    $<BUILD_INTERFACE:-fsanitize=${SPHEREWALK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all>)
+  target_link_options(spherewalk_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${SPHEREWALK_SANITIZE}>)
+endif()
