@@ -15,8 +15,9 @@ Json parseJson(std::string_view content, std::string_view source, const JsonLimi
                     text("Could not read ", source, ": ", humanBytes(content.size()),
                          " of JSON, more than the ", humanBytes(limits.maxBytes), " allowed."));
     }
-    const auto checkDepth = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
-        if (depth > limits.maxDepth) {
+    const auto checkDepth = [&](int depth, Json::parse_event_t event, Json& /*parsed*/) {
+        const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        if (opens && depth >= limits.maxDepth) {
             throw Error(ErrorKind::Corrupt, text("Could not read ", source, ": its JSON nests deeper than ",
                                                  limits.maxDepth, " levels."));
         }

@@ -4,6 +4,8 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

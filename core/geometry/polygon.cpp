@@ -67,11 +67,13 @@ std::optional<std::string> defect(const Polygon& polygon) {
     }
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const Vector2d& a = polygon[i];
-        const Vector2d& b = after(polygon, i);
-        if (a == b) {
+        if (polygon[i] == after(polygon, i)) {
             return text("corners ", i + 1, " and ", (i + 1) % n + 1, " are the same point");
         }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector2d& a = polygon[i];
+        const Vector2d& b = after(polygon, i);
         const Vector2d& c = after(polygon, i + 1);
         if (cross(b - a, c - b) == 0 && (b - a).dot(c - b) < 0) {
             return text("at corner ", (i + 1) % n + 1, " it turns back on itself");

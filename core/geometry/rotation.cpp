@@ -24,11 +24,11 @@ YawPitchRoll yawPitchRoll(const Quaterniond& rotation) {
     // atan2 of both components keeps pitch exact near the poles, where asin loses half of the digits.
     const double cosPitch = std::hypot(m(0, 0), m(1, 0));
     const Radians pitch(std::atan2(-m(2, 0), cosPitch));
-    if (cosPitch < 1e-12) {
-        return {wrapped(Radians(std::atan2(-m(0, 1), m(1, 1)))), pitch, Radians(0)};
-    }
-    return {wrapped(Radians(std::atan2(m(1, 0), m(0, 0)))), pitch,
-            wrapped(Radians(std::atan2(m(2, 1), m(2, 2))))};
+    const double roll = cosPitch < 1e-12 ? 0 : std::atan2(m(2, 1), m(2, 2));
+    // With the roll undone, the second column is (-sin yaw, cos yaw, 0): well conditioned at any pitch.
+    const double yaw = std::atan2(m(0, 2) * std::sin(roll) - m(0, 1) * std::cos(roll),
+                                  m(1, 1) * std::cos(roll) - m(1, 2) * std::sin(roll));
+    return {wrapped(Radians(yaw)), pitch, wrapped(Radians(roll))};
 }
 
 Quaterniond yawRotation(Radians yaw) {

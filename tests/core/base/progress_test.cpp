@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "expect_error.h"
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/progress.h"
+
+#include <string>
+#include <vector>
+
+namespace spherewalk {
+
+namespace {
+
+class Recorder : public ProgressSink {
+  public:
+    void progress(double fraction, std::string_view /*activity*/) override { fractions.push_back(fraction); }
+
+    void warning(std::string_view sentence) override { warnings.emplace_back(sentence); }
+
+    std::vector<double> fractions;
+    std::vector<std::string> warnings;
+};
+
+} // namespace
+
+TEST(ProgressStep, MapsItsStepIntoTheWholeAndNeverGoesBack) {
+    Recorder whole;
+    ProgressStep step(whole, 0.5, 0.7);
+    for (const double fraction : {0.0, 0.5, 0.25, 2.0}) {
+        step.progress(fraction, "x");
+    }
+    step.warning("look");
+    ASSERT_EQ(whole.fractions.size(), 4U);
+    EXPECT_DOUBLE_EQ(whole.fractions[0], 0.5);
+    EXPECT_DOUBLE_EQ(whole.fractions[1], 0.6);
+    EXPECT_DOUBLE_EQ(whole.fractions[2], 0.6);
+    EXPECT_DOUBLE_EQ(whole.fractions[3], 0.7);
+    EXPECT_EQ(whole.warnings, std::vector<std::string>{"look"});
+}
+
+TEST(TimeLeft, IsTheRestAtThePaceSoFar) {
+    const TimeLeft::TimePoint start{};
+    const TimeLeft left(start);
+    EXPECT_FALSE(left.at(start, 0));
+    EXPECT_FALSE(left.at(start + std::chrono::milliseconds(500), 0.5));
+    EXPECT_NEAR(left.at(start + std::chrono::seconds(30), 0.25)->count(), 90, 1e-9);
+    EXPECT_EQ(left.at(start + std::chrono::seconds(30), 1.5)->count(), 0);
+}
+
+TEST(Stop, EndsASleepAndThrowsStopped) {
+    std::stop_source source;
+    EXPECT_NO_THROW(throwIfStopped(source.get_token()));
+    EXPECT_TRUE(systemClock().sleep(std::chrono::milliseconds(1), source.get_token()));
+    source.request_stop();
+    EXPECT_FALSE(systemClock().sleep(std::chrono::hours(1), source.get_token()));
+    test::expectError(ErrorKind::Stopped, "Stopped", [&] { throwIfStopped(source.get_token()); });
+}
+
+} // namespace spherewalk
