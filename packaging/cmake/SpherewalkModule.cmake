@@ -68,17 +68,19 @@ function(spherewalk_module)
                         PRIVATE ${arg_PRIVATE} ${arg_THIRD_PARTY})
 endfunction()
 
-# spherewalk_test(<name> SOURCES ... LINK <modules> [LABELS ...] [TIMEOUT s] [ENVIRONMENT ...])
-# makes one GoogleTest program; ctest runs each of its cases by name.
+# spherewalk_test(<name> SOURCES ... LINK <modules> [THIRD_PARTY <targets>] [LABELS ...] [TIMEOUT s]
+#                 [ENVIRONMENT ...])
+# makes one GoogleTest program; ctest runs each of its cases by name. THIRD_PARTY: what the tested module
+# owns, for tests that make their input with it.
 function(spherewalk_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LINK;LABELS;ENVIRONMENT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LINK;THIRD_PARTY;LABELS;ENVIRONMENT")
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
   list(TRANSFORM arg_LINK PREPEND spherewalk::)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE spherewalk_flags spherewalk_test_support ${arg_LINK}
-                        GTest::gtest GTest::gmock GTest::gtest_main)
+                        ${arg_THIRD_PARTY} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE SPHEREWALK_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ENVIRONMENT "${arg_ENVIRONMENT}")
