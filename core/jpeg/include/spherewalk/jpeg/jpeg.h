@@ -19,17 +19,18 @@ struct Info {
     bool progressive = false;
 };
 
-/// source: what the bytes are, for sentences (a file's name). Errors: Corrupt. Range: pictures up to 65535 x
-/// 65535 by the format; larger than 2^28 pixels is Unsupported.
+/// source: what the bytes are, for sentences (a file's name). Errors: Corrupt; Unsupported for more than 2^28
+/// pixels, CMYK, or arithmetic coding.
 Info readInfo(ByteView jpeg, std::string_view source);
 
 /// All pixels, by libjpeg's accurate integer IDCT and fancy upsampling, so that every decoder of ours gives
 /// the same bytes. denominator: 1, 2, 4 or 8, the picture is reduced by it while decoding. Greyscale is
 /// expanded to RGB. Errors: Corrupt for anything that libjpeg does more than accept silently: a truncated
-/// file is an error, not a grey area.
+/// file is an error, not a grey area; Unsupported as readInfo. Threads: any, also at a time. Cost: about 5
+/// ns a pixel on one core.
 RgbImage decode(ByteView jpeg, std::string_view source, int denominator = 1);
 
-/// Baseline, 4:2:0, standard Huffman tables optimised. Range: quality 1 to 100.
+/// Baseline, 4:2:0, standard Huffman tables optimised. Range: quality 1 to 100. Errors: InvalidInput.
 Bytes encode(const RgbImage& picture, int quality);
 
 } // namespace spherewalk::jpeg

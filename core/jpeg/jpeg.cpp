@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/jpeg/jpeg.h"
+
+#include "codec.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spherewalk::jpeg {
+
+namespace {
+
+void checkDenominator(int denominator) {
+    if (denominator != 1 && denominator != 2 && denominator != 4 && denominator != 8) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("A JPEG can be reduced by 1, 2, 4 or 8 while decoding, not by ", denominator, "."));
+    }
+}
+
+void start(jpeg_decompress_struct* info, int denominator) {
+    info->out_color_space = JCS_RGB;
+    info->dct_method = JDCT_ISLOW;
+    info->do_fancy_upsampling = TRUE;
+    // Smoothing guesses coefficients that a progressive file left out; the baseline copy could not know.
+    info->do_block_smoothing = FALSE;
+    info->scale_num = 1;
+    info->scale_denom = static_cast<unsigned>(denominator);
+    jpeg_start_decompress(info);
+}
+
+void readRows(jpeg_decompress_struct* info, RgbImage& picture) {
+    constexpr int kRows = 16;
+    JSAMPROW rows[kRows];
+    while (info->output_scanline < info->output_height) {
+        const int first = static_cast<int>(info->output_scanline);
+        const int count = std::min(kRows, picture.height() - first);
+        for (int i = 0; i < count; ++i) {
+            rows[i] = picture.at(0, first + i);
+        }
+        jpeg_read_scanlines(info, rows, static_cast<JDIMENSION>(count));
+    }
+    // Reads on up to EOI, so that a file without its end is found out.
+    jpeg_finish_decompress(info);
+}
+
+void writeRows(jpeg_compress_struct* info, const RgbImage& picture, int quality) {
+    info->image_width = static_cast<JDIMENSION>(picture.width());
+    info->image_height = static_cast<JDIMENSION>(picture.height());
+    info->input_components = 3;
+    info->in_color_space = JCS_RGB;
+    jpeg_set_defaults(info);
+    jpeg_set_quality(info, quality, TRUE);
+    info->dct_method = JDCT_ISLOW;
+    info->optimize_coding = TRUE;
+    jpeg_start_compress(info, TRUE);
+    while (info->next_scanline < info->image_height) {
+        // libjpeg takes rows that are not const, and does not write to them.
+        JSAMPROW row = const_cast<JSAMPROW>(picture.at(0, static_cast<int>(info->next_scanline)));
+        jpeg_write_scanlines(info, &row, 1);
+    }
+    jpeg_finish_compress(info);
+}
+
+} // namespace
+
+Info readInfo(ByteView jpeg, std::string_view source) {
+    Decompressor decompressor(jpeg, text("read ", source));
+    const jpeg_decompress_struct& header = *decompressor.get();
+    Info info;
+    info.width = static_cast<int>(header.image_width);
+    info.height = static_cast<int>(header.image_height);
+    info.components = header.num_components;
+    // A scan of one component has MCUs of one block, whatever its sampling factors say.
+    info.mcuWidth = DCTSIZE * (info.components == 1 ? 1 : header.max_h_samp_factor);
+    info.mcuHeight = DCTSIZE * (info.components == 1 ? 1 : header.max_v_samp_factor);
+    info.restartInterval = static_cast<int>(header.restart_interval);
+    info.progressive = header.progressive_mode != 0;
+    return info;
+}
+
+RgbImage decode(ByteView jpeg, std::string_view source, int denominator) {
+    checkDenominator(denominator);
+    Decompressor decompressor(jpeg, text("decode ", source));
+    jpeg_decompress_struct* info = decompressor.get();
+    decompressor.trap().guarded([&] { start(info, denominator); });
+    RgbImage picture(static_cast<int>(info->output_width), static_cast<int>(info->output_height));
+    decompressor.trap().guarded([&] { readRows(info, picture); });
+    return picture;
+}
+
+Bytes encode(const RgbImage& picture, int quality) {
+    if (picture.empty() || picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION ||
+        quality < 1 || quality > 100) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("A picture of ", picture.width(), " x ", picture.height(),
+                         " pixels cannot be written as a JPEG of quality ", quality, ": sides of 1 to ",
+                         JPEG_MAX_DIMENSION, " and qualities of 1 to 100 can."));
+    }
+    Compressor compressor("encode a picture");
+    compressor.trap().guarded([&] { writeRows(compressor.get(), picture, quality); });
+    return std::move(compressor.bytes());
+}
+
+} // namespace spherewalk::jpeg
