@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/survey/room.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace spherewalk::survey {
+
+inline constexpr int kMostStations = 200'000; ///< of one plan
+
+/// How stations are to be laid out.
+struct PlanOptions {
+    double stepM = 0.2; ///< between neighbouring stops, in both directions
+    std::vector<double> heightsM = {
+        1.2};                        ///< of the lens above the floor; one station per height at each stop
+    int railStops = 6;               ///< positions of the cart on the rail
+    double clearanceM = 0.3;         ///< least distance between a stop and any wall or obstacle
+    double secondsPerPhoto = 12;     ///< pace: one photo with moving the cart
+    double secondsPerPlacement = 60; ///< pace: carrying and laying the rail anew
+
+    /// Errors: InvalidInput with the option and its range; for a step so fine that the room would need more
+    /// than kMostStations, the sentence says which step would fit. The room must be valid.
+    void validate(const Room& room) const;
+};
+
+/// Where the rail lies. The stops are at origin + k * step along the heading.
+struct RailPlacement {
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of stop 0, where the operator begins
+    Radians heading;
+    int stops = 0;
+    double stepM = 0;
+
+    /// Range: 0 <= k < stops, not checked.
+    Eigen::Vector2d stop(int k) const;
+};
+
+/// One planned position of the camera.
+struct Station {
+    int placement = -1; ///< index into Plan::placements; -1 for a station that came with imported photos
+    int stop = 0;       ///< along the rail, from 0
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
+};
+
+/// Stations in walking order, placement by placement, stop by stop, and at each stop height by height.
+struct Plan {
+    std::vector<RailPlacement> placements;
+    std::vector<Station> stations;
+};
+
+/// Lays the room out: stops on a lattice along the room's axes, shifted so that most of them fit; rails of up
+/// to railStops stops along the axis that needs fewer placements; the order and direction of rails that moves
+/// the operator least, as far as a local search finds it. A room without space for any stop gives an empty
+/// plan. The same input gives the same plan. Errors: those of both validate(). Cost: under a second for a
+/// room of 100 m2 at 20 cm.
+Plan plan(const Room& room, const PlanOptions& options);
+
+/// What people call the station: "rail 3, stop 5" (counted from 1), with " at 1.20 m" if the plan's stations
+/// have several heights, "unplanned position (1.20, 3.40)" without a placement. Range: index <
+/// stations.size().
+std::string stationName(const Plan& plan, std::size_t index);
+
+/// The names of all stations, in order.
+std::vector<std::string> stationNames(const Plan& plan);
+
+} // namespace spherewalk::survey
