@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/render/dataset.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace spherewalk::render {
+
+namespace {
+
+constexpr std::uint64_t kLargestDescription = 1ULL << 30;
+
+/// Errors: NotFound, if there is no such regular file inside the dataset (a link that leads out of it is
+/// none).
+std::uint64_t sizeOf(const std::filesystem::path& folder, const std::string& name) {
+    const std::filesystem::path file = folder / name;
+    std::error_code failure;
+    const auto status = std::filesystem::symlink_status(file, failure);
+    if (failure || !std::filesystem::is_regular_file(status)) {
+        throw Error(ErrorKind::NotFound, text("Could not open the dataset ", folder.string(), ": its file ",
+                                              name, " is missing; export it again."));
+    }
+    return std::filesystem::file_size(file);
+}
+
+[[noreturn]] void refuseChanged(const std::filesystem::path& folder, const DatasetPhoto& photo,
+                                const std::string& how) {
+    throw Error(ErrorKind::Corrupt, text("Could not use the dataset ", folder.string(), ": its photo ",
+                                         photo.file, " ", how, "; copy or export the dataset again."));
+}
+
+} // namespace
+
+Dataset::Dataset(std::filesystem::path folder, DatasetInfo info)
+    : m_folder(std::move(folder)), m_info(std::move(info)) {
+}
+
+Dataset Dataset::open(const std::filesystem::path& folder, Verify verify, ProgressSink& progress,
+                      const std::stop_token& stop) {
+    const std::filesystem::path file = folder / kDatasetFile;
+    if (!std::filesystem::exists(file)) {
+        throw Error(ErrorKind::NotFound, text("Could not open ", folder.string(),
+                                              " as a dataset: it holds no ", kDatasetFile, "."));
+    }
+    const Json json =
+        parseJson(readTextFile(file, kLargestDescription), file.string(), {kLargestDescription, 32});
+    Dataset dataset(folder, parseDatasetInfo(json, file.string()));
+    dataset.checkSizes();
+    if (verify == Verify::Hashes) {
+        const int count = static_cast<int>(dataset.m_info.photos.size());
+        int done = 0;
+        std::mutex mutex;
+        parallelFor(count, 1, 0, [&](int begin, int /*end*/) {
+            throwIfStopped(stop);
+            dataset.readPhoto(static_cast<std::size_t>(begin));
+            const std::scoped_lock lock(mutex);
+            progress.progress(static_cast<double>(++done) / count, "Checking the dataset");
+        });
+    }
+    return dataset;
+}
+
+void Dataset::checkSizes() const {
+    for (const DatasetPhoto& photo : m_info.photos) {
+        const std::uint64_t size = sizeOf(m_folder, photo.file);
+        if (size != photo.sizeBytes) {
+            refuseChanged(m_folder, photo,
+                          text("has ", size, " bytes, not the ", photo.sizeBytes, " it should have"));
+        }
+        for (const std::string& name : {photo.restartIndex, photo.thumbnail}) {
+            if (!name.empty()) {
+                sizeOf(m_folder, name);
+            }
+        }
+    }
+}
+
+std::size_t Dataset::nearestPhoto(const Eigen::Vector3d& pInRoom) const {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < m_info.photos.size(); ++i) {
+        const double distance = (m_info.photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+Bytes Dataset::readPhoto(std::size_t photo) const {
+    const DatasetPhoto& entry = m_info.photos.at(photo);
+    Bytes bytes = readFile(m_folder / entry.file, entry.sizeBytes);
+    if (sha256Hex(bytes) != entry.sha256) {
+        refuseChanged(m_folder, entry, "was changed after the export (its SHA-256 is another)");
+    }
+    return bytes;
+}
+
+} // namespace spherewalk::render

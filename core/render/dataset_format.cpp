@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/render/dataset_format.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+
+#include <algorithm>
+#include <array>
+
+namespace spherewalk::render {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kMostPhotos = 1'000'000;
+constexpr std::size_t kMostVertices = 100'000;
+constexpr double kFarthestM = 1e8;
+
+Json listOf(const Vector3d& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json listOf(const Polygon& polygon) {
+    Json result = Json::array();
+    for (const Eigen::Vector2d& vertex : polygon) {
+        result.push_back({vertex.x(), vertex.y()});
+    }
+    return result;
+}
+
+Json optionalText(const std::string& value) {
+    return value.empty() ? Json() : Json(value);
+}
+
+double boundedNumber(const JsonReader& reader, double least, double most) {
+    const double value = reader.asNumber();
+    if (!(value >= least && value <= most)) {
+        reader.fail(text("expected a number from ", least, " to ", most));
+    }
+    return value;
+}
+
+Vector3d vectorOf(const JsonReader& list, double least, double most) {
+    if (list.arraySize() != 3) {
+        list.fail("expected three numbers");
+    }
+    Vector3d result;
+    for (int i = 0; i < 3; ++i) {
+        result[i] = boundedNumber(list.element(static_cast<std::size_t>(i)), least, most);
+    }
+    return result;
+}
+
+Polygon polygonOf(const JsonReader& list) {
+    Polygon result;
+    for (std::size_t i = 0; i < list.arraySize(kMostVertices); ++i) {
+        const JsonReader vertex = list.element(i);
+        if (vertex.arraySize() != 2) {
+            vertex.fail("expected two numbers");
+        }
+        result.emplace_back(boundedNumber(vertex.element(0), -kFarthestM, kFarthestM),
+                            boundedNumber(vertex.element(1), -kFarthestM, kFarthestM));
+    }
+    return result;
+}
+
+/// The name of a file of the dataset, or "" if the member is absent.
+std::string fileName(const JsonReader& photo, std::string_view key, std::string_view folder) {
+    if (photo.isAbsent(key)) {
+        return {};
+    }
+    std::string result = photo.string(key);
+    if (!isSafeRelativePath(result) || !result.starts_with(folder)) {
+        photo.member(key).fail(
+            text("\"", printable(result), "\" is not the name of a file under ", folder, " of the dataset"));
+    }
+    return result;
+}
+
+Json photoJson(const DatasetPhoto& photo) {
+    const Eigen::Quaterniond& q = photo.roomFromPhoto.rotation;
+    Json rotationSigma;
+    if (photo.rotationSigma) {
+        rotationSigma = {{"yaw", Degrees(photo.rotationSigma->yaw).value()},
+                         {"pitch", Degrees(photo.rotationSigma->pitch).value()},
+                         {"roll", Degrees(photo.rotationSigma->roll).value()}};
+    }
+    return {{"file", photo.file},
+            {"sha256", photo.sha256},
+            {"size_bytes", photo.sizeBytes},
+            {"width", photo.width},
+            {"height", photo.height},
+            {"restart_index", optionalText(photo.restartIndex)},
+            {"thumbnail", optionalText(photo.thumbnail)},
+            {"station", photo.station},
+            {"position_m", listOf(photo.roomFromPhoto.translation)},
+            {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
+            {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
+            {"rotation_sigma_deg", rotationSigma},
+            {"rotation_source", photo.rotationSource}};
+}
+
+Eigen::Quaterniond rotationOf(const JsonReader& photo) {
+    const JsonReader q = photo.member("room_from_photo");
+    const double w = q.number("w");
+    const double x = q.number("x");
+    const double y = q.number("y");
+    const double z = q.number("z");
+    try {
+        return checkedQuaternion(w, x, y, z, "the photo");
+    } catch (const Error& error) {
+        q.fail(error.sentence());
+    }
+}
+
+RotationSigma rotationSigmaOf(const JsonReader& sigma) {
+    const auto angle = [&](std::string_view key) {
+        return Degrees(boundedNumber(sigma.member(key), 0, 360));
+    };
+    return {angle("yaw"), angle("pitch"), angle("roll")};
+}
+
+DatasetPhoto photoOf(const JsonReader& reader) {
+    DatasetPhoto photo;
+    photo.file = fileName(reader, "file", "photos/");
+    if (photo.file.empty()) {
+        reader.fail("the member \"file\" is missing");
+    }
+    photo.sha256 = reader.string("sha256");
+    if (photo.sha256.size() != 64 ||
+        photo.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        reader.member("sha256").fail("expected 64 lower-case hexadecimal digits");
+    }
+    photo.sizeBytes = static_cast<std::uint64_t>(reader.integer("size_bytes", 1, 1LL << 32));
+    photo.width = static_cast<int>(reader.integer("width", 2, 32768));
+    photo.height = static_cast<int>(reader.integer("height", 1, 16384));
+    if (photo.width != 2 * photo.height) {
+        reader.fail(text("the photo is ", photo.width, " x ", photo.height,
+                         " pixels, and an equirectangular picture is twice as wide as high"));
+    }
+    photo.restartIndex = fileName(reader, "restart_index", "index/");
+    photo.thumbnail = fileName(reader, "thumbnail", "thumbnails/");
+    photo.station = reader.isAbsent("station") ? "" : reader.string("station");
+    photo.roomFromPhoto = {rotationOf(reader),
+                           vectorOf(reader.member("position_m"), -kFarthestM, kFarthestM)};
+    photo.rotationSource = reader.isAbsent("rotation_source") ? "unknown" : reader.string("rotation_source");
+    if (!reader.isAbsent("position_sigma_m")) {
+        photo.positionSigmaM = vectorOf(reader.member("position_sigma_m"), 0, kFarthestM);
+    }
+    if (!reader.isAbsent("rotation_sigma_deg")) {
+        photo.rotationSigma = rotationSigmaOf(reader.member("rotation_sigma_deg"));
+    }
+    return photo;
+}
+
+Json cameraJson(const SuggestedCamera& camera) {
+    const CameraIntrinsics& k = camera.intrinsics;
+    return {{"name", camera.name},
+            {"width", k.width},
+            {"height", k.height},
+            {"fx", k.fx},
+            {"fy", k.fy},
+            {"cx", k.cx},
+            {"cy", k.cy},
+            {"distortion_model", name(k.lens)},
+            {"distortion", k.distortion}};
+}
+
+SuggestedCamera cameraOf(const JsonReader& reader) {
+    SuggestedCamera camera{reader.string("name"), {}};
+    CameraIntrinsics& k = camera.intrinsics;
+    k.width = static_cast<int>(reader.integer("width", 1, 32768));
+    k.height = static_cast<int>(reader.integer("height", 1, 32768));
+    k.fx = reader.number("fx");
+    k.fy = reader.number("fy");
+    k.cx = reader.number("cx");
+    k.cy = reader.number("cy");
+    const std::string lens = reader.string("distortion_model");
+    constexpr std::array kLenses{LensModel::Pinhole, LensModel::PlumbBob, LensModel::RationalPolynomial,
+                                 LensModel::Equidistant};
+    const auto* found =
+        std::find_if(kLenses.begin(), kLenses.end(), [&](LensModel model) { return name(model) == lens; });
+    if (found == kLenses.end()) {
+        reader.member("distortion_model").fail("the lens model is unknown");
+    }
+    k.lens = *found;
+    const JsonReader distortion = reader.member("distortion");
+    for (std::size_t i = 0; i < distortion.arraySize(8); ++i) {
+        k.distortion.push_back(distortion.element(i).asNumber());
+    }
+    try {
+        k.validate();
+    } catch (const Error& error) {
+        reader.fail(error.sentence());
+    }
+    return camera;
+}
+
+void checkVersion(const JsonReader& root, const std::string& source) {
+    if (root.isAbsent("format") || root.member("format").value() != kDatasetFormat) {
+        throw Error(ErrorKind::Corrupt,
+                    text("Could not open ", source, ": it is not the description of a dataset."));
+    }
+    const std::int64_t version = root.integer("version", 1);
+    if (version != kDatasetVersion) {
+        throw Error(ErrorKind::Unsupported,
+                    text("Could not open ", source, ": the dataset has version ", version,
+                         ", and this program reads version ", kDatasetVersion,
+                         "; export it again, or use a newer Spherewalk."));
+    }
+}
+
+void readRoom(const JsonReader& room, DatasetInfo& info) {
+    info.outline = polygonOf(room.member("outline_m"));
+    const JsonReader obstacles = room.member("obstacles_m");
+    for (std::size_t i = 0; i < obstacles.arraySize(kMostVertices); ++i) {
+        info.obstacles.push_back(polygonOf(obstacles.element(i)));
+    }
+    info.ceilingM = boundedNumber(room.member("ceiling_m"), 0, kFarthestM);
+}
+
+void readSceneModels(const JsonReader& models, DatasetInfo& info) {
+    for (std::size_t i = 0; i < models.arraySize(100); ++i) {
+        const JsonReader model = models.element(i);
+        if (model.string("kind") == "sphere") { // kinds of later versions are left out
+            info.sphereRadiusM = boundedNumber(model.member("radius_m"), 1e-3, kFarthestM);
+        }
+    }
+}
+
+} // namespace
+
+Json toJson(const DatasetInfo& info) {
+    Json obstacles = Json::array();
+    for (const Polygon& obstacle : info.obstacles) {
+        obstacles.push_back(listOf(obstacle));
+    }
+    Json models = Json::array();
+    if (info.sphereRadiusM) {
+        models.push_back(
+            {{"kind", "sphere"}, {"radius_m", *info.sphereRadiusM}, {"measured_error_px", nullptr}});
+    }
+    Json cameras = Json::array();
+    for (const SuggestedCamera& camera : info.cameras) {
+        cameras.push_back(cameraJson(camera));
+    }
+    Json photos = Json::array();
+    for (const DatasetPhoto& photo : info.photos) {
+        photos.push_back(photoJson(photo));
+    }
+    return {
+        {"format", kDatasetFormat},
+        {"version", kDatasetVersion},
+        {"id", info.id},
+        {"name", info.name},
+        {"created_utc", info.createdUtc},
+        {"made_by", info.madeBy},
+        {"survey_id", info.surveyId},
+        {"frames",
+         {{"room", "right-handed, x and y on the floor, z up, metres"},
+          {"photo", "x forward (the picture's centre), y left, z up; room_from_photo takes photo to room"}}},
+        {"room",
+         {{"outline_m", listOf(info.outline)}, {"obstacles_m", obstacles}, {"ceiling_m", info.ceilingM}}},
+        {"grid", {{"step_m", info.stepM}}},
+        {"scene_models", models},
+        {"colour_correction", nullptr},
+        {"suggested_cameras", cameras},
+        {"photos", photos}};
+}
+
+DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
+    const JsonReader root(json, source);
+    checkVersion(root, source);
+    DatasetInfo info;
+    info.id = root.string("id");
+    info.name = root.string("name");
+    info.createdUtc = root.string("created_utc");
+    info.madeBy = root.string("made_by");
+    info.surveyId = root.string("survey_id");
+    readRoom(root.member("room"), info);
+    info.stepM = boundedNumber(root.member("grid").member("step_m"), 0, kFarthestM);
+    readSceneModels(root.member("scene_models"), info);
+    const JsonReader cameras = root.member("suggested_cameras");
+    for (std::size_t i = 0; i < cameras.arraySize(1000); ++i) {
+        info.cameras.push_back(cameraOf(cameras.element(i)));
+    }
+    const JsonReader photos = root.member("photos");
+    for (std::size_t i = 0; i < photos.arraySize(kMostPhotos); ++i) {
+        info.photos.push_back(photoOf(photos.element(i)));
+    }
+    if (info.photos.empty()) {
+        photos.fail("the dataset has no photos");
+    }
+    return info;
+}
+
+} // namespace spherewalk::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/scene_model.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace spherewalk::render {
+
+/// Where each pixel of a view comes from in a photo, computed exactly in double precision: the reference that
+/// faster code is compared with. Threads: const, any number.
+class Projection {
+  public:
+    /// roomFromCamera: of the camera's optical frame. sphereRadiusM: used by SceneKind::Sphere only.
+    /// Positions are subtracted before anything else, so a room may lie at 10^6 m.
+    Projection(const CameraModel& camera, const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto,
+               EquirectSize photo, SceneKind scene, double sphereRadiusM);
+
+    /// The photo's pixel that the view's pixel shows; nothing where the lens sees nothing.
+    std::optional<Eigen::Vector2d> photoPixel(const Eigen::Vector2d& viewPixel) const;
+
+  private:
+    const CameraModel& m_camera;
+    Eigen::Matrix3d m_photoFromCamera;
+    Eigen::Vector3d m_offsetInPhoto;
+    EquirectSize m_photo;
+    SceneKind m_scene;
+    double m_sphereRadiusM;
+};
+
+} // namespace spherewalk::render

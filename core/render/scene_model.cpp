@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/render/scene_model.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <cmath>
+
+namespace spherewalk::render {
+
+std::string_view name(SceneKind kind) {
+    return kind == SceneKind::None ? "none" : "sphere";
+}
+
+SceneKind sceneKind(std::string_view name) {
+    if (name == "none") {
+        return SceneKind::None;
+    }
+    if (name == "sphere") {
+        return SceneKind::Sphere;
+    }
+    throw Error(ErrorKind::InvalidInput,
+                text("The scene model \"", printable(name), "\" is unknown; there are none and sphere."));
+}
+
+Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
+    // In units of the radius, so that neither tiny nor huge rooms lose digits.
+    Eigen::Vector3d from = offset / radius;
+    const double displacement = from.norm();
+    if (displacement > kLargestDisplacement) {
+        from *= kLargestDisplacement / displacement;
+    }
+    const double along = from.dot(ray);
+    const double inside = 1 - from.squaredNorm(); // > 0
+    const double root = std::sqrt(along * along + inside);
+    // The positive root of t^2 + 2 along t - inside = 0, in the form that does not cancel.
+    const double t = along > 0 ? inside / (along + root) : root - along;
+    return from + t * ray;
+}
+
+} // namespace spherewalk::render

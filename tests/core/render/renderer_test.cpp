@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "expect_error.h"
+#include "random.h"
+#include "temporary_folder.h"
+#include "test_dataset.h"
+
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/render/renderer.h"
+
+#include <numbers>
+
+namespace spherewalk::render {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using test::expectError;
+using test::TemporaryFolder;
+
+namespace {
+
+std::shared_ptr<const Dataset> opened(const std::filesystem::path& folder) {
+    return std::make_shared<const Dataset>(Dataset::open(folder));
+}
+
+/// Greatest difference, over all pixels and channels, between a view and what the world looks like from
+/// there.
+double worstDifference(const View& view, const CameraModel& camera,
+                       const Eigen::Quaterniond& roomFromCamera) {
+    double worst = 0;
+    for (int y = 0; y < camera.height(); ++y) {
+        for (int x = 0; x < camera.width(); ++x) {
+            const Vector3d expected = test::smoothWorld(roomFromCamera * *camera.ray(Vector2d(x, y)));
+            for (int c = 0; c < 3; ++c) {
+                worst = std::max(worst, std::abs(view.picture.at(x, y)[c] - expected[c]));
+            }
+        }
+    }
+    return worst;
+}
+
+} // namespace
+
+// The world differs in every direction, so a mirrored, turned or tilted convention anywhere between camera
+// and photo fails.
+TEST(Renderer, ShowsTheWorldAsItIsInEveryDirectionFromAnyTurnedPhoto) {
+    test::Random random(41);
+    const TemporaryFolder folder;
+    std::vector<Rigid3> poses;
+    for (int i = 0; i < 4; ++i) {
+        poses.push_back({random.rotation(), random.vector(100)});
+    }
+    test::writeTestDataset(folder.path(), poses, test::smoothWorld);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(80, 60, 1.5));
+    for (int i = 0; i < 40; ++i) {
+        const Rigid3& photo = poses[static_cast<std::size_t>(i) % poses.size()];
+        const Eigen::Quaterniond roomFromCamera = random.rotation();
+        const View view = renderer.render(camera, {roomFromCamera, photo.translation});
+        ASSERT_EQ(view.report.photo, static_cast<std::size_t>(i) % poses.size());
+        ASSERT_LT(worstDifference(view, camera, roomFromCamera), 4) << i << " seed " << random.seed();
+    }
+}
+
+TEST(Renderer, HasNoSeamAndNoPole) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(64, 64, 1));
+    for (int pitchDeg = -90; pitchDeg <= 90; pitchDeg += 15) {
+        const Eigen::Quaterniond roomFromCamera =
+            rotation({Radians(std::numbers::pi), Degrees(pitchDeg), Radians(0)}) * bodyFromOptical();
+        const View view = renderer.render(camera, {roomFromCamera, Vector3d::Zero()});
+        EXPECT_LT(worstDifference(view, camera, roomFromCamera), 4) << pitchDeg;
+    }
+}
+
+TEST(Renderer, GivesTheSameBytesForAnyNumberOfThreads) {
+    test::Random random(42);
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 512, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(101, 67, 2));
+    const Rigid3 pose{random.rotation(), {0.3, -0.2, 0.1}};
+    const View one = renderer.render(camera, pose, {SceneKind::Sphere, 1});
+    for (const int threads : {0, 2, 3, 7}) {
+        EXPECT_EQ(renderer.render(camera, pose, {SceneKind::Sphere, threads}).picture, one.picture)
+            << threads;
+    }
+}
+
+TEST(Renderer, ReportsPhotoOffsetSceneAndTrust) {
+    const TemporaryFolder folder;
+    const DatasetInfo info = test::writeTestDataset(
+        folder.path(), {Rigid3{}, {Eigen::Quaterniond::Identity(), {1, 0, 0}}}, test::smoothWorld, 64, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(100, 100, std::numbers::pi / 2)); // focal length 50 px
+    const Rigid3 pose{Eigen::Quaterniond::Identity(), {0.9, 0, 0}};
+    const ViewReport sphere = renderer.render(camera, pose).report;
+    EXPECT_EQ(sphere.file, info.photos[1].file);
+    EXPECT_NEAR(sphere.offsetM, 0.1, 1e-12);
+    EXPECT_EQ(sphere.scene, SceneKind::Sphere);
+    EXPECT_NEAR(sphere.parallaxPx, 2.5, 1e-9); // 50 px x 0.1 m x (1 / 1 m - 1 / 2 m)
+    EXPECT_NEAR(sphere.trust, 1 / 3.5, 1e-9);
+    EXPECT_GT(sphere.decodeMs, 0);
+    const ViewReport again = renderer.render(camera, pose, {SceneKind::None, 0}).report;
+    EXPECT_EQ(again.decodeMs, 0);
+    EXPECT_NEAR(again.parallaxPx, 2.5, 1e-9); // 50 px x 0.1 m / 2 m
+    EXPECT_EQ(renderer.render(camera, Rigid3{}).report.trust, 1);
+}
+
+TEST(Renderer, ServesTheSphereOnlyToDatasetsThatHaveOne) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 64);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
+    EXPECT_EQ(renderer.render(camera, Rigid3{}).report.scene, SceneKind::None);
+    expectError(ErrorKind::InvalidInput, "no sphere scene model", [&] {
+        renderer.render(camera, Rigid3{}, {SceneKind::Sphere, 0});
+    });
+}
+
+TEST(Renderer, RefusesPosesThatAreNone) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 64);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
+    Rigid3 pose;
+    pose.translation.x() = std::nan("");
+    expectError(ErrorKind::InvalidInput, "pose", [&] { renderer.render(camera, pose); });
+    pose = {Eigen::Quaterniond(0, 0, 0, 0), Vector3d::Zero()};
+    expectError(ErrorKind::InvalidInput, "pose", [&] { renderer.render(camera, pose); });
+}
+
+TEST(Renderer, LeavesBlackWhereTheLensSeesNothing) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 64);
+    const Renderer renderer(opened(folder.path()));
+    CameraIntrinsics fisheye = CameraIntrinsics::pinhole(100, 100, 1);
+    fisheye.fx = fisheye.fy = 10; // half of the picture's width is 5 rad
+    fisheye.lens = LensModel::Equidistant;
+    fisheye.distortion = {0, 0, 0, 0};
+    const View view = renderer.render(CameraModel(fisheye), Rigid3{});
+    EXPECT_EQ(view.picture.at(0, 0)[0] + view.picture.at(0, 0)[1] + view.picture.at(0, 0)[2], 0);
+    EXPECT_GT(view.picture.at(50, 50)[2], 100);
+}
+
+TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
+    const TemporaryFolder folder;
+    std::vector<Rigid3> poses;
+    for (int i = 0; i < 5; ++i) {
+        poses.push_back({Eigen::Quaterniond::Identity(), {static_cast<double>(i), 0, 0}});
+    }
+    test::writeTestDataset(folder.path(), poses, test::smoothWorld, 64);
+    const std::uint64_t photoBytes = 64 * 32 * 3;
+    const Renderer renderer(opened(folder.path()), {2 * photoBytes});
+    const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
+    const auto decodes = [&](int photo) {
+        return renderer.render(camera, poses[static_cast<std::size_t>(photo)]).report.decodeMs > 0;
+    };
+    EXPECT_TRUE(decodes(0));
+    EXPECT_TRUE(decodes(1));
+    EXPECT_FALSE(decodes(0)); // 0 is now used more recently than 1
+    EXPECT_TRUE(decodes(2));  // 1 leaves
+    EXPECT_FALSE(decodes(0));
+    EXPECT_TRUE(decodes(1));
+    const Renderer tight(opened(folder.path()), {0});
+    EXPECT_GT(tight.render(camera, poses[3]).report.decodeMs, 0);
+    EXPECT_EQ(tight.render(camera, poses[3]).report.decodeMs, 0);
+}
+
+} // namespace spherewalk::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/render/dataset_format.h"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace spherewalk::test {
+
+/// A colour for each direction of the room: what an endlessly far world looks like.
+using World = std::function<Eigen::Vector3d(const Eigen::Vector3d& directionInRoom)>;
+
+/// Smooth, and different in every direction: no turned, tilted or mirrored picture of it looks like another.
+inline Eigen::Vector3d smoothWorld(const Eigen::Vector3d& d) {
+    return {128 + 100 * d.x(), 128 + 60 * d.y() + 40 * std::sin(3 * d.z()),
+            128 + 80 * d.z() + 20 * std::cos(4 * d.x() + d.y())};
+}
+
+inline RgbImage panorama(const World& world, const Eigen::Quaterniond& roomFromPhoto, int width) {
+    RgbImage picture(width, width / 2);
+    const EquirectSize size{width, width / 2};
+    for (int v = 0; v < size.height; ++v) {
+        for (int u = 0; u < size.width; ++u) {
+            const Eigen::Vector3d colour = world(roomFromPhoto * direction(size, Eigen::Vector2d(u, v)));
+            for (int c = 0; c < 3; ++c) {
+                picture.at(u, v)[c] = static_cast<std::uint8_t>(std::lround(colour[c]));
+            }
+        }
+    }
+    return picture;
+}
+
+/// Writes a dataset with a photo of the world at each pose.
+inline render::DatasetInfo writeTestDataset(const std::filesystem::path& folder,
+                                            const std::vector<Rigid3>& poses, const World& world,
+                                            int width = 512, std::optional<double> sphereRadiusM = {}) {
+    std::filesystem::create_directories(folder / "photos");
+    render::DatasetInfo info;
+    info.id = "00000000-0000-4000-8000-000000000000";
+    info.name = "test";
+    info.createdUtc = "2026-01-01T00:00:00.000Z";
+    info.madeBy = "test";
+    info.surveyId = info.id;
+    info.sphereRadiusM = sphereRadiusM;
+    for (const Rigid3& pose : poses) {
+        const Bytes jpeg = jpeg::encode(panorama(world, pose.rotation, width), 98);
+        render::DatasetPhoto photo;
+        photo.file = "photos/" + std::to_string(info.photos.size()) + ".jpg";
+        photo.sha256 = sha256Hex(jpeg);
+        photo.sizeBytes = jpeg.size();
+        photo.width = width;
+        photo.height = width / 2;
+        photo.roomFromPhoto = pose;
+        photo.rotationSource = "imported";
+        writeFile(folder / photo.file, jpeg);
+        info.photos.push_back(photo);
+    }
+    writeFile(folder / render::kDatasetFile, bytesOf(render::toJson(info).dump(1)));
+    return info;
+}
+
+} // namespace spherewalk::test
