@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/image.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace spherewalk::photo {
+
+/// The picture in a PNG or JPEG file, as 8-bit RGB; transparency is dropped, and an orientation tag is not
+/// applied. Errors: NotFound, Io; Corrupt for a damaged file; Unsupported for any other format and for more
+/// than 2^28 pixels.
+RgbImage readPicture(const std::filesystem::path& file);
+
+/// Writes a PNG, durably; a file of that name is replaced. Errors: InvalidInput for an empty picture; Io,
+/// Full.
+void writePng(const std::filesystem::path& file, const RgbImage& picture);
+
+/// The picture at another size: each pixel is the average of the area that it covers; enlarging interpolates.
+/// Range: sizes of 1 to 65535. Errors: InvalidInput.
+RgbImage resized(const RgbImage& picture, int width, int height);
+
+/// All pictures side by side, row after row, each reduced to the cell's width at its own aspect ratio, on
+/// dark grey. captions: one a picture, written below it in ASCII, or none at all. Errors: InvalidInput for no
+/// pictures, an empty one, or captions of another count.
+RgbImage contactSheet(std::span<const RgbImage> pictures, int columns, int cellWidth,
+                      std::span<const std::string> captions = {});
+
+/// Peak signal-to-noise ratio over all three channels, in dB; infinity for equal pictures.
+/// Errors: InvalidInput if the sizes differ or are empty.
+double psnr(const RgbImage& a, const RgbImage& b);
+
+} // namespace spherewalk::photo
