@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/bytes.h"
+#include "spherewalk/camera/endpoint.h"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+namespace spherewalk::camera {
+
+struct HttpOptions {
+    std::chrono::milliseconds connectTimeout{5'000};
+    std::chrono::milliseconds requestTimeout{20'000}; ///< of an ordinary request, in all
+    std::chrono::milliseconds stallTimeout{15'000};   ///< of a download: the longest time for 16 kB
+    std::uint64_t maxAnswerBytes = 1 << 20;           ///< of an ordinary request's answer
+
+    /// Errors: InvalidInput, with the option and its range.
+    void validate() const;
+};
+
+/// What a server answered, whatever the status.
+struct HttpResponse {
+    int status = 0;
+    std::string contentType; ///< as sent, in lower case
+    std::string body;        ///< of a download only if the status is not 200, and then at most 64 kB
+    std::optional<std::uint64_t> declaredBytes; ///< Content-Length, if there was one
+    std::uint64_t receivedBytes = 0;
+};
+
+/// HTTP to one camera over libcurl: no proxy, no redirect, no HTTPS, every size and time bounded.
+/// Errors of all requests: Network (not reached, or the connection broke), Timeout, Stopped, Corrupt (more
+/// bytes than allowed), Unsupported (what answers does not speak HTTP). An error status is a response.
+/// Stop: within 200 ms, also while connecting or waiting. Threads: one at a time.
+class HttpClient {
+  public:
+    using Sink = std::function<void(ByteView)>;
+
+    /// Errors: InvalidInput.
+    explicit HttpClient(Endpoint endpoint, HttpOptions options = {});
+    ~HttpClient();
+    HttpClient(const HttpClient&) = delete;
+    HttpClient& operator=(const HttpClient&) = delete;
+
+    const Endpoint& endpoint() const { return m_endpoint; }
+
+    HttpResponse get(std::string_view path, const std::stop_token& stop);
+
+    /// Sends JSON. For repeatable commands only: on a connection kept alive from an earlier request libcurl
+    /// sends a POST a second time by itself if the server closes without answering (seen with 7.88).
+    HttpResponse post(std::string_view path, const std::string& json, const std::stop_token& stop,
+                      std::optional<std::chrono::milliseconds> timeout = std::nullopt);
+
+    /// Sends JSON on a connection of its own, which makes libcurl send it at most once. After an error other
+    /// than InvalidInput it is unknown whether the camera acted on it.
+    HttpResponse postOnce(std::string_view path, const std::string& json, const std::stop_token& stop);
+
+    /// Gives the body of a 200 answer to the sink piece by piece. Errors: also whatever the sink throws;
+    /// Network for a body shorter than its Content-Length. A body without a Content-Length that is cut short
+    /// looks complete: the caller must verify.
+    HttpResponse download(std::string_view path, std::uint64_t maxBytes, const Sink& sink,
+                          const std::stop_token& stop);
+
+  private:
+    struct Handles;
+    struct Transfer;
+    enum class Repeat { Allowed, Never };
+
+    HttpResponse send(std::string_view path, const std::string& json, Repeat repeat,
+                      std::chrono::milliseconds timeout, const std::stop_token& stop);
+    void prepare(Transfer& transfer, std::string_view path);
+    HttpResponse perform(Transfer& transfer, const std::stop_token& stop);
+    [[noreturn]] void fail(const Transfer& transfer, int code) const;
+
+    Endpoint m_endpoint;
+    HttpOptions m_options;
+    std::unique_ptr<Handles> m_handles;
+};
+
+} // namespace spherewalk::camera

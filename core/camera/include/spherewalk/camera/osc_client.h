@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/camera/http.h"
+#include "spherewalk/camera/osc_messages.h"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace spherewalk::camera {
+
+struct OscOptions {
+    HttpOptions http;
+    std::chrono::milliseconds statusTimeout{5'000}; ///< of a question about a running command
+    int attempts = 3;                               ///< of a repeatable request that gets no usable answer
+    std::chrono::milliseconds retryPause{1'000};    ///< between these
+    std::chrono::milliseconds busyPause{1'000};     ///< after the first "busy"; doubled for each further one
+    std::chrono::milliseconds settlePause{1'000};   ///< from changing an option to taking a picture
+
+    /// Errors: InvalidInput, with the option and its range.
+    void validate() const;
+    /// All pauses that the camera's own pace asks for, times the factor; network timeouts stay.
+    OscOptions scaled(double factor) const;
+};
+
+/// Which files to list, newest first.
+struct FileQuery {
+    std::string fileType = "image";
+    int startPosition = 0;
+    int entryCount = 20;
+};
+
+/// The commands of one Open Spherical Camera of API level 2. Repeatable ones are sent again after a network
+/// failure, a useless answer, or "busy"; takePicture is sent at most once.
+/// Errors of all: those of HttpClient; Unsupported for a host that is no camera; Corrupt for answers that
+/// break the protocol; for a refused command the kind of its code (see osc_error.h).
+/// Stop: within 200 ms. Threads: one at a time, so that one request is in flight.
+class OscClient {
+  public:
+    /// Owner: the clock must outlive the client. Errors: InvalidInput.
+    OscClient(Endpoint endpoint, OscOptions options, Clock& clock);
+
+    const Endpoint& endpoint() const { return m_http.endpoint(); }
+
+    CameraInfo info(const std::stop_token& stop);
+    CameraState state(const std::stop_token& stop);
+    /// The options as an object; nothing if the camera does not know one of the names, as it then refuses
+    /// all.
+    std::optional<Json> findOptions(const std::vector<std::string>& names, const std::stop_token& stop);
+    /// The same. Errors: Unsupported for an unknown name.
+    Json getOptions(const std::vector<std::string>& names, const std::stop_token& stop);
+    void setOptions(const Json& options, const std::stop_token& stop);
+    FileList listFiles(const FileQuery& query, const std::stop_token& stop);
+    /// The entry of this file, wherever it stands in the list; nothing if the camera does not have it.
+    std::optional<FileEntry> findFile(std::string_view fileUrl, const std::stop_token& stop);
+
+    /// Waits until an option that was changed last is in force.
+    void settle(const std::stop_token& stop);
+    /// Triggers once. A refusal is returned, not thrown. After any error it is unknown whether the camera has
+    /// taken a picture.
+    CommandReply takePicture(const std::stop_token& stop);
+    /// How far a command is. A refusal (a forgotten id) is returned, not thrown.
+    CommandReply status(const std::string& id, const std::stop_token& stop);
+
+    /// One attempt; see HttpClient::download. Errors: also NotFound.
+    HttpResponse download(std::string_view fileUrl, std::uint64_t maxBytes, const HttpClient::Sink& sink,
+                          const std::stop_token& stop);
+
+  private:
+    using Send = std::function<HttpResponse()>;
+
+    template <class Understand>
+    auto repeatable(const Send& send, const Understand& understand, const std::stop_token& stop);
+    CommandReply ask(const std::string& command, const Json& parameters, const std::stop_token& stop);
+    CommandReply execute(const std::string& command, const Json& parameters, std::string_view tried,
+                         const std::stop_token& stop);
+    void pause(Clock::Duration duration, const std::stop_token& stop);
+
+    HttpClient m_http;
+    OscOptions m_options;
+    Clock& m_clock;
+    std::optional<Clock::TimePoint> m_optionsSetAt;
+};
+
+} // namespace spherewalk::camera

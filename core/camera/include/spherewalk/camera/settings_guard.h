@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/json.h"
+#include "spherewalk/camera/osc_client.h"
+
+#include <chrono>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace spherewalk::camera {
+
+/// Brings a camera into the state in which a survey is taken (still pictures, the largest spherical JPEG,
+/// never asleep), proves it by reading back, and puts sleep and power-off times back at the end.
+/// Errors: those of OscClient. Threads: those of its client.
+class SettingsGuard {
+  public:
+    /// Owner: the client must outlive the guard.
+    explicit SettingsGuard(OscClient& client) : m_client(client) {}
+
+    /// Applies and reads back. What the camera lacks or changes without harm is returned as sentences.
+    /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG.
+    std::vector<std::string> apply(const std::stop_token& stop);
+    /// Only the mode, after a camera has refused to take a picture.
+    void applyImageMode(const std::stop_token& stop);
+    /// Puts back what apply() found at its first call; nothing if it was not called.
+    void restore(const std::stop_token& stop);
+
+    /// Those of the options that this camera knows; unknown ones are remembered and not asked for again.
+    Json read(const std::vector<std::string>& names, const std::stop_token& stop);
+
+  private:
+    Json wanted(const Json& present) const;
+    std::vector<std::string> differences(const Json& wanted, const std::stop_token& stop);
+
+    OscClient& m_client;
+    std::set<std::string> m_unknown;
+    Json m_original; ///< null until apply()
+};
+
+/// The time that a shot may take before it counts as lost: the base, the self-timer, twice the exposure, and
+/// an extra for filters that take several exposures. Source: osc-theta reference, known timings.
+struct ShotAllowance {
+    std::chrono::milliseconds base{30'000};
+    std::chrono::milliseconds filterExtra{20'000};
+    double exposureFactor = 2;
+    double timeScale = 1; ///< of the camera's own times: 0.01 for a practice camera a hundred times as fast
+
+    /// options: exposureDelay, shutterSpeed, _filter, as far as the camera has them.
+    std::chrono::milliseconds of(const Json& options) const;
+};
+
+} // namespace spherewalk::camera

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/camera/photo_download.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace spherewalk::camera {
+
+namespace {
+
+/// Watches a stream for the markers that frame a JPEG. Zeros after the end are padding.
+class JpegFrame {
+  public:
+    void add(ByteView bytes) {
+        for (const std::uint8_t byte : bytes.first(std::min<std::size_t>(bytes.size(), 2 - m_started))) {
+            m_start[m_started++] = byte;
+        }
+        const auto lastContent = std::find_if(bytes.rbegin(), bytes.rend(), [](auto byte) { return byte; });
+        if (lastContent != bytes.rend()) {
+            const auto index = static_cast<std::size_t>(bytes.rend() - lastContent) - 1;
+            m_end = {index > 0 ? bytes[index - 1] : m_last, bytes[index]};
+        }
+        m_last = bytes.empty() ? m_last : bytes.back();
+    }
+
+    bool startsRight() const { return m_started == 2 && m_start[0] == 0xff && m_start[1] == 0xd8; }
+
+    bool endsRight() const { return m_end[0] == 0xff && m_end[1] == 0xd9; }
+
+  private:
+    std::array<std::uint8_t, 2> m_start{};
+    std::size_t m_started = 0;
+    std::array<std::uint8_t, 2> m_end{};
+    std::uint8_t m_last = 0;
+};
+
+/// A download that is worth starting again is told by Network or Timeout.
+Error incomplete(const std::string& name, const std::string& what) {
+    return {ErrorKind::Network, text("The photo ", name, " did not arrive whole (", what,
+                                     "); it is still on the camera: move closer to it and try again.")};
+}
+
+void requireLength(const std::string& name, std::uint64_t received, std::optional<std::uint64_t> expected,
+                   std::string_view source) {
+    if (expected && *expected != received) {
+        throw incomplete(name, text(received, " bytes instead of the ", *expected, " of ", source));
+    }
+}
+
+PhotoFacts checkPicture(const std::string& name, const std::filesystem::path& file,
+                        const DownloadOptions& options) {
+    const PhotoFacts facts = options.check(file);
+    if (facts.width != 2 * facts.height || facts.width < options.minWidth) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The photo ", name, " has ", facts.width, " x ", facts.height,
+                         " pixels, but a spherical photo is twice as wide as high and at least ",
+                         options.minWidth, " wide; set the camera to full-size stitched photos."));
+    }
+    return facts;
+}
+
+DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::filesystem::path& target,
+                        const DownloadOptions& options, const std::stop_token& stop) {
+    const std::string name = fileNameOfUrl(fileUrl);
+    const auto listed = client.findFile(fileUrl, stop);
+    if (!listed) {
+        throw Error(ErrorKind::NotFound,
+                    text("The camera does not list the photo ", name,
+                         "; check that nobody has deleted it, and that this is the same camera."));
+    }
+    DurableFile file(target);
+    Sha256 hash;
+    JpegFrame frame;
+    const HttpResponse response = client.download(
+        fileUrl, options.maxBytes,
+        [&](ByteView bytes) {
+            file.write(bytes);
+            hash.update(bytes);
+            frame.add(bytes);
+        },
+        stop);
+    requireLength(name, file.sizeBytes(), response.declaredBytes, "the answer's header");
+    requireLength(name, file.sizeBytes(), listed->sizeBytes, "the camera's list");
+    if (!frame.startsRight()) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The photo ", name, " is not a JPEG; set the camera to JPEG and take it again."));
+    }
+    if (!frame.endsRight()) {
+        throw incomplete(name, "its end is missing");
+    }
+    const PhotoFacts facts = checkPicture(name, file.temporaryName(), options);
+    DownloadedPhoto photo;
+    photo.temporaryFile = target;
+    photo.fileUrl = fileUrl;
+    photo.cameraFileName = name;
+    photo.cameraSha256 = hash.hex();
+    photo.sizeBytes = file.sizeBytes();
+    photo.width = facts.width;
+    photo.height = facts.height;
+    file.commit(DurableFile::Overwrite::Yes);
+    return photo;
+}
+
+bool isWorthRestarting(ErrorKind kind) {
+    // Not found: the camera may not have finished writing what it announced.
+    return kind == ErrorKind::Network || kind == ErrorKind::Timeout || kind == ErrorKind::NotFound ||
+           kind == ErrorKind::Busy;
+}
+
+} // namespace
+
+void DownloadOptions::validate() const {
+    if (!check) {
+        throw Error(ErrorKind::InvalidInput, "The download option check must be given.");
+    }
+    if (restarts < 0 || restarts > 100) {
+        throw Error(ErrorKind::InvalidInput, "The download option restarts must lie between 0 and 100.");
+    }
+    if (restartPause < std::chrono::milliseconds(0) || restartPause > std::chrono::minutes(10)) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The download option restartPause must lie between 0 and 10 min.");
+    }
+    if (maxBytes < 1024 || minWidth < 2) {
+        throw Error(ErrorKind::InvalidInput, "The download options maxBytes and minWidth must be at least "
+                                             "1024 bytes and 2 pixels.");
+    }
+}
+
+DownloadedPhoto downloadPhoto(OscClient& client, Clock& clock, std::string_view fileUrl,
+                              const std::filesystem::path& target, const DownloadOptions& options,
+                              const std::stop_token& stop) {
+    options.validate();
+    for (int restarts = 0;; ++restarts) {
+        try {
+            return attempt(client, fileUrl, target, options, stop);
+        } catch (const Error& error) {
+            if (!isWorthRestarting(error.kind()) || restarts >= options.restarts) {
+                throw;
+            }
+        }
+        clock.sleep(options.restartPause, stop);
+        throwIfStopped(stop);
+    }
+}
+
+} // namespace spherewalk::camera

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shot_settler.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spherewalk::camera {
+
+namespace {
+
+Resolution taken(std::string fileUrl) {
+    return {ShotStep::Taken, std::move(fileUrl), {}, {}};
+}
+
+Resolution notTaken(std::string sentence, ErrorKind problem) {
+    return {ShotStep::NotTaken, {}, std::move(sentence), problem};
+}
+
+Resolution unclear(std::string sentence) {
+    return {ShotStep::Unclear, {}, std::move(sentence), ErrorKind::Corrupt};
+}
+
+Resolution otherCamera(const Shot& shot, const std::string& serial) {
+    return unclear(text("Another camera answers now (serial number ", printable(serial),
+                        "); whether the camera ", printable(shot.cameraSerial),
+                        " has taken this photo must be looked up on it."));
+}
+
+bool isOtherFile(const std::string& fileUrl, const Baseline& baseline) {
+    return baseline.latestFileUrl.empty() || pathOfUrl(fileUrl) != pathOfUrl(baseline.latestFileUrl);
+}
+
+} // namespace
+
+bool isCameraTrouble(ErrorKind kind) {
+    switch (kind) {
+    case ErrorKind::Network:
+    case ErrorKind::Timeout:
+    case ErrorKind::Corrupt:
+    case ErrorKind::Unsupported:
+    case ErrorKind::NotFound:
+    case ErrorKind::Busy:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void ShotSettler::pause(Clock::Duration duration, const std::stop_token& stop) {
+    m_clock.sleep(duration, stop);
+    throwIfStopped(stop);
+}
+
+std::string ShotSettler::reconnect(const std::stop_token& stop) {
+    const Clock::TimePoint giveUp = m_clock.now() + m_options.reconnectTime;
+    for (;;) {
+        try {
+            return m_client.info(stop).serialNumber;
+        } catch (const Error& error) {
+            if (!isCameraTrouble(error.kind()) || m_clock.now() >= giveUp) {
+                throw;
+            }
+        }
+        pause(m_options.reconnectPause, stop);
+    }
+}
+
+void ShotSettler::waitUntilIdle(const std::stop_token& stop) {
+    const Clock::TimePoint giveUp = m_clock.now() + m_options.idleTime;
+    for (;;) {
+        const CameraState state = m_client.state(stop);
+        if (state.isIdle()) {
+            return;
+        }
+        if (m_clock.now() >= giveUp) {
+            throw Error(ErrorKind::Busy,
+                        text("The camera stays busy (\"", printable(state.captureStatus),
+                             "\"); end what it is doing, or switch it off and on, then resume."));
+        }
+        pause(m_options.pollInterval, stop);
+    }
+}
+
+Resolution ShotSettler::resolve(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop) {
+    if (!shot.commandId.empty()) {
+        if (auto resolution = follow(shot, deadline, stop)) {
+            return *std::move(resolution);
+        }
+    }
+    return inspectFiles(shot, deadline, stop);
+}
+
+/// Asks for the running command until it ends or is overdue. Nothing, if its end must be read from the files.
+std::optional<Resolution> ShotSettler::follow(const Shot& shot, Clock::TimePoint deadline,
+                                              const std::stop_token& stop) {
+    for (;;) {
+        try {
+            const CommandReply reply = m_client.status(shot.commandId, stop);
+            if (reply.state == CommandReply::State::Done) {
+                const std::string fileUrl = reply.fileUrl();
+                const bool isNew = !fileUrl.empty() && isOtherFile(fileUrl, shot.baseline);
+                return isNew ? std::optional(taken(fileUrl)) : std::nullopt;
+            }
+            if (reply.error == OscErrorCode::Canceled) {
+                return notTaken(refusal("take the photo", reply.error, reply.errorMessage).sentence(),
+                                ErrorKind::Busy);
+            }
+            // A camera may forget an id once it has told the end: an answer lost on the way looks like this.
+            if (reply.state == CommandReply::State::Error && worthwhileRepeats(reply.error) == 0) {
+                return std::nullopt;
+            }
+        } catch (const Error& error) {
+            if (!isCameraTrouble(error.kind())) {
+                throw;
+            }
+            // Another camera may have taken over the address and know the same id.
+            if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
+                return otherCamera(shot, serial);
+            }
+        }
+        if (m_clock.now() >= deadline) {
+            return std::nullopt;
+        }
+        pause(m_options.pollInterval, stop);
+    }
+}
+
+/// One look at the files; nothing while the camera is busy.
+std::optional<NewFiles> ShotSettler::look(const Shot& shot, const std::stop_token& stop) {
+    if (!m_client.state(stop).isIdle()) {
+        return std::nullopt;
+    }
+    FileQuery query;
+    query.entryCount = 2;
+    return newFilesSince(shot.baseline, m_client.listFiles(query, stop));
+}
+
+void ShotSettler::requireNotRunning(const Shot& shot, const std::stop_token& stop) {
+    if (shot.commandId.empty() ||
+        m_client.status(shot.commandId, stop).state != CommandReply::State::InProgress) {
+        return;
+    }
+    throw Error(ErrorKind::Timeout,
+                "The camera says that it is still taking the photo long after it must have been done; switch "
+                "it off and on, then resume.");
+}
+
+Resolution ShotSettler::inspectFiles(const Shot& shot, Clock::TimePoint deadline,
+                                     const std::stop_token& stop) {
+    if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
+        return otherCamera(shot, serial);
+    }
+    const Clock::TimePoint giveUp =
+        std::max(deadline, m_clock.now()) + m_options.confirmTime + m_options.idleTime;
+    std::optional<NewFiles::Count> seen; // what every look since seenAt has shown
+    Clock::TimePoint seenAt;
+    for (;;) {
+        const Clock::TimePoint now = m_clock.now(); // before the look: a file that comes later is not missed
+        std::optional<NewFiles> files;
+        try {
+            files = look(shot, stop);
+        } catch (const Error& error) {
+            if (!isCameraTrouble(error.kind())) {
+                throw;
+            }
+            if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
+                return otherCamera(shot, serial);
+            }
+        }
+        if (files && files->count == NewFiles::Count::One) {
+            return taken(files->fileUrl);
+        }
+        if (files && seen != files->count) {
+            seen = files->count;
+            seenAt = now;
+        }
+        const bool isConfirmed = files && now - seenAt >= m_options.confirmTime;
+        if (isConfirmed && files->count == NewFiles::Count::Doubtful) {
+            return unclear(files->why);
+        }
+        if (isConfirmed && now >= deadline) {
+            requireNotRunning(shot, stop);
+            return notTaken("The camera has taken no photo; it can be taken again.", ErrorKind::NotFound);
+        }
+        if (now >= giveUp) {
+            throw Error(ErrorKind::Busy, "The camera stays busy or gives no steady answer about its files; "
+                                         "switch it off and on, then resume.");
+        }
+        pause(m_options.pollInterval, stop);
+    }
+}
+
+} // namespace spherewalk::camera

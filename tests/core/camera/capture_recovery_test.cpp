@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture_fixture.h"
+#include "expect_error.h"
+#include "random.h"
+
+#include <set>
+
+namespace spherewalk::camera {
+namespace {
+
+using namespace std::chrono_literals;
+using test::answering;
+using test::closeSilently;
+using test::expectError;
+
+/// The program's death at an instant.
+struct Killed {};
+
+class CaptureRecoveryTest : public test::CaptureFixture {
+  protected:
+    /// Runs shoot() until the journal has recorded the event, then kills the program and starts it anew.
+    void killAfter(const std::string& event, std::int64_t station = 1) {
+        journal.onRecorded = [event](const std::string& recorded) {
+            if (recorded == event) {
+                throw Killed{};
+            }
+        };
+        EXPECT_THROW(capture().shoot(station, {}), Killed);
+        journal.onRecorded = [](const std::string&) {};
+        start();
+    }
+
+    /// The trigger has left and works on the camera, but the program dies before it hears the answer.
+    void killDuringTrigger(std::int64_t station = 1) {
+        std::stop_source death;
+        camera.fault("camera.takePicture", [&](const auto& normal) {
+            normal();
+            death.request_stop();
+            return test::neverAnswer();
+        });
+        expectError(ErrorKind::Stopped, "", [&] { capture().shoot(station, death.get_token()); });
+        start();
+    }
+
+    ShotOutcome settleOne() {
+        std::vector<ShotOutcome> outcomes = capture().settle({});
+        EXPECT_EQ(outcomes.size(), 1U);
+        return outcomes.empty() ? ShotOutcome{} : outcomes.front();
+    }
+};
+
+TEST_F(CaptureRecoveryTest, NothingOpenNeedsNothing) {
+    EXPECT_TRUE(capture().settle({}).empty());
+    EXPECT_EQ(clock.passed(), 0s);
+}
+
+TEST_F(CaptureRecoveryTest, AShotKilledBeforeItsTriggerIsProvedNotTakenAfterTheDeadline) {
+    killAfter("begin");
+    const auto begun = clock.passed();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_GE(clock.passed() - begun, 30s);
+    EXPECT_EQ(triggers(), 0);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(triggers(), 1);
+}
+
+TEST_F(CaptureRecoveryTest, AShotKilledDuringItsTriggerIsFoundWhileStillExposing) {
+    killDuringTrigger();
+    const auto begun = clock.passed();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_LT(clock.passed() - begun, 10s); // as soon as the file is there, not at the deadline
+    expectPhoto(1, 2);
+    EXPECT_EQ(triggers(), 1);
+}
+
+TEST_F(CaptureRecoveryTest, ACameraThatSeemsIdleWhileExposingIsNotTriggeredAgain) {
+    camera.showsShooting = false;
+    camera.processing = 25s;
+    killDuringTrigger();
+    const ShotOutcome outcome = capture().shoot(1, {}); // settles by itself before anything new
+    EXPECT_EQ(lastShot().id, 2);
+    EXPECT_EQ(journal.shots[1].step, ShotStep::Taken);
+    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Downloaded);
+    expectPhoto(1, 2);
+    expectPhoto(2, 3);
+}
+
+TEST_F(CaptureRecoveryTest, NoSettingIsChangedWhileAShotMayBeExposed) {
+    killDuringTrigger();
+    const int before = camera.count("camera.setOptions");
+    camera.fault(
+        "camera.setOptions",
+        [&](const auto& normal) {
+            EXPECT_EQ(camera.files.size(), 3U) << "changed while the camera was exposing";
+            return normal();
+        },
+        10);
+    capture().prepare({});
+    EXPECT_GT(camera.count("camera.setOptions"), before);
+}
+
+TEST_F(CaptureRecoveryTest, TheDeadlineCountsFromTheIntentionByTheClockOfDay) {
+    killAfter("begin");
+    clock.advance(1h);
+    const auto begun = clock.passed();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_LT(clock.passed() - begun, 10s);
+    EXPECT_GE(clock.passed() - begun, options.confirmTime); // never at the first look
+}
+
+TEST_F(CaptureRecoveryTest, AClockSetBackMakesTheWaitNoLongerThanTheAllowance) {
+    killAfter("begin");
+    clock.jump(-24h);
+    const auto begun = clock.passed();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_GE(clock.passed() - begun, 30s);
+    EXPECT_LT(clock.passed() - begun, 40s);
+}
+
+TEST_F(CaptureRecoveryTest, AClockSetForwardDoesNotHideAnExposureOfOrdinaryLength) {
+    camera.showsShooting = false;
+    killDuringTrigger();
+    clock.jump(24h);
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    expectPhoto(1, 2);
+}
+
+TEST_F(CaptureRecoveryTest, AnIntentionAtTheEndsOfTimeDoesNoHarm) {
+    for (const auto when :
+         {std::chrono::system_clock::time_point::min(), std::chrono::system_clock::time_point::max()}) {
+        killAfter("begin");
+        journal.shots.rbegin()->second.intendedAt = when;
+        EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    }
+}
+
+TEST_F(CaptureRecoveryTest, AStartedShotIsFollowedByItsId) {
+    killAfter("started");
+    const auto begun = clock.passed();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_LT(clock.passed() - begun, 5s);
+    expectPhoto(1, 2);
+    EXPECT_EQ(triggers(), 1);
+}
+
+TEST_F(CaptureRecoveryTest, AStartedShotWhoseIdIsForgottenIsFoundByItsFile) {
+    killAfter("started");
+    clock.advance(10s);
+    camera.tellsEndOnce = true;
+    camera.fault("/osc/commands/status", answering(test::answerOsc("invalidParameterValue", 400)), 2);
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    expectPhoto(1, 2);
+}
+
+TEST_F(CaptureRecoveryTest, AStartedShotLostByARestartOfTheCameraIsNotTaken) {
+    killAfter("started");
+    camera.restart();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    expectPhoto(2, 2);
+}
+
+TEST_F(CaptureRecoveryTest, ATakenShotIsOnlyDownloaded) {
+    killAfter("taken");
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    expectPhoto(1, 2);
+    EXPECT_EQ(triggers(), 1);
+    EXPECT_EQ(camera.count("camera.setOptions"), 2); // those of the first run
+}
+
+TEST_F(CaptureRecoveryTest, ATakenShotIsDownloadedThoughTheCameraIsFull) {
+    killAfter("taken");
+    camera.cameraErrors = Json::array({"NO_MEMORY"});
+    camera.options["remainingPictures"] = 0;
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+}
+
+TEST_F(CaptureRecoveryTest, ADownloadThatWasKilledStartsAnew) {
+    std::stop_source death;
+    camera.fault("camera.takePicture", [&](const auto& normal) {
+        camera.fault("/files/150100525831424d42079d18e0b6c300/100RICOH/R0010050.JPG", [&](const auto& whole) {
+            test::ServerAction half = whole();
+            half.bytes.resize(half.bytes.size() / 2);
+            half.then = test::ServerAction::Then::Stall;
+            death.request_stop();
+            return half;
+        });
+        return normal();
+    });
+    expectError(ErrorKind::Stopped, "", [&] { capture().shoot(1, death.get_token()); });
+    writeFile(folder / "shot-1.incoming.1-0.part", bytesOf("left by a kill")); // what a real kill leaves
+    start();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    expectPhoto(1, 2);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_F(CaptureRecoveryTest, APhotoOnAnotherCameraWaitsForIt) {
+    killAfter("taken");
+    camera.serial = "00999999";
+    const ShotOutcome outcome = settleOne();
+    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_EQ(outcome.problem, ErrorKind::NotFound);
+    EXPECT_EQ(lastShot().step, ShotStep::Taken);
+}
+
+TEST_F(CaptureRecoveryTest, AnOpenShotOfAnotherCameraIsUnclear) {
+    killDuringTrigger();
+    camera.serial = "00999999";
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Unclear);
+}
+
+TEST_F(CaptureRecoveryTest, AnOpenShotIsUnclearIfTwoFilesAreNew) {
+    killDuringTrigger();
+    clock.advance(10s);
+    camera.addFile();
+    EXPECT_EQ(settleOne().shot.step, ShotStep::Unclear);
+}
+
+TEST_F(CaptureRecoveryTest, AnOpenShotStaysOpenWhileTheCameraIsAway) {
+    killDuringTrigger();
+    capture().connect({});
+    camera.fault("/osc/state", answering(closeSilently()), 1000);
+    camera.fault("/osc/info", answering(closeSilently()), 1000);
+    camera.fault("camera.listFiles", answering(closeSilently()), 1000);
+    expectError(ErrorKind::Network, "broke", [&] { capture().settle({}); });
+    EXPECT_EQ(lastShot().step, ShotStep::Intended);
+    EXPECT_GE(clock.passed(), options.reconnectTime);
+}
+
+/// Kills the program again and again at random instants, and loses answers at random; at the end each station
+/// has its own photo, and the camera was triggered once for each shot that it took.
+TEST_F(CaptureRecoveryTest, AnyDeathAtAnyInstantLeavesEachStationItsOwnPhoto) {
+    const std::vector<std::string> steps{"begin", "started", "taken", "downloaded"};
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        for (int station = 0; station < 3; ++station) {
+            const auto shotOfStation = [&]() -> const Shot* {
+                for (const auto& [id, shot] : journal.shots) {
+                    if (shot.station == static_cast<std::int64_t>(100 * seed) + station &&
+                        shot.step == ShotStep::Downloaded) {
+                        return &shot;
+                    }
+                }
+                return nullptr;
+            };
+            const std::size_t filesBefore = camera.files.size();
+            while (shotOfStation() == nullptr) {
+                nextPhotoLooks(static_cast<char>('a' + random.integer(0, 25)));
+                camera.showsShooting = random.integer(0, 1) == 1;
+                if (random.integer(0, 2) == 0) {
+                    camera.fault("camera.takePicture", test::losingTheAnswer());
+                }
+                const std::string deadly = random.integer(0, 3) == 0 ? "" : steps[random.integer(0, 3)];
+                journal.onRecorded = [&](const std::string& event) {
+                    if (event == deadly) {
+                        throw Killed{};
+                    }
+                };
+                try {
+                    start();
+                    capture().settle({});
+                    if (shotOfStation() == nullptr) {
+                        capture().shoot(static_cast<std::int64_t>(100 * seed) + station, {});
+                    }
+                } catch (const Killed&) {
+                    clock.advance(std::chrono::milliseconds(random.integer(0, 5000)));
+                }
+            }
+            journal.onRecorded = [](const std::string&) {};
+            expectPhoto(shotOfStation()->id, filesBefore);
+            EXPECT_EQ(camera.files.size(), filesBefore + 1) << "a second exposure";
+        }
+    }
+}
+
+} // namespace
+} // namespace spherewalk::camera

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "event_log.h"
+#include "manual_clock.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/camera/capture_journal.h"
+
+#include <functional>
+#include <map>
+
+namespace spherewalk::test {
+
+/// Keeps shots in memory across "restarts" of the workflow, and checks that their steps go forward.
+class MemoryJournal : public camera::CaptureJournal {
+  public:
+    MemoryJournal(ManualClock& clock, EventLog& log, std::filesystem::path folder)
+        : m_clock(clock), m_log(log), m_folder(std::move(folder)) {}
+
+    camera::Shot begin(std::int64_t station, const std::string& serial,
+                       const camera::Baseline& baseline) override;
+    void started(std::int64_t shot, const std::string& commandId) override;
+    void taken(std::int64_t shot, const std::string& fileUrl) override;
+    void notTaken(std::int64_t shot) override;
+    void unclear(std::int64_t shot, const std::string& why) override;
+    void downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
+    std::vector<camera::Shot> openShots() const override;
+
+    std::filesystem::path downloadFolder() const override { return m_folder; }
+
+    /// Called after each record; throwing from it is the program's death at that instant.
+    std::function<void(const std::string& event)> onRecorded = [](const std::string&) {};
+    std::map<std::int64_t, camera::Shot> shots;
+    std::map<std::int64_t, Bytes> photos; ///< by shot
+
+  private:
+    camera::Shot& shot(std::int64_t id) { return shots.at(id); }
+
+    void recorded(const std::string& event);
+
+    ManualClock& m_clock;
+    EventLog& m_log;
+    std::filesystem::path m_folder;
+};
+
+} // namespace spherewalk::test
