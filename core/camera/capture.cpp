@@ -19,7 +19,8 @@ namespace {
 const std::vector<std::string> kTimingOptions{"exposureDelay", "shutterSpeed", "_filter"};
 
 void requireLevel2(const CameraInfo& info, const CameraState& state) {
-    if (info.hasApiLevel(2) && state.apiVersion.value_or(2) >= 2) {
+    // One that speaks both must say that it is in level 2, as it falls back to 1 when it loses the link.
+    if (info.hasApiLevel(2) && state.apiVersion.value_or(info.hasApiLevel(1) ? 1 : 2) >= 2) {
         return;
     }
     throw Error(ErrorKind::Unsupported, text("The camera ", printable(info.model),
@@ -40,11 +41,14 @@ bool isResolved(const Shot& shot) {
 
 /// What a killed run left of this shot's download.
 void removeLeftovers(const std::filesystem::path& target) {
-    std::error_code ignored; // a leftover that cannot be removed costs space, nothing else
-    for (const auto& entry : std::filesystem::directory_iterator(target.parent_path(), ignored)) {
-        const std::string name = entry.path().filename().string();
+    // A leftover that cannot be removed costs space, nothing else.
+    std::error_code listing;
+    std::filesystem::directory_iterator entry(target.parent_path(), listing);
+    for (; !listing && entry != std::filesystem::directory_iterator(); entry.increment(listing)) {
+        const std::string name = entry->path().filename().string();
         if (name.starts_with(target.filename().string() + ".") && name.ends_with(".part")) {
-            std::filesystem::remove(entry.path(), ignored);
+            std::error_code removing;
+            std::filesystem::remove(entry->path(), removing);
         }
     }
 }
@@ -207,7 +211,12 @@ Baseline Capture::baseline(const std::stop_token& stop) {
     const FileList newest = m_client.listFiles(query, stop);
     // The list, not the state's latest file: what is compared later is the list, and some cameras forget the
     // latest file when they restart.
-    return {newest.entries.empty() ? std::string() : newest.entries.front().fileUrl, newest.totalEntries};
+    Baseline before{{}, newest.totalEntries};
+    if (!newest.entries.empty()) {
+        before.latestFileUrl = newest.entries.front().fileUrl;
+        pathOfUrl(before.latestFileUrl); // refuses now what could not be compared later
+    }
+    return before;
 }
 
 /// Nothing if it is unknown what has become of the trigger.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace spherewalk::camera {
 
@@ -65,6 +66,16 @@ PhotoFacts checkPicture(const std::string& name, const std::filesystem::path& fi
     return facts;
 }
 
+/// A folder of this computer that is not there must not look like a photo that the camera does not have.
+std::unique_ptr<DurableFile> create(const std::filesystem::path& target) {
+    try {
+        return std::make_unique<DurableFile>(target);
+    } catch (const Error& error) {
+        throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
+                    error.context());
+    }
+}
+
 DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::filesystem::path& target,
                         const DownloadOptions& options, const std::stop_token& stop) {
     const std::string name = fileNameOfUrl(fileUrl);
@@ -74,7 +85,8 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
                     text("The camera does not list the photo ", name,
                          "; check that nobody has deleted it, and that this is the same camera."));
     }
-    DurableFile file(target);
+    const std::unique_ptr<DurableFile> output = create(target);
+    DurableFile& file = *output;
     Sha256 hash;
     JpegFrame frame;
     const HttpResponse response = client.download(
@@ -85,6 +97,9 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
             frame.add(bytes);
         },
         stop);
+    if (response.contentType.starts_with("text/html")) {
+        throw notACamera(client.endpoint().name(), "it sent a web page instead of a photo");
+    }
     requireLength(name, file.sizeBytes(), response.declaredBytes, "the answer's header");
     requireLength(name, file.sizeBytes(), listed->sizeBytes, "the camera's list");
     if (!frame.startsRight()) {

@@ -248,10 +248,17 @@ TEST_F(CaptureRecoveryTest, AnyDeathAtAnyInstantLeavesEachStationItsOwnPhoto) {
             };
             const std::size_t filesBefore = camera.files.size();
             while (shotOfStation() == nullptr) {
+                camera.clearFaults();
                 nextPhotoLooks(static_cast<char>('a' + random.integer(0, 25)));
                 camera.showsShooting = random.integer(0, 1) == 1;
-                if (random.integer(0, 2) == 0) {
-                    camera.fault("camera.takePicture", test::losingTheAnswer());
+                std::stop_source death;
+                if (const int fate = random.integer(0, 3); fate < 3) {
+                    camera.fault("camera.takePicture", [&, fate](const auto& normal) {
+                        if (fate > 0) {
+                            normal();
+                        }
+                        return fate < 2 ? (death.request_stop(), test::neverAnswer()) : closeSilently();
+                    });
                 }
                 const std::string deadly = random.integer(0, 3) == 0 ? "" : steps[random.integer(0, 3)];
                 journal.onRecorded = [&](const std::string& event) {
@@ -261,11 +268,14 @@ TEST_F(CaptureRecoveryTest, AnyDeathAtAnyInstantLeavesEachStationItsOwnPhoto) {
                 };
                 try {
                     start();
-                    capture().settle({});
+                    capture().settle(death.get_token());
                     if (shotOfStation() == nullptr) {
-                        capture().shoot(static_cast<std::int64_t>(100 * seed) + station, {});
+                        capture().shoot(static_cast<std::int64_t>(100 * seed) + station, death.get_token());
                     }
                 } catch (const Killed&) {
+                    clock.advance(std::chrono::milliseconds(random.integer(0, 5000)));
+                } catch (const Error& error) {
+                    ASSERT_EQ(name(error.kind()), name(ErrorKind::Stopped)) << error.sentence();
                     clock.advance(std::chrono::milliseconds(random.integer(0, 5000)));
                 }
             }

@@ -88,6 +88,29 @@ TEST_F(CaptureTest, RefusesACameraOfLevelOne) {
     EXPECT_EQ(camera.count("camera.setOptions"), 0);
 }
 
+TEST_F(CaptureTest, RefusesACameraThatHasFallenBackToLevelOne) {
+    camera.apiLevels = "[1,2]";
+    EXPECT_EQ(capture().connect({}).apiLevels.size(), 2U);
+    camera.fault("/osc/state", answering(test::answerJson(R"({"state":{"sessionId":"SID_0001"}})")));
+    expectError(ErrorKind::Unsupported, "API level 1", [&] { capture().connect({}); });
+}
+
+TEST_F(CaptureTest, BeginsNoShotOverFilesThatCannotBeCompared) {
+    capture().prepare({});
+    camera.hostOfUrls = "relative";
+    expectError(ErrorKind::Unsupported, "API level 1", [&] { capture().shoot(1, {}); });
+    EXPECT_TRUE(journal.shots.empty());
+    EXPECT_EQ(triggers(), 0);
+}
+
+TEST_F(CaptureTest, StopsTheRunWhenThisComputersDiskFails) {
+    std::filesystem::remove(folder.path());
+    expectError(ErrorKind::Io, "shot-1", [&] { capture().shoot(1, {}); });
+    EXPECT_EQ(lastShot().step, ShotStep::Taken);
+    std::filesystem::create_directory(folder.path());
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Downloaded);
+}
+
 TEST_F(CaptureTest, RefusesWhatIsNoCamera) {
     camera.fault("/osc/info", answering(test::answerPage()));
     expectError(ErrorKind::Unsupported, "not a spherical camera", [&] { capture().connect({}); });

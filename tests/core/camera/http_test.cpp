@@ -68,6 +68,17 @@ TEST(HttpClient, SendsAnEmptyBodyWithItsLength) {
     EXPECT_THAT(seen.head, HasSubstr("Content-Length: 0\r\n"));
 }
 
+TEST(HttpClient, ReadsAChunkedAnswer) {
+    ScriptedServer server([](const ServerRequest&) {
+        return ServerAction{
+            "HTTP/1.1 200 X\r\nTransfer-Encoding: Chunked\r\n\r\n3\r\nabc\r\n2\r\nde\r\n0\r\n\r\n"};
+    });
+    HttpClient client = clientOf(server);
+    const HttpResponse response = client.get("/a", {});
+    EXPECT_EQ(response.body, "abcde");
+    EXPECT_EQ(response.declaredBytes, std::nullopt);
+}
+
 TEST(HttpClient, ReusesAConnection) {
     ScriptedServer server([](const ServerRequest&) { return ok("x"); });
     HttpClient client = clientOf(server);

@@ -154,6 +154,11 @@ TEST_F(PhotoDownloadTest, RefusesWhatIsNoJpegWithoutTryingAgain) {
     EXPECT_EQ(camera.count(path), 1);
 }
 
+TEST_F(PhotoDownloadTest, TellsAWebPageFromAPhoto) {
+    camera.fault(path, [](const auto&) { return test::answerPage(200); });
+    expectRefused(ErrorKind::Unsupported, "web page instead of a photo");
+}
+
 TEST_F(PhotoDownloadTest, RefusesEmptyFiles) {
     camera.files[0].bytes.clear();
     camera.files[0].listedSize = 0;
@@ -186,7 +191,8 @@ TEST_F(PhotoDownloadTest, NamesAPhotoThatTheCameraDoesNotHave) {
 
 TEST_F(PhotoDownloadTest, PassesOnThatItCannotWrite) {
     target = folder / "missing" / "photo";
-    expectError(ErrorKind::NotFound, "missing", [&] { fetch(); });
+    expectError(ErrorKind::Io, "missing", [&] { fetch(); });
+    EXPECT_EQ(clock.passed(), 0s);
 }
 
 TEST_F(PhotoDownloadTest, LeavesNothingWhenStopped) {

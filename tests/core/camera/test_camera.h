@@ -43,6 +43,9 @@ class TestCamera {
 
     /// The next requests of this command (its name, or a path) meet these faults, one each.
     void fault(const std::string& command, Fault fault, int times = 1);
+
+    void clearFaults() { m_faults.clear(); }
+
     int count(const std::string& command) const;
     void addFile(const std::string& name, std::string bytes = jpegBytes(2048, 1024));
     /// As if somebody pressed the camera's button.

@@ -25,7 +25,8 @@ class SettingsGuard {
     std::vector<std::string> apply(const std::stop_token& stop);
     /// Only the mode, after a camera has refused to take a picture.
     void applyImageMode(const std::stop_token& stop);
-    /// Puts back what apply() found at its first call; nothing if it was not called.
+    /// Puts back what apply() found at its first call; nothing if it was not called. A program that was
+    /// killed leaves the camera awake, and the next one finds that as the camera's own setting.
     void restore(const std::stop_token& stop);
 
     /// Those of the options that this camera knows; unknown ones are remembered and not asked for again.
