@@ -7,6 +7,9 @@
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/camera/photo_download.h"
 
+#include <array>
+#include <charconv>
+
 namespace spherewalk::camera {
 namespace {
 
@@ -138,6 +141,25 @@ TEST_F(PhotoDownloadTest, RefusesAPhotoWithoutItsEnd) {
 TEST_F(PhotoDownloadTest, RefusesAPhotoWhoseSecondHalfIsZeros) {
     camera.files[0].bytes.replace(25'000, 25'000, 25'000, '\0');
     expectRefused(ErrorKind::Network, "its end is missing");
+}
+
+TEST_F(PhotoDownloadTest, FindsTheMarkersHoweverTheBytesArePieced) {
+    const std::string bytes = camera.files[0].bytes;
+    const auto chunk = [](const std::string& piece) {
+        std::array<char, 20> size{};
+        const auto end = std::to_chars(size.data(), size.data() + size.size(), piece.size(), 16).ptr;
+        return std::string(size.data(), end) + "\r\n" + piece + "\r\n";
+    };
+    for (const std::size_t tail : {1U, 2U, 3U}) {
+        camera.fault(path, [&](const auto&) {
+            return ServerAction{"HTTP/1.1 200 X\r\nTransfer-Encoding: chunked\r\n\r\n" +
+                                chunk(bytes.substr(0, 1)) + chunk(bytes.substr(1, bytes.size() - 1 - tail)) +
+                                chunk(bytes.substr(bytes.size() - tail)) + "0\r\n\r\n"};
+        });
+        fetch();
+        EXPECT_EQ(textOf(readFile(target)), bytes);
+    }
+    EXPECT_EQ(clock.passed(), 0s); // each at its first attempt
 }
 
 TEST_F(PhotoDownloadTest, ToleratesPaddingAfterTheEnd) {
