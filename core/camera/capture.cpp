@@ -39,6 +39,16 @@ bool isResolved(const Shot& shot) {
     return shot.step != ShotStep::Intended && shot.step != ShotStep::Started;
 }
 
+/// Tells of settled shots that left no photo.
+void addWarnings(std::vector<std::string>& warnings, const std::vector<ShotOutcome>& settled) {
+    for (const ShotOutcome& outcome : settled) {
+        if (!outcome.sentence.empty()) {
+            warnings.push_back(
+                text("An earlier photo of station ", outcome.shot.station, ": ", outcome.sentence));
+        }
+    }
+}
+
 /// What a killed run left of this shot's download.
 void removeLeftovers(const std::filesystem::path& target) {
     // A leftover that cannot be removed costs space, nothing else.
@@ -80,27 +90,25 @@ std::vector<ShotOutcome> Capture::settle(const std::stop_token& stop) {
     if (!m_camera) {
         connect(stop);
     }
-    std::vector<ShotOutcome> outcomes;
-    settleExposures(outcomes, stop);
+    std::vector<ShotOutcome> outcomes = settleExposures(stop);
+    std::erase_if(outcomes, [](const ShotOutcome& outcome) { return outcome.shot.step == ShotStep::Taken; });
     for (const Shot& shot : m_journal.openShots()) {
         if (shot.step == ShotStep::Taken) {
             outcomes.push_back(fetch(shot, stop));
         }
     }
+    m_hasSettled = true;
     return outcomes;
 }
 
-/// A shot that turns out to be Taken has no outcome here: it stays open until it is fetched.
-void Capture::settleExposures(std::vector<ShotOutcome>& outcomes, const std::stop_token& stop) {
+std::vector<ShotOutcome> Capture::settleExposures(const std::stop_token& stop) {
+    std::vector<ShotOutcome> outcomes;
     for (const Shot& shot : m_journal.openShots()) {
-        if (isResolved(shot)) {
-            continue;
-        }
-        ShotOutcome outcome = resolve(shot, deadlineAfterRestart(shot, stop), stop);
-        if (outcome.shot.step != ShotStep::Taken) {
-            outcomes.push_back(std::move(outcome));
+        if (!isResolved(shot)) {
+            outcomes.push_back(resolve(shot, deadlineAfterRestart(shot, stop), stop));
         }
     }
+    return outcomes;
 }
 
 Clock::TimePoint Capture::deadlineAfterRestart(const Shot& shot, const std::stop_token& stop) {
@@ -147,7 +155,7 @@ CameraReadiness Capture::prepare(const std::stop_token& stop) {
         connect(stop);
     }
     CameraReadiness readiness;
-    settleBeforeOthers(readiness.warnings, stop);
+    addWarnings(readiness.warnings, settleExposures(stop));
     checkHealth(readiness, stop);
     m_parts->settler.waitUntilIdle(stop);
     for (std::string& warning : m_parts->guard.apply(stop)) {
@@ -164,21 +172,14 @@ CameraReadiness Capture::prepare(const std::stop_token& stop) {
     return readiness;
 }
 
-void Capture::settleBeforeOthers(std::vector<std::string>& warnings, const std::stop_token& stop) {
-    std::vector<ShotOutcome> settled;
-    settleExposures(settled, stop);
-    for (const ShotOutcome& outcome : settled) {
-        warnings.push_back(
-            text("An earlier photo of station ", outcome.shot.station, ": ", outcome.sentence));
-    }
-}
-
-/// Brings the camera to where the next shot may be intended, whatever has happened since the last one.
-void Capture::makeReady(std::vector<std::string>& warnings, const std::stop_token& stop) {
+/// Brings the camera to where the next shot may be intended, whatever has happened since the last one. What
+/// had to be settled first.
+std::vector<ShotOutcome> Capture::makeReady(std::vector<std::string>& warnings, const std::stop_token& stop) {
     if (!m_camera) {
         connect(stop);
     }
-    settleBeforeOthers(warnings, stop);
+    std::vector<ShotOutcome> settled = m_hasSettled ? settleExposures(stop) : settle(stop);
+    addWarnings(warnings, settled);
     const CameraInfo info = m_client.info(stop);
     if (info.serialNumber != m_camera->serialNumber) {
         throw Error(ErrorKind::NotFound,
@@ -193,6 +194,7 @@ void Capture::makeReady(std::vector<std::string>& warnings, const std::stop_toke
         const CameraReadiness readiness = prepare(stop);
         warnings.insert(warnings.end(), readiness.warnings.begin(), readiness.warnings.end());
     }
+    return settled;
 }
 
 std::chrono::milliseconds Capture::checkBeforeShot(const std::stop_token& stop) {
@@ -251,7 +253,13 @@ bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token
 
 ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
     std::vector<std::string> warnings;
-    makeReady(warnings, stop);
+    for (ShotOutcome& earlier : makeReady(warnings, stop)) {
+        const ShotStep step = earlier.shot.step;
+        if (earlier.shot.station == station && (step == ShotStep::Taken || step == ShotStep::Downloaded)) {
+            earlier.warnings = std::move(warnings);
+            return std::move(earlier); // what was asked for has been done already
+        }
+    }
     for (int refusals = 0;; ++refusals) {
         const auto allowance = checkBeforeShot(stop);
         const Baseline before = baseline(stop);
@@ -349,7 +357,7 @@ ShotOutcome Capture::fetch(const Shot& shot, const std::stop_token& stop) {
 
 ShotOutcome Capture::shoot(std::int64_t station, const std::stop_token& stop) {
     ShotOutcome exposed = expose(station, stop);
-    if (exposed.shot.step != ShotStep::Taken) {
+    if (exposed.shot.step != ShotStep::Taken || exposed.problem) {
         return exposed;
     }
     ShotOutcome fetched = fetch(exposed.shot, stop);

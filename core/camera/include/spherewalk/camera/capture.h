@@ -81,11 +81,13 @@ class Capture {
     /// Step 2, one outcome for each shot that was open. Connects if need be.
     std::vector<ShotOutcome> settle(const std::stop_token& stop);
     /// Step 3, after settling Intended and Started shots (told in the warnings). Errors: also Busy, Full,
-    /// Unsupported, Io for a camera that cannot take pictures now, with what to do.
+    /// Unsupported for a camera that cannot take pictures now, with what to do.
     CameraReadiness prepare(const std::stop_token& stop);
-    /// Steps 4 to 8, with 1 to 3 if need be.
+    /// Steps 4 to 8, with 1 to 3 if need be. If that settles a shot of the same station which the camera has
+    /// taken, the result is that one, fetched or with the reason why not, and nothing is exposed: only the
+    /// next call takes the photo anew.
     ShotOutcome shoot(std::int64_t station, const std::stop_token& stop);
-    /// Steps 4 to 7: the cart may move when it returns.
+    /// Steps 4 to 7, likewise: the cart may move when it returns.
     ShotOutcome expose(std::int64_t station, const std::stop_token& stop);
     /// Step 8, of a shot that is Taken.
     ShotOutcome fetch(const Shot& shot, const std::stop_token& stop);
@@ -95,10 +97,9 @@ class Capture {
   private:
     struct Parts;
 
-    void settleExposures(std::vector<ShotOutcome>& outcomes, const std::stop_token& stop);
-    void settleBeforeOthers(std::vector<std::string>& warnings, const std::stop_token& stop);
+    std::vector<ShotOutcome> settleExposures(const std::stop_token& stop);
     void checkHealth(CameraReadiness& readiness, const std::stop_token& stop);
-    void makeReady(std::vector<std::string>& warnings, const std::stop_token& stop);
+    std::vector<ShotOutcome> makeReady(std::vector<std::string>& warnings, const std::stop_token& stop);
     std::chrono::milliseconds checkBeforeShot(const std::stop_token& stop);
     Baseline baseline(const std::stop_token& stop);
     std::optional<CommandReply> trigger(const std::stop_token& stop);
@@ -115,6 +116,7 @@ class Capture {
     std::unique_ptr<Parts> m_parts;
     std::optional<CameraInfo> m_camera;
     bool m_isPrepared = false;
+    bool m_hasSettled = false; ///< what an earlier run left open
 };
 
 } // namespace spherewalk::camera
