@@ -75,6 +75,35 @@ std::string isoUtc(std::chrono::system_clock::time_point moment) {
            padded(time.subseconds().count(), 3) + "Z";
 }
 
+std::optional<std::chrono::system_clock::time_point> parseIsoUtc(std::string_view text) {
+    constexpr std::string_view kShape = "0000-00-00T00:00:00.000Z";
+    if (text.size() != kShape.size()) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < kShape.size(); ++i) {
+        const bool isDigit = text[i] >= '0' && text[i] <= '9';
+        if (kShape[i] == '0' ? !isDigit : text[i] != kShape[i]) {
+            return std::nullopt;
+        }
+    }
+    const auto number = [&](std::size_t at, std::size_t digits) {
+        int value = 0;
+        std::from_chars(text.data() + at, text.data() + at + digits, value);
+        return value;
+    };
+    const std::chrono::year_month_day date(std::chrono::year(number(0, 4)),
+                                           std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                           std::chrono::day(static_cast<unsigned>(number(8, 2))));
+    // The clock's nanoseconds end in 2262.
+    if (!date.ok() || date.year() < std::chrono::year(1700) || date.year() > std::chrono::year(2260) ||
+        number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 59) {
+        return std::nullopt;
+    }
+    return std::chrono::sys_days(date) + std::chrono::hours(number(11, 2)) +
+           std::chrono::minutes(number(14, 2)) + std::chrono::seconds(number(17, 2)) +
+           std::chrono::milliseconds(number(20, 3));
+}
+
 std::string humanDuration(std::chrono::duration<double> duration) {
     const long long seconds = std::llround(std::max(0.0, duration.count()));
     if (seconds < 60) {

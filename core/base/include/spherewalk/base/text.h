@@ -18,6 +18,10 @@ inline std::string piece(const char* text) {
     return text;
 }
 
+inline std::string piece(char* text) { // what strerror gives
+    return text;
+}
+
 inline std::string piece(const std::string& text) {
     return text;
 }
@@ -50,6 +54,9 @@ std::optional<double> parseNumber(std::string_view text);
 
 /// A moment as ISO 8601 in UTC with milliseconds: "2026-01-02T03:04:05.678Z".
 std::string isoUtc(std::chrono::system_clock::time_point moment);
+
+/// The moment that text written by isoUtc() spells; nothing for any other text.
+std::optional<std::chrono::system_clock::time_point> parseIsoUtc(std::string_view text);
 
 /// A duration as people say it: "8 s", "3 min 20 s", "2 h 17 min".
 std::string humanDuration(std::chrono::duration<double> duration);
