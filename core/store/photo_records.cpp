@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "store_parts.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+
+namespace spherewalk::store {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kWidestPhoto = 1 << 20;
+constexpr const char* kSelectPhoto =
+    "SELECT id, station, file_name, camera_file_name, camera_serial, file_url, camera_sha256, file_sha256, "
+    "size_bytes, width, height, taken_utc, added_utc, x_m, y_m, z_m, is_chosen, note FROM photo ";
+
+bool isFileName(std::string_view name) {
+    return isSafeRelativePath(name) && name.find('/') == std::string_view::npos && name.size() <= 255;
+}
+
+bool isHash(std::string_view hash) {
+    return hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+void checkPhoto(const NewPhoto& photo) {
+    const auto refuse = [&](std::string_view why) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The photo ", printable(photo.fileName), " cannot be recorded: ", why, "."));
+    };
+    if (!isFileName(photo.fileName)) {
+        refuse("its name is no file's name");
+    }
+    if (!isHash(photo.cameraSha256) || !isHash(photo.fileSha256)) {
+        refuse("its SHA-256 is not given as 64 lower-case hexadecimal digits");
+    }
+    if (photo.width < 1 || photo.height < 1 || photo.width > kWidestPhoto || photo.height > kWidestPhoto) {
+        refuse(text("it cannot have ", photo.width, " x ", photo.height, " pixels"));
+    }
+    if (!photo.positionM.allFinite()) {
+        refuse("its position is not a number");
+    }
+    checkText("camera's file name", photo.cameraFileName);
+    checkText("camera's serial number", photo.cameraSerial);
+    checkText("photo's address on the camera", photo.fileUrl, 4000);
+    checkText("photo's note", photo.note, 4000);
+}
+
+void checkFile(const fs::path& file, std::uint64_t sizeBytes) {
+    std::error_code failure;
+    const auto size = fs::file_size(file, failure);
+    if (failure) {
+        throw Error(ErrorKind::NotFound,
+                    text("The photo ", file.string(), " cannot be recorded: there is no such file."));
+    }
+    if (size != sizeBytes || size == 0) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The photo ", file.string(), " cannot be recorded: it has ", humanBytes(size),
+                         ", and should have ", humanBytes(sizeBytes), "."));
+    }
+}
+
+/// Before the rules of the tables refuse it without saying why.
+void checkIsNew(const Database& database, const NewPhoto& photo) {
+    Statement same = database.query("SELECT photo.file_name, station.name, camera_sha256 = ?1 FROM photo "
+                                    "JOIN station ON station.id = photo.station "
+                                    "WHERE camera_sha256 = ?1 OR file_name = ?2 ORDER BY 3 DESC",
+                                    photo.cameraSha256, photo.fileName);
+    if (!same.step()) {
+        return;
+    }
+    const std::string where = text(printable(same.text(0)), " at ", printable(same.text(1)));
+    throw Error(ErrorKind::Exists,
+                same.boolean(2) ? text("The photo ", printable(photo.fileName),
+                                       " is in the survey already, as ", where, ".")
+                                : text("The photo ", printable(photo.fileName),
+                                       " cannot be recorded: ", where, " has that name; choose another."));
+}
+
+PhotoRecord photoOf(const Database& database, const Statement& row) {
+    PhotoRecord photo;
+    photo.id = row.integer(0);
+    photo.station = row.integer(1);
+    photo.fileName = row.text(2);
+    photo.cameraFileName = row.text(3);
+    photo.cameraSerial = row.text(4);
+    photo.fileUrl = row.text(5);
+    photo.cameraSha256 = row.text(6);
+    photo.fileSha256 = row.text(7);
+    photo.sizeBytes = static_cast<std::uint64_t>(row.integer(8, 1));
+    photo.width = static_cast<int>(row.integer(9, 1, kWidestPhoto));
+    photo.height = static_cast<int>(row.integer(10, 1, kWidestPhoto));
+    const auto added = parseIsoUtc(row.text(12));
+    if (!row.isNull(11)) {
+        photo.takenAt = parseIsoUtc(row.text(11));
+    }
+    // Opened by name in the photo folder: a forged name must not lead out of it.
+    if (!isFileName(photo.fileName) || !added || (!row.isNull(11) && !photo.takenAt)) {
+        database.failCorrupt("the record of a photo cannot be");
+    }
+    photo.addedAt = *added;
+    photo.positionM = {row.real(13), row.real(14), row.real(15)};
+    photo.choose = row.boolean(16);
+    photo.note = row.text(17);
+    return photo;
+}
+
+/// The name with something before its extension.
+std::string withSuffix(const std::string& name, const std::string& suffix) {
+    const fs::path path(name);
+    return text(path.stem().string(), "_", suffix, path.extension().string());
+}
+
+bool hasTheseBytes(const fs::path& file, const std::string& sha256) {
+    return fs::is_regular_file(file) && sha256HexOfFile(file) == sha256;
+}
+
+} // namespace
+
+std::int64_t SurveyStore::Parts::insertPhoto(const NewPhoto& photo) const {
+    checkPhoto(photo);
+    requireStation(photo.station);
+    checkIsNew(db(), photo);
+    checkFile(folder / "photos" / photo.fileName, photo.sizeBytes);
+    const bool isFirst = !db().query("SELECT 1 FROM photo WHERE station = ?", photo.station).step();
+    const bool isChosen = photo.choose || isFirst;
+    if (isChosen) {
+        db().run("UPDATE photo SET is_chosen = 0 WHERE station = ?", photo.station);
+    }
+    db().run(
+        "INSERT INTO photo (station, file_name, camera_file_name, camera_serial, file_url, camera_sha256, "
+        "file_sha256, size_bytes, width, height, taken_utc, added_utc, x_m, y_m, z_m, is_chosen, note) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        photo.station, photo.fileName, photo.cameraFileName, photo.cameraSerial, photo.fileUrl,
+        photo.cameraSha256, photo.fileSha256, static_cast<std::int64_t>(photo.sizeBytes), photo.width,
+        photo.height, photo.takenAt ? std::optional(isoUtc(*photo.takenAt)) : std::nullopt, nowUtc(),
+        photo.positionM.x(), photo.positionM.y(), photo.positionM.z(), isChosen, photo.note);
+    return db().lastInsertId();
+}
+
+namespace {
+
+std::vector<PhotoRecord> allPhotos(const Database& database, Statement rows) {
+    std::vector<PhotoRecord> result;
+    while (rows.step()) {
+        result.push_back(photoOf(database, rows));
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<PhotoRecord> SurveyStore::photos() const {
+    return allPhotos(m_parts->db(), m_parts->db().query(text(kSelectPhoto, "ORDER BY station, id")));
+}
+
+std::vector<PhotoRecord> SurveyStore::photosAt(std::int64_t station) const {
+    return allPhotos(m_parts->db(),
+                     m_parts->db().query(text(kSelectPhoto, "WHERE station = ? ORDER BY id"), station));
+}
+
+std::vector<PhotoRecord> SurveyStore::chosenPhotos() const {
+    return allPhotos(m_parts->db(),
+                     m_parts->db().query(text(kSelectPhoto, "WHERE is_chosen = 1 ORDER BY station")));
+}
+
+std::optional<PhotoRecord> SurveyStore::chosenPhoto(std::int64_t station) const {
+    Statement row = m_parts->db().query(text(kSelectPhoto, "WHERE is_chosen = 1 AND station = ?"), station);
+    return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
+}
+
+std::optional<PhotoRecord> SurveyStore::findPhoto(const std::string& cameraSha256) const {
+    Statement row = m_parts->db().query(text(kSelectPhoto, "WHERE camera_sha256 = ?"), cameraSha256);
+    return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
+}
+
+PhotoRecord SurveyStore::photo(std::int64_t id) const {
+    Statement row = m_parts->db().query(text(kSelectPhoto, "WHERE id = ?"), id);
+    if (!row.step()) {
+        m_parts->failNotFound("photo", id);
+    }
+    return photoOf(m_parts->db(), row);
+}
+
+std::int64_t SurveyStore::addPhoto(const NewPhoto& photo) {
+    Transaction transaction(m_parts->writable());
+    const std::int64_t id = m_parts->insertPhoto(photo);
+    transaction.commit();
+    return id;
+}
+
+void SurveyStore::choosePhoto(std::int64_t id) {
+    const Database& database = m_parts->writable();
+    Transaction transaction(database);
+    const std::int64_t station = photo(id).station;
+    database.run("UPDATE photo SET is_chosen = 0 WHERE station = ?", station);
+    database.run("UPDATE photo SET is_chosen = 1 WHERE id = ?", id);
+    transaction.commit();
+}
+
+std::string SurveyStore::freePhotoName(const std::string& cameraFileName,
+                                       const std::string& fileSha256) const {
+    if (!isHash(fileSha256)) {
+        throw Error(ErrorKind::InvalidInput, "A photo's SHA-256 has 64 lower-case hexadecimal digits.");
+    }
+    // With room for a suffix; a name that is none, as a damaged camera may give, is not used at all.
+    const bool isUsable =
+        isFileName(cameraFileName) && cameraFileName.size() <= 180 && cameraFileName[0] != '.';
+    const std::string name = isUsable ? cameraFileName : "photo.JPG";
+    for (const std::size_t digits : {0U, 8U, 64U}) {
+        const std::string candidate = digits == 0 ? name : withSuffix(name, fileSha256.substr(0, digits));
+        const fs::path file = photoFolder() / candidate;
+        if (!m_parts->db().query("SELECT 1 FROM photo WHERE file_name = ?", candidate).step() &&
+            (!fs::exists(file) || hasTheseBytes(file, fileSha256))) {
+            return candidate;
+        }
+    }
+    throw Error(ErrorKind::Exists, text("Could not name the photo ", name,
+                                        ": the survey has a photo with the same bytes already."));
+}
+
+} // namespace spherewalk::store

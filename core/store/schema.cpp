@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "schema.h"
+
+#include "spherewalk/base/text.h"
+
+#include <array>
+
+namespace spherewalk::store {
+
+namespace {
+
+/// Positions are in the room frame in metres, times ISO 8601 in UTC, hashes SHA-256 in lower-case
+/// hexadecimal.
+constexpr const char* kVersion1 = R"sql(
+CREATE TABLE survey (
+    id INTEGER PRIMARY KEY CHECK (id = 1),
+    uuid TEXT NOT NULL,
+    name TEXT NOT NULL,
+    created_utc TEXT NOT NULL,
+    ceiling_m REAL NOT NULL,
+    step_m REAL NOT NULL,
+    rail_stops INTEGER NOT NULL,
+    clearance_m REAL NOT NULL,
+    seconds_per_photo REAL NOT NULL,
+    seconds_per_placement REAL NOT NULL
+) STRICT;
+
+CREATE TABLE lens_height (
+    rank INTEGER PRIMARY KEY,
+    height_m REAL NOT NULL UNIQUE
+) STRICT;
+
+-- Polygon 0 is the outline, the others are obstacles.
+CREATE TABLE corner (
+    polygon INTEGER NOT NULL CHECK (polygon >= 0),
+    corner INTEGER NOT NULL CHECK (corner >= 0),
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL,
+    PRIMARY KEY (polygon, corner)
+) STRICT, WITHOUT ROWID;
+
+-- Ids follow the walking order.
+CREATE TABLE placement (
+    id INTEGER PRIMARY KEY,
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL,
+    heading_rad REAL NOT NULL,
+    stops INTEGER NOT NULL CHECK (stops > 0),
+    step_m REAL NOT NULL CHECK (step_m > 0)
+) STRICT;
+
+-- Ids follow the walking order; without a placement: outside the plan.
+CREATE TABLE station (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    placement INTEGER REFERENCES placement (id),
+    stop INTEGER NOT NULL CHECK (stop >= 0),
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL,
+    z_m REAL NOT NULL,
+    name TEXT NOT NULL,
+    UNIQUE (placement, stop, z_m)
+) STRICT;
+
+CREATE TABLE photo (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    station INTEGER NOT NULL REFERENCES station (id),
+    file_name TEXT NOT NULL COLLATE NOCASE UNIQUE,
+    camera_file_name TEXT NOT NULL,
+    camera_serial TEXT NOT NULL,
+    file_url TEXT NOT NULL,
+    camera_sha256 TEXT NOT NULL UNIQUE CHECK (length(camera_sha256) = 64),
+    file_sha256 TEXT NOT NULL CHECK (length(file_sha256) = 64),
+    size_bytes INTEGER NOT NULL CHECK (size_bytes > 0),
+    width INTEGER NOT NULL CHECK (width > 0),
+    height INTEGER NOT NULL CHECK (height > 0),
+    taken_utc TEXT,
+    added_utc TEXT NOT NULL,
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL,
+    z_m REAL NOT NULL,
+    is_chosen INTEGER NOT NULL CHECK (is_chosen IN (0, 1)),
+    note TEXT NOT NULL
+) STRICT;
+CREATE INDEX photo_station ON photo (station);
+CREATE UNIQUE INDEX photo_chosen ON photo (station) WHERE is_chosen = 1;
+
+CREATE TABLE shot (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    station INTEGER NOT NULL REFERENCES station (id),
+    step TEXT NOT NULL CHECK (step IN ('intended', 'started', 'taken', 'downloaded', 'not_taken', 'unclear')),
+    intended_utc TEXT NOT NULL,
+    changed_utc TEXT NOT NULL,
+    camera_serial TEXT NOT NULL,
+    latest_file_url TEXT NOT NULL,
+    total_entries INTEGER NOT NULL,
+    command_id TEXT NOT NULL DEFAULT '',
+    file_url TEXT NOT NULL DEFAULT '',
+    note TEXT NOT NULL DEFAULT '',
+    photo INTEGER UNIQUE REFERENCES photo (id),
+    CHECK ((step = 'downloaded') = (photo IS NOT NULL))
+) STRICT;
+CREATE INDEX shot_step ON shot (step);
+
+CREATE TABLE solution (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    source TEXT NOT NULL,
+    created_utc TEXT NOT NULL,
+    model TEXT NOT NULL,
+    report TEXT NOT NULL,
+    is_active INTEGER NOT NULL CHECK (is_active IN (0, 1))
+) STRICT;
+CREATE UNIQUE INDEX solution_active ON solution (is_active) WHERE is_active = 1;
+
+CREATE TABLE solution_photo (
+    solution INTEGER NOT NULL REFERENCES solution (id) ON DELETE CASCADE,
+    photo INTEGER NOT NULL REFERENCES photo (id),
+    qw REAL NOT NULL,
+    qx REAL NOT NULL,
+    qy REAL NOT NULL,
+    qz REAL NOT NULL,
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL,
+    z_m REAL NOT NULL,
+    sigma_yaw_rad REAL,
+    sigma_pitch_rad REAL,
+    sigma_roll_rad REAL,
+    sigma_position_m REAL,
+    status TEXT NOT NULL,
+    flags TEXT NOT NULL,
+    PRIMARY KEY (solution, photo)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array kMigrations{Migration{1, kVersion1}};
+
+void apply(const Database& database, const Migration& migration) {
+    Transaction transaction(database);
+    database.execute(migration.sql);
+    database.execute(text("PRAGMA user_version = ", migration.version));
+    if (database.query("SELECT * FROM pragma_foreign_key_check").step()) {
+        database.failCorrupt("rows refer to others that are not there");
+    }
+    transaction.commit();
+}
+
+} // namespace
+
+std::span<const Migration> migrations() {
+    return kMigrations;
+}
+
+int newestVersion(std::span<const Migration> all) {
+    return all.back().version;
+}
+
+Identity identity(const Database& database) {
+    return {database.integer("PRAGMA application_id"), database.integer("PRAGMA user_version")};
+}
+
+void makeSchema(const Database& database, std::span<const Migration> all) {
+    database.execute("PRAGMA journal_mode = WAL");
+    database.execute(text("PRAGMA application_id = ", kApplicationId));
+    for (const Migration& migration : all) {
+        apply(database, migration);
+    }
+}
+
+void migrate(const Database& database, std::span<const Migration> all) {
+    const std::int64_t from = identity(database).version;
+    if (from >= newestVersion(all)) {
+        return;
+    }
+    std::filesystem::path copy = database.file();
+    copy += text(".before-v", newestVersion(all));
+    database.copyTo(copy);
+    for (const Migration& migration : all) {
+        if (migration.version > from) {
+            apply(database, migration);
+        }
+    }
+}
+
+} // namespace spherewalk::store

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "survey_fixture.h"
+
+#include <cmath>
+
+namespace spherewalk::store {
+
+namespace {
+
+class PlanRecords : public test::SurveyTest {};
+
+} // namespace
+
+TEST_F(PlanRecords, KeepTheRoomTheOptionsAndThePlanToTheLastBit) {
+    const survey::Plan planned = survey::plan(test::smallRoom(), test::twoHeights());
+    const SurveyStore read = SurveyStore::open(m_path, Access::Read);
+    EXPECT_EQ(read.room().outline, test::smallRoom().outline);
+    EXPECT_EQ(read.room().obstacles, test::smallRoom().obstacles);
+    EXPECT_EQ(read.room().ceilingM, 2.6);
+    EXPECT_EQ(read.planOptions().heightsM, test::twoHeights().heightsM);
+    EXPECT_EQ(read.planOptions().stepM, 0.2);
+    EXPECT_EQ(read.planOptions().railStops, 4);
+    EXPECT_EQ(read.planOptions().clearanceM, 0.3);
+    EXPECT_EQ(read.planOptions().secondsPerPhoto, 12);
+    EXPECT_EQ(read.planOptions().secondsPerPlacement, 60);
+    const survey::Plan plan = read.plan();
+    ASSERT_EQ(plan.stations.size(), planned.stations.size());
+    ASSERT_EQ(plan.stations.size(), 24U);
+    for (std::size_t i = 0; i < plan.stations.size(); ++i) {
+        EXPECT_EQ(plan.stations[i].positionM, planned.stations[i].positionM);
+        EXPECT_EQ(plan.stations[i].placement, planned.stations[i].placement);
+        EXPECT_EQ(plan.stations[i].stop, planned.stations[i].stop);
+    }
+    ASSERT_EQ(plan.placements.size(), planned.placements.size());
+    for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+        EXPECT_EQ(plan.placements[i].origin, planned.placements[i].origin);
+        EXPECT_EQ(plan.placements[i].heading, planned.placements[i].heading);
+        EXPECT_EQ(plan.placements[i].stops, planned.placements[i].stops);
+        EXPECT_EQ(plan.placements[i].stepM, planned.placements[i].stepM);
+    }
+}
+
+TEST_F(PlanRecords, NameStationsInWalkingOrder) {
+    const auto stations = m_store.stations();
+    EXPECT_EQ(stations.front().name, "rail 1, stop 1 at 1.60 m");
+    EXPECT_EQ(stations.back().name, "rail 3, stop 4 at 0.90 m");
+    EXPECT_EQ(m_store.station(stations[5].id).name, stations[5].name);
+    expectRefused(ErrorKind::NotFound, "There is no station 999 in the survey",
+                  [&] { m_store.station(999); });
+}
+
+TEST_F(PlanRecords, SayWhichSurveyItIs) {
+    const SurveyInfo info = m_store.info();
+    EXPECT_EQ(info.name, "Small room");
+    EXPECT_EQ(info.uuid.size(), 36U);
+    EXPECT_LT(std::chrono::abs(std::chrono::system_clock::now() - info.createdAt), std::chrono::minutes(5));
+}
+
+TEST_F(PlanRecords, AddStationsOutsideThePlan) {
+    const std::int64_t unnamed = m_store.addStation({0.5, 0.25, 1.4});
+    const std::int64_t named = m_store.addStation({0.5, 0.25, 1.4}, "window sill");
+    EXPECT_EQ(m_store.station(unnamed).name, "unplanned position (0.50, 0.25)");
+    EXPECT_EQ(m_store.station(named).name, "window sill");
+    EXPECT_EQ(m_store.station(named).station.placement, -1);
+    EXPECT_EQ(m_store.plan().stations.back().positionM, Eigen::Vector3d(0.5, 0.25, 1.4));
+    expectRefused(ErrorKind::InvalidInput, "its position is not a number", [&] {
+        m_store.addStation({NAN, 0, 0});
+    });
+    expectRefused(ErrorKind::InvalidInput, "must be one line of UTF-8", [&] {
+        m_store.addStation({0, 0, 1}, "a\nb");
+    });
+}
+
+TEST_F(PlanRecords, AreReplacedBeforeTheFirstShot) {
+    const survey::PlanOptions coarse{.stepM = 0.4};
+    m_store.replacePlan(test::smallRoom(), coarse, survey::plan(test::smallRoom(), coarse));
+    EXPECT_EQ(m_store.planOptions().stepM, 0.4);
+    EXPECT_EQ(m_store.stations().size(), survey::plan(test::smallRoom(), coarse).stations.size());
+}
+
+TEST_F(PlanRecords, AreNotReplacedOnceThereIsAShot) {
+    m_store.beginShot(stationAt(0), "", "", 0);
+    expectRefused(ErrorKind::InvalidInput, "photos have been taken at its stations", [&] {
+        m_store.replacePlan(test::smallRoom(), test::twoHeights(),
+                            survey::plan(test::smallRoom(), test::twoHeights()));
+    });
+    EXPECT_EQ(m_store.stations().size(), 24U);
+    EXPECT_EQ(m_store.openShots().size(), 1U);
+}
+
+TEST_F(PlanRecords, RefusePlansThatContradictThemselves) {
+    survey::Plan broken = survey::plan(test::smallRoom(), test::twoHeights());
+    broken.stations[3].placement = 77;
+    expectRefused(ErrorKind::InvalidInput, "a station is not on the rail that it names",
+                  [&] { m_store.replacePlan(test::smallRoom(), test::twoHeights(), broken); });
+    broken = survey::plan(test::smallRoom(), test::twoHeights());
+    broken.placements[0].heading = Radians(NAN);
+    expectRefused(ErrorKind::InvalidInput, "numbers that no rail can have",
+                  [&] { m_store.replacePlan(test::smallRoom(), test::twoHeights(), broken); });
+}
+
+TEST(PlanRecordsOfARoom, WithoutStationsAreKeptToo) {
+    const spherewalk::test::TemporaryFolder folder;
+    const survey::Room corridor{
+        .outline = {{0, 0}, {5, 0}, {5, 0.5}, {0, 0.5}}, .obstacles = {}, .ceilingM = 2};
+    const auto store =
+        SurveyStore::create(folder / "c.spherewalk", "Corridor", corridor, {}, survey::plan(corridor, {}));
+    EXPECT_TRUE(store.stations().empty());
+    EXPECT_TRUE(store.room().obstacles.empty());
+}
+
+} // namespace spherewalk::store

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database.h"
+#include "survey_fixture.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace spherewalk::store {
+
+namespace {
+
+class Sharing : public test::SurveyTest {};
+
+/// The exit status of a child that runs this and nothing after.
+int inAnotherProgram(const std::function<int()>& run) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::_exit(run());
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+} // namespace
+
+TEST_F(Sharing, LetsOneProgramWriteAndNamesIt) {
+    expectRefused(ErrorKind::Busy,
+                  text("is being written by another program (process ", static_cast<long long>(::getpid()),
+                       "); close it there, or open it here for reading."),
+                  [&] { SurveyStore::open(m_path, Access::Write); });
+}
+
+TEST_F(Sharing, HoldsAcrossPrograms) {
+    EXPECT_EQ(inAnotherProgram([&] {
+                  try {
+                      SurveyStore::open(m_path, Access::Write);
+                      return 1;
+                  } catch (const Error& error) {
+                      return error.kind() == ErrorKind::Busy ? 0 : 2;
+                  }
+              }),
+              0);
+}
+
+TEST_F(Sharing, EndsWhenTheWriterCloses) {
+    { const SurveyStore closed = std::move(m_store); }
+    const SurveyStore next = SurveyStore::open(m_path, Access::Write);
+    EXPECT_EQ(next.stations().size(), 24U);
+    m_store = SurveyStore::open(m_path, Access::Read);
+}
+
+TEST_F(Sharing, ShowsReadersWhatIsWrittenMeanwhile) {
+    const SurveyStore reader = SurveyStore::open(m_path, Access::Read);
+    for (int i = 0; i < 20; ++i) {
+        m_store.addPhoto(photoOf(stationAt(0), text("p", i)));
+        ASSERT_EQ(reader.counts().photos, i + 1);
+        ASSERT_EQ(reader.chosenPhoto(stationAt(0))->fileName, text("p", i, ".JPG"));
+    }
+}
+
+TEST_F(Sharing, SaysBusyWhenAnotherProgramHoldsTheDatabase) {
+    { const SurveyStore closed = std::move(m_store); }
+    m_store = SurveyStore::open(m_path, Access::Write, {.patience = std::chrono::milliseconds(20)});
+    const Database foreign(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
+    foreign.execute("BEGIN IMMEDIATE");
+    expectRefused(ErrorKind::Busy, "another program is using it; try again when it is done.", [&] {
+        m_store.addStation({0, 0, 1});
+    });
+    foreign.execute("ROLLBACK");
+    EXPECT_NO_THROW(m_store.addStation({0, 0, 1}));
+}
+
+} // namespace spherewalk::store
