@@ -193,12 +193,12 @@ std::int64_t SurveyStore::addPhoto(const NewPhoto& photo) {
     return id;
 }
 
-void SurveyStore::choosePhoto(std::int64_t id) {
+void SurveyStore::choosePhoto(std::int64_t photoId) {
     const Database& database = m_parts->writable();
     Transaction transaction(database);
-    const std::int64_t station = photo(id).station;
+    const std::int64_t station = photo(photoId).station;
     database.run("UPDATE photo SET is_chosen = 0 WHERE station = ?", station);
-    database.run("UPDATE photo SET is_chosen = 1 WHERE id = ?", id);
+    database.run("UPDATE photo SET is_chosen = 1 WHERE id = ?", photoId);
     transaction.commit();
 }
 
@@ -212,7 +212,7 @@ std::string SurveyStore::freePhotoName(const std::string& cameraFileName,
         isFileName(cameraFileName) && cameraFileName.size() <= 180 && cameraFileName[0] != '.';
     const std::string name = isUsable ? cameraFileName : "photo.JPG";
     for (const std::size_t digits : {0U, 8U, 64U}) {
-        const std::string candidate = digits == 0 ? name : withSuffix(name, fileSha256.substr(0, digits));
+        std::string candidate = digits == 0 ? name : withSuffix(name, fileSha256.substr(0, digits));
         const fs::path file = photoFolder() / candidate;
         if (!m_parts->db().query("SELECT 1 FROM photo WHERE file_name = ?", candidate).step() &&
             (!fs::exists(file) || hasTheseBytes(file, fileSha256))) {

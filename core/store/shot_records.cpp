@@ -77,48 +77,49 @@ ShotRecord SurveyStore::beginShot(std::int64_t station, const std::string& camer
         "INSERT INTO shot (station, step, intended_utc, changed_utc, camera_serial, latest_file_url, "
         "total_entries) VALUES (?1, 'intended', ?2, ?2, ?3, ?4, ?5)",
         station, nowUtc(), cameraSerial, latestFileUrl, totalEntries);
-    const ShotRecord recorded = shot(database.lastInsertId());
+    ShotRecord recorded = shot(database.lastInsertId());
     transaction.commit();
     return recorded;
 }
 
-void SurveyStore::markStarted(std::int64_t id, const std::string& commandId) {
+void SurveyStore::markStarted(std::int64_t shotId, const std::string& commandId) {
     checkText("camera's command id", commandId);
     Transaction transaction(m_parts->writable());
-    checkMayBecome(shot(id), ShotStep::Started, {ShotStep::Intended});
+    checkMayBecome(shot(shotId), ShotStep::Started, {ShotStep::Intended});
     m_parts->db().run("UPDATE shot SET step = 'started', command_id = ?, changed_utc = ? WHERE id = ?",
-                      commandId, nowUtc(), id);
+                      commandId, nowUtc(), shotId);
     transaction.commit();
 }
 
-void SurveyStore::markTaken(std::int64_t id, const std::string& fileUrl) {
+void SurveyStore::markTaken(std::int64_t shotId, const std::string& fileUrl) {
     checkText("photo's address on the camera", fileUrl, 4000);
     Transaction transaction(m_parts->writable());
-    checkMayBecome(shot(id), ShotStep::Taken, {ShotStep::Intended, ShotStep::Started, ShotStep::Unclear});
+    checkMayBecome(shot(shotId), ShotStep::Taken, {ShotStep::Intended, ShotStep::Started, ShotStep::Unclear});
     m_parts->db().run("UPDATE shot SET step = 'taken', file_url = ?, changed_utc = ? WHERE id = ?", fileUrl,
-                      nowUtc(), id);
+                      nowUtc(), shotId);
     transaction.commit();
 }
 
-void SurveyStore::markNotTaken(std::int64_t id) {
+void SurveyStore::markNotTaken(std::int64_t shotId) {
     Transaction transaction(m_parts->writable());
-    checkMayBecome(shot(id), ShotStep::NotTaken, {ShotStep::Intended, ShotStep::Started, ShotStep::Unclear});
-    m_parts->db().run("UPDATE shot SET step = 'not_taken', changed_utc = ? WHERE id = ?", nowUtc(), id);
+    checkMayBecome(shot(shotId), ShotStep::NotTaken,
+                   {ShotStep::Intended, ShotStep::Started, ShotStep::Unclear});
+    m_parts->db().run("UPDATE shot SET step = 'not_taken', changed_utc = ? WHERE id = ?", nowUtc(), shotId);
     transaction.commit();
 }
 
-void SurveyStore::markUnclear(std::int64_t id, const std::string& why) {
+void SurveyStore::markUnclear(std::int64_t shotId, const std::string& why) {
     checkText("reason", why, 4000);
     Transaction transaction(m_parts->writable());
-    checkMayBecome(shot(id), ShotStep::Unclear, {ShotStep::Intended, ShotStep::Started, ShotStep::Taken});
+    checkMayBecome(shot(shotId), ShotStep::Unclear, {ShotStep::Intended, ShotStep::Started, ShotStep::Taken});
     m_parts->db().run("UPDATE shot SET step = 'unclear', note = ?, changed_utc = ? WHERE id = ?", why,
-                      nowUtc(), id);
+                      nowUtc(), shotId);
     transaction.commit();
 }
 
-std::int64_t SurveyStore::recordDownload(std::int64_t id, const NewPhoto& photo) {
+std::int64_t SurveyStore::recordDownload(std::int64_t shotId, const NewPhoto& photo) {
     Transaction transaction(m_parts->writable());
-    const ShotRecord taken = shot(id);
+    const ShotRecord taken = shot(shotId);
     checkMayBecome(taken, ShotStep::Downloaded, {ShotStep::Taken});
     if (taken.station != photo.station) {
         throw Error(ErrorKind::InvalidInput,
@@ -128,7 +129,7 @@ std::int64_t SurveyStore::recordDownload(std::int64_t id, const NewPhoto& photo)
     }
     const std::int64_t added = m_parts->insertPhoto(photo);
     m_parts->db().run("UPDATE shot SET step = 'downloaded', photo = ?, changed_utc = ? WHERE id = ?", added,
-                      nowUtc(), id);
+                      nowUtc(), shotId);
     transaction.commit();
     return added;
 }

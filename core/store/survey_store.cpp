@@ -243,7 +243,7 @@ fs::path SurveyStore::photoFolder() const {
 }
 
 fs::path SurveyStore::downloadFolder() const {
-    const fs::path incoming = m_parts->folder / "incoming";
+    fs::path incoming = m_parts->folder / "incoming";
     if (m_parts->lock) {
         std::error_code failure;
         fs::create_directory(incoming, failure);

@@ -54,7 +54,7 @@ bool Floor::sees(const Vector2d& begin, const Vector2d& end) const {
 }
 
 FloorRaster::FloorRaster(const Floor& floor, double stepM) {
-    const Vector2d size = floor.size();
+    const Vector2d& size = floor.size();
     // Leaves room for rounding the counts up on both axes, however thin the room.
     const double finest =
         std::max(std::sqrt(size.prod() / (kMostCells / 2)), size.maxCoeff() / (kMostCells / 4));
@@ -70,7 +70,9 @@ FloorRaster::FloorRaster(const Floor& floor, double stepM) {
 }
 
 Vector2d FloorRaster::centre(int cell) const {
-    return {(cell % m_columns + 0.5) * m_cellSize.x(), (cell / m_columns + 0.5) * m_cellSize.y()};
+    const int row = cell / m_columns;
+    const int column = cell % m_columns;
+    return {(column + 0.5) * m_cellSize.x(), (row + 0.5) * m_cellSize.y()};
 }
 
 int FloorRaster::cellAt(const Vector2d& point) const {

@@ -54,6 +54,10 @@ class EndDistances {
 
 using Route = std::vector<Leg>;
 
+const Leg& legAt(const Route& route, int position) {
+    return route[static_cast<std::size_t>(position)];
+}
+
 double length(const Route& route, const EndDistances& distance) {
     double sum = 0;
     for (std::size_t i = 1; i < route.size(); ++i) {
@@ -65,19 +69,17 @@ double length(const Route& route, const EndDistances& distance) {
 /// The way across the gap between two positions; nothing before the first and after the last.
 double gap(const Route& route, const EndDistances& distance, int before, int after) {
     const bool open = before < 0 || after >= static_cast<int>(route.size());
-    return open ? 0
-                : distance(endOf(route[static_cast<std::size_t>(before)]),
-                           beginOf(route[static_cast<std::size_t>(after)]));
+    return open ? 0 : distance(endOf(legAt(route, before)), beginOf(legAt(route, after)));
 }
 
 /// What is gained by turning the piece [i, j] around; the piece may be one leg.
 double gainOfTurning(const Route& route, const EndDistances& distance, int i, int j) {
     const int n = static_cast<int>(route.size());
-    const Leg& first = route[static_cast<std::size_t>(i)];
-    const Leg& last = route[static_cast<std::size_t>(j)];
+    const Leg& first = legAt(route, i);
+    const Leg& last = legAt(route, j);
     double gain = gap(route, distance, i - 1, i) + gap(route, distance, j, j + 1);
-    gain -= i > 0 ? distance(endOf(route[static_cast<std::size_t>(i - 1)]), endOf(last)) : 0;
-    gain -= j + 1 < n ? distance(beginOf(first), beginOf(route[static_cast<std::size_t>(j + 1)])) : 0;
+    gain -= i > 0 ? distance(endOf(legAt(route, i - 1)), endOf(last)) : 0;
+    gain -= j + 1 < n ? distance(beginOf(first), beginOf(legAt(route, j + 1))) : 0;
     return gain;
 }
 
@@ -98,15 +100,15 @@ bool turnPieces(Route& route, const EndDistances& distance, int window) {
 /// What is gained by putting the piece [i, j] between k and k + 1 (k = -1: in front), turned or not.
 double gainOfMoving(const Route& route, const EndDistances& distance, int i, int j, int k, bool turned) {
     const int n = static_cast<int>(route.size());
-    const Leg& first = route[static_cast<std::size_t>(i)];
-    const Leg& last = route[static_cast<std::size_t>(j)];
+    const Leg& first = legAt(route, i);
+    const Leg& last = legAt(route, j);
     const int entry = turned ? endOf(last) : beginOf(first);
     const int exit = turned ? beginOf(first) : endOf(last);
     double gain =
         gap(route, distance, i - 1, i) + gap(route, distance, j, j + 1) + gap(route, distance, k, k + 1);
     gain -= gap(route, distance, i - 1, j + 1);
-    gain -= k >= 0 ? distance(endOf(route[static_cast<std::size_t>(k)]), entry) : 0;
-    gain -= k + 1 < n ? distance(exit, beginOf(route[static_cast<std::size_t>(k + 1)])) : 0;
+    gain -= k >= 0 ? distance(endOf(legAt(route, k)), entry) : 0;
+    gain -= k + 1 < n ? distance(exit, beginOf(legAt(route, k + 1))) : 0;
     return gain;
 }
 

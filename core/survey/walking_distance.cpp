@@ -51,6 +51,7 @@ std::vector<Vector2d> turns(const Floor& floor) {
         found.resize(kMostTurns);
     }
     std::vector<Vector2d> points;
+    points.reserve(found.size());
     for (const Turn& turn : found) {
         points.push_back(turn.point);
     }

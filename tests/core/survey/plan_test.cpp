@@ -231,6 +231,14 @@ TEST(Plan, WalksNotMuchFartherThanTheShortestWay) {
                             {test::rectangularRoom(3.2, 1.3), {.stepM = 0.4, .railStops = 4}},
                             {test::lShape(), {.stepM = 0.9, .railStops = 3}},
                             {test::uShape(), {.stepM = 1.2, .railStops = 3}}};
+    spherewalk::test::Random random(8);
+    while (cases.size() < 16) {
+        const Case irregular{test::randomRoom(random), {.stepM = 0.7, .railStops = 3}};
+        const std::size_t rails = plan(irregular.room, irregular.options).placements.size();
+        if (rails >= 5 && rails <= 8) {
+            cases.push_back(irregular);
+        }
+    }
     for (const Case& example : cases) {
         const Plan planned = plan(example.room, example.options);
         const std::size_t n = planned.placements.size();

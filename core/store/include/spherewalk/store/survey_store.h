@@ -89,7 +89,7 @@ class SurveyStore {
     /// Errors: Exists for a photo or file name that the survey has already; NotFound for an unknown station
     /// or a file that is not in the photo folder; InvalidInput for values that cannot be.
     std::int64_t addPhoto(const NewPhoto& photo);
-    void choosePhoto(std::int64_t photo);
+    void choosePhoto(std::int64_t photoId);
     /// A name in the photo folder that no photo has: the camera's own if free, else with the first digits of
     /// the hash. A file by that name that has exactly these bytes may be there (left when the program was
     /// killed before its row was recorded), and is to be overwritten.
@@ -101,22 +101,23 @@ class SurveyStore {
     /// Errors of all marks: NotFound; InvalidInput if the shot's step does not allow it. Intended may become
     /// Started, Taken, NotTaken or Unclear; Started may become Taken, NotTaken or Unclear; Taken may become
     /// Downloaded or Unclear; Unclear may become Taken or NotTaken when a person has decided.
-    void markStarted(std::int64_t shot, const std::string& commandId);
-    void markTaken(std::int64_t shot, const std::string& fileUrl);
-    void markNotTaken(std::int64_t shot);
-    void markUnclear(std::int64_t shot, const std::string& why);
+    void markStarted(std::int64_t shotId, const std::string& commandId);
+    void markTaken(std::int64_t shotId, const std::string& fileUrl);
+    void markNotTaken(std::int64_t shotId);
+    void markUnclear(std::int64_t shotId, const std::string& why);
     /// Adds the photo and marks the shot Downloaded, both or neither. Errors: those of addPhoto; InvalidInput
     /// if the photo is of another station than the shot.
-    std::int64_t recordDownload(std::int64_t shot, const NewPhoto& photo);
+    std::int64_t recordDownload(std::int64_t shotId, const NewPhoto& photo);
     /// Intended, Started and Taken, oldest first.
     std::vector<ShotRecord> openShots() const;
     std::vector<ShotRecord> unclearShots() const;
     /// Errors: NotFound.
     ShotRecord shot(std::int64_t id) const;
 
-    /// The first solution becomes active in any case. Errors: NotFound for an unknown photo; InvalidInput for
-    /// numbers that are not finite, a rotation that is none, or a photo solved twice.
-    std::int64_t addSolution(const NewSolution& solution, bool activate);
+    /// isActive: in place of the one that is; the first solution is active in any case. Errors: NotFound for
+    /// an unknown photo; InvalidInput for numbers that are not finite, a rotation that is none, or a photo
+    /// solved twice.
+    std::int64_t addSolution(const NewSolution& solution, bool isActive);
     void activateSolution(std::int64_t solution);
     /// Newest first.
     std::vector<SolutionRecord> solutions() const;
