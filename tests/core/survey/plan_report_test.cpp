@@ -98,28 +98,32 @@ TEST(PlanReport, SaysThatAnEmptyCorridorIsAllClearance) {
 }
 
 TEST(PlanReport, NamesABayThatTheLatticeMisses) {
-    // Two bays whose only lines for stops lie half a step apart: the lattice can reach one of them.
+    // Two bays whose lines for stops lie two and a half steps apart: the lattice can reach one of them.
     const Room room{.outline = {{0, 0},
                                 {4, 0},
                                 {4, 0.65},
-                                {9, 0.65},
-                                {9, 1.35},
+                                {24, 0.65},
+                                {24, 1.35},
                                 {4, 1.35},
                                 {4, 2.15},
-                                {9, 2.15},
-                                {9, 2.85},
+                                {24, 2.15},
+                                {24, 2.85},
                                 {4, 2.85},
                                 {4, 4},
                                 {0, 4}},
                     .obstacles = {},
                     .ceilingM = 2.6};
-    const PlanOptions options{.stepM = 1, .heightsM = {1.2}, .clearanceM = 0.3};
+    const PlanOptions options{.stepM = 0.6, .heightsM = {1.2}, .clearanceM = 0.3};
     const PlanReport found = report(room, options, plan(room, options));
-    const auto missed =
-        std::find_if(found.uncovered.begin(), found.uncovered.end(),
-                     [](const UncoveredArea& area) { return area.reason == UncoveredReason::BetweenStops; });
-    EXPECT_EQ(missed, found.uncovered.end()) << "slivers of 0.1 m are smaller than a lattice cell";
-    EXPECT_GT(found.uncoveredM2, 5 * 0.7 * 0.9) << "one of the bays is missed";
+    const auto isMissed = [](const UncoveredArea& area) {
+        return area.reason == UncoveredReason::BetweenStops;
+    };
+    const auto missed = std::find_if(found.uncovered.begin(), found.uncovered.end(), isMissed);
+    ASSERT_NE(missed, found.uncovered.end());
+    EXPECT_EQ(std::count_if(found.uncovered.begin(), found.uncovered.end(), isMissed), 1);
+    EXPECT_GT(missed->point.x(), 4);
+    EXPECT_GT(missed->areaM2, 20 * 0.05);
+    EXPECT_EQ(reasonText(missed->reason, options), "no stop of the grid falls there; try a finer step");
 }
 
 TEST(PlanReport, LeavesOutAndNamesAPocketThatObstaclesEnclose) {
