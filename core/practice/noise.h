@@ -76,7 +76,7 @@ inline float valueNoise(float x, float y, float z, std::uint32_t seed) {
 
 /// How much of a detail of cells of this size survives in a pixel of this footprint.
 inline float survival(float cell, float footprint) {
-    return smoothStep(0.6F, 2.2F, cell / footprint);
+    return smoothStep(0.45F, 1.9F, cell / footprint);
 }
 
 /// Value noise in octaves of falling size, without those that the footprint cannot hold. Range: about [-1,

@@ -160,7 +160,7 @@ Rgb Scene::radiance(const Hit& hit, const Vector3d& eye, const Vector3d& directi
         isWall ? wallSurface(hit.id, point) : surfaceAt(m_furniture.shapes[index], point);
     const Finish& finish = isWall ? m_furniture.walls[index] : m_furniture.shapes[index].finish;
     const float facing = std::max(0.02F, -surface.normal.dot(direction.cast<float>()));
-    const float width = footprint * static_cast<float>(hit.distance) / std::sqrt(facing);
+    const float width = footprint * static_cast<float>(hit.distance) / std::sqrt(std::sqrt(facing));
 
     const Rgb reflected = albedo(finish, surface, std::max(width, 1e-5F));
     Rgb light = Rgb::Constant(finish.glow);

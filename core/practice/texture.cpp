@@ -65,7 +65,7 @@ Rgb rug(const Finish& finish, const SurfacePoint& s, float w) {
     const Rgb edge =
         mix(finish.second, linear(0xD8C9A0), squares(s.u, s.v, 0.021F, 0.4F, finish.seed + 9, w));
     const Rgb base = mix(edge, field, band);
-    const float weave = 0.12F * fractalNoise(s.u, s.v, 0.014F, 4, 0.75F, finish.seed + 3, w);
+    const float weave = 0.09F * fractalNoise(s.u, s.v, 0.014F, 4, 0.75F, finish.seed + 3, w);
     return mix(base, linear(0x1E1A2A), std::min(1.0F, border) * 0.8F) * (1 + weave);
 }
 
@@ -164,12 +164,12 @@ Rgb outside(const Finish& finish, const SurfacePoint& s, float w) {
 Rgb art(const Finish& finish, const SurfacePoint& s, float w) {
     const float frame = std::min(std::min(s.u, s.width - s.u), std::min(s.v, s.height - s.v));
     const float warp = 0.08F * fractalNoise(s.u, s.v, 0.2F, 2, 0.5F, finish.seed + 1, w);
-    const float shared = fractalNoise(s.u - warp, s.v + warp, 0.15F, 7, 0.72F, finish.seed + 5, w);
+    const float shared = fractalNoise(s.u - warp, s.v + warp, 0.10F, 7, 0.78F, finish.seed + 5, w);
     Rgb colour;
     for (int channel = 0; channel < 3; ++channel) {
         const auto salt = static_cast<std::uint32_t>(20 + 16 * channel);
-        const float clouds = fractalNoise(s.u + warp, s.v - warp, 0.22F, 7, 0.68F, finish.seed + salt, w);
-        colour[channel] = clamp01(0.26F + 0.17F * clouds + 0.10F * shared);
+        const float clouds = fractalNoise(s.u + warp, s.v - warp, 0.18F, 3, 0.7F, finish.seed + salt, w);
+        colour[channel] = clamp01(0.26F + 0.20F * clouds + 0.12F * shared);
     }
     const float size = std::min(s.width, s.height);
     for (std::uint32_t i = 0; i < 22; ++i) {
