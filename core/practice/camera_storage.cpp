@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "camera_storage.h"
+
+#include "prng.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
+
+#include <algorithm>
+#include <stdlib.h> // mkdtemp
+#include <utility>
+
+namespace spherewalk::practice {
+
+namespace {
+
+constexpr std::string_view kDcfFolder = "100RICOH";
+constexpr int kFirstNumber = 10000;
+constexpr std::uint64_t kMaxPhotoBytes = 256ULL << 20;
+
+std::filesystem::path temporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "practice-camera-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+        throw Error(ErrorKind::Io, "Could not make a temporary folder for the practice camera's photos.");
+    }
+    return pattern;
+}
+
+std::string hexDigits(std::uint64_t seed, std::size_t count) {
+    Prng random(seed, 0x5704a6e);
+    std::string digits;
+    while (digits.size() < count) {
+        digits += "0123456789abcdef"[random.next() % 16];
+    }
+    return digits;
+}
+
+bool isPhotoName(const std::string& name) {
+    return name.size() == 12 && name.starts_with("R") && name.ends_with(".JPG");
+}
+
+} // namespace
+
+CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
+    : m_folder(std::move(folder)), m_isTemporary(m_folder.empty()), m_id(hexDigits(seed, 30)) {
+    if (m_isTemporary) {
+        m_folder = temporaryFolder();
+    }
+    std::error_code failure;
+    std::filesystem::create_directories(m_folder / kDcfFolder, failure);
+    if (failure) {
+        throw Error(ErrorKind::Io, text("Could not make the practice camera's storage folder ",
+                                        m_folder.string(), ": ", failure.message(), "."));
+    }
+    load();
+    m_urlFolder = text("/files/", m_id, "/");
+}
+
+CameraStorage::~CameraStorage() {
+    if (m_isTemporary) {
+        std::error_code ignored; // a temporary folder that stays is no harm
+        std::filesystem::remove_all(m_folder, ignored);
+    }
+}
+
+void CameraStorage::load() {
+    const std::filesystem::path record = m_folder / "camera.json";
+    if (std::filesystem::exists(record)) {
+        const Json content = parseJson(readTextFile(record, 1 << 16), record.string());
+        const JsonReader reader(content, record.string());
+        m_id = reader.string("storage_id");
+        m_nextShot = static_cast<int>(reader.integer("next_shot", 1, 1 << 30));
+        if (!std::all_of(m_id.begin(), m_id.end(), [](char c) { return c >= '0' && c <= 'z'; })) {
+            reader.fail("the storage id is not made of digits and letters");
+        }
+    } else {
+        save();
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder / kDcfFolder)) {
+        const std::string name = entry.path().filename().string();
+        if (!isPhotoName(name)) {
+            continue;
+        }
+        const Bytes bytes = readFile(entry.path(), kMaxPhotoBytes);
+        const jpeg::Info info = jpeg::readInfo(bytes, name);
+        const auto written = std::filesystem::last_write_time(entry.path());
+        const auto utc = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+            std::chrono::file_clock::to_sys(written));
+        m_files.push_back({name, bytes.size(), info.width, info.height, {utc, std::chrono::minutes(0)}});
+    }
+    std::sort(m_files.begin(), m_files.end(),
+              [](const StoredFile& a, const StoredFile& b) { return a.name < b.name; });
+}
+
+void CameraStorage::save() const {
+    const Json record = {{"storage_id", m_id}, {"next_shot", m_nextShot}};
+    writeFile(m_folder / "camera.json", bytesOf(record.dump() + "\n"));
+}
+
+int CameraStorage::takeShotNumber() {
+    const int shot = m_nextShot++;
+    save();
+    return shot;
+}
+
+std::string CameraStorage::fileName(int shot) {
+    std::string digits = std::to_string(kFirstNumber + shot);
+    return "R" + std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0') + digits + ".JPG";
+}
+
+std::string CameraStorage::urlPath(const std::string& name) const {
+    return text(m_urlFolder, kDcfFolder, "/", name);
+}
+
+std::filesystem::path CameraStorage::path(const std::string& name) const {
+    return m_folder / kDcfFolder / name;
+}
+
+void CameraStorage::add(const std::string& name, ByteView bytes, const ZonedTime& time) {
+    const jpeg::Info info = jpeg::readInfo(bytes, name);
+    writeFile(path(name), bytes, DurableFile::Overwrite::No);
+    m_files.push_back({name, bytes.size(), info.width, info.height, time});
+}
+
+void CameraStorage::remove(const std::string& name) {
+    std::error_code failure;
+    std::filesystem::remove(path(name), failure);
+    if (failure) {
+        throw Error(ErrorKind::Io,
+                    text("Could not delete ", path(name).string(), ": ", failure.message(), "."));
+    }
+    std::erase_if(m_files, [&](const StoredFile& file) { return file.name == name; });
+}
+
+std::uint64_t CameraStorage::usedBytes() const {
+    std::uint64_t used = 0;
+    for (const StoredFile& file : m_files) {
+        used += file.sizeBytes;
+    }
+    return used;
+}
+
+std::optional<StoredFile> CameraStorage::find(std::string_view url) const {
+    const std::size_t begin = url.find("/files/");
+    if (begin == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view path = url.substr(begin);
+    for (const StoredFile& file : m_files) {
+        if (urlPath(file.name) == path) {
+            return file;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace spherewalk::practice

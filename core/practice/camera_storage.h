@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "camera_time.h"
+
+#include "spherewalk/base/bytes.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spherewalk::practice {
+
+/// A photo on the camera.
+struct StoredFile {
+    std::string name;
+    std::uint64_t sizeBytes = 0;
+    int width = 0;
+    int height = 0;
+    ZonedTime time;
+};
+
+/// The practice camera's memory: a folder on the disk that outlives it. Threads: one at a time.
+class CameraStorage {
+  public:
+    /// folder: empty for a temporary one, removed at the end. Errors: Io, Corrupt.
+    CameraStorage(std::filesystem::path folder, std::uint64_t seed);
+    ~CameraStorage();
+    CameraStorage(const CameraStorage&) = delete;
+    CameraStorage& operator=(const CameraStorage&) = delete;
+
+    const std::filesystem::path& folder() const { return m_folder; }
+
+    /// "/files/<id>/", with which the path of every file's URL begins.
+    const std::string& urlFolder() const { return m_urlFolder; }
+
+    /// The number of the next shot, never given again, not even after a restart.
+    int takeShotNumber();
+    static std::string fileName(int shot);
+    std::string urlPath(const std::string& name) const;
+
+    void add(const std::string& name, ByteView bytes, const ZonedTime& time);
+    void remove(const std::string& name);
+
+    /// Oldest first.
+    const std::vector<StoredFile>& files() const { return m_files; }
+
+    std::uint64_t usedBytes() const;
+    /// The file of a URL or its path, whatever its host.
+    std::optional<StoredFile> find(std::string_view url) const;
+    std::filesystem::path path(const std::string& name) const;
+
+  private:
+    void load();
+    void save() const;
+
+    std::filesystem::path m_folder;
+    bool m_isTemporary = false;
+    std::string m_id;
+    std::string m_urlFolder;
+    int m_nextShot = 1;
+    std::vector<StoredFile> m_files;
+};
+
+} // namespace spherewalk::practice

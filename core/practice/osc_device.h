@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "camera_options.h"
+#include "camera_storage.h"
+#include "exposure.h"
+#include "osc_error.h"
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace spherewalk::practice {
+
+/// The camera behind the HTTP server: requests as JSON in, answers as JSON out. baseUrl: "http://host:port",
+/// with which file URLs begin. Threads: any.
+class OscDevice {
+  public:
+    OscDevice(const PracticeCameraOptions& options, Clock& clock);
+    ~OscDevice();
+    OscDevice(const OscDevice&) = delete;
+    OscDevice& operator=(const OscDevice&) = delete;
+
+    Json info(int httpPort) const;
+    Json state(const std::string& baseUrl) const;
+    OscReply checkForUpdates(const std::string& body) const;
+    OscReply execute(const Json& request, const std::string& baseUrl);
+    OscReply status(const std::string& body, const std::string& baseUrl);
+    void forgetIds();
+
+    /// Where the bytes of a file URL's path lie; nothing if there is no such file.
+    std::optional<std::filesystem::path> fileOf(const std::string& urlPath) const;
+
+    void setPosition(const Eigen::Vector3d& positionM);
+    Eigen::Vector3d position() const;
+    int exposures() const;
+    std::filesystem::path storageFolder() const;
+    std::filesystem::path truthFile() const;
+
+    /// Ends a running exposure and joins its thread.
+    void stop();
+    /// Waits as long as the camera would need, times the time scale; sooner when stopped.
+    void pause(double seconds) const;
+
+  private:
+    enum class Phase { Countdown, Shooting };
+    enum class Outcome { Running, Done, Failed };
+
+    struct Capture {
+        Outcome outcome = Outcome::Running;
+        OscCode code = OscCode::Unexpected;
+        std::string failure; ///< a sentence
+        std::string urlPath;
+        int answers = 0;
+    };
+
+    OscReply results(std::string_view command, Json results = {}) const;
+    OscReply takePicture();
+    OscReply getOptions(const Json& parameters) const;
+    OscReply setOptions(const Json& parameters);
+    OscReply listFiles(const Json& parameters, const std::string& baseUrl) const;
+    OscReply deleteFiles(const Json& parameters);
+    OscReply stopSelfTimer();
+
+    void run(const std::stop_token& stop, const std::string& id, const ExposureSettings& settings,
+             double countdownS, double busyS);
+    void shoot(const std::stop_token& stop, const std::string& id, const ExposureSettings& settings,
+               double busyS);
+    void finish(const std::string& id, Outcome outcome, OscCode code, const std::string& failure);
+    ExposureSettings settingsNow(int shot) const;
+    double busySeconds(const ExposureSettings& settings) const;
+    ZonedTime now() const;
+    std::uint64_t remainingBytes() const;
+    std::uint64_t remainingPictures() const;
+    Json entry(const StoredFile& file, bool detail, const std::string& baseUrl) const;
+
+    void changed() { ++m_fingerprint; }
+
+    const PracticeCameraOptions& m_options;
+    Clock& m_clock;
+    Exposer m_exposer;
+    Clock::TimePoint m_boot;
+    std::stop_source m_stop;
+
+    mutable std::mutex m_mutex; ///< guards all below
+    CameraStorage m_storage;
+    std::filesystem::path m_truthFile;
+    CameraOptions m_settings;
+    Eigen::Vector3d m_position;
+    std::chrono::system_clock::duration m_clockOffset{0};
+    std::chrono::minutes m_zone{0};
+    std::map<std::string, Capture> m_captures;
+    std::optional<Phase> m_phase; ///< of the capture that is running
+    std::stop_source m_countdown;
+    std::string m_cameraError;
+    int m_nextId = 0;
+    int m_fingerprint = 0;
+    int m_exposures = 0;
+    std::jthread m_worker; ///< last: ends before what it uses
+};
+
+} // namespace spherewalk::practice

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/json.h"
+
+#include <string>
+#include <string_view>
+
+namespace spherewalk::practice {
+
+/// The refusals of the Open Spherical Camera API that the practice camera gives.
+enum class OscCode {
+    UnknownCommand,
+    DisabledCommand,
+    MissingParameter,
+    InvalidParameterName,
+    InvalidParameterValue,
+    TooManyParameters,
+    ServiceUnavailable,
+    CanceledShooting,
+    Unexpected,
+    NotFound,
+    DeviceBusy,
+};
+
+/// Thrown within the camera, answered as JSON at its edge.
+class OscError {
+  public:
+    explicit OscError(OscCode code) : m_code(code) {}
+
+    OscCode code() const { return m_code; }
+
+  private:
+    OscCode m_code;
+};
+
+/// An HTTP status and a JSON body.
+struct OscReply {
+    int status = 200;
+    Json body;
+};
+
+/// command: its name, "unknown" where there is none.
+OscReply refusal(std::string_view command, OscCode code);
+
+} // namespace spherewalk::practice
