@@ -66,6 +66,9 @@ void removeLeftovers(const std::filesystem::path& target) {
 } // namespace
 
 struct Capture::Parts {
+    Parts(OscClient& client, Clock& clock, const CaptureOptions& options)
+        : guard(client), settler(client, clock, options) {}
+
     SettingsGuard guard;
     ShotSettler settler;
 };
@@ -73,13 +76,13 @@ struct Capture::Parts {
 Capture::Capture(OscClient& client, CaptureJournal& journal, Clock& clock, CaptureOptions options)
     : m_client(client), m_journal(journal), m_clock(clock), m_options(std::move(options)) {
     m_options.validate();
-    m_parts.reset(new Parts{SettingsGuard(client), ShotSettler(client, clock, m_options)});
+    m_parts = std::make_unique<Parts>(client, clock, m_options);
 }
 
 Capture::~Capture() = default;
 
 CameraInfo Capture::connect(const std::stop_token& stop) {
-    const CameraInfo info = m_client.info(stop);
+    CameraInfo info = m_client.info(stop);
     requireLevel2(info, m_client.state(stop));
     m_camera = info;
     m_isPrepared = false;

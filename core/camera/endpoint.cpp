@@ -92,7 +92,7 @@ Endpoint parseEndpoint(std::string_view address) {
 std::string pathOfUrl(std::string_view url) {
     std::string_view path = url;
     const std::size_t scheme = path.find("://");
-    const bool isAbsolute = scheme != std::string_view::npos && scheme < 8;
+    const bool isAbsolute = scheme < 8; // "https" is long enough, and "not found" is longer
     if (isAbsolute) {
         path.remove_prefix(scheme + 3);
         path.remove_prefix(std::min(path.find('/'), path.size()));

@@ -48,24 +48,34 @@ TestCamera::TestCamera(ManualClock& clock, EventLog& log)
 }
 
 void TestCamera::fault(const std::string& command, Fault fault, int times) {
+    const std::scoped_lock lock(m_mutex);
     m_faults[command].insert(m_faults[command].end(), static_cast<std::size_t>(times), std::move(fault));
 }
 
+void TestCamera::clearFaults() {
+    const std::scoped_lock lock(m_mutex);
+    m_faults.clear();
+}
+
 int TestCamera::count(const std::string& command) const {
+    const std::scoped_lock lock(m_mutex);
     const auto found = m_counts.find(command);
     return found == m_counts.end() ? 0 : found->second;
 }
 
 void TestCamera::addFile(const std::string& name, std::string bytes) {
+    const std::scoped_lock lock(m_mutex);
     const std::size_t size = bytes.size();
     files.push_back({std::string(kFolder) + name, std::move(bytes), size});
 }
 
 void TestCamera::addFile() {
+    const std::scoped_lock lock(m_mutex);
     addFile(text("R00100", m_nextFile++, ".JPG"), nextPhoto);
 }
 
 void TestCamera::restart() {
+    const std::scoped_lock lock(m_mutex);
     m_running.reset();
     uptimeS = 5;
 }
@@ -83,6 +93,7 @@ void TestCamera::passTime() {
 }
 
 ServerAction TestCamera::handle(const ServerRequest& request) {
+    const std::scoped_lock lock(m_mutex);
     passTime();
     Json message = request.body.empty() ? Json::object() : Json::parse(request.body);
     const std::string command =

@@ -12,6 +12,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,7 @@ class TestCamera {
     /// The next requests of this command (its name, or a path) meet these faults, one each.
     void fault(const std::string& command, Fault fault, int times = 1);
 
-    void clearFaults() { m_faults.clear(); }
+    void clearFaults();
 
     int count(const std::string& command) const;
     void addFile(const std::string& name, std::string bytes = jpegBytes(2048, 1024));
@@ -92,6 +93,7 @@ class TestCamera {
         bool isTold = false;
     };
 
+    mutable std::recursive_mutex m_mutex; // recursive, as faults change the camera
     ManualClock& m_clock;
     EventLog& m_log;
     std::map<std::string, std::deque<Fault>> m_faults;
