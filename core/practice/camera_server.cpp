@@ -16,6 +16,7 @@ namespace spherewalk::practice {
 namespace {
 
 constexpr std::chrono::milliseconds kKeepAlive(60'000);
+constexpr std::size_t kConnections = 32;
 constexpr std::size_t kMaxBody = 1 << 20;
 constexpr std::size_t kChunk = 64 * 1024;
 constexpr double kDownloadBytesPerSecond = 1e6; ///< 2.4 GHz
@@ -64,6 +65,8 @@ CameraServer::CameraServer(OscDevice& device, const PracticeCameraOptions& optio
     : m_device(device), m_options(options) {
     set_tcp_nodelay(true);
     set_payload_max_length(kMaxBody);
+    // A connection that is kept alive holds its thread.
+    new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
     // Not the library's SO_REUSEPORT: a second camera on the port must be refused.
     set_socket_options([](socket_t socket) {
         const int on = 1;

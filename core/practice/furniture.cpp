@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr double kDegree = std::numbers::pi / 180;
 
 Finish finish(Texture texture, std::uint32_t first, std::uint32_t second, std::uint32_t seed) {
-    return {texture, linear(first), linear(second), seed, 0, 0};
+    return {texture, linear(first), linear(second), seed, 0, 0, {}};
 }
 
 Finish plain(std::uint32_t colour) {
@@ -288,9 +288,11 @@ void addDoor(Furniture& room, double x) {
 
 void addPicture(Piece& wall, double along, double z, double width, double height, Texture texture,
                 std::uint32_t seed) {
-    const Finish canvas = texture == Texture::Art
-                              ? finish(texture, seed % 2U == 0 ? 0x2B211A : 0xB8923E, 0, seed)
-                              : finish(texture, 0xA8B7C9, 0x23344F, seed);
+    Finish canvas = texture == Texture::Art ? finish(texture, seed % 2U == 0 ? 0x2B211A : 0xB8923E, 0, seed)
+                                            : finish(texture, 0xA8B7C9, 0x23344F, seed);
+    if (texture == Texture::Art) {
+        canvas.blots = blots(seed, static_cast<float>(width), static_cast<float>(height));
+    }
     wall.box({along, 0.0125, z}, {width, 0.025, height}, canvas).shade = 0.25F;
 }
 

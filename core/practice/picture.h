@@ -245,7 +245,7 @@ class Picture {
     /// extra: 0 for one ray, else the root of the number of rays.
     void markEdges(int y, const RgbImage& picture, const Image<std::uint16_t, 1>& ids,
                    Image<std::uint8_t, 1>& extra) const {
-        constexpr int kContrast = 18;
+        constexpr int kContrast = 24;
         const int width = picture.width();
         for (int x = 0; x < width; ++x) {
             int contrast = 0;
@@ -258,7 +258,7 @@ class Picture {
                     contrast = std::max(contrast, std::abs(picture.at(nx, ny)[i] - picture.at(x, y)[i]));
                 }
             }
-            *extra.at(x, y) = isEdge && contrast > kContrast                     ? 4
+            *extra.at(x, y) = isEdge && contrast > 40                            ? 4
                               : contrast > kContrast || (isEdge && contrast > 6) ? 2
                                                                                  : 0;
         }

@@ -160,6 +160,19 @@ Rgb outside(const Finish& finish, const SurfacePoint& s, float w) {
     return mix(colour, linear(0xA5482F) * (1 + 0.2F * meadow), roof);
 }
 
+float cover(const Blot& blot, float dx, float dy, float w) {
+    const float r = blot.radius;
+    switch (blot.form) {
+    case Blot::Form::Disc:
+        return boxStep(std::sqrt(dx * dx + dy * dy), r, w);
+    case Blot::Form::Bar:
+        return boxPulse(-r, r, dx, w) * boxPulse(-0.5F * r, 0.5F * r, dy, w);
+    case Blot::Form::Ring:
+        return boxPulse(0.6F * r, r, std::sqrt(dx * dx + dy * dy), w);
+    }
+    return 0;
+}
+
 /// One painting of many: clouds of colour under discs, bars and strokes; no two parts look alike.
 Rgb art(const Finish& finish, const SurfacePoint& s, float w) {
     const float frame = std::min(std::min(s.u, s.width - s.u), std::min(s.v, s.height - s.v));
@@ -171,30 +184,13 @@ Rgb art(const Finish& finish, const SurfacePoint& s, float w) {
         const float clouds = fractalNoise(s.u + warp, s.v - warp, 0.18F, 3, 0.7F, finish.seed + salt, w);
         colour[channel] = clamp01(0.26F + 0.20F * clouds + 0.12F * shared);
     }
-    const float size = std::min(s.width, s.height);
-    for (std::uint32_t i = 0; i < 22; ++i) {
-        const std::uint32_t h = mixed(finish.seed * 131U + i);
-        const float cx = s.width * unit(h);
-        const float cy = s.height * unit(mixed(h + 1));
-        const float radius = size * (0.02F + 0.13F * unit(mixed(h + 2)) * unit(mixed(h + 7)));
-        const float dx = s.u - cx;
-        const float dy = s.v - cy;
-        if (std::max(std::abs(dx), std::abs(dy)) > 2.2F * radius + w) {
-            continue;
+    for (const Blot& blot : finish.blots) {
+        const float dx = s.u - blot.u;
+        const float dy = s.v - blot.v;
+        const float reach = blot.radius + w;
+        if (std::max(std::abs(dx), std::abs(dy)) < reach) {
+            colour = mix(colour, blot.colour, 0.85F * cover(blot, dx, dy, w));
         }
-        float cover = 0;
-        switch (h % 3U) {
-        case 0:
-            cover = boxStep(std::sqrt(dx * dx + dy * dy), radius, w);
-            break;
-        case 1:
-            cover = boxPulse(-radius, radius, dx, w) * boxPulse(-0.5F * radius, 0.5F * radius, dy, w);
-            break;
-        default:
-            cover = boxPulse(0.6F * radius, radius, std::sqrt(dx * dx + dy * dy), w);
-            break;
-        }
-        colour = mix(colour, hashedColour(h + 3, 0.02F, 0.9F), 0.85F * cover);
     }
     const Rgb mounted = mix(linear(0xF3EFE4), colour, boxStep(0.055F, frame, w));
     return mix(finish.first, mounted, boxStep(0.022F, frame, w));
@@ -264,6 +260,22 @@ Rgb linear(std::uint32_t stored) {
         return value * value;
     };
     return {channel(16), channel(8), channel(0)};
+}
+
+std::vector<Blot> blots(std::uint32_t seed, float width, float height) {
+    std::vector<Blot> made;
+    for (std::uint32_t i = 0; i < 22; ++i) {
+        const std::uint32_t h = mixed(seed * 131U + i);
+        Blot blot;
+        blot.form = static_cast<Blot::Form>(h % 3U);
+        blot.u = width * unit(h);
+        blot.v = height * unit(mixed(h + 1));
+        const float spread = unit(mixed(h + 2)) * unit(mixed(h + 7));
+        blot.radius = std::min(width, height) * (0.02F + 0.13F * spread);
+        blot.colour = hashedColour(h + 3, 0.02F, 0.9F);
+        made.push_back(blot);
+    }
+    return made;
 }
 
 Rgb albedo(const Finish& finish, const SurfacePoint& s, float w) {

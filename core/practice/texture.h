@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <vector>
 
 namespace spherewalk::practice {
 
@@ -34,6 +35,20 @@ enum class Texture {
     Mosaic,
 };
 
+/// A disc, bar or ring on a painting. Units: metres from its lower left corner.
+struct Blot {
+    enum class Form { Disc, Bar, Ring };
+
+    Form form = Form::Disc;
+    float u = 0;
+    float v = 0;
+    float radius = 0;
+    Rgb colour = Rgb::Zero();
+};
+
+/// Those of one painting of many.
+std::vector<Blot> blots(std::uint32_t seed, float width, float height);
+
 /// What a surface is made of.
 struct Finish {
     Texture texture = Texture::Plain;
@@ -42,6 +57,7 @@ struct Finish {
     std::uint32_t seed = 0;
     float mirror = 0; ///< share of the light that is mirrored, seen straight on
     float glow = 0;   ///< light of its own, as a multiple of the albedo
+    std::vector<Blot> blots = {};
 };
 
 /// A place on a surface, in the surface's own coordinates. Units: metres.
