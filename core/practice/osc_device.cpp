@@ -160,6 +160,12 @@ OscReply OscDevice::checkForUpdates(const std::string& body) const {
     return {200, reply};
 }
 
+OscDevice::Capture* OscDevice::capture(const std::string& id) {
+    const auto found =
+        std::find_if(m_captures.begin(), m_captures.end(), [&](const Capture& one) { return one.id == id; });
+    return found == m_captures.end() ? nullptr : &*found;
+}
+
 OscReply OscDevice::results(std::string_view command, Json results) const {
     Json body;
     body["name"] = command;
@@ -237,7 +243,7 @@ OscReply OscDevice::takePicture() {
     while (m_captures.size() >= kKeptCaptures) {
         m_captures.erase(m_captures.begin());
     }
-    m_captures[id] = {};
+    m_captures.emplace_back().id = id;
     const double countdown = m_settings.value("exposureDelay").get<double>();
     m_phase = countdown > 0 ? Phase::Countdown : Phase::Shooting;
     m_countdown = {};
@@ -315,8 +321,8 @@ void OscDevice::shoot(const std::stop_token& stop, const std::string& id, const 
         photo.truth.urlPath = m_storage.urlPath(photo.truth.file);
         TruthFile(m_truthFile).append(photo.truth); // before anybody can see the file
         m_storage.add(photo.truth.file, photo.jpeg, settings.time);
-        if (const auto capture = m_captures.find(id); capture != m_captures.end()) { // not forgotten
-            capture->second.urlPath = photo.truth.urlPath;
+        if (Capture* own = capture(id)) { // not forgotten
+            own->urlPath = photo.truth.urlPath;
         }
         ++m_exposures;
         changed();
@@ -327,10 +333,10 @@ void OscDevice::shoot(const std::stop_token& stop, const std::string& id, const 
 
 void OscDevice::finish(const std::string& id, Outcome outcome, OscCode code, const std::string& failure) {
     const std::scoped_lock lock(m_mutex);
-    if (const auto capture = m_captures.find(id); capture != m_captures.end()) {
-        capture->second.outcome = outcome;
-        capture->second.code = code;
-        capture->second.failure = failure;
+    if (Capture* own = capture(id)) {
+        own->outcome = outcome;
+        own->code = code;
+        own->failure = failure;
     }
     m_phase.reset();
     changed();
@@ -348,23 +354,23 @@ OscReply OscDevice::status(const std::string& body, const std::string& baseUrl) 
         return refusal("unknown", OscCode::InvalidParameterValue);
     }
     const std::scoped_lock lock(m_mutex);
-    const auto found = m_captures.find(id);
-    if (found == m_captures.end()) {
+    Capture* const found = capture(id);
+    if (found == nullptr) {
         return refusal("unknown", OscCode::InvalidParameterValue);
     }
-    const Capture capture = found->second;
-    if (capture.outcome == Outcome::Running) {
+    const Capture asked = *found;
+    if (asked.outcome == Outcome::Running) {
         return {200, inProgress(id)};
     }
-    if (m_options.doneAnswers > 0 && ++found->second.answers >= m_options.doneAnswers) {
-        m_captures.erase(found);
+    if (m_options.doneAnswers > 0 && ++found->answers >= m_options.doneAnswers) {
+        std::erase_if(m_captures, [&](const Capture& one) { return one.id == id; });
     }
-    if (capture.outcome == Outcome::Done) {
-        return results("camera.takePicture", Json{{"fileUrl", baseUrl + capture.urlPath}});
+    if (asked.outcome == Outcome::Done) {
+        return results("camera.takePicture", Json{{"fileUrl", baseUrl + asked.urlPath}});
     }
-    OscReply reply = refusal("camera.takePicture", capture.code);
-    if (capture.code == OscCode::Unexpected) {
-        reply.body["error"]["message"] = capture.failure;
+    OscReply reply = refusal("camera.takePicture", asked.code);
+    if (asked.code == OscCode::Unexpected) {
+        reply.body["error"]["message"] = asked.failure;
     }
     return reply;
 }

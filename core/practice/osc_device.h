@@ -7,9 +7,9 @@
 #include "osc_error.h"
 
 #include <chrono>
-#include <map>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace spherewalk::practice {
 
@@ -48,6 +48,7 @@ class OscDevice {
     enum class Outcome { Running, Done, Failed };
 
     struct Capture {
+        std::string id;
         Outcome outcome = Outcome::Running;
         OscCode code = OscCode::Unexpected;
         std::string failure; ///< a sentence
@@ -55,6 +56,7 @@ class OscDevice {
         int answers = 0;
     };
 
+    Capture* capture(const std::string& id);
     OscReply results(std::string_view command, Json results = {}) const;
     OscReply takePicture();
     OscReply getOptions(const Json& parameters) const;
@@ -90,8 +92,8 @@ class OscDevice {
     Eigen::Vector3d m_position;
     std::chrono::system_clock::duration m_clockOffset{0};
     std::chrono::minutes m_zone{0};
-    std::map<std::string, Capture> m_captures;
-    std::optional<Phase> m_phase; ///< of the capture that is running
+    std::vector<Capture> m_captures; ///< oldest first
+    std::optional<Phase> m_phase;    ///< of the capture that is running
     std::stop_source m_countdown;
     std::string m_cameraError;
     int m_nextId = 0;

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
 namespace spherewalk::practice {
 
 using std::numbers::pi;
 
 SphericalRays::SphericalRays(const Rigid3& roomFromPhoto, const EquirectSize& size)
     : m_size(size), m_eye(roomFromPhoto.translation), m_pixelAngle(static_cast<float>(pi / size.height)) {
+    constexpr int kMaxSide = 32768;
+    if (size.width < 1 || size.height < 1 || size.width > kMaxSide || size.height > kMaxSide) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Could not draw the practice room as a picture of ", size.width, " x ", size.height,
+                         " pixels: the sides must be 1 to ", kMaxSide, "."));
+    }
     const Eigen::Matrix3d axes = roomFromPhoto.rotation.normalized().toRotationMatrix();
     m_forward = axes.col(0);
     m_left = axes.col(1);

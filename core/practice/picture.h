@@ -114,7 +114,7 @@ class Picture {
     RgbImage colours() {
         RgbImage picture(m_rays.width(), m_rays.height());
         Image<std::uint16_t, 1> ids(m_rays.width(), m_rays.height());
-        overTiles(0, [&](const Tile& tile) { firstPass(tile, picture, ids); });
+        overTiles(0, 0.5, [&](const Tile& tile) { firstPass(tile, picture, ids); });
         if (m_options.content == Content::Objects) {
             return picture; // a simulator's overlay: colour and depth of the same ray
         }
@@ -124,7 +124,7 @@ class Picture {
                 markEdges(y, picture, ids, extra);
             }
         });
-        overTiles(0.5, [&](const Tile& tile) { secondPass(tile, extra, picture); });
+        overTiles(0.5, 1, [&](const Tile& tile) { secondPass(tile, extra, picture); });
         return picture;
     }
 
@@ -132,7 +132,7 @@ class Picture {
     template <class Factor>
     DepthImage distances(Factor&& factor) {
         DepthImage depth(m_rays.width(), m_rays.height());
-        overTiles(0, [&](const Tile& tile) {
+        overTiles(0, 1, [&](const Tile& tile) {
             forPixels(tile, [&](int x, int y) {
                 Eigen::Vector3d direction;
                 Hit hit;
@@ -165,7 +165,8 @@ class Picture {
     }
 
     template <class Body>
-    void overTiles(double progressBegin, Body&& body) {
+    void overTiles(double progressBegin, double progressEnd, Body&& body) {
+        int rowsDone = 0;
         const int rows = (m_rays.height() + kTile - 1) / kTile;
         parallelFor(rows, 1, m_options.threads, [&](int begin, int end) {
             Tile tile{};
@@ -179,12 +180,11 @@ class Picture {
                     body(tile);
                 }
                 const std::scoped_lock lock(m_progressMutex);
-                ++m_rowsDone;
-                m_progress.progress(progressBegin + 0.5 * (m_rowsDone % (rows + 1)) / rows,
+                ++rowsDone;
+                m_progress.progress(progressBegin + (progressEnd - progressBegin) * rowsDone / rows,
                                     "Drawing the practice room");
             }
         });
-        m_rowsDone = 0;
     }
 
     void findCandidates(Tile& tile) const {
@@ -292,7 +292,6 @@ class Picture {
     ProgressSink& m_progress;
     std::stop_token m_stop;
     std::mutex m_progressMutex;
-    int m_rowsDone = 0;
     static thread_local inline std::vector<Eigen::Vector3d> m_border;
 };
 

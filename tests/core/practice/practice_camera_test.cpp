@@ -180,6 +180,41 @@ TEST_F(PracticeCameraHttp, TheTruthIsThePhotoThatTheRoomShowsThere) {
     EXPECT_LT(std::sqrt(sum / double(photo.values().size())), 12); // what JPEG's 4:2:0 costs at this size
 }
 
+/// The number in this element of the photo's XMP.
+double gpano(const Bytes& jpeg, const std::string& name) {
+    const std::string content(jpeg.begin(), jpeg.end());
+    const std::size_t at = content.find("<GPano:" + name + ">");
+    if (at == std::string::npos) {
+        ADD_FAILURE() << "no " << name;
+        return 0;
+    }
+    return std::stod(content.substr(at + name.size() + 8, 20));
+}
+
+TEST_F(PracticeCameraHttp, TheFileTellsTheTiltWithGooglesSigns) {
+    PracticeCameraOptions options = small();
+    options.errors.tiltSigma = Degrees(8);
+    run(options);
+    for (int i = 0; i < 5; ++i) {
+        const Bytes bytes = download(shoot());
+        const YawPitchRoll truth = yawPitchRoll(*readTruth(camera().truthFile()).back().roomFromPhoto);
+        EXPECT_NEAR(gpano(bytes, "PosePitchDegrees"), -Degrees(truth.pitch).value(), 1.3);
+        EXPECT_NEAR(gpano(bytes, "PoseRollDegrees"), Degrees(truth.roll).value(), 1.3);
+    }
+}
+
+TEST_F(PracticeCameraHttp, ALevelledPhotoHasNoTilt) {
+    PracticeCameraOptions options = small();
+    options.levelled = true;
+    run(options);
+    const Bytes bytes = download(shoot());
+    const YawPitchRoll truth = yawPitchRoll(*readTruth(camera().truthFile()).back().roomFromPhoto);
+    EXPECT_NEAR(truth.pitch.value(), 0, 1e-12);
+    EXPECT_NEAR(truth.roll.value(), 0, 1e-12);
+    EXPECT_EQ(gpano(bytes, "PosePitchDegrees"), 0);
+    EXPECT_EQ(gpano(bytes, "PoseRollDegrees"), 0);
+}
+
 TEST_F(PracticeCameraHttp, AnIdAnswersDoneOnceAndIsThenForgotten) {
     run();
     const std::string id = execute("camera.takePicture")["id"];

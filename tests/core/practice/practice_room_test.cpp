@@ -274,6 +274,11 @@ TEST(PracticeRoom, RefusesWhatCannotBeARoom) {
     test::expectError(ErrorKind::InvalidInput, "object", [&] { PracticeRoom{options}; });
 }
 
+TEST(PracticeRoom, RefusesPicturesWithoutASize) {
+    test::expectError(ErrorKind::InvalidInput, "pixels", [] { room().spherical(middle(), {0, 256}); });
+    test::expectError(ErrorKind::InvalidInput, "pixels", [] { room().sphericalRange(middle(), {512, -1}); });
+}
+
 TEST(PracticeRoom, DrawingStopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();

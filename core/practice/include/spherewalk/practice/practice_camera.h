@@ -82,9 +82,9 @@ class PracticeCamera {
     PracticeCamera(const PracticeCamera&) = delete;
     PracticeCamera& operator=(const PracticeCamera&) = delete;
 
-    /// Listens; returns when requests are answered. Errors: Busy if the port is taken.
+    /// Listens; returns when requests are answered. At most once. Errors: Busy if the port is taken.
     void start();
-    /// Returns when no request, exposure or thread is left; within 200 ms.
+    /// Returns when no request, exposure or thread is left; at once but for the encoding of a drawn photo.
     void stop();
 
     /// The port listened on, 0 before start().
