@@ -55,6 +55,15 @@ Json vectorJson(const Eigen::Vector3d& v) {
     return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}};
 }
 
+/// The camera knows no byte ranges. A request that names no length has no body (RFC 9112, 6.3); the library
+/// would wait for one until the connection closes.
+void asTheCameraReads(httplib::Request& request) {
+    request.ranges.clear();
+    if (!request.has_header("Content-Length") && !request.has_header("Transfer-Encoding")) {
+        request.set_header("Content-Length", "0");
+    }
+}
+
 OscReply mistaken(const Error& error) {
     return {400, Json{{"error", error.sentence()}}};
 }
@@ -127,9 +136,7 @@ bool CameraServer::process_and_close_socket(socket_t socket) {
     bool isGood = true;
     bool isClosed = false;
     while (isGood && !isClosed && !connection.isDropped() && connection.awaitRequest(kKeepAlive)) {
-        // The camera knows no byte ranges: always the whole file.
-        isGood = process_request(connection, false, isClosed,
-                                 [](httplib::Request& request) { request.ranges.clear(); });
+        isGood = process_request(connection, false, isClosed, asTheCameraReads);
     }
     return isGood;
 }

@@ -12,8 +12,12 @@
 
 #include <httplib.h>
 
+#include <array>
 #include <chrono>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 namespace spherewalk::practice {
 namespace {
@@ -401,6 +405,24 @@ TEST_F(PracticeCameraHttp, UnknownThingsAreRefusedAsTheCameraDoes) {
     ASSERT_TRUE(deep);
     EXPECT_EQ(deep->status, 400);
     EXPECT_EQ(get("/osc/info")["model"], "RICOH THETA V");
+}
+
+TEST_F(PracticeCameraHttp, ARequestThatNamesNoLengthHasNoBody) {
+    run();
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(camera().port()));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ASSERT_EQ(::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    const timeval patience{5, 0};
+    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const std::string request = "POST /osc/state HTTP/1.1\r\nHost: camera\r\n\r\n";
+    ASSERT_EQ(::send(socket, request.data(), request.size(), MSG_NOSIGNAL), ssize_t(request.size()));
+    std::array<char, 15> reply{};
+    EXPECT_EQ(::recv(socket, reply.data(), reply.size(), MSG_WAITALL), ssize_t(reply.size()));
+    EXPECT_EQ(std::string(reply.begin(), reply.end()), "HTTP/1.1 200 OK");
+    ::close(socket);
 }
 
 TEST_F(PracticeCameraHttp, TheFingerprintChangesWithTheState) {
