@@ -16,7 +16,8 @@ Json parseJson(std::string_view content, std::string_view source, const JsonLimi
                          " of JSON, more than the ", humanBytes(limits.maxBytes), " allowed."));
     }
     const auto checkDepth = [&](int depth, Json::parse_event_t event, Json& /*parsed*/) {
-        const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        const bool opens =
+            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
         if (opens && depth >= limits.maxDepth) {
             throw Error(ErrorKind::Corrupt, text("Could not read ", source, ": its JSON nests deeper than ",
                                                  limits.maxDepth, " levels."));

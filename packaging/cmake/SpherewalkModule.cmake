@@ -82,6 +82,11 @@ function(spherewalk_test name)
   target_link_libraries(${name} PRIVATE spherewalk_flags spherewalk_test_support ${arg_LINK}
                         ${arg_THIRD_PARTY} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE SPHEREWALK_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ENVIRONMENT "${arg_ENVIRONMENT}")
+  set(properties TIMEOUT ${arg_TIMEOUT})
+  foreach(property LABELS ENVIRONMENT)
+    if(arg_${property})
+      list(APPEND properties ${property} "${arg_${property}}")
+    endif()
+  endforeach()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

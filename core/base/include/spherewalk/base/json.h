@@ -18,9 +18,9 @@ struct JsonLimits {
     int maxDepth = 64;
 };
 
-/// The value that the text spells. source: what the text is, for the sentence ("the camera's answer", a
+/// The value that the content spells. source: what the content is, for the sentence ("the camera's answer", a
 /// file's name). Errors: Corrupt, for text that is no JSON, is too large, or nests too deep.
-Json parseJson(std::string_view text, std::string_view source, const JsonLimits& limits = {});
+Json parseJson(std::string_view content, std::string_view source, const JsonLimits& limits = {});
 
 /// A JSON value from outside, with its place in the document, whose members are read with a check. A member
 /// that is missing or of another type is Corrupt, with a sentence that names the document, the place and what

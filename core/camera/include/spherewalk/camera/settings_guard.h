@@ -42,7 +42,7 @@ class SettingsGuard {
 };
 
 /// The time that a shot may take before it counts as lost: the base, the self-timer, twice the exposure, and
-/// an extra for filters that take several exposures. Source: osc-theta reference, known timings.
+/// an extra for filters that take several exposures. Source: times that users of Theta cameras report.
 struct ShotAllowance {
     std::chrono::milliseconds base{30'000};
     std::chrono::milliseconds filterExtra{20'000};
