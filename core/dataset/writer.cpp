@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/dataset/writer.h"
+
+#include "thumbnail.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/jpeg/restart.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <unistd.h>
+
+namespace spherewalk::dataset {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that is removed with all that is in it, unless it was moved to its final place.
+class UnfinishedFolder {
+  public:
+    explicit UnfinishedFolder(const fs::path& finalPlace) : m_finalPlace(finalPlace) {
+        m_path = m_finalPlace;
+        m_path += text(".", ::getpid(), ".part");
+        fs::remove_all(m_path);
+        for (const char* name : {"photos", "index", "thumbnails"}) {
+            fs::create_directories(m_path / name);
+        }
+    }
+
+    ~UnfinishedFolder() {
+        std::error_code
+            ignored; // a leftover with the name .part does no harm and cannot be taken for a dataset
+        fs::remove_all(m_path, ignored);
+    }
+
+    UnfinishedFolder(const UnfinishedFolder&) = delete;
+    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+    const fs::path& path() const { return m_path; }
+
+    void moveIntoPlace() {
+        for (const char* name : {"photos", "index", "thumbnails", "."}) {
+            syncFolder(m_path / name);
+        }
+        fs::rename(m_path, m_finalPlace);
+        syncFolder(m_finalPlace.has_parent_path() ? m_finalPlace.parent_path() : ".");
+    }
+
+  private:
+    fs::path m_finalPlace;
+    fs::path m_path;
+};
+
+std::uint64_t writeNew(const fs::path& file, ByteView bytes) {
+    writeFile(file, bytes, DurableFile::Overwrite::No);
+    return bytes.size();
+}
+
+Bytes sourceBytes(const SourcePhoto& photo) {
+    Bytes bytes = readFile(photo.file);
+    if (sha256Hex(bytes) != photo.sha256) {
+        throw Error(ErrorKind::Corrupt,
+                    text("Could not export ", photo.file.string(),
+                         ": the file was changed since it was recorded; run check, or retake the photo."));
+    }
+    return bytes;
+}
+
+/// Writes one photo with its index and thumbnail and completes its entry. Returns the bytes written besides
+/// the photo.
+std::uint64_t writePhoto(const Bytes& source, const fs::path& folder, const std::string& stem,
+                         const std::string& sourceName, const WriteOptions& options,
+                         render::DatasetPhoto& entry) {
+    const Bytes marked = jpeg::withRestartMarkers(source, options.mcusPerInterval, sourceName);
+    const jpeg::RestartIndex index = jpeg::indexRestarts(marked, sourceName);
+    entry.file = text("photos/", stem, ".jpg");
+    entry.restartIndex = text("index/", stem, ".swri");
+    entry.thumbnail = text("thumbnails/", stem, ".jpg");
+    entry.sha256 = sha256Hex(marked);
+    entry.sizeBytes = marked.size();
+    entry.width = index.width;
+    entry.height = index.height;
+    if (entry.width != 2 * entry.height) {
+        throw Error(ErrorKind::Corrupt,
+                    text("Could not export ", sourceName, ": it has ", entry.width, " x ", entry.height,
+                         " pixels, and an equirectangular picture is twice as wide as high."));
+    }
+    writeNew(folder / entry.file, marked);
+    return writeNew(folder / entry.restartIndex, jpeg::serialised(index)) +
+           writeNew(folder / entry.thumbnail, thumbnail(marked, sourceName, options.thumbnailWidth));
+}
+
+/// One name a photo, as the file had it, made unique.
+std::vector<std::string> stems(const std::vector<SourcePhoto>& photos) {
+    std::set<std::string> taken;
+    std::vector<std::string> result;
+    for (const SourcePhoto& photo : photos) {
+        const std::string stem = photo.file.stem().string();
+        std::string unique = stem;
+        for (int number = 2; !taken.insert(unique).second; ++number) {
+            unique = text(stem, "_", number);
+        }
+        result.push_back(unique);
+    }
+    return result;
+}
+
+void checkPlace(const fs::path& folder) {
+    if (fs::exists(fs::symlink_status(folder))) {
+        throw Error(ErrorKind::Exists, text("Could not write the dataset ", folder.string(),
+                                            ": it exists already; choose another name, or remove it first."));
+    }
+}
+
+void write(const Contents& contents, UnfinishedFolder& folder, const WriteOptions& options,
+           ProgressSink& progress, const std::stop_token& stop, WriteReport& report) {
+    render::DatasetInfo info = contents.info;
+    const std::vector<std::string> names = stems(contents.photos);
+    const int count = static_cast<int>(contents.photos.size());
+    info.photos.resize(contents.photos.size());
+    std::mutex mutex;
+    parallelFor(count, 1, options.threads, [&](int i, int /*end*/) {
+        throwIfStopped(stop);
+        const auto k = static_cast<std::size_t>(i);
+        const SourcePhoto& photo = contents.photos[k];
+        const Bytes source = sourceBytes(photo);
+        render::DatasetPhoto entry = photo.entry;
+        const std::uint64_t others =
+            writePhoto(source, folder.path(), names[k], photo.file.string(), options, entry);
+        const std::scoped_lock lock(mutex);
+        info.photos[k] = entry;
+        ++report.photos;
+        report.sourceBytes += source.size();
+        report.photoBytes += entry.sizeBytes;
+        report.totalBytes += entry.sizeBytes + others;
+        progress.progress(static_cast<double>(report.photos) / count,
+                          text("Writing photo ", report.photos, " of ", count));
+    });
+    report.totalBytes +=
+        writeNew(folder.path() / render::kDatasetFile, bytesOf(render::toJson(info).dump(1) + "\n"));
+    throwIfStopped(stop);
+}
+
+} // namespace
+
+void WriteOptions::validate() const {
+    if (mcusPerInterval < 1 || mcusPerInterval > 65535 || thumbnailWidth < 16 || thumbnailWidth > 4096) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not write the dataset: 1 to 65535 MCUs may stand between restart "
+                    "markers, and a thumbnail may be 16 to 4096 pixels wide.");
+    }
+}
+
+WriteReport writeDataset(const Contents& contents, const fs::path& folder, const WriteOptions& options,
+                         ProgressSink& progress, const std::stop_token& stop) {
+    options.validate();
+    if (contents.photos.empty()) {
+        throw Error(ErrorKind::InvalidInput, "There is nothing to export: no station has a photo yet.");
+    }
+    checkPlace(folder);
+    const auto begin = std::chrono::steady_clock::now();
+    WriteReport report;
+    try {
+        UnfinishedFolder unfinished(folder);
+        write(contents, unfinished, options, progress, stop, report);
+        checkPlace(folder); // somebody may have made it meanwhile; rename would replace an empty folder
+        unfinished.moveIntoPlace();
+    } catch (const fs::filesystem_error& failure) {
+        const bool full = failure.code() == std::errc::no_space_on_device;
+        throw Error(
+            full ? ErrorKind::Full : ErrorKind::Io,
+            text("Could not write the dataset ", folder.string(), ": ", failure.code().message(), "."));
+    }
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+} // namespace spherewalk::dataset

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "random.h"
+#include "temporary_folder.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/dataset/writer.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/jpeg/restart.h"
+#include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/dataset.h"
+
+namespace spherewalk::dataset {
+
+namespace fs = std::filesystem;
+using test::expectError;
+using test::TemporaryFolder;
+
+namespace {
+
+RgbImage noise(int width, int height, unsigned seed) {
+    test::Random random(seed);
+    RgbImage picture(width, height);
+    for (std::uint8_t& value : picture.values()) {
+        value = static_cast<std::uint8_t>(random.integer(0, 255));
+    }
+    return picture;
+}
+
+class WriterTest : public testing::Test {
+  protected:
+    WriterTest() {
+        contents.info.id = contents.info.surveyId = "id";
+        contents.info.name = "Küche";
+        for (int i = 0; i < 3; ++i) {
+            addPhoto("R001000" + std::to_string(i) + ".JPG",
+                     jpeg::encode(noise(320, 160, static_cast<unsigned>(i)), 90));
+        }
+    }
+
+    void addPhoto(const std::string& name, const Bytes& jpeg) {
+        writeFile(folder / name, jpeg);
+        render::DatasetPhoto entry;
+        entry.roomFromPhoto = {Eigen::Quaterniond::Identity(),
+                               {static_cast<double>(contents.photos.size()), 0, 1}};
+        entry.rotationSource = "imported";
+        contents.photos.push_back({folder / name, sha256Hex(jpeg), entry});
+    }
+
+    WriteReport write(const std::stop_token& stop = {}) {
+        return writeDataset(contents, out, {}, noProgress(), stop);
+    }
+
+    /// What lies in the parent folder besides the source photos.
+    std::vector<std::string> leftovers() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder.path())) {
+            if (entry.path().extension() != ".JPG" && entry.path() != out) {
+                names.push_back(entry.path().filename());
+            }
+        }
+        return names;
+    }
+
+    TemporaryFolder folder;
+    fs::path out = folder / "data set ü";
+    Contents contents;
+};
+
+} // namespace
+
+TEST_F(WriterTest, WritesADatasetThatOpensAndKeepsEveryPixel) {
+    const WriteReport report = write();
+    EXPECT_EQ(report.photos, 3U);
+    EXPECT_TRUE(leftovers().empty());
+    const render::Dataset dataset = render::Dataset::open(out, render::Verify::Hashes);
+    ASSERT_EQ(dataset.info().photos.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const render::DatasetPhoto& photo = dataset.info().photos[i];
+        const Bytes written = dataset.readPhoto(i);
+        EXPECT_EQ(jpeg::decode(written, "x"), jpeg::decode(readFile(contents.photos[i].file), "x"));
+        EXPECT_EQ(photo.file, "photos/" + contents.photos[i].file.stem().string() + ".jpg");
+        EXPECT_EQ(photo.roomFromPhoto.translation, contents.photos[i].entry.roomFromPhoto.translation);
+        const jpeg::RestartIndex index = jpeg::parseRestartIndex(readFile(out / photo.restartIndex), "x");
+        EXPECT_EQ(index, jpeg::indexRestarts(written, "x"));
+        EXPECT_EQ(index.mcusPerInterval, 8);
+        EXPECT_EQ(index.fileSizeBytes, written.size());
+        // An ordinary viewer's decoder reads photo and thumbnail.
+        EXPECT_EQ(photo::readPicture(out / photo.file).width(), 320);
+        EXPECT_GT(photo::readPicture(out / photo.thumbnail).width(), 100);
+    }
+}
+
+TEST_F(WriterTest, ReplacesNothing) {
+    fs::create_directories(out);
+    expectError(ErrorKind::Exists, "exists already", [&] { write(); });
+    EXPECT_TRUE(fs::is_empty(out));
+}
+
+TEST_F(WriterTest, KeepsPhotosApartThatHaveOneName) {
+    fs::create_directories(folder / "b.JPG");
+    const Bytes other = jpeg::encode(noise(64, 32, 9), 90);
+    addPhoto("b.JPG/R0010000.JPG", other);
+    write();
+    const render::Dataset dataset = render::Dataset::open(out);
+    EXPECT_EQ(dataset.info().photos[0].file, "photos/R0010000.jpg");
+    EXPECT_EQ(dataset.info().photos[3].file, "photos/R0010000_2.jpg");
+    EXPECT_EQ(jpeg::decode(dataset.readPhoto(3), "x"), jpeg::decode(other, "x"));
+}
+
+TEST_F(WriterTest, LeavesNothingAfterAnyFailure) {
+    Bytes changed = readFile(contents.photos[1].file);
+    changed[changed.size() / 2] ^= 1;
+    writeFile(contents.photos[1].file, changed);
+    expectError(ErrorKind::Corrupt, "R0010001.JPG: the file was changed", [&] { write(); });
+    EXPECT_TRUE(leftovers().empty());
+    EXPECT_FALSE(fs::exists(out));
+
+    fs::remove(contents.photos[1].file);
+    expectError(ErrorKind::NotFound, "R0010001.JPG", [&] { write(); });
+    contents.photos.erase(contents.photos.begin() + 1);
+    addPhoto("square.JPG", jpeg::encode(noise(64, 64, 1), 90));
+    expectError(ErrorKind::Corrupt, "64 x 64", [&] { write(); });
+    contents.photos.clear();
+    expectError(ErrorKind::InvalidInput, "nothing to export", [&] { write(); });
+    EXPECT_TRUE(leftovers().empty());
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(WriterTest, StopsWhenAskedAndLeavesNothing) {
+    std::stop_source stop;
+    stop.request_stop();
+    expectError(ErrorKind::Stopped, "Stopped", [&] { write(stop.get_token()); });
+    EXPECT_TRUE(leftovers().empty());
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(WriteOptions, RefusesWhatTheFormatCannotHold) {
+    for (const WriteOptions& options :
+         {WriteOptions{0, 512, 0}, WriteOptions{65536, 512, 0}, WriteOptions{8, 1, 0}}) {
+        expectError(ErrorKind::InvalidInput, "restart markers", [&] { options.validate(); });
+    }
+}
+
+} // namespace spherewalk::dataset
