@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/demo.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/operators.h"
+#include "spherewalk/photo/picture_file.h"
+#include "spherewalk/practice/practice_camera.h"
+#include "spherewalk/render/camera_info.h"
+#include "spherewalk/survey/plan_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::jobs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kLensHeightM = 1.2;
+
+/// A common robot camera.
+CameraIntrinsics robotCamera() {
+    return CameraIntrinsics::pinhole(640, 480, Radians(Degrees(69)).value());
+}
+
+/// Once round the middle of the stations, looking ahead; poses of the optical frame, 10 a second.
+std::vector<TimedPose> roundWalk(const survey::Plan& plan, int frames) {
+    Polygon places;
+    for (const survey::Station& station : plan.stations) {
+        places.emplace_back(station.positionM.head<2>());
+    }
+    const Bounds2 area = bounds(places);
+    const Eigen::Vector2d centre = 0.5 * (area.least + area.greatest);
+    const Eigen::Vector2d radii = 0.4 * (area.greatest - area.least);
+    std::vector<TimedPose> poses;
+    for (int i = 0; i < frames; ++i) {
+        const double turn = 2 * std::numbers::pi * i / frames;
+        const Radians ahead(std::atan2(radii.y() * std::cos(turn), -radii.x() * std::sin(turn)));
+        poses.push_back({0.1 * i,
+                         {yawRotation(ahead) * bodyFromOptical(),
+                          {centre.x() + radii.x() * std::cos(turn), centre.y() + radii.y() * std::sin(turn),
+                           kLensHeightM}}});
+    }
+    return poses;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+class Demo {
+  public:
+    Demo(const fs::path& folder, const DemoOptions& options, ProgressSink& progress,
+         const std::stop_token& stop)
+        : m_folder(folder),
+          m_options(options),
+          m_progress(progress),
+          m_stop(stop),
+          m_practiceRoom(roomOptions()) {}
+
+    DemoReport run() {
+        makeFolder();
+        m_report.folder = m_folder;
+        store::SurveyStore store = newSurvey();
+        photograph(store);
+        solveFromTruth(store, m_folder / "truth.jsonl");
+        ProgressStep exporting(m_progress, 0.8, 0.85);
+        m_report.exported = exportDataset(store, m_folder / "dataset", {}, exporting, m_stop);
+        walkThrough(store.plan());
+        return std::move(m_report);
+    }
+
+  private:
+    static practice::PracticeRoomOptions roomOptions() { return {}; }
+
+    void makeFolder() const {
+        std::error_code failure;
+        if (fs::exists(m_folder) || !fs::create_directories(m_folder, failure)) {
+            throw Error(ErrorKind::Exists,
+                        text("Could not make the folder ", m_folder.string(),
+                             " for the demonstration: it exists already, or its place cannot be written."));
+        }
+    }
+
+    store::SurveyStore newSurvey() {
+        const practice::RoomPlan drawn = m_practiceRoom.plan();
+        const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
+        survey::PlanOptions options;
+        options.stepM = m_options.stepM;
+        options.heightsM = {kLensHeightM};
+        const survey::Plan plan = survey::plan(room, options);
+        m_report.placements = static_cast<int>(plan.placements.size());
+        return store::SurveyStore::create(m_folder / "practice-room.spherewalk", "practice room", room,
+                                          options, plan);
+    }
+
+    void photograph(store::SurveyStore& store) {
+        practice::PracticeCameraOptions options;
+        options.width = m_options.photoWidth;
+        options.errors.seed = m_options.seed;
+        options.truthFile = m_folder / "truth.jsonl";
+        options.room = roomOptions();
+        practice::PracticeCamera camera(options);
+        camera.start();
+        constexpr double kTimeScale = 0.01; // the practice camera does not make anybody wait
+        const camera::Endpoint endpoint{"127.0.0.1", camera.port()};
+        camera::OscClient client(endpoint, camera::OscOptions{}.scaled(kTimeScale), systemClock());
+        const CaptureSurveyOptions capture = practiceCaptureOptions(kTimeScale);
+        PracticeOperator people(endpoint);
+        ProgressStep capturing(m_progress, 0, 0.8);
+        m_report.capture = captureSurvey(store, client, people, systemClock(), capture, capturing, m_stop);
+        if (m_report.capture.remaining > 0) {
+            throw Error(ErrorKind::Internal,
+                        text("The practice camera did not deliver ", m_report.capture.remaining,
+                             " of the photos; see the messages above."));
+        }
+    }
+
+    void walkThrough(const survey::Plan& plan) {
+        const CameraModel camera(robotCamera());
+        const std::vector<TimedPose> path = roundWalk(plan, m_options.frames);
+        writeFile(m_folder / "robot.yaml", bytesOf(render::cameraInfoYaml(camera.intrinsics(), "robot")));
+        writeFile(m_folder / "path.tum", bytesOf(tumText(path)));
+        const render::Renderer renderer(
+            std::make_shared<const render::Dataset>(render::Dataset::open(m_folder / "dataset")));
+        ProgressStep walking(m_progress, 0.85, 0.95);
+        m_report.walk = walk(renderer, camera, path, {}, m_folder / "walk", walking, m_stop);
+        compare(renderer, camera, path);
+    }
+
+    /// Pairs of rendered and exact pictures, at photos and between them.
+    void compare(const render::Renderer& renderer, const CameraModel& camera,
+                 const std::vector<TimedPose>& path) {
+        constexpr std::size_t kPairs = 6;
+        std::vector<RgbImage> pictures;
+        std::vector<std::string> captions;
+        const auto likeness = [&](const Rigid3& pose, const std::string& where) {
+            throwIfStopped(m_stop);
+            pictures.push_back(renderer.render(camera, pose).picture);
+            pictures.push_back(m_practiceRoom.view(camera, pose));
+            const double db = photo::psnr(pictures[pictures.size() - 2], pictures.back());
+            captions.push_back(text(where, ": from the dataset, ", fixed(db, 1), " dB"));
+            captions.emplace_back("ray cast directly");
+            return db;
+        };
+        std::vector<double> atPhotos;
+        std::vector<double> between;
+        const auto& photos = renderer.dataset().info().photos;
+        for (std::size_t i = 0; i < kPairs; ++i) {
+            const Rigid3& onPath = path[i * path.size() / kPairs].roomFromCamera;
+            const std::size_t photo = i * photos.size() / kPairs;
+            atPhotos.push_back(
+                likeness({onPath.rotation, photos[photo].roomFromPhoto.translation}, "at a photo"));
+            between.push_back(likeness(onPath, "between photos"));
+            m_progress.progress(0.95 + 0.05 * static_cast<double>(i + 1) / kPairs,
+                                "Comparing with the exact room");
+        }
+        m_report.atPhotosDb = median(atPhotos);
+        m_report.betweenDb = median(between);
+        photo::writePng(m_folder / "comparison.png", photo::contactSheet(pictures, 4, 480, captions));
+    }
+
+    fs::path m_folder;
+    const DemoOptions& m_options;
+    ProgressSink& m_progress;
+    const std::stop_token& m_stop;
+    practice::PracticeRoom m_practiceRoom;
+    DemoReport m_report;
+};
+
+} // namespace
+
+DemoReport demo(const fs::path& folder, const DemoOptions& options, ProgressSink& progress,
+                const std::stop_token& stop) {
+    return Demo(folder, options, progress, stop).run();
+}
+
+Json toJson(const DemoReport& report) {
+    return {{"folder", report.folder.string()},
+            {"placements", report.placements},
+            {"capture", toJson(report.capture)},
+            {"export", toJson(report.exported)},
+            {"walk", toJson(report.walk)},
+            {"likeness_at_photos_db", report.atPhotosDb},
+            {"likeness_between_photos_db", report.betweenDb}};
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/export_dataset.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/base/uuid.h"
+#include "spherewalk/photo/levelling.h"
+#include "spherewalk/scene/sphere.h"
+
+#include <map>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+std::vector<render::SuggestedCamera> usualCameras() {
+    const auto camera = [](const std::string& name, int width, int height, double fovDeg) {
+        return render::SuggestedCamera{
+            name, CameraIntrinsics::pinhole(width, height, Radians(Degrees(fovDeg)).value())};
+    };
+    return {camera("vga-57", 640, 480, 57), camera("vga-90", 640, 480, 90), camera("hd-69", 1280, 720, 69)};
+}
+
+/// How a solution of the store is called in a dataset.
+std::string rotationSource(const store::SolutionRecord& solution) {
+    return solution.source == "align" ? "aligned" : solution.source;
+}
+
+/// Poses of photos, from the active solution where it has them.
+class Poses {
+  public:
+    explicit Poses(const store::SurveyStore& store) : m_folder(store.photoFolder()) {
+        if (const auto solution = store.activeSolution()) {
+            m_source = rotationSource(*solution);
+            for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
+                m_solved.emplace(photo.photo, photo);
+            }
+        }
+    }
+
+    /// Fills in the pose; false if the heading is not known.
+    bool fill(const store::PhotoRecord& photo, render::DatasetPhoto& entry) const {
+        const auto found = m_solved.find(photo.id);
+        if (found == m_solved.end()) {
+            fillFromMetadata(photo, entry);
+            return false;
+        }
+        const store::SolvedPhoto& solved = found->second;
+        entry.roomFromPhoto = {solved.roomFromPhoto, solved.positionM};
+        entry.rotationSource = m_source;
+        if (solved.sigmaPositionM) {
+            entry.positionSigmaM = Eigen::Vector3d::Constant(*solved.sigmaPositionM);
+        }
+        if (solved.sigmaYawRad && solved.sigmaPitchRad && solved.sigmaRollRad) {
+            entry.rotationSigma = render::RotationSigma{
+                Radians(*solved.sigmaYawRad), Radians(*solved.sigmaPitchRad), Radians(*solved.sigmaRollRad)};
+        }
+        return true;
+    }
+
+  private:
+    void fillFromMetadata(const store::PhotoRecord& photo, render::DatasetPhoto& entry) const {
+        const std::filesystem::path file = m_folder / photo.fileName;
+        const auto level = photo::levelFromPhoto(photo::readMetadata(readFile(file), file.string()));
+        entry.roomFromPhoto = {level.value_or(Eigen::Quaterniond::Identity()), photo.positionM};
+        entry.rotationSource = level ? "metadata" : "unknown";
+    }
+
+    std::filesystem::path m_folder;
+    std::string m_source;
+    std::map<std::int64_t, store::SolvedPhoto> m_solved;
+};
+
+render::DatasetInfo infoOf(const store::SurveyStore& store) {
+    const survey::Room room = store.room();
+    const store::SurveyInfo survey = store.info();
+    render::DatasetInfo info;
+    info.id = randomUuid();
+    info.name = survey.name;
+    info.createdUtc = isoUtc(std::chrono::system_clock::now());
+    info.madeBy = "spherewalk " SPHEREWALK_VERSION;
+    info.surveyId = survey.uuid;
+    info.outline = room.outline;
+    info.obstacles = room.obstacles;
+    info.ceilingM = room.ceilingM;
+    info.stepM = store.planOptions().stepM;
+    info.cameras = usualCameras();
+    return info;
+}
+
+/// Nothing if no photo stands inside of the room, so that there is nothing to estimate it from.
+std::optional<double> radiusFor(const survey::Room& room, const std::vector<dataset::SourcePhoto>& photos) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const dataset::SourcePhoto& photo : photos) {
+        positions.push_back(photo.entry.roomFromPhoto.translation);
+    }
+    return scene::sphereRadius(room, positions);
+}
+
+} // namespace
+
+ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
+                           const dataset::WriteOptions& options, ProgressSink& progress,
+                           const std::stop_token& stop) {
+    const Poses poses(store);
+    dataset::Contents contents{infoOf(store), {}};
+    ExportReport report;
+    for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+        dataset::SourcePhoto source{store.photoFolder() / photo.fileName, photo.fileSha256, {}};
+        source.entry.station = store.station(photo.station).name;
+        report.withoutRotation += poses.fill(photo, source.entry) ? 0 : 1;
+        contents.photos.push_back(std::move(source));
+    }
+    contents.info.sphereRadiusM = radiusFor(store.room(), contents.photos);
+    report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
+    report.withoutPhoto = static_cast<int>(store.stationsWithoutPhoto().size());
+    if (report.withoutRotation > 0) {
+        progress.warning(
+            text("The heading of ", report.withoutRotation, " of ", contents.photos.size(),
+                 " photos is not known; they are exported as if each looked along the room's x axis."));
+    }
+    report.written = dataset::writeDataset(contents, folder, options, progress, stop);
+    return report;
+}
+
+Json toJson(const ExportReport& report) {
+    return {{"photos", report.written.photos},
+            {"stations_without_photo", report.withoutPhoto},
+            {"photos_without_rotation", report.withoutRotation},
+            {"sphere_radius_m", report.sphereRadiusM},
+            {"source_bytes", report.written.sourceBytes},
+            {"photo_bytes", report.written.photoBytes},
+            {"total_bytes", report.written.totalBytes},
+            {"seconds", report.written.seconds}};
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/camera/capture.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <chrono>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace spherewalk::jobs {
+
+/// Who brings the camera from station to station: a person at a terminal, a window, a robot, a practice cart.
+class Operator {
+  public:
+    virtual ~Operator() = default;
+
+    /// Returns when the camera stands at the station. Errors: Stopped.
+    virtual void moveTo(const store::StationRecord& station, const std::stop_token& stop) = 0;
+
+    /// After a shot of which it is certain that no picture was taken: true to trigger again, once.
+    virtual bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
+                          const std::stop_token& stop) = 0;
+};
+
+struct CaptureSurveyOptions {
+    camera::CaptureOptions camera; ///< its download check is set by the job
+    int most = 0;                  ///< photos to take at most; 0: all that are missing
+};
+
+/// A station whose photo is not in the survey after all, and why.
+struct MissedStation {
+    std::string station;
+    std::string sentence;
+};
+
+struct CaptureSurveyReport {
+    int taken = 0;     ///< photos that came into the survey in this run
+    int resumed = 0;   ///< of them, from shots that an earlier run had left open
+    int stations = 0;  ///< of the survey
+    int remaining = 0; ///< still without a photo
+    std::vector<MissedStation> missed;
+    std::vector<std::string> warnings;
+    double seconds = 0;
+    double secondsMoving = 0;   ///< waiting for the operator
+    double secondsExposing = 0; ///< from the triggers to the known files
+    double secondsFetching = 0; ///< downloads and checks
+};
+
+/// Takes the missing photos of the survey in walking order, after settling what an earlier run left open. It
+/// can be killed at any instant and called again. Errors: those of camera::Capture and of the store; Stopped,
+/// with all that is complete kept.
+CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& client, Operator& people,
+                                  Clock& clock, CaptureSurveyOptions options, ProgressSink& progress,
+                                  const std::stop_token& stop);
+
+/// The check that downloads need: decodes the whole picture.
+camera::PhotoCheck photoCheck();
+
+Json toJson(const CaptureSurveyReport& report);
+
+} // namespace spherewalk::jobs

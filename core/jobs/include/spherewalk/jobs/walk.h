@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/render/renderer.h"
+
+#include <filesystem>
+#include <stop_token>
+#include <vector>
+
+namespace spherewalk::jobs {
+
+struct WalkReport {
+    std::size_t frames = 0;
+    std::size_t photosUsed = 0; ///< different ones
+    double medianRenderMs = 0;
+    double medianDecodeMs = 0; ///< of the frames that had to decode a photo; 0 if none had
+    double worstOffsetM = 0;
+    double leastTrust = 1;
+};
+
+/// Renders a view at each pose and writes 000000.png ..., index.csv (a line a frame, with its pose and
+/// report) and contact-sheet.png into the folder, which is made if need be; files of these names are
+/// replaced. Frames: the poses are of the optical frame. Errors: those of rendering and writing; Stopped,
+/// with the frames so far kept.
+WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
+                const std::vector<TimedPose>& path, const render::ViewOptions& options,
+                const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
+
+Json toJson(const render::ViewReport& report);
+Json toJson(const WalkReport& report);
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/walk.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <set>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr std::size_t kSheetCells = 24;
+constexpr int kSheetColumns = 6;
+constexpr int kSheetCellWidth = 320;
+
+std::string frameName(std::size_t frame) {
+    const std::string number = std::to_string(frame);
+    return std::string(6 - std::min<std::size_t>(6, number.size()), '0') + number + ".png";
+}
+
+std::string csvLine(std::size_t frame, const TimedPose& pose, const render::ViewReport& report) {
+    const Eigen::Vector3d& t = pose.roomFromCamera.translation;
+    const Eigen::Quaterniond& q = pose.roomFromCamera.rotation;
+    return text(frameName(frame), ",", pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(),
+                ",", q.z(), ",", q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
+                fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",", fixed(report.decodeMs, 3), ",",
+                fixed(report.renderMs, 3), "\n");
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::Io,
+                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
+    }
+}
+
+} // namespace
+
+WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
+                const std::vector<TimedPose>& path, const render::ViewOptions& options,
+                const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
+    makeFolder(folder);
+    WalkReport report;
+    std::string csv =
+        "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,parallax_px,trust,decode_ms,render_ms\n";
+    std::set<std::size_t> photos;
+    std::vector<double> renderMs;
+    std::vector<double> decodeMs;
+    std::vector<RgbImage> sheet;
+    const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        throwIfStopped(stop);
+        render::View view = renderer.render(camera, path[i].roomFromCamera, options);
+        photo::writePng(folder / frameName(i), view.picture);
+        csv += csvLine(i, path[i], view.report);
+        photos.insert(view.report.photo);
+        renderMs.push_back(view.report.renderMs);
+        if (view.report.decodeMs > 0) {
+            decodeMs.push_back(view.report.decodeMs);
+        }
+        report.worstOffsetM = std::max(report.worstOffsetM, view.report.offsetM);
+        report.leastTrust = std::min(report.leastTrust, view.report.trust);
+        if (i % sheetStep == 0) {
+            sheet.push_back(std::move(view.picture));
+        }
+        ++report.frames;
+        progress.progress(static_cast<double>(report.frames) / static_cast<double>(path.size()),
+                          "Rendering the walk");
+    }
+    writeFile(folder / "index.csv", bytesOf(csv));
+    photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
+    report.photosUsed = photos.size();
+    report.medianRenderMs = median(renderMs);
+    report.medianDecodeMs = median(decodeMs);
+    return report;
+}
+
+Json toJson(const render::ViewReport& report) {
+    return {{"photo", report.file},        {"offset_m", report.offsetM},       {"scene", name(report.scene)},
+            {"trust", report.trust},       {"parallax_px", report.parallaxPx}, {"decode_ms", report.decodeMs},
+            {"render_ms", report.renderMs}};
+}
+
+Json toJson(const WalkReport& report) {
+    return {{"frames", report.frames},
+            {"photos_used", report.photosUsed},
+            {"median_render_ms", report.medianRenderMs},
+            {"median_decode_ms", report.medianDecodeMs},
+            {"worst_offset_m", report.worstOffsetM},
+            {"least_trust", report.leastTrust}};
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QApplication>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace spherewalk::test {
+
+/// The one application of a test program, without a display unless QT_QPA_PLATFORM says otherwise. It ends
+/// with the tests, as Qt does not outlive main().
+class QtApplication : public testing::Environment {
+  public:
+    void SetUp() override {
+        if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        }
+        m_application = std::make_unique<QApplication>(m_argc, m_argv);
+    }
+
+    void TearDown() override { m_application.reset(); }
+
+  private:
+    int m_argc = 1;
+    char m_name[5] = "test";
+    char* m_argv[2] = {m_name, nullptr};
+    std::unique_ptr<QApplication> m_application;
+};
+
+/// Owner: GoogleTest.
+inline testing::Environment* const qtApplication = testing::AddGlobalTestEnvironment(new QtApplication);
+
+} // namespace spherewalk::test
