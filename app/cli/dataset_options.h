@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "command.h"
+
+#include "spherewalk/render/renderer.h"
+
+#include <memory>
+#include <string>
+
+namespace spherewalk::cli {
+
+/// What view and walk have in common: the dataset, the camera, and how to render.
+class DatasetOptions {
+  public:
+    void declare(CLI::App& command);
+
+    /// The dataset, checked as far as the user wants.
+    std::shared_ptr<const render::Dataset> open(Context& context) const;
+    CameraModel cameraModel() const;
+    render::ViewOptions viewOptions() const;
+    /// The pose of the optical frame that a given pose, of the frame that the user named, stands for.
+    Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
+
+  private:
+    std::string m_dataset;
+    std::string m_camera;
+    std::string m_frame = "optical";
+    std::string m_scene = "auto";
+    int m_threads = 0;
+    bool m_noVerify = false;
+};
+
+} // namespace spherewalk::cli

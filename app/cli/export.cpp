@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/export_dataset.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct Options {
+    std::string survey;
+    std::string dataset;
+    dataset::WriteOptions write;
+};
+
+Result exportSurvey(const Options& options, Context& context) {
+    const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
+    const jobs::ExportReport report =
+        jobs::exportDataset(store, options.dataset, options.write, context.progress, context.stop);
+    Json json = jobs::toJson(report);
+    json["dataset"] = options.dataset;
+    const dataset::WriteReport& written = report.written;
+    const double growth =
+        100 * (static_cast<double>(written.photoBytes) / static_cast<double>(written.sourceBytes) - 1);
+    std::string words = text("Exported ", written.photos, " photos to ", options.dataset, ": ",
+                             humanBytes(written.totalBytes), " (the photos take ", fixed(growth, 2),
+                             " % more than in the survey), in ",
+                             humanDuration(std::chrono::duration<double>(written.seconds)), ".");
+    words += report.withoutPhoto == 0
+                 ? ""
+                 : text("\n", report.withoutPhoto, " stations have no photo and are left out.");
+    return {json, words};
+}
+
+} // namespace
+
+void addExport(Commands& commands) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = commands.add("export", "Export a survey as a dataset for simulators",
+                                     [options](Context& context) { return exportSurvey(*options, context); });
+    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command.add_option("dataset", options->dataset, "Folder to make")->required();
+    command
+        .add_option("--restart-every", options->write.mcusPerInterval,
+                    "JPEG blocks (MCUs) between restart markers")
+        ->check(CLI::Range(1, 65535))
+        ->capture_default_str();
+}
+
+} // namespace spherewalk::cli

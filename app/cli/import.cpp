@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/import_photos.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct Options {
+    std::string survey;
+    jobs::ImportOptions import;
+};
+
+Result import(const Options& options, Context& context) {
+    auto store = store::SurveyStore::open(options.survey, store::Access::Write);
+    const jobs::ImportReport report =
+        jobs::importPhotos(store, options.import, context.progress, context.stop);
+    return {jobs::toJson(report),
+            text("Imported ", report.imported, " photos, ", report.withRotation, " with a rotation; ",
+                 report.alreadyThere, " were there already; ", report.newStations,
+                 " stations were added for places that were not planned.")};
+}
+
+} // namespace
+
+void addImport(Commands& commands) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = commands.add("import", "Take photos from elsewhere into a survey",
+                                     [options](Context& context) { return import(*options, context); });
+    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command.add_option("--photos", options->import.photos, "Folder of the photos")->required();
+    command
+        .add_option(
+            "--positions", options->import.positions,
+            "CSV with the columns file,x_m,y_m,z_m and optionally yaw_deg, or qw,qx,qy,qz (room from photo)")
+        ->required();
+    command
+        .add_option("--tolerance", options->import.stationToleranceM,
+                    "Distance within which a photo belongs to a planned station, metres")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+}
+
+} // namespace spherewalk::cli

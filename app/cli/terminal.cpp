@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "terminal.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <poll.h>
+#include <unistd.h>
+
+namespace spherewalk::cli {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+sigset_t stopSignals() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    ::sigaddset(&signals, SIGINT);
+    ::sigaddset(&signals, SIGTERM);
+    return signals;
+}
+
+void print(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
+} // namespace
+
+TerminalProgress::TerminalProgress()
+    : m_start(std::chrono::steady_clock::now()),
+      m_nextShow(m_start + 1s),
+      m_isTerminal(::isatty(STDERR_FILENO) == 1) {
+}
+
+TerminalProgress::~TerminalProgress() {
+    clearLine();
+}
+
+void TerminalProgress::clearLine() {
+    if (m_lineIsShown) {
+        print("\r\x1b[K");
+        m_lineIsShown = false;
+    }
+}
+
+void TerminalProgress::progress(double fraction, std::string_view activity) {
+    const std::scoped_lock lock(m_mutex);
+    const auto now = std::chrono::steady_clock::now();
+    if (now < m_nextShow) {
+        return;
+    }
+    m_nextShow = now + (m_isTerminal ? 200ms : 5000ms);
+    const auto left = TimeLeft(m_start).at(now, fraction);
+    const std::string line = text(activity, ": ", static_cast<int>(std::floor(100 * fraction)), " %",
+                                  left ? text(", ", humanDuration(*left), " left") : "");
+    clearLine();
+    print(m_isTerminal ? line : line + "\n");
+    m_lineIsShown = m_isTerminal;
+}
+
+void TerminalProgress::warning(std::string_view sentence) {
+    const std::scoped_lock lock(m_mutex);
+    clearLine();
+    print(text(sentence, "\n"));
+}
+
+StopOnSignal::StopOnSignal() {
+    const sigset_t signals = stopSignals();
+    ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    ::signal(SIGPIPE, SIG_IGN); // a broken pipe and a file size limit are errors of the call
+    ::signal(SIGXFSZ, SIG_IGN);
+    m_thread = std::jthread([this](const std::stop_token& end) {
+        const sigset_t waitedFor = stopSignals();
+        const timespec interval{0, 100'000'000};
+        int count = 0;
+        while (!end.stop_requested()) {
+            if (::sigtimedwait(&waitedFor, nullptr, &interval) > 0 && ++count == 1) {
+                print("\nStopping; press Ctrl-C again to end at once.\n");
+                m_stop.request_stop();
+            } else if (count > 1) {
+                ::_exit(3);
+            }
+        }
+    });
+}
+
+StopOnSignal::~StopOnSignal() = default;
+
+std::optional<std::string> readLine(const std::stop_token& stop) {
+    static std::string buffer;
+    for (;;) {
+        if (const std::size_t end = buffer.find('\n'); end != std::string::npos) {
+            std::string line = buffer.substr(0, end);
+            buffer.erase(0, end + 1);
+            return line;
+        }
+        throwIfStopped(stop);
+        pollfd input{STDIN_FILENO, POLLIN, 0};
+        if (::poll(&input, 1, 100) <= 0) {
+            continue;
+        }
+        std::array<char, 4096> piece{};
+        const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
+        if (count <= 0) {
+            return std::nullopt;
+        }
+        buffer.append(piece.data(), static_cast<std::size_t>(count));
+    }
+}
+
+} // namespace spherewalk::cli

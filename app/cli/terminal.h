@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/progress.h"
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+namespace spherewalk::cli {
+
+/// Shows progress with the time left on standard error: one line that is rewritten on a terminal, a line
+/// every few seconds elsewhere, and nothing at all for what ends within a second.
+class TerminalProgress : public ProgressSink {
+  public:
+    TerminalProgress();
+    ~TerminalProgress() override;
+
+    void progress(double fraction, std::string_view activity) override;
+    void warning(std::string_view sentence) override;
+
+  private:
+    void clearLine();
+
+    std::mutex m_mutex;
+    const std::chrono::steady_clock::time_point m_start;
+    std::chrono::steady_clock::time_point m_nextShow;
+    bool m_isTerminal;
+    bool m_lineIsShown = false;
+};
+
+/// Turns the first SIGINT or SIGTERM into a request to stop, and the second into the end of the program. It
+/// must be made before any other thread, which inherit the blocked signals from it.
+class StopOnSignal {
+  public:
+    StopOnSignal();
+    ~StopOnSignal();
+    StopOnSignal(const StopOnSignal&) = delete;
+    StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+    std::stop_token token() const { return m_stop.get_token(); }
+
+  private:
+    std::stop_source m_stop;
+    std::jthread m_thread;
+};
+
+/// The next line of standard input, without its end; nothing at the end of input. Errors: Stopped.
+std::optional<std::string> readLine(const std::stop_token& stop);
+
+} // namespace spherewalk::cli

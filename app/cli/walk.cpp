@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/walk.h"
+
+#include "command.h"
+#include "dataset_options.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/trajectory.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct Options {
+    DatasetOptions dataset;
+    std::string path;
+    std::string out;
+};
+
+Result walk(const Options& options, Context& context) {
+    std::vector<TimedPose> path = readTum(options.path);
+    for (TimedPose& pose : path) {
+        pose.roomFromCamera = options.dataset.opticalPose(pose.roomFromCamera);
+    }
+    const CameraModel camera = options.dataset.cameraModel();
+    const render::Renderer renderer(options.dataset.open(context));
+    const jobs::WalkReport report = jobs::walk(renderer, camera, path, options.dataset.viewOptions(),
+                                               options.out, context.progress, context.stop);
+    return {jobs::toJson(report),
+            text("Wrote ", report.frames, " frames, index.csv, and contact-sheet.png to ", options.out,
+                 " (median ", fixed(report.medianRenderMs, 1), " ms to render, ", report.photosUsed,
+                 " photos used).")};
+}
+
+} // namespace
+
+void addWalk(Commands& commands) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = commands.add("walk", "Render a view at each pose of a path",
+                                     [options](Context& context) { return walk(*options, context); });
+    options->dataset.declare(command);
+    command.add_option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"")->required();
+    command.add_option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
+        ->required();
+}
+
+} // namespace spherewalk::cli
