@@ -33,11 +33,13 @@ std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason
 
 std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options) {
     const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
-    std::string result = text(report.stations, " stations on ", report.placements, " rail placements, ",
-                              fixed(report.metresWalked, 0), " m to walk, about ",
-                              humanDuration(std::chrono::duration<double>(60 * report.minutes)), ".\n",
-                              "Floor ", fixed(report.floorM2, 2), " m2, not covered ",
-                              fixed(report.uncoveredM2, 2), " m2 (", fixed(share, 0), " %)");
+    std::string result =
+        text(report.stations, " stations on ", report.placements, " rail placements, ",
+             fixed(report.metresWalked, 0), " m to walk, about ",
+             humanDuration(std::chrono::duration<double>(60 * report.minutes)), " at ",
+             fixed(options.secondsPerPhoto, 0), " s a photo and ", fixed(options.secondsPerPlacement, 0),
+             " s a placement.\n", "Floor ", fixed(report.floorM2, 2), " m2, not covered ",
+             fixed(report.uncoveredM2, 2), " m2 (", fixed(share, 0), " %)");
     for (const auto reason : {survey::UncoveredReason::Clearance, survey::UncoveredReason::Enclosed,
                               survey::UncoveredReason::BetweenStops}) {
         result += reasonLine(report, reason, options);

@@ -60,8 +60,8 @@ function(spherewalk_module)
   add_library(${target} STATIC ${arg_SOURCES})
   add_library(spherewalk::${arg_NAME} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${arg_NAME})
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
   list(TRANSFORM arg_PUBLIC PREPEND spherewalk::)
   list(TRANSFORM arg_PRIVATE PREPEND spherewalk::)
   target_link_libraries(${target} PUBLIC spherewalk_flags ${arg_PUBLIC} ${arg_PUBLIC_THIRD_PARTY}
