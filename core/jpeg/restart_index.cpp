@@ -43,8 +43,26 @@ int readFrame(ByteView content, std::string_view source, RestartIndex& index) {
     return components;
 }
 
-/// All but the offsets.
-RestartIndex readHeader(ByteView jpeg, std::string_view source, const std::vector<Segment>& header) {
+/// The next marker at or behind the position, in entropy-coded data; stuffed and fill bytes are passed over.
+std::size_t nextMarker(ByteView jpeg, std::size_t position, std::string_view source) {
+    while (position + 1 < jpeg.size()) {
+        const void* found = std::memchr(&jpeg[position], 0xFF, jpeg.size() - 1 - position);
+        if (found == nullptr) {
+            break;
+        }
+        position = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - jpeg.data());
+        const std::uint8_t next = jpeg[position + 1];
+        if (next != 0x00 && next != 0xFF) {
+            return position;
+        }
+        position += next == 0x00 ? 2 : 1;
+    }
+    fail(ErrorKind::Corrupt, source, "it ends within the picture");
+}
+
+} // namespace
+
+RestartIndex readRestartLayout(ByteView jpeg, std::string_view source, const std::vector<Segment>& header) {
     RestartIndex index;
     index.fileSizeBytes = jpeg.size();
     int components = 0;
@@ -72,31 +90,12 @@ RestartIndex readHeader(ByteView jpeg, std::string_view source, const std::vecto
     return index;
 }
 
-/// The next marker at or behind the position, in entropy-coded data; stuffed and fill bytes are passed over.
-std::size_t nextMarker(ByteView jpeg, std::size_t position, std::string_view source) {
-    while (position + 1 < jpeg.size()) {
-        const void* found = std::memchr(&jpeg[position], 0xFF, jpeg.size() - 1 - position);
-        if (found == nullptr) {
-            break;
-        }
-        position = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - jpeg.data());
-        const std::uint8_t next = jpeg[position + 1];
-        if (next != 0x00 && next != 0xFF) {
-            return position;
-        }
-        position += next == 0x00 ? 2 : 1;
-    }
-    fail(ErrorKind::Corrupt, source, "it ends within the picture");
-}
-
-} // namespace
-
 RestartIndex indexRestarts(ByteView jpeg, std::string_view source) {
     if (jpeg.size() > std::numeric_limits<std::uint32_t>::max()) {
         fail(ErrorKind::Unsupported, source, "it has more than 4 GB");
     }
     const std::vector<Segment> header = segments(jpeg, source);
-    RestartIndex index = readHeader(jpeg, source, header);
+    RestartIndex index = readRestartLayout(jpeg, source, header);
     const std::size_t intervals = intervalCount(index);
     std::size_t position = header.back().offset + header.back().size;
     index.offsets.push_back(static_cast<std::uint32_t>(position));
