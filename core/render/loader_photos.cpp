@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "loader_photos.h"
+
+#include "spherewalk/base/byte_source.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace spherewalk::render {
+
+namespace {
+
+// Each holds a file descriptor and an index of some ten kilobytes.
+constexpr std::size_t kMostOpen = 128;
+constexpr std::uint64_t kLargestIndex = 256ULL << 20;
+
+} // namespace
+
+/// A photo's file while it is in use. Hash and pixels come from the same descriptor.
+struct LoaderPhotos::Open {
+    std::size_t photo = 0;
+    std::shared_ptr<const FileSource> file;
+    std::optional<jpeg::RegionDecoder> parts;
+};
+
+LoaderPhotos::LoaderPhotos(std::shared_ptr<const Dataset> dataset, VerifyPhotos verify)
+    : m_dataset(std::move(dataset)), m_verify(verify), m_trust(m_dataset->info().photos.size()) {
+    for (auto& trust : m_trust) {
+        trust = verify == VerifyPhotos::AtOpen ? PhotoTrust::Verified : PhotoTrust::Unverified;
+    }
+}
+
+LoaderPhotos::~LoaderPhotos() = default;
+
+EquirectSize LoaderPhotos::size(std::size_t photo) const {
+    const DatasetPhoto& entry = m_dataset->info().photos.at(photo);
+    return {entry.width, entry.height};
+}
+
+PhotoTrust LoaderPhotos::trust(std::size_t photo) const {
+    return m_trust.at(photo);
+}
+
+void LoaderPhotos::refuseDamaged(std::size_t photo) const {
+    throw Error(ErrorKind::Corrupt,
+                text("Could not use the dataset ", m_dataset->folder().string(), ": its photo ",
+                     m_dataset->info().photos[photo].file,
+                     " was changed after the export (its size, its SHA-256 or its picture's size is "
+                     "another); copy or export the dataset again."));
+}
+
+void LoaderPhotos::check(std::size_t photo) const {
+    if (m_trust.at(photo) == PhotoTrust::Damaged) {
+        refuseDamaged(photo);
+    }
+}
+
+std::shared_ptr<const LoaderPhotos::Open> LoaderPhotos::opened(std::size_t photo) {
+    check(photo);
+    const DatasetPhoto& entry = m_dataset->info().photos[photo];
+    const std::scoped_lock lock(m_mutex);
+    const auto found =
+        std::find_if(m_open.begin(), m_open.end(), [&](const auto& open) { return open->photo == photo; });
+    if (found != m_open.end()) {
+        m_open.splice(m_open.begin(), m_open, found);
+        return m_open.front();
+    }
+    auto open = std::make_shared<Open>();
+    open->photo = photo;
+    open->file = std::make_shared<FileSource>(m_dataset->folder() / entry.file);
+    if (open->file->sizeBytes() != entry.sizeBytes) {
+        refuseDamaged(photo);
+    }
+    if (!entry.restartIndex.empty()) {
+        const auto indexFile = m_dataset->folder() / entry.restartIndex;
+        open->parts.emplace(open->file,
+                            jpeg::parseRestartIndex(readFile(indexFile, kLargestIndex), indexFile.string()));
+        if (open->parts->width() != entry.width || open->parts->height() != entry.height) {
+            refuseDamaged(photo);
+        }
+    }
+    if (m_trust[photo] == PhotoTrust::Unverified) {
+        if (m_verify == VerifyPhotos::BeforeUse) {
+            verify(*open, {});
+            if (m_trust[photo] == PhotoTrust::Damaged) {
+                refuseDamaged(photo);
+            }
+        } else if (std::find(m_unverified.begin(), m_unverified.end(), photo) == m_unverified.end()) {
+            m_unverified.push_back(photo);
+        }
+    }
+    m_open.push_front(open);
+    if (m_open.size() > kMostOpen) {
+        m_open.pop_back();
+    }
+    return open;
+}
+
+bool LoaderPhotos::decodesParts(std::size_t photo) {
+    return opened(photo)->parts.has_value();
+}
+
+void LoaderPhotos::decode(std::size_t photo, const jpeg::PixelRect& region, const jpeg::RowSink& sink) {
+    const std::shared_ptr<const Open> open = opened(photo);
+    if (open->parts) {
+        jpeg::RegionOptions options;
+        options.layout = jpeg::PixelLayout::Rgbx;
+        open->parts->decode(region, options, sink);
+        return;
+    }
+    Bytes bytes(open->file->sizeBytes());
+    open->file->read(0, bytes);
+    const RgbImage picture = jpeg::decode(bytes, open->file->name());
+    if (picture.width() != size(photo).width || picture.height() != size(photo).height) {
+        refuseDamaged(photo);
+    }
+    Bytes row(static_cast<std::size_t>(region.width) * 4, 255);
+    for (int y = region.y; y < region.y + region.height; ++y) {
+        for (int x = 0; x < region.width; ++x) {
+            std::copy_n(picture.at(region.x + x, y), 3, &row[static_cast<std::size_t>(x) * 4]);
+        }
+        sink(y, row.data());
+    }
+}
+
+void LoaderPhotos::verify(const Open& open, const std::stop_token& stop) {
+    Sha256 hash;
+    Bytes piece(1 << 18);
+    const std::uint64_t size = open.file->sizeBytes();
+    for (std::uint64_t offset = 0; offset < size; offset += piece.size()) {
+        throwIfStopped(stop);
+        piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(piece.size(), size - offset)));
+        open.file->read(offset, piece);
+        hash.update(piece);
+    }
+    const bool isRight = hash.hex() == m_dataset->info().photos[open.photo].sha256;
+    m_trust[open.photo] = isRight ? PhotoTrust::Verified : PhotoTrust::Damaged;
+}
+
+bool LoaderPhotos::verifyNext(const std::stop_token& stop) {
+    std::size_t photo = 0;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_unverified.empty()) {
+            return false;
+        }
+        photo = m_unverified.front();
+    }
+    try {
+        verify(*opened(photo), stop);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::Stopped) {
+            throw;
+        }
+        m_trust[photo] = PhotoTrust::Damaged; // it cannot be read any more: the next use says why
+    }
+    const std::scoped_lock lock(m_mutex);
+    std::erase(m_unverified, photo);
+    return true;
+}
+
+} // namespace spherewalk::render

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prefetch.h"
+
+#include "spherewalk/base/error.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+#include <utility>
+
+namespace spherewalk::render {
+
+namespace {
+
+/// The calling thread yields to others for the processor. Linux counts nice levels by thread; where that is
+/// not allowed, it goes on as it is.
+void lowerPriority() {
+    constexpr int kNice = 10;
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+}
+
+} // namespace
+
+Prefetcher::Prefetcher(TileStore& store, std::function<bool(const std::stop_token&)> whenIdle)
+    : m_store(store),
+      m_whenIdle(std::move(whenIdle)),
+      m_thread([this](const std::stop_token& stop) { run(stop); }) {
+}
+
+Prefetcher::~Prefetcher() {
+    m_thread.request_stop();
+    const std::scoped_lock lock(m_mutex);
+    m_planStop.request_stop();
+}
+
+void Prefetcher::setPlan(std::vector<TileNeed> plan) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_planStop.request_stop();
+        m_plan = std::move(plan);
+        m_hasNewPlan = true;
+        m_isIdle = false;
+    }
+    m_changed.notify_all();
+}
+
+void Prefetcher::waitUntilIdle() {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [&] { return m_isIdle; });
+}
+
+void Prefetcher::run(const std::stop_token& stop) {
+    lowerPriority();
+    std::unique_lock lock(m_mutex);
+    while (m_changed.wait(lock, stop, [&] { return m_hasNewPlan; })) {
+        const std::vector<TileNeed> plan = std::exchange(m_plan, {});
+        m_hasNewPlan = false;
+        m_planStop = std::stop_source();
+        if (stop.stop_requested()) {
+            return; // it may have come between the wait and the new source
+        }
+        const std::stop_token planStop = m_planStop.get_token();
+        lock.unlock();
+        for (const TileNeed& need : plan) {
+            if (planStop.stop_requested()) {
+                break;
+            }
+            m_store.prefetch(need.photo, need.tiles, planStop);
+        }
+        try {
+            while (m_whenIdle && !planStop.stop_requested() && m_whenIdle(planStop)) {
+            }
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Stopped) {
+                throw; // a defect of the caller
+            }
+        }
+        lock.lock();
+        m_isIdle = !m_hasNewPlan;
+        m_changed.notify_all();
+    }
+}
+
+} // namespace spherewalk::render

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tile_grid.h"
+
+#include "spherewalk/geometry/rigid3.h"
+
+#include <functional>
+#include <vector>
+
+namespace spherewalk::render {
+
+/// How a camera moves. Frames: room. Units: m/s; rad/s about the vector's direction.
+struct CameraMotion {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    Eigen::Vector3d turnRate = Eigen::Vector3d::Zero();
+};
+
+/// The motion that takes one pose to the other in this time. Range: seconds > 0; nothing is assumed to move
+/// for other times, or for a jump too fast for a robot (1000 m/s), which is a new start.
+CameraMotion motionBetween(const Rigid3& from, const Rigid3& to, double seconds);
+
+/// Where the camera is after this time, velocity and turn rate staying as they are.
+Rigid3 predicted(const Rigid3& roomFromCamera, const CameraMotion& motion, double seconds);
+
+/// Tiles of a photo that some view needs.
+struct TileNeed {
+    std::size_t photo = 0;
+    TileSet tiles;
+};
+
+struct PrefetchOptions {
+    double horizonSeconds = 0.5;
+    double stepSeconds = 1.0 / 30; ///< time between views
+    int mostTiles = 4000;          ///< the plan ends before it has more
+};
+
+/// The photo and the tiles of it that a view from this pose needs.
+using NeedOfView = std::function<TileNeed(const Rigid3& roomFromCamera)>;
+
+/// What the views on the predicted path will need, soonest first; each photo stands once, where it is first
+/// needed, with all of its tiles. The same input gives the same plan.
+std::vector<TileNeed> prefetchPlan(const Rigid3& roomFromCamera, const CameraMotion& motion,
+                                   const PrefetchOptions& options, const NeedOfView& needOfView);
+
+} // namespace spherewalk::render
