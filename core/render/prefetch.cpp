@@ -3,22 +3,9 @@
 
 #include "spherewalk/base/error.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
 #include <utility>
 
 namespace spherewalk::render {
-
-namespace {
-
-/// The calling thread yields to others for the processor. Linux counts nice levels by thread; where that is
-/// not allowed, it goes on as it is.
-void lowerPriority() {
-    constexpr int kNice = 10;
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
-}
-
-} // namespace
 
 Prefetcher::Prefetcher(TileStore& store, std::function<bool(const std::stop_token&)> whenIdle)
     : m_store(store),
@@ -49,7 +36,6 @@ void Prefetcher::waitUntilIdle() {
 }
 
 void Prefetcher::run(const std::stop_token& stop) {
-    lowerPriority();
     std::unique_lock lock(m_mutex);
     while (m_changed.wait(lock, stop, [&] { return m_hasNewPlan; })) {
         const std::vector<TileNeed> plan = std::exchange(m_plan, {});

@@ -15,6 +15,20 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr double kCell = 32;
+
+/// Edges and middles of cells that together cover the pixels of a side.
+std::vector<double> samplePlaces(int length) {
+    std::vector<double> places;
+    const double end = length - 0.5;
+    for (double at = -0.5; at < end; at += kCell) {
+        const double next = std::min(at + kCell, end);
+        places.insert(places.end(), {at, (at + next) / 2});
+    }
+    places.push_back(end);
+    return places;
+}
+
 /// Corners, middles of the sides, and centre, row after row.
 std::array<Vector2d, 9> placesIn(double x, double y, double endX, double endY) {
     std::array<Vector2d, 9> places;
@@ -33,15 +47,25 @@ class CellWalk {
           m_at(photoPixelAt),
           m_reach(reachPx * std::numbers::pi / tiles.grid().photo().height) {}
 
+    using Seen = std::array<Vector3d, 9>;
+
+    /// The direction in the photo that the view shows at this place, zero for none.
+    Vector3d look(const Vector2d& place) const {
+        const auto pixel = m_at(place);
+        return pixel ? direction(m_tiles.grid().photo(), *pixel) : Vector3d::Zero();
+    }
+
     void add(double x, double y, double endX, double endY) {
-        std::array<Vector3d, 9> seen;
-        std::size_t i = 0;
-        bool isWhole = true;
-        for (const Vector2d& place : placesIn(x, y, endX, endY)) {
-            const auto pixel = m_at(place);
-            isWhole = isWhole && pixel.has_value();
-            seen[i++] = pixel ? direction(m_tiles.grid().photo(), *pixel) : Vector3d::Zero();
-        }
+        Seen seen;
+        const auto places = placesIn(x, y, endX, endY);
+        std::transform(places.begin(), places.end(), seen.begin(),
+                       [&](const Vector2d& place) { return look(place); });
+        add(x, y, endX, endY, seen);
+    }
+
+    void add(double x, double y, double endX, double endY, const Seen& seen) {
+        const bool isWhole =
+            std::none_of(seen.begin(), seen.end(), [](const Vector3d& one) { return one.isZero(); });
         const double bend = isWhole ? bendOf(seen) : 0;
         const double radius = isWhole ? radiusOf(seen) : 0;
         if (isWhole && bend <= kMostBend * radius) {
@@ -60,16 +84,15 @@ class CellWalk {
 
     /// A pixel beside which the lens may see nothing.
     void addSingle(const Vector2d& place) {
-        const auto pixel = m_at(place);
-        if (!pixel) {
+        const Vector3d centre = look(place);
+        if (centre.isZero()) {
             return;
         }
-        const Vector3d centre = direction(m_tiles.grid().photo(), *pixel);
         double radius = 0;
         for (const Vector2d& aside :
              {Vector2d(-0.5, 0), Vector2d(0.5, 0), Vector2d(0, -0.5), Vector2d(0, 0.5)}) {
-            if (const auto other = m_at(place + aside)) {
-                const Vector3d there = direction(m_tiles.grid().photo(), *other);
+            const Vector3d there = look(place + aside);
+            if (!there.isZero()) {
                 radius = std::max(radius, angleBetween(centre, there).value());
             }
         }
@@ -80,7 +103,7 @@ class CellWalk {
     static constexpr double kMostBend = 0.15;
     static constexpr double kSmallest = 0.5;
 
-    static double radiusOf(const std::array<Vector3d, 9>& seen) {
+    static double radiusOf(const Seen& seen) {
         double radius = 0;
         for (const Vector3d& other : seen) {
             radius = std::max(radius, angleBetween(seen[4], other).value());
@@ -89,7 +112,7 @@ class CellWalk {
     }
 
     /// How far the middles are from where a projection without bend would have them.
-    static double bendOf(const std::array<Vector3d, 9>& seen) {
+    static double bendOf(const Seen& seen) {
         constexpr std::array<std::array<std::size_t, 3>, 6> kLines{
             {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {0, 3, 6}, {1, 4, 7}, {2, 5, 8}}};
         double bend = 0;
@@ -101,7 +124,7 @@ class CellWalk {
         return bend;
     }
 
-    void addSeen(const std::array<Vector3d, 9>& seen, double radius) {
+    void addSeen(const Seen& seen, double radius) {
         for (const Vector3d& one : seen) {
             if (!one.isZero()) {
                 m_tiles.insertCap(one, Radians(radius + m_reach));
@@ -116,23 +139,21 @@ class CellWalk {
 
 } // namespace
 
-ViewFootprint::ViewFootprint(const CameraModel& camera) {
-    const double right = camera.width() - 0.5;
-    const double lower = camera.height() - 0.5;
-    for (double y = -0.5; y < lower; y += kCell) {
-        for (double x = -0.5; x < right; x += kCell) {
-            const Cell cell{x, y, std::min(x + kCell, right), std::min(y + kCell, lower)};
-            const auto places = placesIn(cell.x, cell.y, cell.endX, cell.endY);
-            const auto isSeen = [&](const Vector2d& place) { return camera.ray(place).has_value(); };
+ViewFootprint::ViewFootprint(const CameraModel& camera)
+    : m_x(samplePlaces(camera.width())), m_y(samplePlaces(camera.height())) {
+    const auto isSeen = [&](const Vector2d& place) { return camera.ray(place).has_value(); };
+    for (std::size_t row = 0; row + 2 < m_y.size(); row += 2) {
+        for (std::size_t column = 0; column + 2 < m_x.size(); column += 2) {
+            const auto places = placesIn(m_x[column], m_y[row], m_x[column + 2], m_y[row + 2]);
             // What a lens sees is convex but for slivers, which the reach covers: nine places tell.
             if (std::all_of(places.begin(), places.end(), isSeen)) {
-                m_cells.push_back(cell);
+                m_cells.push_back({column, row});
                 continue;
             }
-            for (double py = cell.y + 0.5; py < cell.endY; ++py) {
-                for (double px = cell.x + 0.5; px < cell.endX; ++px) {
-                    if (isSeen({px, py})) {
-                        m_singles.emplace_back(px, py);
+            for (double y = m_y[row] + 0.5; y < m_y[row + 2]; ++y) {
+                for (double x = m_x[column] + 0.5; x < m_x[column + 2]; ++x) {
+                    if (isSeen({x, y})) {
+                        m_singles.emplace_back(x, y);
                     }
                 }
             }
@@ -143,8 +164,20 @@ ViewFootprint::ViewFootprint(const CameraModel& camera) {
 TileSet ViewFootprint::tiles(const TileGrid& grid, const PhotoPixelAt& photoPixelAt, double reachPx) const {
     TileSet result(grid);
     CellWalk walk(result, photoPixelAt, reachPx);
+    // Neighbouring cells share samples; each is taken once, when the first cell needs it.
+    std::vector<std::optional<Vector3d>> samples(m_x.size() * m_y.size());
     for (const Cell& cell : m_cells) {
-        walk.add(cell.x, cell.y, cell.endX, cell.endY);
+        CellWalk::Seen seen;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const std::size_t column = cell.column + i % 3;
+            const std::size_t row = cell.row + i / 3;
+            std::optional<Vector3d>& sample = samples[row * m_x.size() + column];
+            if (!sample) {
+                sample = walk.look({m_x[column], m_y[row]});
+            }
+            seen[i] = *sample;
+        }
+        walk.add(m_x[cell.column], m_y[cell.row], m_x[cell.column + 2], m_y[cell.row + 2], seen);
     }
     for (const Vector2d& single : m_singles) {
         walk.addSingle(single);

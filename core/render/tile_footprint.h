@@ -25,17 +25,17 @@ class ViewFootprint {
     explicit ViewFootprint(const CameraModel& camera);
 
     /// All tiles that a view may touch, and few others: lens distortion, displacement, seam and poles
-    /// included. The projection is sampled every 8 pixels, and closer where it bends; it must be continuous
+    /// included. The projection is sampled every 16 pixels, and closer where it bends; it must be continuous
     /// on the sphere. reachPx: how far beyond its own place a pixel is filtered, in photo pixels.
     TileSet tiles(const TileGrid& grid, const PhotoPixelAt& photoPixelAt, double reachPx = 2) const;
 
   private:
     struct Cell {
-        double x, y, endX, endY;
+        std::size_t column, row;
     };
 
-    static constexpr int kCell = 16;
-
+    std::vector<double> m_x; ///< of the samples: edges and middles of the cells
+    std::vector<double> m_y;
     std::vector<Cell> m_cells;              ///< all of whose pixels the lens sees
     std::vector<Eigen::Vector2d> m_singles; ///< seen pixels of the other cells
 };

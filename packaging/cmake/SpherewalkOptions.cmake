@@ -8,6 +8,7 @@ cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
 option(SPHEREWALK_TESTS "Build the tests" ON)
 option(SPHEREWALK_WERROR "Treat warnings as errors" OFF)
+option(SPHEREWALK_FUZZ "Build the libFuzzer programs (needs clang)" OFF)
 set(SPHEREWALK_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
 
 add_feature_info(desktop SPHEREWALK_GUI "the desktop application")
@@ -30,6 +31,12 @@ target_compile_options(spherewalk_flags INTERFACE
   $<BUILD_INTERFACE:-ffp-contract=off>
   $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:${spherewalk_warnings}>>
   $<BUILD_INTERFACE:$<$<BOOL:${SPHEREWALK_WERROR}>:-Werror>>)
+if(SPHEREWALK_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "SPHEREWALK_FUZZ needs clang: configure with -DCMAKE_CXX_COMPILER=clang++.")
+  endif()
+  target_compile_options(spherewalk_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link>)
+endif()
 if(SPHEREWALK_SANITIZE)
   target_compile_options(spherewalk_flags INTERFACE
     $<BUILD_INTERFACE:-fsanitize=${SPHEREWALK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all>)
