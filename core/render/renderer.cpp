@@ -2,7 +2,7 @@
 #include "spherewalk/render/renderer.h"
 
 #include "photo_cache.h"
-#include "sampling.h"
+#include "reference_sampling.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"

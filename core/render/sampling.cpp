@@ -1,33 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sampling.h"
+#include "spherewalk/render/sampling.h"
 
-#include <cmath>
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <array>
+#include <utility>
 
 namespace spherewalk::render {
 
 namespace {
 
-Eigen::Vector3d pixelValue(const RgbImage& photo, int x, int y) {
-    if (y < 0 || y >= photo.height()) {
-        y = y < 0 ? -1 - y : 2 * photo.height() - 1 - y;
-        x += photo.width() / 2;
-    }
-    x %= photo.width();
-    const std::uint8_t* rgb = photo.at(x < 0 ? x + photo.width() : x, y);
-    return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
-}
+constexpr std::array<std::pair<Sampling, std::string_view>, 6> kNames{{{Sampling::Nearest, "nearest"},
+                                                                       {Sampling::Bilinear, "bilinear"},
+                                                                       {Sampling::Reduced, "reduced"},
+                                                                       {Sampling::Footprint, "footprint"},
+                                                                       {Sampling::Bicubic, "bicubic"},
+                                                                       {Sampling::Auto, "auto"}}};
 
 } // namespace
 
-Eigen::Vector3d bilinear(const RgbImage& photo, const Eigen::Vector2d& pixel) {
-    const double left = std::floor(pixel.x());
-    const double top = std::floor(pixel.y());
-    const double a = pixel.x() - left;
-    const double b = pixel.y() - top;
-    const int x = static_cast<int>(left);
-    const int y = static_cast<int>(top);
-    return (1 - b) * ((1 - a) * pixelValue(photo, x, y) + a * pixelValue(photo, x + 1, y)) +
-           b * ((1 - a) * pixelValue(photo, x, y + 1) + a * pixelValue(photo, x + 1, y + 1));
+std::string_view name(Sampling sampling) {
+    for (const auto& [value, text] : kNames) {
+        if (value == sampling) {
+            return text;
+        }
+    }
+    return "unknown";
+}
+
+Sampling sampling(std::string_view name) {
+    for (const auto& [value, text] : kNames) {
+        if (text == name) {
+            return value;
+        }
+    }
+    throw Error(ErrorKind::InvalidInput,
+                text("The sampling \"", printable(name),
+                     "\" is unknown; there are nearest, bilinear, reduced, footprint, bicubic and auto."));
 }
 
 } // namespace spherewalk::render

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fast_view.h"
+
+#include "sampler.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace spherewalk::render {
+
+namespace {
+
+constexpr int kCell = RayTable::kCell;
+constexpr int kBand = 3; ///< rows of cells that one worker does in turn, sharing the nodes between them
+
+void blackenUnseen(const RayTable::ExplicitCell& cell, const simd::CellSamples& samples) {
+    for (int y = 0; y < samples.height; ++y) {
+        for (int x = 0; x < samples.width; ++x) {
+            if (cell.seen[static_cast<std::size_t>(kCell * y + x)] == 0) {
+                std::memset(samples.out + y * samples.pitch + 3 * x, 0, 3);
+            }
+        }
+    }
+}
+
+void sample(const PhotoPlane& photo, Sampling sampling, const simd::CellSamples& samples) {
+    switch (sampling) {
+    case Sampling::Nearest:
+        return simd::sampleNearest(photo, samples);
+    case Sampling::Bicubic:
+        return simd::sampleBicubic(photo, samples);
+    default:
+        return simd::sampleBilinear(photo, samples);
+    }
+}
+
+void renderRow(const Lattice& lattice, const PhotoPlane& photo, Sampling sampling, int cellY,
+               Workspace::Worker& worker, RgbImage& picture) {
+    const RayTable& rays = *lattice.rays;
+    worker.lattice.beginRow(lattice, cellY);
+    for (int cellX = 0; cellX < rays.cellsX(); ++cellX) {
+        worker.lattice.coordinates(lattice, cellX, worker.u.data(), worker.v.data());
+        const simd::CellSamples samples{worker.u.data(),
+                                        worker.v.data(),
+                                        rays.samplesPerAxis(),
+                                        picture.at(kCell * cellX, kCell * cellY),
+                                        std::ptrdiff_t{3} * picture.width(),
+                                        std::min(kCell, picture.width() - kCell * cellX),
+                                        std::min(kCell, picture.height() - kCell * cellY)};
+        sample(photo, sampling, samples);
+        if (const RayTable::ExplicitCell* cell = rays.explicitCell(cellX, cellY)) {
+            blackenUnseen(*cell, samples);
+        }
+    }
+}
+
+} // namespace
+
+double minification(const CameraModel& camera, int photoWidth) {
+    const CameraIntrinsics& k = camera.intrinsics();
+    const Eigen::Vector2d centre(0.5 * (k.width - 1), 0.5 * (k.height - 1));
+    const double perRadian = photoWidth / (2 * std::numbers::pi);
+    double most = 0;
+    for (const Eigen::Vector2d& step : {Eigen::Vector2d(0.5, 0), Eigen::Vector2d(0, 0.5)}) {
+        const auto a = camera.ray(centre - step);
+        const auto b = camera.ray(centre + step);
+        if (a && b) {
+            most = std::max(most, perRadian * (*a - *b).norm());
+        }
+    }
+    return most;
+}
+
+int samplesPerAxis(Sampling sampling, double minification) {
+    return sampling == Sampling::Footprint
+               ? static_cast<int>(std::clamp(std::ceil(minification / 1.5), 2.0, 8.0))
+               : 1;
+}
+
+Sampling chosenSampling(Sampling sampling, double minification, double toleranceDb) {
+    if (sampling != Sampling::Auto) {
+        return sampling;
+    }
+    if (minification <= 1) {
+        return minification <= 0.5 ? Sampling::Bicubic : Sampling::Bilinear;
+    }
+    const double bilinearDb = 48 - 3.3 * minification;
+    return bilinearDb >= toleranceDb ? Sampling::Bilinear : Sampling::Footprint;
+}
+
+void Workspace::prepare(const RayTable& rays, int workers) {
+    const std::size_t samples =
+        static_cast<std::size_t>(kCell * kCell * rays.samplesPerAxis() * rays.samplesPerAxis());
+    if (samples <= m_samples && rays.cellsX() <= m_cellsX && workers <= static_cast<int>(m_workers.size())) {
+        return;
+    }
+    m_samples = std::max(samples, m_samples);
+    m_cellsX = std::max(rays.cellsX(), m_cellsX);
+    m_workers.clear();
+    for (int i = 0; i < std::max(workers, 1); ++i) {
+        m_workers.push_back({LatticeScratch(m_cellsX), AlignedBuffer<std::int32_t>(m_samples),
+                             AlignedBuffer<std::int32_t>(m_samples)});
+    }
+}
+
+void renderView(const RayTable& rays, const Rigid3& roomFromCamera, const ViewSource& source,
+                Sampling sampling, WorkerPool& pool, int threads, Workspace& workspace, RgbImage& picture) {
+    if (sampling != Sampling::Footprint && rays.samplesPerAxis() != 1) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The sampling ", name(sampling), " takes one sample a pixel, not ",
+                         rays.samplesPerAxis(), " x ", rays.samplesPerAxis(), "."));
+    }
+    if (picture.width() != rays.width() || picture.height() != rays.height()) {
+        picture = RgbImage(rays.width(), rays.height());
+    }
+    workspace.prepare(rays, pool.threads());
+    const Lattice lattice(rays, roomFromCamera, source.roomFromPhoto, source.photo.size(), source.scene,
+                          source.sphereRadiusM);
+    const int bands = (rays.cellsY() + kBand - 1) / kBand;
+    pool.run(bands, threads, [&](int band, int index) {
+        Workspace::Worker& worker = workspace.worker(index);
+        worker.lattice.restart();
+        for (int cellY = kBand * band; cellY < std::min(kBand * (band + 1), rays.cellsY()); ++cellY) {
+            renderRow(lattice, source.photo, sampling, cellY, worker, picture);
+        }
+    });
+}
+
+} // namespace spherewalk::render
