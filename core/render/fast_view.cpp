@@ -43,18 +43,33 @@ void renderRow(const Lattice& lattice, const PhotoPlane& photo, Sampling samplin
                Workspace::Worker& worker, RgbImage& picture) {
     const RayTable& rays = *lattice.rays;
     worker.lattice.beginRow(lattice, cellY);
+    const auto samples = [&](int cellX) {
+        Workspace::Coordinates& at = worker.coordinates[static_cast<std::size_t>(cellX % 2)];
+        worker.lattice.coordinates(lattice, cellX, at.u.data(), at.v.data());
+        const simd::CellSamples result{at.u.data(),
+                                       at.v.data(),
+                                       rays.samplesPerAxis(),
+                                       picture.at(kCell * cellX, kCell * cellY),
+                                       std::ptrdiff_t{3} * picture.width(),
+                                       std::min(kCell, picture.width() - kCell * cellX),
+                                       std::min(kCell, picture.height() - kCell * cellY),
+                                       cellX + 1 < rays.cellsX()};
+        if (result.samplesPerAxis >
+            1) { // single samples are few enough for the processor to look ahead itself
+            simd::prefetch(photo, result);
+        }
+        return result;
+    };
+    // A cell's pixels are on their way from memory while the cell before it is sampled.
+    simd::CellSamples next = samples(0);
     for (int cellX = 0; cellX < rays.cellsX(); ++cellX) {
-        worker.lattice.coordinates(lattice, cellX, worker.u.data(), worker.v.data());
-        const simd::CellSamples samples{worker.u.data(),
-                                        worker.v.data(),
-                                        rays.samplesPerAxis(),
-                                        picture.at(kCell * cellX, kCell * cellY),
-                                        std::ptrdiff_t{3} * picture.width(),
-                                        std::min(kCell, picture.width() - kCell * cellX),
-                                        std::min(kCell, picture.height() - kCell * cellY)};
-        sample(photo, sampling, samples);
+        const simd::CellSamples now = next;
+        if (cellX + 1 < rays.cellsX()) {
+            next = samples(cellX + 1);
+        }
+        sample(photo, sampling, now);
         if (const RayTable::ExplicitCell* cell = rays.explicitCell(cellX, cellY)) {
-            blackenUnseen(*cell, samples);
+            blackenUnseen(*cell, now);
         }
     }
 }
@@ -103,8 +118,12 @@ void Workspace::prepare(const RayTable& rays, int workers) {
     m_cellsX = std::max(rays.cellsX(), m_cellsX);
     m_workers.clear();
     for (int i = 0; i < std::max(workers, 1); ++i) {
-        m_workers.push_back({LatticeScratch(m_cellsX), AlignedBuffer<std::int32_t>(m_samples),
-                             AlignedBuffer<std::int32_t>(m_samples)});
+        Worker& worker = m_workers.emplace_back();
+        worker.lattice = LatticeScratch(m_cellsX);
+        for (Coordinates& coordinates : worker.coordinates) {
+            coordinates.u = AlignedBuffer<std::int32_t>(m_samples);
+            coordinates.v = AlignedBuffer<std::int32_t>(m_samples);
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/sampling.h"
 
+#include <array>
 #include <vector>
 
 namespace spherewalk::render {
@@ -31,10 +32,14 @@ class Workspace {
     /// Room for a view through these rays by so many workers; cheap if it is there.
     void prepare(const RayTable& rays, int workers);
 
-    struct Worker {
-        LatticeScratch lattice;
+    struct Coordinates {
         AlignedBuffer<std::int32_t> u;
         AlignedBuffer<std::int32_t> v;
+    };
+
+    struct Worker {
+        LatticeScratch lattice;
+        std::array<Coordinates, 2> coordinates; ///< of two neighbouring cells
     };
 
     Worker& worker(int index) { return m_workers[static_cast<std::size_t>(index)]; }

@@ -52,7 +52,7 @@ struct Lattice {
             const EquirectSize& photo, SceneKind scene, double sphereRadiusM,
             double tolerancePx = kTolerancePx);
 
-    static constexpr double kTolerancePx = 0.01;
+    static constexpr double kTolerancePx = 0.018; ///< with rounding to fixed point, 0.02 in all
 
     const RayTable* rays;
     std::array<double, 9> photoFromRay;   ///< row after row; rays as the table has them

@@ -11,8 +11,6 @@ namespace spherewalk::render {
 
 namespace {
 
-constexpr int kSlackBytes = 64;
-
 std::int8_t lessHalf(int value) {
     return static_cast<std::int8_t>(value - 128);
 }
@@ -30,10 +28,9 @@ PhotoPlane::PhotoPlane(const EquirectSize& size) : m_size(size) {
             text("A photo of ", size.width, " x ", size.height,
                  " pixels cannot be sampled: it must be twice as wide as high, and 16 to 16384 wide."));
     }
-    // An odd number of cache lines: rows do not fall on the same few sets of the cache.
-    constexpr int kLinePixels = 64 / kPixelBytes;
-    const int lines = (size.width + 2 * kGuard + kLinePixels - 1) / kLinePixels | 1;
-    m_stride = lines * kLinePixels;
+    // Rows are an odd number of cache lines: they do not fall on the same few sets of the cache.
+    constexpr int kStep = 64;
+    m_stride = ((size.width + 2 * kGuard + kStep - 1) / kStep | 1) * kStep;
     m_values = AlignedBuffer<std::int8_t>(static_cast<std::size_t>(m_stride) * kPixelBytes *
                                               static_cast<std::size_t>(size.height + 2 * kGuard) +
                                           kSlackBytes);
@@ -77,10 +74,8 @@ void PhotoPlane::putGuard(int x, int y, const std::uint8_t* rgb) {
 void PhotoPlane::write(int x, int y, std::span<const std::uint8_t> rgb) {
     const int count = static_cast<int>(rgb.size() / 3);
     std::int8_t* to = m_values.data() + offset(x, y);
-    for (int i = 0; i < count; ++i) {
-        for (int c = 0; c < 3; ++c) {
-            to[kPixelBytes * i + c] = lessHalf(rgb[static_cast<std::size_t>(3 * i + c)]);
-        }
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        to[i] = lessHalf(rgb[i]);
     }
     const bool nearPole = y < kGuard || y >= m_size.height - kGuard;
     for (int i = 0; i < count; ++i) {

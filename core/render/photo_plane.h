@@ -20,7 +20,8 @@ namespace spherewalk::render {
 class PhotoPlane {
   public:
     static constexpr int kGuard = 2;
-    static constexpr int kPixelBytes = 4;
+    static constexpr int kPixelBytes = 3;
+    static constexpr int kSlackBytes = 64;
 
     /// Whether this size can be a plane: twice as wide as high, 16 to 16384 wide (offsets fit in 32 bits).
     static bool fits(const EquirectSize& size);
@@ -49,7 +50,7 @@ class PhotoPlane {
         return data()[offset(x, y) + static_cast<std::size_t>(c)];
     }
 
-    /// Pixel (-kGuard, -kGuard); 64 bytes beyond the last pixel may be read.
+    /// Pixel (-kGuard, -kGuard); kSlackBytes beyond the last pixel may be read.
     const std::int8_t* data() const { return m_values.data(); }
 
     /// Pixels from one row to the next.

@@ -9,6 +9,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sampler.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -50,6 +51,22 @@ void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
                 const int level = sum[c] + scaled(sum[c], gain) + (1 << 15);
                 cell.out[y * cell.pitch + 3 * x + static_cast<std::ptrdiff_t>(c)] =
                     static_cast<std::uint8_t>((level * 257) >> 16);
+            }
+        }
+    }
+}
+
+void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
+    for (int y = 0; y < cell.height; ++y) {
+        std::uint8_t* to = cell.out + y * cell.pitch;
+        for (int x = 0; x < cell.width; ++x) {
+            constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
+            const std::ptrdiff_t column = (cell.u[y * kGroup + x] + kHalf) >> kFractionBits;
+            const std::ptrdiff_t row = (cell.v[y * kGroup + x] + kHalf) >> kFractionBits;
+            const std::int8_t* pixel =
+                photo.data() + (row * photo.stride() + column) * PhotoPlane::kPixelBytes;
+            for (int channel = 0; channel < 3; ++channel) {
+                to[3 * x + channel] = static_cast<std::uint8_t>(pixel[channel] + 128);
             }
         }
     }
@@ -168,7 +185,7 @@ HWY_INLINE Constants constants(const PhotoPlane& photo, int samplesPerAxis) {
     c.scale = hn::OddEven(hn::Set(du16, static_cast<std::uint16_t>(sum)), hn::Set(du16, 255));
     c.weightSum = hn::Set(d16, static_cast<std::int16_t>(sum));
     c.gain = hn::Set(d16, static_cast<std::int16_t>((32768 - total) * 32768 / total));
-    c.pairs = shuffle({0, 4, 1, 5, 2, 6, 3, 7, 8, 12, 9, 13, 10, 14, 11, 15});
+    c.pairs = shuffle({0, 3, 1, 4, 2, 5, 6, 7, 8, 11, 9, 12, 10, 13, 14, 15});
     c.horizontalLower = repeated(0, 4, 0);
     c.horizontalUpper = repeated(8, 12, 0);
     c.verticalLower = repeated(2, 6, 1);
@@ -204,13 +221,9 @@ HWY_INLINE VU16 greyLevels(const Constants& c, V16 sum) {
     return hn::MulHigh(positive, hn::Set(du16, 257));
 }
 
-/// Writes 3 bytes a pixel, and up to 4 bytes beyond.
-HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
+/// Writes the first 12 bytes of each block, one after the other, and 4 bytes beyond.
+HWY_INLINE void storeBlocks(V8 packed, std::uint8_t* out) {
     const D8 d8;
-    // Lower bytes are samples 0 and 1 of each block, upper ones 2 and 3.
-    const V8 both = hn::BitCast(d8, hn::Or(lower, hn::ShiftLeft<8>(upper)));
-    const V8 packed =
-        hn::TableLookupBytes(both, shuffle({0, 2, 4, 8, 10, 12, 1, 3, 5, 9, 11, 13, 6, 6, 6, 6}));
     HWY_ALIGN std::uint8_t bytes[4 * kGroup];
     hn::Store(packed, d8, bytes);
     for (std::size_t block = 0; block < hn::Lanes(d8) / 16; ++block) {
@@ -218,18 +231,32 @@ HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
     }
 }
 
-void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
+/// Writes 3 bytes a pixel, and 4 bytes beyond.
+HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
+    const D8 d8;
+    // Lower bytes are samples 0 and 1 of each block, upper ones 2 and 3.
+    const V8 both = hn::BitCast(d8, hn::Or(lower, hn::ShiftLeft<8>(upper)));
+    const V8 packed =
+        hn::TableLookupBytes(both, shuffle({0, 2, 4, 8, 10, 12, 1, 3, 5, 9, 11, 13, 6, 6, 6, 6}));
+    storeBlocks(packed, out);
+}
+
+/// kParts: samples of a pixel, 0 if known only when running.
+template <int kParts>
+HWY_INLINE void sampleParts(const PhotoPlane& photo, const CellSamples& cell) {
     const D32 d32;
     const D16 d16;
     const DU16 du16;
     const int lanes = static_cast<int>(hn::Lanes(d32));
-    const int parts = cell.samplesPerAxis * cell.samplesPerAxis;
+    const int parts = kParts != 0 ? kParts : cell.samplesPerAxis * cell.samplesPerAxis;
     const Constants c = constants(photo, cell.samplesPerAxis);
     const std::int8_t* upperRow = photo.data();
     const std::int8_t* lowerRow =
         upperRow + static_cast<std::ptrdiff_t>(photo.stride()) * PhotoPlane::kPixelBytes;
     for (int y = 0; y < cell.height; ++y) {
-        HWY_ALIGN std::uint8_t pixels[3 * kGroup + 16];
+        HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
+        std::uint8_t* out = cell.out + y * cell.pitch;
+        std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
         for (int x = 0; x < kGroup; x += lanes) {
             V16 lower = hn::Zero(d16);
             V16 upper = hn::Zero(d16);
@@ -240,34 +267,65 @@ void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
                 const V16 whole = hn::OddEven(hn::BitCast(d16, v), hn::BitCast(d16, hn::ShiftRight<16>(u)));
                 const VU16 fraction =
                     hn::OddEven(hn::BitCast(du16, hn::ShiftLeft<16>(v)), hn::BitCast(du16, u));
-                const V32 offsets = hn::ShiftLeft<2>(multiplyHalves(whole, c.stride));
+                const V32 pixel = multiplyHalves(whole, c.stride);
+                const V32 offsets = hn::Add(pixel, hn::ShiftLeft<1>(pixel)); // three bytes each
                 const V8 weights = hn::BitCast(D8(), hn::MulHigh(fraction, c.scale));
                 lower = hn::Add(lower, bilinearPart<false>(c, upperRow, lowerRow, offsets, weights));
                 upper = hn::Add(upper, bilinearPart<true>(c, upperRow, lowerRow, offsets, weights));
             }
             storePixels(greyLevels(c, lower), greyLevels(c, upper), pixels + 3 * x);
         }
-        std::memcpy(cell.out + y * cell.pitch, pixels, static_cast<std::size_t>(3 * cell.width));
+        if (pixels != out) {
+            std::memcpy(out, pixels, static_cast<std::size_t>(3 * cell.width));
+        }
+    }
+}
+
+void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
+    switch (cell.samplesPerAxis) {
+    case 1:
+        return sampleParts<1>(photo, cell);
+    case 2:
+        return sampleParts<4>(photo, cell);
+    default:
+        return sampleParts<0>(photo, cell);
+    }
+}
+
+void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
+    const D32 d32;
+    const D16 d16;
+    const D8 d8;
+    const int lanes = static_cast<int>(hn::Lanes(d32));
+    const V16 stride = constants(photo, 1).stride;
+    const V32 half = hn::Set(d32, 1 << (kFractionBits - 1));
+    for (int y = 0; y < cell.height; ++y) {
+        HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
+        std::uint8_t* out = cell.out + y * cell.pitch;
+        std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
+        for (int x = 0; x < kGroup; x += lanes) {
+            const V32 u = hn::Add(hn::LoadU(d32, cell.u + y * kGroup + x), half);
+            const V32 v = hn::Add(hn::LoadU(d32, cell.v + y * kGroup + x), half);
+            const V16 whole = hn::OddEven(hn::BitCast(d16, v), hn::BitCast(d16, hn::ShiftRight<16>(u)));
+            const V32 pixel = multiplyHalves(whole, stride);
+            HWY_ALIGN std::int32_t offsets[kGroup];
+            hn::Store(hn::Add(pixel, hn::ShiftLeft<1>(pixel)), d32, offsets);
+            HWY_ALIGN std::int32_t loaded[kGroup];
+            for (int i = 0; i < lanes; ++i) {
+                std::memcpy(loaded + i, photo.data() + offsets[i], sizeof(std::int32_t));
+            }
+            const V8 values = hn::Xor(hn::BitCast(d8, hn::Load(d32, loaded)), hn::Set(d8, 0x80));
+            storeBlocks(
+                hn::TableLookupBytes(values, shuffle({0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 3, 3, 3})),
+                pixels + 3 * x);
+        }
+        if (pixels != out) {
+            std::memcpy(out, pixels, static_cast<std::size_t>(3 * cell.width));
+        }
     }
 }
 
 #endif
-
-void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
-    for (int y = 0; y < cell.height; ++y) {
-        std::uint8_t* to = cell.out + y * cell.pitch;
-        for (int x = 0; x < cell.width; ++x) {
-            constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
-            const std::ptrdiff_t column = (cell.u[y * kGroup + x] + kHalf) >> kFractionBits;
-            const std::ptrdiff_t row = (cell.v[y * kGroup + x] + kHalf) >> kFractionBits;
-            const std::int8_t* pixel =
-                photo.data() + (row * photo.stride() + column) * PhotoPlane::kPixelBytes;
-            for (int channel = 0; channel < 3; ++channel) {
-                to[3 * x + channel] = static_cast<std::uint8_t>(pixel[channel] + 128);
-            }
-        }
-    }
-}
 
 /// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position of step / 256, in 2^-14; they sum to 2^14.
 std::array<std::int32_t, 4> cubicWeights(std::int32_t step) {
@@ -292,12 +350,12 @@ void sampleBicubic(const PhotoPlane& photo, const CellSamples& cell) {
             const std::array<std::int32_t, 4> down = cubicWeights((v & 0xFFFF) >> (kFractionBits - 8));
             const std::int8_t* row = photo.data() + ((v >> kFractionBits) - 1) * stride +
                                      ((u >> kFractionBits) - 1) * PhotoPlane::kPixelBytes;
-            std::array<std::int32_t, 4> sum{1 << 20, 1 << 20, 1 << 20, 1 << 20};
+            std::array<std::int32_t, 3> sum{1 << 20, 1 << 20, 1 << 20};
             for (std::size_t j = 0; j < 4; ++j, row += stride) {
-                for (std::size_t channel = 0; channel < 4; ++channel) {
+                for (std::size_t channel = 0; channel < 3; ++channel) {
                     const std::int32_t line = (1 << 6) + row[channel] * across[0] +
-                                              row[channel + 4] * across[1] + row[channel + 8] * across[2] +
-                                              row[channel + 12] * across[3];
+                                              row[channel + 3] * across[1] + row[channel + 6] * across[2] +
+                                              row[channel + 9] * across[3];
                     sum[channel] += (line >> 7) * down[j];
                 }
             }
@@ -316,6 +374,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 namespace spherewalk::render::simd {
+
+void prefetch(const PhotoPlane& photo, const CellSamples& cell) {
+    // Of each row of samples, the lines that hold its pixels if it is not minified by more than three.
+    const int n = cell.samplesPerAxis;
+    for (int row = 0; row < cell.height * n; ++row) {
+        const int at = row * n * RayTable::kCell;
+        for (const int x : {0, 7, 14}) {
+            const std::ptrdiff_t column = cell.u[at + x] >> kFractionBits;
+            const std::ptrdiff_t line = cell.v[at + x] >> kFractionBits;
+            hwy::Prefetch(photo.data() + (line * photo.stride() + column) * PhotoPlane::kPixelBytes);
+        }
+    }
+}
 
 HWY_EXPORT(sampleBilinear);
 HWY_EXPORT(sampleNearest);

@@ -16,7 +16,11 @@ struct CellSamples {
     std::ptrdiff_t pitch; ///< bytes from one row of pixels to the next
     int width;            ///< pixels, at most 16
     int height;
+    bool spill; ///< whether 4 bytes beyond the end of a full row may be written, being written again later
 };
+
+/// Asks for the photo's pixels that the cell will need, and does not wait for them.
+void prefetch(const PhotoPlane& photo, const CellSamples& cell);
 
 /// Each pixel is the mean of its samples, each of which is bilinear. Integer arithmetic, the same on every
 /// machine: given the coordinates, a pixel is within 1.05 grey levels of the exact value, 0.5 of them
