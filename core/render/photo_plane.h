@@ -42,7 +42,9 @@ class PhotoPlane {
     /// inside of the picture.
     void write(int x, int y, std::span<const std::uint8_t> rgb);
 
-    /// The 2x2 box averages, rounded: half as wide and high. Range: a height that is even and fits.
+    bool canBeHalved() const { return m_size.height % 2 == 0 && fits({m_size.width / 2, m_size.height / 2}); }
+
+    /// The 2x2 box averages, rounded: half as wide and high. Range: canBeHalved().
     PhotoPlane halved() const;
 
     /// Value of pixel (x, y), channel c, as stored. Range: -kGuard <= x < width + kGuard, and y likewise.

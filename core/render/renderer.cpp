@@ -3,6 +3,7 @@
 
 #include "photo_cache.h"
 #include "reference_sampling.h"
+#include "view_tools.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace spherewalk::render {
@@ -56,15 +58,70 @@ void renderRow(const Projection& projection, const RgbImage& photo, int y, RgbIm
     }
 }
 
+/// Where a photo stands and what the scene is taken for.
+struct Placed {
+    Rigid3 roomFromPhoto;
+    SceneKind scene;
+    double radiusM;
+};
+
 } // namespace
 
 struct Renderer::State {
     State(std::shared_ptr<const Dataset> from, std::uint64_t cacheBytes)
         : dataset(std::move(from)), cache(dataset, cacheBytes) {}
 
+    void renderExactly(const CameraModel& camera, const Rigid3& roomFromCamera, const RgbImage& photo,
+                       const Placed& placed, int threads, RgbImage& view) const;
+    Sampling renderFast(const CameraModel& camera, const Rigid3& roomFromCamera,
+                        const std::shared_ptr<const RgbImage>& photo, const Placed& placed,
+                        const ViewOptions& options, RgbImage& view);
+
     std::shared_ptr<const Dataset> dataset;
     PhotoCache cache;
+    Planes planes;
+    RayTables tables;
+    std::mutex rendering; ///< of pool and workspace
+    WorkerPool pool;
+    Workspace workspace;
 };
+
+void Renderer::State::renderExactly(const CameraModel& camera, const Rigid3& roomFromCamera,
+                                    const RgbImage& photo, const Placed& placed, int threads,
+                                    RgbImage& view) const {
+    const Projection projection(camera, roomFromCamera, placed.roomFromPhoto, {photo.width(), photo.height()},
+                                placed.scene, placed.radiusM);
+    view = RgbImage(camera.width(), camera.height());
+    parallelFor(camera.height(), 8, threads, [&](int first, int end) {
+        for (int y = first; y < end; ++y) {
+            renderRow(projection, photo, y, view);
+        }
+    });
+}
+
+Sampling Renderer::State::renderFast(const CameraModel& camera, const Rigid3& roomFromCamera,
+                                     const std::shared_ptr<const RgbImage>& photo, const Placed& placed,
+                                     const ViewOptions& options, RgbImage& view) {
+    const double ratio = minification(camera, photo->width());
+    Sampling sampling = chosenSampling(options.sampling, ratio, options.toleranceDb);
+    std::shared_ptr<const PhotoPlane> plane =
+        sampling == Sampling::Reduced ? planes.half(photo) : planes.whole(photo);
+    if (!plane) {
+        sampling = Sampling::Footprint; // too small, or of an odd height
+        plane = planes.whole(photo);
+    }
+    const std::shared_ptr<const RayTable> rays = tables.get(camera, samplesPerAxis(sampling, ratio));
+    const ViewSource source{*plane, placed.roomFromPhoto, placed.scene, placed.radiusM};
+    const std::unique_lock lock(rendering, std::try_to_lock);
+    if (lock) {
+        renderView(*rays, roomFromCamera, source, sampling, pool, options.threads, workspace, view);
+    } else { // another thread has them: each view is then made by its own thread
+        WorkerPool alone(1);
+        Workspace own;
+        renderView(*rays, roomFromCamera, source, sampling, alone, 1, own, view);
+    }
+    return sampling;
+}
 
 Renderer::Renderer(std::shared_ptr<const Dataset> dataset, const RendererOptions& options)
     : m_state(std::make_unique<State>(std::move(dataset), options.cacheBytes)) {
@@ -96,14 +153,14 @@ View Renderer::render(const CameraModel& camera, const Rigid3& roomFromCamera,
     const PhotoCache::Result cached = m_state->cache.get(report.photo);
     report.decodeMs = cached.decodeMs;
     const auto begin = std::chrono::steady_clock::now();
-    const Projection projection(camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation},
-                                photo.roomFromPhoto, {photo.width, photo.height}, report.scene, radius);
-    view.picture = RgbImage(camera.width(), camera.height());
-    parallelFor(camera.height(), 8, options.threads, [&](int first, int end) {
-        for (int y = first; y < end; ++y) {
-            renderRow(projection, *cached.photo, y, view.picture);
-        }
-    });
+    const Rigid3 pose{roomFromCamera.rotation.normalized(), roomFromCamera.translation};
+    const Placed placed{photo.roomFromPhoto, report.scene, radius};
+    if (options.exact || !PhotoPlane::fits({photo.width, photo.height})) {
+        report.sampling = Sampling::Bilinear;
+        m_state->renderExactly(camera, pose, *cached.photo, placed, options.threads, view.picture);
+    } else {
+        report.sampling = m_state->renderFast(camera, pose, cached.photo, placed, options, view.picture);
+    }
     report.renderMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return view;

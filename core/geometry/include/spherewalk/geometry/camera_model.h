@@ -33,6 +33,8 @@ struct CameraIntrinsics {
     LensModel lens = LensModel::Pinhole;
     std::vector<double> distortion; ///< as many as the lens model has, in its order
 
+    bool operator==(const CameraIntrinsics&) const = default;
+
     /// A camera without distortion whose axis meets the picture's centre. Range: 0 < horizontalFov < pi.
     static CameraIntrinsics pinhole(int width, int height, double horizontalFovRad);
 

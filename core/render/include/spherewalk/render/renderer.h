@@ -5,6 +5,7 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/dataset.h"
+#include "spherewalk/render/sampling.h"
 #include "spherewalk/render/scene_model.h"
 
 #include <cstdint>
@@ -21,6 +22,10 @@ struct RendererOptions {
 struct ViewOptions {
     std::optional<SceneKind> scene; ///< nothing: the best one that the dataset has
     int threads = 0;                ///< 0: all that the machine has; the pixels are the same for any number
+    Sampling sampling = Sampling::Footprint;
+    double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
+    /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
+    bool exact = false;
 };
 
 /// What a view was made from, and how far it can be trusted.
@@ -28,7 +33,8 @@ struct ViewReport {
     std::size_t photo = 0; ///< index into DatasetInfo::photos
     std::string file;
     SceneKind scene = SceneKind::None;
-    double offsetM = 0; ///< between the camera and the photo
+    Sampling sampling = Sampling::Footprint; ///< what was used, never Auto
+    double offsetM = 0;                      ///< between the camera and the photo
     /// By how much a thing at half or at twice the distance that the scene model assumes would be displaced,
     /// at worst, in pixels at the picture's centre; with SceneKind::None, a thing at the dataset's usual
     /// distance (its sphere's radius, or 2 m if it has none).

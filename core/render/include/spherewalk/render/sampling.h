@@ -16,8 +16,8 @@ enum class Sampling {
     Footprint, ///< the mean of n x n bilinear samples spread over the view's pixel, n at least 2 and such
                ///< that they are less than 1.5 photo pixels apart at the picture's centre: right when
                ///< minifying
-    Bicubic, ///< between sixteen pixels: right where the view has more pixels per degree than the photo
-    Auto,    ///< the cheapest of them whose error is within a tolerance, see chosenSampling()
+    Bicubic,   ///< between sixteen pixels: right where the view has more pixels per degree than the photo
+    Auto,      ///< the cheapest of them whose error is within a tolerance, see chosenSampling()
 };
 
 std::string_view name(Sampling sampling);
