@@ -17,6 +17,12 @@ void DatasetOptions::declare(CLI::App& command) {
     command.add_option("--scene", m_scene, "Scene model for places between photos: none, sphere, or auto")
         ->check(CLI::IsMember({"none", "sphere", "auto"}))
         ->capture_default_str();
+    command
+        .add_option(
+            "--sampling", m_sampling,
+            "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic, or auto")
+        ->check(CLI::IsMember({"nearest", "bilinear", "reduced", "footprint", "bicubic", "auto"}))
+        ->capture_default_str();
     command.add_option("--threads", m_threads, "Threads to render with; 0: all")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
@@ -38,6 +44,7 @@ render::ViewOptions DatasetOptions::viewOptions() const {
     if (m_scene != "auto") {
         options.scene = render::sceneKind(m_scene);
     }
+    options.sampling = render::sampling(m_sampling);
     options.threads = m_threads;
     return options;
 }

@@ -27,6 +27,7 @@ class DatasetOptions {
     std::string m_camera;
     std::string m_frame = "optical";
     std::string m_scene = "auto";
+    std::string m_sampling = "footprint";
     int m_threads = 0;
     bool m_noVerify = false;
 };

@@ -27,8 +27,8 @@ std::string csvLine(std::size_t frame, const TimedPose& pose, const render::View
     const Eigen::Quaterniond& q = pose.roomFromCamera.rotation;
     return text(frameName(frame), ",", pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(),
                 ",", q.z(), ",", q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
-                fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",", fixed(report.decodeMs, 3), ",",
-                fixed(report.renderMs, 3), "\n");
+                name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",",
+                fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), "\n");
 }
 
 double median(std::vector<double> values) {
@@ -56,8 +56,8 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
     makeFolder(folder);
     WalkReport report;
-    std::string csv =
-        "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,parallax_px,trust,decode_ms,render_ms\n";
+    std::string csv = "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust,"
+                      "decode_ms,render_ms\n";
     std::set<std::size_t> photos;
     std::vector<double> renderMs;
     std::vector<double> decodeMs;
@@ -91,9 +91,10 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
 }
 
 Json toJson(const render::ViewReport& report) {
-    return {{"photo", report.file},        {"offset_m", report.offsetM},       {"scene", name(report.scene)},
-            {"trust", report.trust},       {"parallax_px", report.parallaxPx}, {"decode_ms", report.decodeMs},
-            {"render_ms", report.renderMs}};
+    return {{"photo", report.file},         {"offset_m", report.offsetM},
+            {"scene", name(report.scene)},  {"sampling", name(report.sampling)},
+            {"trust", report.trust},        {"parallax_px", report.parallaxPx},
+            {"decode_ms", report.decodeMs}, {"render_ms", report.renderMs}};
 }
 
 Json toJson(const WalkReport& report) {
