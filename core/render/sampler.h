@@ -16,7 +16,7 @@ struct CellSamples {
     std::ptrdiff_t pitch; ///< bytes from one row of pixels to the next
     int width;            ///< pixels, at most 16
     int height;
-    bool spill; ///< whether 4 bytes beyond the end of a full row may be written, being written again later
+    bool spill; ///< whether 4 bytes beyond a full row may be written, since the next cell writes them again
 };
 
 /// Asks for the photo's pixels that the cell will need, and does not wait for them.

@@ -7,7 +7,9 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/renderer.h"
 
+#include <atomic>
 #include <numbers>
+#include <thread>
 
 namespace spherewalk::render {
 
@@ -142,6 +144,55 @@ TEST(Renderer, LeavesBlackWhereTheLensSeesNothing) {
     const View view = renderer.render(CameraModel(fisheye), Rigid3{});
     EXPECT_EQ(view.picture.at(0, 0)[0] + view.picture.at(0, 0)[1] + view.picture.at(0, 0)[2], 0);
     EXPECT_GT(view.picture.at(50, 50)[2], 100);
+}
+
+TEST(Renderer, ServesEveryRungAndTheExactView) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 512, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(80, 60, 1.2));
+    test::Random random(43);
+    for (const Sampling sampling : {Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced,
+                                    Sampling::Footprint, Sampling::Bicubic, Sampling::Auto}) {
+        const Eigen::Quaterniond roomFromCamera = random.rotation();
+        const View view = renderer.render(camera, {roomFromCamera, Vector3d::Zero()}, {{}, 0, sampling});
+        EXPECT_LT(worstDifference(view, camera, roomFromCamera), 5) << name(sampling);
+        EXPECT_TRUE(view.report.sampling == sampling || sampling == Sampling::Auto)
+            << name(view.report.sampling);
+        EXPECT_NE(view.report.sampling, Sampling::Auto);
+    }
+    const Eigen::Quaterniond roomFromCamera = random.rotation();
+    ViewOptions options;
+    options.exact = true;
+    EXPECT_LT(worstDifference(renderer.render(camera, {roomFromCamera, Vector3d::Zero()}, options), camera,
+                              roomFromCamera),
+              4);
+}
+
+TEST(Renderer, GivesTheSameBytesToManyThreadsAtATime) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 512, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(120, 90, 1.2));
+    test::Random random(44);
+    std::vector<Rigid3> poses;
+    std::vector<RgbImage> expected;
+    for (int i = 0; i < 20; ++i) {
+        poses.push_back({random.rotation(), random.direction() * 0.5});
+        expected.push_back(renderer.render(camera, poses.back()).picture);
+    }
+    std::atomic<int> different{0};
+    {
+        std::vector<std::jthread> callers;
+        for (int caller = 0; caller < 4; ++caller) {
+            callers.emplace_back([&] {
+                for (std::size_t i = 0; i < poses.size(); ++i) {
+                    different += renderer.render(camera, poses[i]).picture == expected[i] ? 0 : 1;
+                }
+            });
+        }
+    }
+    EXPECT_EQ(different, 0);
 }
 
 TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {

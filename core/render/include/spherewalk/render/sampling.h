@@ -17,7 +17,7 @@ enum class Sampling {
                ///< that they are less than 1.5 photo pixels apart at the picture's centre: right when
                ///< minifying
     Bicubic,   ///< between sixteen pixels: right where the view has more pixels per degree than the photo
-    Auto,      ///< the cheapest of them whose error is within a tolerance, see chosenSampling()
+    Auto,      ///< the cheapest of Reduced, Bilinear and Footprint that is expected to be within a tolerance
 };
 
 std::string_view name(Sampling sampling);

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "expect_error.h"
+#include "fast_view.h"
+#include "random.h"
+#include "reference_sampling.h"
+
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/render/projection.h"
+
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::render {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::array kAll{Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced, Sampling::Footprint,
+                          Sampling::Bicubic};
+
+/// Noise, the worst that a sampler can meet.
+RgbImage noise(int width, unsigned seed) {
+    test::Random random(seed);
+    RgbImage picture(width, width / 2);
+    for (std::uint8_t& value : picture.values()) {
+        value = static_cast<std::uint8_t>(random.integer(0, 1) * 255);
+    }
+    return picture;
+}
+
+/// Smooth but for the poles and the seam, where a row that is not taken from across them shows.
+RgbImage smooth(int width) {
+    RgbImage picture(width, width / 2);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < width; ++x) {
+            const Vector3d d = direction(EquirectSize{width, width / 2}, Vector2d(x, y));
+            for (int c = 0; c < 3; ++c) {
+                picture.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(127.5 + 120 * d[c]));
+            }
+        }
+    }
+    return picture;
+}
+
+struct Scene {
+    CameraModel camera;
+    Rigid3 roomFromCamera;
+    Rigid3 roomFromPhoto;
+    SceneKind kind;
+};
+
+Scene randomScene(test::Random& random) {
+    CameraIntrinsics camera =
+        CameraIntrinsics::pinhole(random.integer(1, 150), random.integer(1, 110), random.uniform(0.3, 2.6));
+    if (random.integer(0, 2) == 0) {
+        camera.lens = LensModel::Equidistant;
+        camera.fx = camera.fy = random.uniform(10, 120); // some see nothing at the corners
+        camera.distortion = {0.02, -0.01, 0, 0};
+    }
+    const Rigid3 photo{random.rotation(), random.vector(100)};
+    return {CameraModel(camera),
+            {random.rotation(), photo.translation + 0.7 * random.direction()},
+            photo,
+            random.integer(0, 1) == 0 ? SceneKind::None : SceneKind::Sphere};
+}
+
+RgbImage rendered(const Scene& scene, const PhotoPlane& plane, Sampling sampling, int threads,
+                  WorkerPool& pool) {
+    const int n = samplesPerAxis(sampling, minification(scene.camera, plane.size().width));
+    const RayTable rays(scene.camera, n);
+    Workspace workspace;
+    RgbImage picture;
+    renderView(rays, scene.roomFromCamera, {plane, scene.roomFromPhoto, scene.kind, 2.0}, sampling, pool,
+               threads, workspace, picture);
+    return picture;
+}
+
+double catmullRom(double x) {
+    x = std::abs(x);
+    return x < 1 ? 1 - x * x * (2.5 - 1.5 * x) : x < 2 ? 2 - x * (4 - x * (2.5 - 0.5 * x)) : 0;
+}
+
+Vector3d bicubic(const PhotoPlane& plane, const Vector2d& at) {
+    const int x = static_cast<int>(std::floor(at.x()));
+    const int y = static_cast<int>(std::floor(at.y()));
+    Vector3d sum = Vector3d::Zero();
+    for (int j = -1; j <= 2; ++j) {
+        for (int i = -1; i <= 2; ++i) {
+            const double weight = catmullRom(at.x() - x - i) * catmullRom(at.y() - y - j);
+            for (int c = 0; c < 3; ++c) {
+                sum[c] += weight * (plane.stored(x + i, y + j, c) + 128);
+            }
+        }
+    }
+    return sum.cwiseMax(0).cwiseMin(255);
+}
+
+/// Runs it once for each kind of SIMD that the library was built for and this machine has, and once without.
+template <class Body>
+void forEachTarget(Body&& body) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(target);
+        body(hwy::TargetName(target));
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+} // namespace
+
+TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
+    test::Random random(71);
+    const PhotoPlane plane(noise(512, 72));
+    std::vector<Scene> scenes;
+    std::vector<RgbImage> expected;
+    WorkerPool pool(4);
+    for (int i = 0; i < 60; ++i) {
+        scenes.push_back(randomScene(random));
+        expected.push_back(rendered(scenes.back(), plane, kAll.at(static_cast<std::size_t>(i) % 5), 1, pool));
+    }
+    int targets = 0;
+    forEachTarget([&](const char* target) {
+        ++targets;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            for (const int threads : {1, 2, 3, 0}) {
+                ASSERT_EQ(rendered(scenes[i], plane, kAll.at(i % 5), threads, pool), expected[i])
+                    << target << ", " << threads << " threads, " << name(kAll.at(i % 5)) << ", scene " << i
+                    << " seed " << random.seed();
+            }
+        }
+        std::cout << "  same bytes: " << target << "\n";
+    });
+    EXPECT_GE(targets, 1);
+}
+
+// The photo is black and white noise: what 0.02 pixels of coordinates cost there is 5 grey levels an axis, on
+// top of 1.05 of the sampler's own.
+TEST(FastView, IsTheExactBilinearView) {
+    test::Random random(73);
+    const RgbImage picture = noise(512, 74);
+    const PhotoPlane plane(picture);
+    WorkerPool pool(2);
+    double worst = 0;
+    double sum = 0;
+    long count = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Scene scene = randomScene(random);
+        const Projection projection(scene.camera, scene.roomFromCamera, scene.roomFromPhoto, plane.size(),
+                                    scene.kind, 2.0);
+        const RgbImage view = rendered(scene, plane, Sampling::Bilinear, 0, pool);
+        for (int y = 0; y < view.height(); ++y) {
+            for (int x = 0; x < view.width(); ++x) {
+                const auto at = projection.photoPixel(Vector2d(x, y));
+                const Vector3d expected = at ? bilinear(picture, *at) : Vector3d::Zero();
+                const Vector3d found(view.at(x, y)[0], view.at(x, y)[1], view.at(x, y)[2]);
+                worst = std::max(worst, (found - expected).cwiseAbs().maxCoeff());
+                sum += (found - expected).cwiseAbs().sum() / 3;
+                ++count;
+            }
+        }
+    }
+    std::cout << "  on black and white noise: worst " << worst << ", mean "
+              << sum / static_cast<double>(count) << " grey levels\n";
+    EXPECT_LT(worst, 6);
+    EXPECT_LT(sum / static_cast<double>(count), 0.5);
+}
+
+TEST(FastView, IsTheExactBicubicView) {
+    test::Random random(75);
+    const PhotoPlane plane(smooth(512));
+    WorkerPool pool(2);
+    for (int i = 0; i < 30; ++i) {
+        const Scene scene = randomScene(random);
+        const Projection projection(scene.camera, scene.roomFromCamera, scene.roomFromPhoto, plane.size(),
+                                    scene.kind, 2.0);
+        const RgbImage view = rendered(scene, plane, Sampling::Bicubic, 0, pool);
+        for (int y = 0; y < view.height(); ++y) {
+            for (int x = 0; x < view.width(); ++x) {
+                if (const auto at = projection.photoPixel(Vector2d(x, y))) {
+                    const Vector3d found(view.at(x, y)[0], view.at(x, y)[1], view.at(x, y)[2]);
+                    ASSERT_LT((found - bicubic(plane, *at)).cwiseAbs().maxCoeff(), 0.8)
+                        << i << " " << x << " " << y << " seed " << random.seed();
+                }
+            }
+        }
+    }
+}
+
+TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
+    const PhotoPlane plane(smooth(1024));
+    const PhotoPlane half = plane.halved();
+    const CameraModel camera(CameraIntrinsics::pinhole(80, 60, 1.2));
+    WorkerPool pool(2);
+    for (int pitch = -90; pitch <= 90; pitch += 15) {
+        for (const double yaw : {0.0, 90.0, 180.0}) {
+            const Rigid3 pose{rotation({Degrees(yaw), Degrees(pitch), Degrees(20)}) * bodyFromOptical(),
+                              Vector3d::Zero()};
+            for (const Sampling sampling : kAll) {
+                const RgbImage view =
+                    rendered({camera, pose, Rigid3{}, SceneKind::None},
+                             sampling == Sampling::Reduced ? half : plane, sampling, 0, pool);
+                for (int y = 0; y < 60; ++y) {
+                    for (int x = 0; x < 80; ++x) {
+                        const Vector3d d = pose.rotation * *camera.ray(Vector2d(x, y));
+                        for (int c = 0; c < 3; ++c) {
+                            ASSERT_NEAR(view.at(x, y)[c], 127.5 + 120 * d[c], 2)
+                                << name(sampling) << " pitch " << pitch << " yaw " << yaw << " at " << x
+                                << " " << y;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(FastView, NeedsTheRaysOfItsSampling) {
+    const PhotoPlane plane(smooth(64));
+    const CameraModel camera(CameraIntrinsics::pinhole(8, 8, 1));
+    WorkerPool pool(1);
+    Workspace workspace;
+    RgbImage picture;
+    test::expectError(ErrorKind::InvalidInput, "one sample a pixel", [&] {
+        renderView(RayTable(camera, 2), Rigid3{}, {plane, Rigid3{}}, Sampling::Bilinear, pool, 1, workspace,
+                   picture);
+    });
+    test::expectError(ErrorKind::InvalidInput, "1 x 1 to 8 x 8", [&] { RayTable(camera, 9); });
+}
+
+TEST(FastView, TakesAsManySamplesAsThePhotoIsMinified) {
+    const CameraModel vga(CameraIntrinsics::pinhole(640, 480, std::numbers::pi / 2));
+    EXPECT_NEAR(minification(vga, 5376), 2.674, 1e-3);
+    EXPECT_EQ(samplesPerAxis(Sampling::Bilinear, 2.674), 1);
+    EXPECT_EQ(samplesPerAxis(Sampling::Footprint, 0.1), 2);
+    EXPECT_EQ(samplesPerAxis(Sampling::Footprint, 2.674), 2);
+    EXPECT_EQ(samplesPerAxis(Sampling::Footprint, 3.1), 3);
+    EXPECT_EQ(samplesPerAxis(Sampling::Footprint, 100), 8);
+}
+
+TEST(Sampling, HasNamesThatParse) {
+    for (const Sampling value : {Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced,
+                                 Sampling::Footprint, Sampling::Bicubic, Sampling::Auto}) {
+        EXPECT_EQ(sampling(name(value)), value);
+    }
+    test::expectError(ErrorKind::InvalidInput, "nearest, bilinear, reduced", [] { sampling("lanczos"); });
+}
+
+TEST(Sampling, AutoIsTheCheapestThatIsExpectedToBeGoodEnough) {
+    EXPECT_EQ(chosenSampling(Sampling::Nearest, 2, 40), Sampling::Nearest);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 40), Sampling::Reduced);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 0.6, 40), Sampling::Bilinear);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 45), Sampling::Footprint);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 99), Sampling::Footprint);
+    for (double ratio = 0.1; ratio < 6; ratio += 0.1) {
+        for (double db = 30; db < 50; db += 1) {
+            const Sampling chosen = chosenSampling(Sampling::Auto, ratio, db);
+            EXPECT_TRUE(chosen == Sampling::Footprint || expectedDb(chosen, ratio) >= db)
+                << ratio << " " << db;
+        }
+    }
+}
+
+} // namespace spherewalk::render
