@@ -12,8 +12,9 @@
 namespace spherewalk::render {
 
 /// How a photo is cut into the tiles that are decoded, kept and dropped. 128 pixels are the restart interval
-/// of 8 MCUs that datasets are exported with, so that a tile is decoded without its neighbours' blocks;
-/// 64 rows are few enough to follow a view's edge, and enough that the one MCU row of margin costs little.
+/// of 8 MCUs that datasets are exported with: of the intervals beside a block of tiles, which chroma
+/// upsampling needs, all but one MCU is only entropy-decoded. 64 rows are few enough to follow a view's edge,
+/// and enough that the MCU rows above and below cost little.
 class TileGrid {
   public:
     static constexpr int kTileWidth = 128;

@@ -12,10 +12,12 @@ namespace spherewalk::render {
 
 /// Address space for all of a photo as RGBX pixels, of which only the parts in use take memory. A sampler
 /// reads it like an ordinary picture: row pointers, no tile arithmetic, no copy. (The way considered besides,
-/// a sampler of tiles, pays for every pixel of every view what this pays for once a tile.)
-/// Memory is counted and given back by pages of the system: a page is held while any part in it is occupied.
-/// Rows are an odd number of cache lines apart, so that a view that runs down the photo's columns does not
-/// meet the same cache set again and again. Threads: the owner's business.
+/// tiles apart from each other, would have the sampler find a tile for every pixel and join neighbours at
+/// every tile's edge; it was not built.) The price: a page is a thousand pixels of a row, so that a view
+/// holds up to twice the memory of its own pixels. Memory is counted and given back by pages of the system: a
+/// page is held while any part in it is occupied. Rows are an odd number of cache lines apart, so that a view
+/// that runs down the photo's columns does not meet the same cache set again and again. Threads: the owner's
+/// business.
 class SparsePlane {
   public:
     /// Columns behind the right edge that repeat the left ones: what lies across the seam.

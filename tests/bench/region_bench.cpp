@@ -10,6 +10,7 @@
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/parallel.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
@@ -40,6 +41,8 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr int kPhotos = 404;
 constexpr double kGridM = 0.2;
 constexpr double kFrameS = 1.0 / 30;
+// What a path bends within the horizon: tiles this far beyond the predicted view are decoded too.
+constexpr double kPredictionPx = 24;
 
 double since(SteadyClock::time_point begin) {
     return std::chrono::duration<double, std::milli>(SteadyClock::now() - begin).count();
@@ -58,6 +61,20 @@ double medianOf(int rounds, const std::function<void()>& work) {
         times.push_back(since(begin));
     }
     return quantile(times, 0.5);
+}
+
+/// How much sooner two threads finish two pieces of arithmetic than one does: 2 if the machine is ours alone.
+/// A ratio between thread counts means something only beside this.
+double sharedProcessors() {
+    const auto spin = [](int, int) {
+        volatile double value = 1;
+        for (int i = 0; i < 3'000'000; ++i) {
+            value = value * 1.0000001;
+        }
+    };
+    constexpr int kRounds = 9;
+    const double one = medianOf(kRounds, [&] { parallelFor(2, 1, 1, spin); });
+    return one / medianOf(kRounds, [&] { parallelFor(2, 1, 2, spin); });
 }
 
 RgbImage proceduralPicture(int width) {
@@ -126,18 +143,18 @@ class Room {
         dataset = std::make_shared<const Dataset>(Dataset::open(folder.path()));
     }
 
-    TileSet tiles(const Rigid3& pose, std::size_t photo) const {
+    TileSet tiles(const Rigid3& pose, std::size_t photo, double reachPx = 2) const {
         const DatasetPhoto& entry = dataset->info().photos[photo];
         const EquirectSize size{entry.width, entry.height};
         const Projection projection(camera.model, pose, entry.roomFromPhoto, size, SceneKind::Sphere,
                                     *dataset->info().sphereRadiusM);
-        return camera.footprint.tiles(TileGrid(size),
-                                      [&](const Vector2d& p) { return projection.photoPixel(p); });
+        return camera.footprint.tiles(
+            TileGrid(size), [&](const Vector2d& p) { return projection.photoPixel(p); }, reachPx);
     }
 
-    TileNeed need(const Rigid3& pose) const {
+    TileNeed need(const Rigid3& pose, double reachPx = 2) const {
         const std::size_t photo = dataset->nearestPhoto(pose.translation);
-        return {photo, tiles(pose, photo)};
+        return {photo, tiles(pose, photo, reachPx)};
     }
 
     std::shared_ptr<const Dataset> dataset;
@@ -178,37 +195,46 @@ void benchDecode(const Bytes& marked, const jpeg::RestartIndex& index, const Roo
             std::printf("NOT IDENTICAL in row %d\n", y);
         }
     }
+    // Each ratio compares like with like: both into a new picture, or both without keeping the pixels.
     constexpr int kRounds = 15;
     const double wholeMs = medianOf(kRounds, [&] { jpeg::decode(marked, "photo"); });
-    std::printf("%-44s %8.2f ms\n", "whole, RGB, 1 thread", wholeMs);
+    const double partMs = medianOf(kRounds, [&] { decoder.decode(region); });
     std::printf("region %d x %d pixels, %d of %d tiles\n", region.width, region.height, tiles.count(),
                 grid.count());
+    std::printf("%-44s %8.2f ms\n", "whole into a picture, 1 thread", wholeMs);
+    std::printf("%-44s %8.2f ms  %5.1fx\n", "region into a picture, 1 thread", partMs, wholeMs / partMs);
+    const jpeg::PixelRect all{0, 0, index.width, index.height};
+    const auto rgbxMs = [&](const jpeg::PixelRect& rectangle, int denominator, int threads) {
+        jpeg::RegionOptions options;
+        options.threads = threads;
+        options.denominator = denominator;
+        options.layout = jpeg::PixelLayout::Rgbx;
+        return medianOf(kRounds,
+                        [&] { decoder.decode(rectangle, options, [](int, const std::uint8_t*) {}); });
+    };
+    const double allMs = rgbxMs(all, 1, 1);
+    const double allPlanesMs = medianOf(kRounds, [&] { decoder.decodePlanes(all); });
+    const double pixels = static_cast<double>(index.width) * index.height;
+    std::printf("%-44s %8.2f ms, %.1f MB if kept\n", "whole, RGBX, not kept, 1 thread", allMs, pixels * 4e-6);
+    std::printf("%-44s %8.2f ms, %.1f MB\n", "whole, planes as stored, 1 thread", allPlanesMs,
+                pixels * 1.5e-6);
     for (const int threads : {1, 2}) {
         for (const int denominator : {1, 2, 4, 8}) {
-            jpeg::RegionOptions options;
-            options.threads = threads;
-            options.denominator = denominator;
-            options.layout = jpeg::PixelLayout::Rgbx;
             const jpeg::PixelRect reduced{region.x / denominator, region.y / denominator,
                                           region.width / denominator, region.height / denominator};
-            const double ms =
-                medianOf(kRounds, [&] { decoder.decode(reduced, options, [](int, const std::uint8_t*) {}); });
-            std::printf("region, RGBX, 1/%d, %d thread%-18s %8.2f ms  %5.1fx\n", denominator, threads,
-                        threads == 1 ? "" : "s", ms, wholeMs / ms);
+            const double ms = rgbxMs(reduced, denominator, threads);
+            std::printf("region, RGBX, not kept, 1/%d, %d thread(s)      %8.2f ms  %5.1fx\n", denominator,
+                        threads, ms, allMs / ms);
         }
-        const double planesMs = medianOf(kRounds, [&] { decoder.decodePlanes(region, threads); });
-        std::printf("region, planes as stored, %d thread%-12s %8.2f ms  %5.1fx\n", threads,
-                    threads == 1 ? "" : "s", planesMs, wholeMs / planesMs);
+        const double ms = medianOf(kRounds, [&] { decoder.decodePlanes(region, threads); });
+        std::printf("region, planes as stored, %d thread(s)         %8.2f ms  %5.1fx\n", threads, ms,
+                    allPlanesMs / ms);
     }
-    const jpeg::PixelRect all{0, 0, index.width, index.height};
-    jpeg::RegionOptions rgbx;
-    rgbx.layout = jpeg::PixelLayout::Rgbx;
-    const double allRgbx =
-        medianOf(kRounds, [&] { decoder.decode(all, rgbx, [](int, const std::uint8_t*) {}); });
-    const double allPlanes = medianOf(kRounds, [&] { decoder.decodePlanes(all); });
-    const double pixels = double(index.width) * index.height;
-    std::printf("whole by parts: RGBX %.2f ms, %.1f MB; planes %.2f ms, %.1f MB\n", allRgbx, pixels * 4e-6,
-                allPlanes, pixels * 1.5e-6);
+    const double one = rgbxMs(region, 1, 1);
+    const double two = rgbxMs(region, 1, 2);
+    const double shared = sharedProcessors();
+    std::printf("one thread to two: %.2fx faster; idle arithmetic gains %.2fx here and now\n", one / two,
+                shared);
     std::printf("SHA-256 of the file: %.2f ms\n", medianOf(kRounds, [&] { sha256Hex(marked); }));
 }
 
@@ -245,6 +271,7 @@ void walk(const Room& room, double speed, LatePolicy policy, bool isAhead, int f
     const double length = kGridM * (kPhotos - 1);
     std::vector<double> times;
     int missed = 0;
+    std::string lateFrames;
     Rigid3 before;
     // The first two views show the motion, and are not counted.
     constexpr int kLeadIn = 2;
@@ -266,6 +293,9 @@ void walk(const Room& room, double speed, LatePolicy policy, bool isAhead, int f
             const TileStore::ViewInProgress view(store);
             const Served served = loader.serve(
                 need, policy, [&](std::size_t photo) { return room.tiles(pose, photo); }, 0);
+            if (served.isLate && lateFrames.size() < 12) {
+                lateFrames += text(" ", frame);
+            }
         }
         const double ms = since(begin);
         if (frame >= kLeadIn) {
@@ -275,7 +305,7 @@ void walk(const Room& room, double speed, LatePolicy policy, bool isAhead, int f
         std::vector<TileNeed> plan;
         if (isAhead && frame > 0) {
             plan = prefetchPlan(pose, motionBetween(before, pose, kFrameS), {0.2, kFrameS, 6000},
-                                [&](const Rigid3& p) { return room.need(p); });
+                                [&](const Rigid3& p) { return room.need(p, kPredictionPx); });
         }
         plan.insert(plan.begin(), std::move(need));
         prefetcher.setPlan(std::move(plan));
@@ -288,11 +318,12 @@ void walk(const Room& room, double speed, LatePolicy policy, bool isAhead, int f
                                                       : "previous";
     std::printf(
         "%5.0f m/s  %-9s %-12s late %5.1f %%  missed %5.1f %%  p50 %6.2f  p99 %6.2f ms  resident %4llu MB  "
-        "RSS %4ld MB\n",
+        "RSS %4ld MB  first late frames%s\n",
         speed, name, isAhead ? "prefetch" : "no prefetch",
         100 * static_cast<double>(counters.late - lead.late) / views, 100 * missed / views,
         quantile(times, 0.5), quantile(times, 0.99),
-        static_cast<unsigned long long>(store.counters().residentBytes >> 20), memoryKb("VmRSS") >> 10);
+        static_cast<unsigned long long>(store.counters().residentBytes >> 20), memoryKb("VmRSS") >> 10,
+        lateFrames.c_str());
 }
 
 void benchMemory(const Room& room) {
