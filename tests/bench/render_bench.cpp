@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// spherewalk_render_bench [--photo FILE.jpg] [--directions N] [--rounds N]
-// Times views of 640 x 480 pixels against OpenCV in the same run, after checking that they show the same.
+// spherewalk_render_bench [--photo FILE.jpg] [--directions N] [--rounds N] [--field DEGREES of the fidelity
+// table] Times views of 640 x 480 pixels against OpenCV in the same run, after checking that they show the
+// same.
 #include "fidelity.h"
 #include "measured.h"
 #include "pictures.h"
@@ -242,14 +243,22 @@ void printFidelity(const Source& source, double fieldDeg, int directions) {
 int run(const std::vector<std::string>& arguments) {
     int directions = 40;
     int rounds = 100;
+    std::vector<double> fields{20, 30, 57, 70, 80, 90, 110};
     std::string photo;
     for (std::size_t i = 0; i + 1 < arguments.size(); i += 2) {
         const std::string& key = arguments[i];
         const std::string& value = arguments[i + 1];
-        (key == "--photo"        ? photo = value
-         : key == "--directions" ? (directions = std::stoi(value), photo)
-         : key == "--rounds"     ? (rounds = std::stoi(value), photo)
-                                 : throw std::invalid_argument("unknown option " + key));
+        if (key == "--photo") {
+            photo = value;
+        } else if (key == "--directions") {
+            directions = std::stoi(value);
+        } else if (key == "--rounds") {
+            rounds = std::stoi(value);
+        } else if (key == "--field") {
+            fields = {std::stod(value)};
+        } else {
+            throw std::invalid_argument("unknown option " + key);
+        }
     }
     RgbImage picture = photo.empty() ? detailedPanorama() : jpeg::decode(readFile(photo, 1 << 28), photo);
     render::PhotoPlane plane(picture);
@@ -271,7 +280,7 @@ int run(const std::vector<std::string>& arguments) {
         std::printf("\nfidelity, mean / worst dB over %d directions with pitches to +-80 deg, against 8 x 8 "
                     "samples a pixel\n",
                     directions);
-        for (const double field : {20.0, 30.0, 57.0, 70.0, 80.0, 90.0, 110.0}) {
+        for (const double field : fields) {
             printFidelity(source, field, directions);
         }
     }
