@@ -99,19 +99,18 @@ int samplesPerAxis(Sampling sampling, double minification) {
 }
 
 double expectedDb(Sampling sampling, double minification) {
-    // Measured means over 40 directions of a panorama with details down to the pixel
-    // (spherewalk_render_bench); photos of rooms are 1 to 6 dB better.
+    // Of a made-up panorama with details down to the pixel and of a photo of a room, the worst of 40 or 9
+    // directions; resources/docs/render.md has the figures.
     struct Row {
         double minification, nearest, bilinear, reduced, footprint, bicubic;
     };
 
-    static constexpr std::array<Row, 7> kMeasured{{{0.47, 37.8, 48.4, 39.0, 58.2, 44.3},
-                                                   {0.72, 37.0, 45.3, 39.7, 55.5, 42.2},
-                                                   {1.45, 35.0, 40.9, 40.9, 52.6, 38.5},
-                                                   {1.87, 34.1, 39.5, 41.2, 51.0, 37.2},
-                                                   {2.24, 33.5, 38.7, 41.2, 50.4, 36.5},
-                                                   {2.67, 33.0, 37.7, 40.9, 49.4, 35.5},
-                                                   {3.82, 32.1, 36.0, 40.1, 49.4, 34.2}}};
+    static constexpr std::array<Row, 6> kMeasured{{{0.47, 32.6, 48.2, 32.5, 58.2, 42.6},
+                                                   {0.72, 32.2, 45.2, 32.8, 55.3, 40.7},
+                                                   {1.45, 31.5, 40.7, 35.5, 52.4, 36.7},
+                                                   {2.05, 31.2, 38.0, 37.5, 50.7, 35.1},
+                                                   {2.67, 30.2, 36.1, 37.7, 48.7, 33.5},
+                                                   {3.82, 30.9, 35.0, 39.4, 48.7, 33.1}}};
     const auto value = [&](const Row& row) {
         switch (sampling) {
         case Sampling::Nearest:

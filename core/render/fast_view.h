@@ -22,9 +22,9 @@ double minification(const CameraModel& camera, int photoWidth);
 /// pixels apart, in [2, 8].
 int samplesPerAxis(Sampling sampling, double minification);
 
-/// How near a rung comes to the mean over each pixel's area, in decibels (peak signal to noise ratio), by
-/// measurement on a picture that is full of detail; photos of rooms are better. Range: any minification;
-/// beyond 0.47 and 3.82 the nearest one's.
+/// How near a rung comes at worst to the mean over each pixel's area, in decibels (peak signal to noise
+/// ratio): measured on pictures full of detail, and no promise for others. Range: any minification; below
+/// 0.47 and above 3.82 the nearest one's.
 double expectedDb(Sampling sampling, double minification);
 
 /// The sampling itself; for Sampling::Auto the first of Reduced, Bilinear (cheapest first) that is expected

@@ -254,9 +254,9 @@ TEST(Sampling, HasNamesThatParse) {
 
 TEST(Sampling, AutoIsTheCheapestThatIsExpectedToBeGoodEnough) {
     EXPECT_EQ(chosenSampling(Sampling::Nearest, 2, 40), Sampling::Nearest);
-    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 40), Sampling::Reduced);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 37), Sampling::Reduced);
+    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 40), Sampling::Footprint);
     EXPECT_EQ(chosenSampling(Sampling::Auto, 0.6, 40), Sampling::Bilinear);
-    EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 45), Sampling::Footprint);
     EXPECT_EQ(chosenSampling(Sampling::Auto, 2.24, 99), Sampling::Footprint);
     for (double ratio = 0.1; ratio < 6; ratio += 0.1) {
         for (double db = 30; db < 50; db += 1) {
