@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/demo.h"
 
+#include "median.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
@@ -11,7 +13,6 @@
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/survey/plan_report.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,12 +48,6 @@ std::vector<TimedPose> roundWalk(const survey::Plan& plan, int frames) {
                            kLensHeightM}}});
     }
     return poses;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 class Demo {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
+#include "median.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
@@ -29,15 +31,6 @@ std::string csvLine(std::size_t frame, const TimedPose& pose, const render::View
                 ",", q.z(), ",", q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
                 name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",",
                 fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), "\n");
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 void makeFolder(const std::filesystem::path& folder) {
