@@ -109,7 +109,7 @@ RegionCost RegionDecoder::decode(const PixelRect& region, const RegionOptions& o
     forEachBand(region, options, kUpsamplingReach, [&](const Band& band) {
         RegionCost cost;
         const Bytes jpeg = bandJpeg(*m_source, m_index, m_header, band.mcus, cost);
-        scanRows(jpeg, m_source->name(), band.part, options.denominator, options.layout,
+        scanRows(jpeg, m_source->name(), band.part, options.denominator,
                  [&](int y, const std::uint8_t* pixels) { sink(band.wanted.y + y, pixels); });
         intervals += cost.intervals;
         bytesRead += cost.bytesRead;
@@ -119,10 +119,8 @@ RegionCost RegionDecoder::decode(const PixelRect& region, const RegionOptions& o
 
 RgbImage RegionDecoder::decode(const PixelRect& region, const RegionOptions& options) const {
     check(region, options.denominator);
-    RegionOptions rgb = options;
-    rgb.layout = PixelLayout::Rgb;
     RgbImage picture(region.width, region.height);
-    decode(region, rgb, [&](int y, const std::uint8_t* pixels) {
+    decode(region, options, [&](int y, const std::uint8_t* pixels) {
         std::memcpy(picture.at(0, y - region.y), pixels, picture.row(0).size());
     });
     return picture;

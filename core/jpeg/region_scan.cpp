@@ -18,8 +18,8 @@ constexpr int kRows = 16;
 
 /// Starts decoding, exactly as decode() does, of the columns that the part needs; the column that comes out
 /// first is returned. Idle columns are entropy-decoded only.
-int startColumns(jpeg_decompress_struct* info, const PixelRect& part, int denominator, PixelLayout layout) {
-    info->out_color_space = layout == PixelLayout::Rgb ? JCS_RGB : JCS_EXT_RGBX;
+int startColumns(jpeg_decompress_struct* info, const PixelRect& part, int denominator) {
+    info->out_color_space = JCS_RGB;
     info->dct_method = JDCT_ISLOW;
     info->do_fancy_upsampling = TRUE;
     info->do_block_smoothing = FALSE;
@@ -98,19 +98,19 @@ void giveSamples(const jpeg_decompress_struct& info, SampleRows& rows, int top, 
 } // namespace
 
 void scanRows(ByteView jpeg, const std::string& source, const PixelRect& part, int denominator,
-              PixelLayout layout, const RowSink& sink) {
+              const RowSink& sink) {
     Decompressor decompressor(jpeg, text("decode a part of ", source));
     jpeg_decompress_struct* info = decompressor.get();
     int left = 0;
-    decompressor.trap().guarded([&] { left = startColumns(info, part, denominator, layout); });
-    const auto pixelBytes = static_cast<std::size_t>(bytesPerPixel(layout));
-    const std::size_t rowBytes = info->output_width * pixelBytes;
+    decompressor.trap().guarded([&] { left = startColumns(info, part, denominator); });
+    constexpr std::size_t kPixelBytes = 3;
+    const std::size_t rowBytes = info->output_width * kPixelBytes;
     Bytes buffer(rowBytes * kRows);
     std::array<JSAMPROW, kRows> rows{};
     for (std::size_t i = 0; i < kRows; ++i) {
         rows[i] = &buffer[i * rowBytes];
     }
-    const std::size_t skipped = static_cast<std::size_t>(part.x - left) * pixelBytes;
+    const std::size_t skipped = static_cast<std::size_t>(part.x - left) * kPixelBytes;
     const int end = part.y + part.height;
     for (int y = 0; y < end;) {
         JDIMENSION got = 0;

@@ -11,7 +11,7 @@ namespace spherewalk::jpeg {
 /// reduced picture; those within two pixels of an edge inside the whole picture are not the whole's.
 /// Errors: Corrupt; those of the sink.
 void scanRows(ByteView jpeg, const std::string& source, const PixelRect& part, int denominator,
-              PixelLayout layout, const RowSink& sink);
+              const RowSink& sink);
 
 /// Takes a row of samples: the colour (0 luma, 1 blue, 2 red), the row, and as many samples as its part has.
 using SampleSink = std::function<void(int colour, int y, const std::uint8_t* samples)>;

@@ -135,7 +135,7 @@ DatasetPhoto photoOf(const JsonReader& reader) {
         reader.member("sha256").fail("expected 64 lower-case hexadecimal digits");
     }
     photo.sizeBytes = static_cast<std::uint64_t>(reader.integer("size_bytes", 1, 1LL << 32));
-    photo.width = static_cast<int>(reader.integer("width", 2, 32768));
+    photo.width = static_cast<int>(reader.integer("width", 16, 16384));
     photo.height = static_cast<int>(reader.integer("height", 1, 16384));
     if (photo.width != 2 * photo.height) {
         reader.fail(text("the photo is ", photo.width, " x ", photo.height,

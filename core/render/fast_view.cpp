@@ -29,7 +29,7 @@ void blackenUnseen(const RayTable::ExplicitCell& cell, const simd::CellSamples& 
     }
 }
 
-void sample(const PhotoPlane& photo, Sampling sampling, const simd::CellSamples& samples) {
+void sample(const PlaneView& photo, Sampling sampling, const simd::CellSamples& samples) {
     switch (sampling) {
     case Sampling::Nearest:
         return simd::sampleNearest(photo, samples);
@@ -40,7 +40,7 @@ void sample(const PhotoPlane& photo, Sampling sampling, const simd::CellSamples&
     }
 }
 
-void renderRow(const Lattice& lattice, const PhotoPlane& photo, Sampling sampling, int cellY,
+void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling, int cellY,
                Workspace::Worker& worker, RgbImage& picture) {
     const RayTable& rays = *lattice.rays;
     worker.lattice.beginRow(lattice, cellY);

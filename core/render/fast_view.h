@@ -55,9 +55,9 @@ class Workspace {
     std::vector<Worker> m_workers;
 };
 
-/// What a view is taken from: photo is the whole picture, or, for Sampling::Reduced, its half.
+/// What a view is taken from: for Sampling::Reduced, photo is the picture at half its size.
 struct ViewSource {
-    const PhotoPlane& photo;
+    PlaneView photo;
     Rigid3 roomFromPhoto;
     SceneKind scene = SceneKind::None;
     double sphereRadiusM = 0;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kCell = RayTable::kCell;
 constexpr double kUnit = 1 << kFractionBits;
-constexpr double kOffsetU = PhotoPlane::kGuard + kRoundingU;
-constexpr double kOffsetV = PhotoPlane::kGuard;
+constexpr double kOffsetU = PlaneLayout::kGuard + kRoundingU;
+constexpr double kOffsetV = PlaneLayout::kGuard;
 constexpr int kMostNodes = 96; // of a cell at its densest, 9 x 9, padded
 
 std::int32_t fixedPoint(double value, double offset) {

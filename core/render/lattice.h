@@ -71,8 +71,8 @@ enum class CellMode : std::uint8_t {
     Exact,  ///< every sample by itself
 };
 
-/// Fixed point: 16 fractional bits; (0, 0) is the centre of the photo's pixel (-PhotoPlane::kGuard,
-/// -PhotoPlane::kGuard). u carries half of the horizontal weights' step besides, so that cutting bits off
+/// Fixed point: 16 fractional bits; (0, 0) is the centre of the photo's pixel (-PlaneLayout::kGuard,
+/// -PlaneLayout::kGuard). u carries half of the horizontal weights' step besides, so that cutting bits off
 /// rounds.
 constexpr int kFractionBits = 16;
 constexpr double kRoundingU = 1.0 / 510;

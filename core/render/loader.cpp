@@ -21,7 +21,7 @@ Thumbnails::Thumbnails(std::shared_ptr<const Dataset> dataset)
     : m_dataset(std::move(dataset)), m_files(m_dataset->info().photos.size()) {
 }
 
-std::shared_ptr<const RgbImage> Thumbnails::get(std::size_t photo) {
+std::shared_ptr<const PhotoPlane> Thumbnails::get(std::size_t photo) {
     const std::string& name = m_dataset->info().photos.at(photo).thumbnail;
     if (name.empty()) {
         return nullptr;
@@ -38,7 +38,7 @@ std::shared_ptr<const RgbImage> Thumbnails::get(std::size_t photo) {
         m_files[photo] = readFile(file, kLargestThumbnail);
     }
     m_decoded.push_front(
-        {photo, std::make_shared<const RgbImage>(jpeg::decode(m_files[photo], file.string()))});
+        {photo, std::make_shared<const PhotoPlane>(jpeg::decode(m_files[photo], file.string()))});
     if (m_decoded.size() > kMostDecoded) {
         m_decoded.pop_back();
     }
@@ -51,57 +51,57 @@ ViewLoader::ViewLoader(TileStore& store, std::shared_ptr<Thumbnails> thumbnails)
 
 Served ViewLoader::wait(const TileNeed& need, int threads) {
     Served served;
-    served.photo = need.photo;
-    served.lease = m_store.acquire(need.photo, need.tiles, TileStore::Missing::Decode, threads);
-    served.waitedMs = served.lease.waitedMs();
-    served.isLate = served.waitedMs > 0;
+    served.photo = need.level.photo;
+    served.lease = m_store.acquire(need.level, need.tiles, TileStore::Missing::Decode, threads);
+    served.isLate = served.lease.waitedTiles() > 0;
     m_counters.late += served.isLate ? 1 : 0;
     m_counters.waited += served.isLate ? 1 : 0;
-    m_previous = need.photo;
+    m_previous = need.level.photo;
     return served;
 }
 
-std::optional<Served> ViewLoader::servePrevious(const TileNeed& need, const TilesOf& tilesOf) {
-    if (!m_previous || *m_previous == need.photo) {
+std::optional<Served> ViewLoader::servePrevious(const TileNeed& need, const NeedOf& needOf) {
+    if (!m_previous || *m_previous == need.level.photo) {
         return std::nullopt;
     }
     Served served;
     served.photo = *m_previous;
-    served.lease = m_store.acquire(*m_previous, tilesOf(*m_previous), TileStore::Missing::LeaveOut);
+    const TileNeed previous = needOf(*m_previous);
+    served.lease = m_store.acquire(previous.level, previous.tiles, TileStore::Missing::LeaveOut);
     if (!served.lease.isComplete()) {
         return std::nullopt;
     }
-    served.from = Served::From::Previous;
+    served.origin = ViewOrigin::PreviousPhoto;
     return served;
 }
 
-Served ViewLoader::serve(const TileNeed& need, LatePolicy policy, const TilesOf& tilesOf, int threads) {
+Served ViewLoader::serve(const TileNeed& need, LatePolicy policy, const NeedOf& needOf, int threads) {
     ++m_counters.views;
     if (policy == LatePolicy::Wait) {
         return wait(need, threads);
     }
     Served served;
-    served.photo = need.photo;
-    served.lease = m_store.acquire(need.photo, need.tiles, TileStore::Missing::LeaveOut);
+    served.photo = need.level.photo;
+    served.lease = m_store.acquire(need.level, need.tiles, TileStore::Missing::LeaveOut);
     if (served.lease.isComplete()) {
-        m_previous = need.photo;
+        m_previous = need.level.photo;
         return served;
     }
     if (policy == LatePolicy::Previous) {
-        if (std::optional<Served> previous = servePrevious(need, tilesOf)) {
+        if (std::optional<Served> previous = servePrevious(need, needOf)) {
             ++m_counters.late;
             ++m_counters.previous;
             previous->isLate = true;
             return std::move(*previous);
         }
     }
-    served.coarse = m_thumbnails->get(need.photo);
+    served.coarse = m_thumbnails->get(need.level.photo);
     if (!served.coarse) {
         return wait(need, threads);
     }
     ++m_counters.late;
     ++m_counters.coarse;
-    served.from = Served::From::Coarse;
+    served.origin = ViewOrigin::Thumbnail;
     served.isLate = true;
     return served;
 }

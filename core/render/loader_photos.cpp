@@ -10,7 +10,6 @@
 #include "spherewalk/jpeg/jpeg.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -40,9 +39,10 @@ LoaderPhotos::LoaderPhotos(std::shared_ptr<const Dataset> dataset, VerifyPhotos 
 
 LoaderPhotos::~LoaderPhotos() = default;
 
-EquirectSize LoaderPhotos::size(std::size_t photo) const {
-    const DatasetPhoto& entry = m_dataset->info().photos.at(photo);
-    return {entry.width, entry.height};
+EquirectSize LoaderPhotos::size(const PhotoLevel& level) const {
+    const DatasetPhoto& photo = m_dataset->info().photos.at(level.photo);
+    const auto reduced = [&](int length) { return (length + level.denominator - 1) / level.denominator; };
+    return {reduced(photo.width), reduced(photo.height)};
 }
 
 PhotoTrust LoaderPhotos::trust(std::size_t photo) const {
@@ -108,26 +108,20 @@ bool LoaderPhotos::decodesParts(std::size_t photo) {
     return opened(photo)->parts.has_value();
 }
 
-void LoaderPhotos::decode(std::size_t photo, const jpeg::PixelRect& region, const jpeg::RowSink& sink) {
-    const std::shared_ptr<const Open> open = opened(photo);
+void LoaderPhotos::decode(const PhotoLevel& level, const jpeg::PixelRect& region, const jpeg::RowSink& sink) {
+    const std::shared_ptr<const Open> open = opened(level.photo);
     if (open->parts) {
-        jpeg::RegionOptions options;
-        options.layout = jpeg::PixelLayout::Rgbx;
-        open->parts->decode(region, options, sink);
+        open->parts->decode(region, {.denominator = level.denominator, .threads = 1, .stop = {}}, sink);
         return;
     }
     Bytes bytes(open->file->sizeBytes());
     open->file->read(0, bytes);
-    const RgbImage picture = jpeg::decode(bytes, open->file->name());
-    if (picture.width() != size(photo).width || picture.height() != size(photo).height) {
-        refuseDamaged(photo);
+    const RgbImage picture = jpeg::decode(bytes, open->file->name(), level.denominator);
+    if (EquirectSize{picture.width(), picture.height()} != size(level)) {
+        refuseDamaged(level.photo);
     }
-    Bytes row(static_cast<std::size_t>(region.width) * 4, 255);
     for (int y = region.y; y < region.y + region.height; ++y) {
-        for (int x = 0; x < region.width; ++x) {
-            std::copy_n(picture.at(region.x + x, y), 3, &row[static_cast<std::size_t>(x) * 4]);
-        }
-        sink(y, row.data());
+        sink(y, picture.at(region.x, y));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "spherewalk/jpeg/region.h"
 #include "spherewalk/render/dataset.h"
+#include "spherewalk/render/renderer.h"
 
 #include <atomic>
 #include <list>
@@ -15,15 +16,6 @@
 
 namespace spherewalk::render {
 
-/// When the SHA-256 of a photo is compared with that of dataset.json. Hashing a file takes as long as
-/// decoding a view of it, so a view in a new cell need not wait for it; what it is made from before is then
-/// not verified, and trust() says so.
-enum class VerifyPhotos {
-    AtOpen,       ///< the dataset was opened with Verify::Hashes: all are verified already
-    BeforeUse,    ///< when a photo is first used; the view waits
-    InBackground, ///< by verifyNext(), some time after a photo was first used
-};
-
 enum class PhotoTrust { Unverified, Verified, Damaged };
 
 /// The photos of a dataset as a source of tiles: parts of those with restart markers, all of the others.
@@ -32,12 +24,12 @@ class LoaderPhotos : public TileSource {
     LoaderPhotos(std::shared_ptr<const Dataset> dataset, VerifyPhotos verify);
     ~LoaderPhotos() override;
 
-    EquirectSize size(std::size_t photo) const override;
+    EquirectSize size(const PhotoLevel& level) const override;
     void check(std::size_t photo) const override;
     /// Errors: as decode().
     bool decodesParts(std::size_t photo) override;
     /// Errors: NotFound, Io; Corrupt, also for every use of a photo after its hash was found to be wrong.
-    void decode(std::size_t photo, const jpeg::PixelRect& region, const jpeg::RowSink& sink) override;
+    void decode(const PhotoLevel& level, const jpeg::PixelRect& region, const jpeg::RowSink& sink) override;
 
     PhotoTrust trust(std::size_t photo) const;
 

@@ -19,11 +19,11 @@ Prefetcher::~Prefetcher() {
     m_planStop.request_stop();
 }
 
-void Prefetcher::setPlan(std::vector<TileNeed> plan) {
+void Prefetcher::setPlan(MakePlan makePlan) {
     {
         const std::scoped_lock lock(m_mutex);
         m_planStop.request_stop();
-        m_plan = std::move(plan);
+        m_makePlan = std::move(makePlan);
         m_hasNewPlan = true;
         m_isIdle = false;
     }
@@ -38,7 +38,7 @@ void Prefetcher::waitUntilIdle() {
 void Prefetcher::run(const std::stop_token& stop) {
     std::unique_lock lock(m_mutex);
     while (m_changed.wait(lock, stop, [&] { return m_hasNewPlan; })) {
-        const std::vector<TileNeed> plan = std::exchange(m_plan, {});
+        const MakePlan makePlan = std::exchange(m_makePlan, {});
         m_hasNewPlan = false;
         m_planStop = std::stop_source();
         if (stop.stop_requested()) {
@@ -46,11 +46,11 @@ void Prefetcher::run(const std::stop_token& stop) {
         }
         const std::stop_token planStop = m_planStop.get_token();
         lock.unlock();
-        for (const TileNeed& need : plan) {
+        for (const TileNeed& need : makePlan(planStop)) {
             if (planStop.stop_requested()) {
                 break;
             }
-            m_store.prefetch(need.photo, need.tiles, planStop);
+            m_store.prefetch(need.level, need.tiles, planStop);
         }
         try {
             while (m_whenIdle && !planStop.stop_requested() && m_whenIdle(planStop)) {

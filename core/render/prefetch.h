@@ -26,9 +26,12 @@ class Prefetcher {
     Prefetcher(const Prefetcher&) = delete;
     Prefetcher& operator=(const Prefetcher&) = delete;
 
-    /// Replaces what is to be decoded, in this order; what the old plan was doing is left after the block
-    /// that is being decoded.
-    void setPlan(std::vector<TileNeed> plan);
+    /// Called in the prefetcher's thread; ends early when stopped. Must not throw.
+    using MakePlan = std::function<std::vector<TileNeed>(const std::stop_token&)>;
+
+    /// Replaces what is to be decoded, in the plan's order; what the old plan was doing is left after the
+    /// block that is being decoded.
+    void setPlan(MakePlan makePlan);
 
     /// Returns when the plan, and what whenIdle does, is done.
     void waitUntilIdle();
@@ -40,7 +43,7 @@ class Prefetcher {
     std::function<bool(const std::stop_token&)> m_whenIdle;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
-    std::vector<TileNeed> m_plan;
+    MakePlan m_makePlan;
     bool m_hasNewPlan = false;
     bool m_isIdle = true;
     std::stop_source m_planStop;

@@ -40,17 +40,18 @@ Rigid3 predicted(const Rigid3& roomFromCamera, const CameraMotion& motion, doubl
 }
 
 std::vector<TileNeed> prefetchPlan(const Rigid3& roomFromCamera, const CameraMotion& motion,
-                                   const PrefetchOptions& options, const NeedOfView& needOfView) {
+                                   const PrefetchOptions& options, const std::stop_token& stop,
+                                   const NeedOfView& needOfView) {
     std::vector<TileNeed> plan;
     const int steps =
         options.stepSeconds > 0
             ? static_cast<int>(std::clamp(options.horizonSeconds / options.stepSeconds, 0.0, 1e4))
             : 0;
     int tiles = 0;
-    for (int step = 1; step <= steps; ++step) {
+    for (int step = 1; step <= steps && !stop.stop_requested(); ++step) {
         TileNeed need = needOfView(predicted(roomFromCamera, motion, step * options.stepSeconds));
         const auto found = std::find_if(plan.begin(), plan.end(),
-                                        [&](const TileNeed& planned) { return planned.photo == need.photo; });
+                                        [&](const TileNeed& planned) { return planned.level == need.level; });
         const int before = found == plan.end() ? 0 : found->tiles.count();
         if (found != plan.end()) {
             need.tiles.merge(found->tiles);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "tile_grid.h"
+#include "tile_store.h"
 
 #include "spherewalk/geometry/rigid3.h"
 
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 namespace spherewalk::render {
@@ -25,7 +27,7 @@ Rigid3 predicted(const Rigid3& roomFromCamera, const CameraMotion& motion, doubl
 
 /// Tiles of a photo that some view needs.
 struct TileNeed {
-    std::size_t photo = 0;
+    PhotoLevel level;
     TileSet tiles;
 };
 
@@ -41,8 +43,9 @@ struct PrefetchOptions {
 using NeedOfView = std::function<TileNeed(const Rigid3& roomFromCamera)>;
 
 /// What the views on the predicted path will need, soonest first; each photo stands once, where it is first
-/// needed, with all of its tiles. The same input gives the same plan.
+/// needed, with all of its tiles. The same input gives the same plan. Stop: ends it early.
 std::vector<TileNeed> prefetchPlan(const Rigid3& roomFromCamera, const CameraMotion& motion,
-                                   const PrefetchOptions& options, const NeedOfView& needOfView);
+                                   const PrefetchOptions& options, const std::stop_token& stop,
+                                   const NeedOfView& needOfView);
 
 } // namespace spherewalk::render

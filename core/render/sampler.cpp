@@ -24,11 +24,11 @@ constexpr int kGroup = RayTable::kCell; // samples side by side
 #if HWY_TARGET == HWY_SCALAR
 
 /// The same integers one at a time, for processors without SIMD; it also says what the SIMD code computes.
-void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     const int parts = cell.samplesPerAxis * cell.samplesPerAxis;
     const int weightSum = 32767 / parts;
     const int gain = (32768 - weightSum * parts) * 32768 / (weightSum * parts);
-    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PhotoPlane::kPixelBytes;
+    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const auto scaled = [](int value, int factor) { return (value * factor + (1 << 14)) >> 15; };
     for (int y = 0; y < cell.height; ++y) {
         for (int x = 0; x < cell.width; ++x) {
@@ -39,11 +39,11 @@ void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
                 const int right = ((u & 0xFFFF) * 255) >> 16;
                 const int below = ((v & 0xFFFF) * weightSum) >> 16;
                 const std::int8_t* pixel = photo.data() + (v >> kFractionBits) * stride +
-                                           (u >> kFractionBits) * PhotoPlane::kPixelBytes;
+                                           (u >> kFractionBits) * PlaneLayout::kPixelBytes;
                 for (std::size_t c = 0; c < 3; ++c) {
-                    const int upper = (255 - right) * pixel[c] + right * pixel[c + PhotoPlane::kPixelBytes];
+                    const int upper = (255 - right) * pixel[c] + right * pixel[c + PlaneLayout::kPixelBytes];
                     const std::int8_t* next = pixel + stride + c;
-                    const int lower = (255 - right) * next[0] + right * next[PhotoPlane::kPixelBytes];
+                    const int lower = (255 - right) * next[0] + right * next[PlaneLayout::kPixelBytes];
                     sum[c] += scaled(upper, weightSum - below) + scaled(lower, below);
                 }
             }
@@ -56,7 +56,7 @@ void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
     }
 }
 
-void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
     for (int y = 0; y < cell.height; ++y) {
         std::uint8_t* to = cell.out + y * cell.pitch;
         for (int x = 0; x < cell.width; ++x) {
@@ -64,7 +64,7 @@ void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
             const std::ptrdiff_t column = (cell.u[y * kGroup + x] + kHalf) >> kFractionBits;
             const std::ptrdiff_t row = (cell.v[y * kGroup + x] + kHalf) >> kFractionBits;
             const std::int8_t* pixel =
-                photo.data() + (row * photo.stride() + column) * PhotoPlane::kPixelBytes;
+                photo.data() + (row * photo.stride() + column) * PlaneLayout::kPixelBytes;
             for (int channel = 0; channel < 3; ++channel) {
                 to[3 * x + channel] = static_cast<std::uint8_t>(pixel[channel] + 128);
             }
@@ -175,7 +175,7 @@ HWY_INLINE V8 repeated(int first, int second, int step) {
     return shuffle(bytes);
 }
 
-HWY_INLINE Constants constants(const PhotoPlane& photo, int samplesPerAxis) {
+HWY_INLINE Constants constants(const PlaneView& photo, int samplesPerAxis) {
     const D16 d16;
     const DU16 du16;
     const int sum = 32767 / (samplesPerAxis * samplesPerAxis);
@@ -243,7 +243,7 @@ HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
 
 /// kParts: samples of a pixel, 0 if known only when running.
 template <int kParts>
-HWY_INLINE void sampleParts(const PhotoPlane& photo, const CellSamples& cell) {
+HWY_INLINE void sampleParts(const PlaneView& photo, const CellSamples& cell) {
     const D32 d32;
     const D16 d16;
     const DU16 du16;
@@ -252,7 +252,7 @@ HWY_INLINE void sampleParts(const PhotoPlane& photo, const CellSamples& cell) {
     const Constants c = constants(photo, cell.samplesPerAxis);
     const std::int8_t* upperRow = photo.data();
     const std::int8_t* lowerRow =
-        upperRow + static_cast<std::ptrdiff_t>(photo.stride()) * PhotoPlane::kPixelBytes;
+        upperRow + static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     for (int y = 0; y < cell.height; ++y) {
         HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
         std::uint8_t* out = cell.out + y * cell.pitch;
@@ -281,7 +281,7 @@ HWY_INLINE void sampleParts(const PhotoPlane& photo, const CellSamples& cell) {
     }
 }
 
-void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     switch (cell.samplesPerAxis) {
     case 1:
         return sampleParts<1>(photo, cell);
@@ -292,7 +292,7 @@ void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
     }
 }
 
-void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
     const D32 d32;
     const D16 d16;
     const D8 d8;
@@ -339,8 +339,8 @@ std::array<std::int32_t, 4> cubicWeights(std::int32_t step) {
     return {before, (1 << 14) - before - right - after, right, after};
 }
 
-void sampleBicubic(const PhotoPlane& photo, const CellSamples& cell) {
-    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PhotoPlane::kPixelBytes;
+void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
+    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     for (int y = 0; y < cell.height; ++y) {
         for (int x = 0; x < cell.width; ++x) {
             constexpr std::int32_t kHalfStep = 1 << (kFractionBits - 9);
@@ -349,7 +349,7 @@ void sampleBicubic(const PhotoPlane& photo, const CellSamples& cell) {
             const std::array<std::int32_t, 4> across = cubicWeights((u & 0xFFFF) >> (kFractionBits - 8));
             const std::array<std::int32_t, 4> down = cubicWeights((v & 0xFFFF) >> (kFractionBits - 8));
             const std::int8_t* row = photo.data() + ((v >> kFractionBits) - 1) * stride +
-                                     ((u >> kFractionBits) - 1) * PhotoPlane::kPixelBytes;
+                                     ((u >> kFractionBits) - 1) * PlaneLayout::kPixelBytes;
             std::array<std::int32_t, 3> sum{1 << 20, 1 << 20, 1 << 20};
             for (std::size_t j = 0; j < 4; ++j, row += stride) {
                 for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -375,7 +375,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace spherewalk::render::simd {
 
-void prefetch(const PhotoPlane& photo, const CellSamples& cell) {
+void prefetch(const PlaneView& photo, const CellSamples& cell) {
     // Of each row of samples, the lines that hold its pixels if it is not minified by more than three.
     const int n = cell.samplesPerAxis;
     for (int row = 0; row < cell.height * n; ++row) {
@@ -383,7 +383,7 @@ void prefetch(const PhotoPlane& photo, const CellSamples& cell) {
         for (const int x : {0, 7, 14}) {
             const std::ptrdiff_t column = cell.u[at + x] >> kFractionBits;
             const std::ptrdiff_t line = cell.v[at + x] >> kFractionBits;
-            hwy::Prefetch(photo.data() + (line * photo.stride() + column) * PhotoPlane::kPixelBytes);
+            hwy::Prefetch(photo.data() + (line * photo.stride() + column) * PlaneLayout::kPixelBytes);
         }
     }
 }
@@ -392,15 +392,15 @@ HWY_EXPORT(sampleBilinear);
 HWY_EXPORT(sampleNearest);
 HWY_EXPORT(sampleBicubic);
 
-void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBilinear)(photo, cell);
 }
 
-void sampleNearest(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleNearest)(photo, cell);
 }
 
-void sampleBicubic(const PhotoPlane& photo, const CellSamples& cell) {
+void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBicubic)(photo, cell);
 }
 

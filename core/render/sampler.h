@@ -20,18 +20,18 @@ struct CellSamples {
 };
 
 /// Asks for the photo's pixels that the cell will need, and does not wait for them.
-void prefetch(const PhotoPlane& photo, const CellSamples& cell);
+void prefetch(const PlaneView& photo, const CellSamples& cell);
 
 /// Each pixel is the mean of its samples, each of which is bilinear. Integer arithmetic, the same on every
 /// machine: given the coordinates, a pixel is within 1.05 grey levels of the exact value, 0.5 of them
 /// from the final rounding and 0.5 from horizontal weights being multiples of 1/255 (worst at an edge from
 /// black to white).
-void sampleBilinear(const PhotoPlane& photo, const CellSamples& cell);
+void sampleBilinear(const PlaneView& photo, const CellSamples& cell);
 
 /// The nearest pixel. Range: one sample a pixel.
-void sampleNearest(const PhotoPlane& photo, const CellSamples& cell);
+void sampleNearest(const PlaneView& photo, const CellSamples& cell);
 
 /// Catmull-Rom over sixteen pixels, weights of 14 bits at 1/256 pixel. Range: one sample a pixel.
-void sampleBicubic(const PhotoPlane& photo, const CellSamples& cell);
+void sampleBicubic(const PlaneView& photo, const CellSamples& cell);
 
 } // namespace spherewalk::render::simd

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/scene_model.h"
 
-#include "spherewalk/base/error.h"
-#include "spherewalk/base/text.h"
+#include "enum_names.h"
 
 #include <cmath>
 
 namespace spherewalk::render {
 
+namespace {
+
+constexpr EnumNames<SceneKind, 2> kNames{{{SceneKind::None, "none"}, {SceneKind::Sphere, "sphere"}}};
+
+} // namespace
+
 std::string_view name(SceneKind kind) {
-    return kind == SceneKind::None ? "none" : "sphere";
+    return nameOf(kNames, kind);
 }
 
 SceneKind sceneKind(std::string_view name) {
-    if (name == "none") {
-        return SceneKind::None;
-    }
-    if (name == "sphere") {
-        return SceneKind::Sphere;
-    }
-    throw Error(ErrorKind::InvalidInput,
-                text("The scene model \"", printable(name), "\" is unknown; there are none and sphere."));
+    return valueOf(kNames, "The scene model", name);
 }
 
 Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {

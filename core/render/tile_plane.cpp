@@ -12,60 +12,80 @@ namespace spherewalk::render {
 
 namespace {
 
-std::size_t oddLines(std::size_t bytes) {
-    constexpr std::size_t kLine = 64;
-    return ((bytes + kLine - 1) / kLine | 1) * kLine;
-}
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+constexpr int kGuard = PlaneLayout::kGuard;
 
 } // namespace
 
-SparsePlane::SparsePlane(int width, int height)
-    : m_pageBytes(static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))),
-      m_stride(oddLines(static_cast<std::size_t>(width + kApron) * 4)),
-      m_size((m_stride * static_cast<std::size_t>(height) + m_pageBytes - 1) / m_pageBytes * m_pageBytes),
-      m_holders(m_size / m_pageBytes) {
-    void* memory =
-        ::mmap(nullptr, m_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (memory == MAP_FAILED) {
-        throw Error(ErrorKind::Full, text("Could not make room for a photo of ", width, " x ", height,
-                                          " pixels; close other programs or lower the cache's budget."));
+SparsePlane::SparsePlane(const EquirectSize& size) : m_layout(size) {
+    const std::size_t bytes = m_layout.bytes();
+    const bool isHuge = bytes >= 4 * kHugePage;
+    m_unitBytes = isHuge ? kHugePage : static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const std::size_t units = (bytes + m_unitBytes - 1) / m_unitBytes;
+    m_holders.resize(units);
+    m_mappedBytes = (units + 1) * m_unitBytes; // one more, to begin at a multiple of the unit
+    m_mapped = ::mmap(nullptr, m_mappedBytes, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (m_mapped == MAP_FAILED) {
+        throw Error(ErrorKind::Full,
+                    text("Could not make room for a photo of ", size.width, " x ", size.height,
+                         " pixels; close other programs or lower the cache's budget."));
     }
-    // A huge page would hold two megabytes for the sake of one tile.
-    ::madvise(memory, m_size, MADV_NOHUGEPAGE);
-    m_pixels = static_cast<std::uint8_t*>(memory);
+    ::madvise(m_mapped, m_mappedBytes, isHuge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE); // a wish
+    const auto address = reinterpret_cast<std::uintptr_t>(m_mapped);
+    const std::uintptr_t aligned = (address + m_unitBytes - 1) / m_unitBytes * m_unitBytes;
+    m_values = static_cast<std::int8_t*>(m_mapped) + (aligned - address);
 }
 
 SparsePlane::~SparsePlane() {
-    ::munmap(m_pixels, m_size);
+    ::munmap(m_mapped, m_mappedBytes);
 }
 
+/// What the guard repeats of a rectangle lies within the rows of the rectangle and, next to a pole, in the
+/// guard's rows, all along.
 template <class Visit>
-void SparsePlane::forEachPage(const jpeg::PixelRect& pixels, Visit&& visit) const {
-    for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
-        const auto begin = static_cast<std::size_t>(at(pixels.x, y) - m_pixels);
-        const std::size_t last = (begin + static_cast<std::size_t>(pixels.width) * 4 - 1) / m_pageBytes;
-        for (std::size_t page = begin / m_pageBytes; page <= last; ++page) {
-            visit(page);
+void SparsePlane::forEachUnit(const jpeg::PixelRect& pixels, Visit&& visit) const {
+    const int width = m_layout.size().width;
+    const int height = m_layout.size().height;
+    const auto visitRun = [&](int x, int endX, int y) {
+        const std::size_t last = (m_layout.offset(endX - 1, y) + PlaneLayout::kPixelBytes - 1) / m_unitBytes;
+        for (std::size_t unit = m_layout.offset(x, y) / m_unitBytes; unit <= last; ++unit) {
+            visit(unit);
         }
+    };
+    for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {
+        visitRun(pixels.x, pixels.x + pixels.width, y);
+        if (pixels.x < kGuard) {
+            visitRun(width, width + kGuard, y);
+        }
+        if (pixels.x + pixels.width > width - kGuard) {
+            visitRun(-kGuard, 0, y);
+        }
+    }
+    for (int i = 1; i <= kGuard && pixels.y < kGuard; ++i) {
+        visitRun(-kGuard, width + kGuard, -i);
+    }
+    for (int i = 0; i < kGuard && pixels.y + pixels.height > height - kGuard; ++i) {
+        visitRun(-kGuard, width + kGuard, height + i);
     }
 }
 
 void SparsePlane::occupy(const jpeg::PixelRect& pixels) {
-    forEachPage(pixels, [&](std::size_t page) { m_held += m_holders[page]++ == 0 ? 1 : 0; });
+    forEachUnit(pixels, [&](std::size_t unit) { m_held += m_holders[unit]++ == 0 ? 1 : 0; });
 }
 
 void SparsePlane::vacate(std::span<const jpeg::PixelRect> pixels) {
     std::vector<std::size_t> free;
     for (const jpeg::PixelRect& rectangle : pixels) {
-        forEachPage(rectangle, [&](std::size_t page) {
-            if (--m_holders[page] == 0) {
-                free.push_back(page);
+        forEachUnit(rectangle, [&](std::size_t unit) {
+            if (--m_holders[unit] == 0) {
+                free.push_back(unit);
             }
         });
     }
     m_held -= free.size();
     std::sort(free.begin(), free.end());
-    // Neighbouring pages go back in one call.
+    // Neighbours go back in one call.
     for (std::size_t i = 0; i < free.size();) {
         std::size_t end = i + 1;
         while (end < free.size() && free[end] == free[end - 1] + 1) {
@@ -76,9 +96,8 @@ void SparsePlane::vacate(std::span<const jpeg::PixelRect> pixels) {
     }
 }
 
-void SparsePlane::release(std::size_t firstPage, std::size_t endPage) {
-    if (::madvise(m_pixels + firstPage * m_pageBytes, (endPage - firstPage) * m_pageBytes, MADV_DONTNEED) !=
-        0) {
+void SparsePlane::release(std::size_t first, std::size_t end) {
+    if (::madvise(m_values + first * m_unitBytes, (end - first) * m_unitBytes, MADV_DONTNEED) != 0) {
         throw Error(ErrorKind::Internal, "The system did not take back the memory of decoded tiles.");
     }
 }

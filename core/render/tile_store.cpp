@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <utility>
 
 namespace spherewalk::render {
@@ -41,23 +40,12 @@ struct TileStore::Photo {
         Recency::iterator place; ///< of a resident one
     };
 
-    Photo(std::size_t photo, const EquirectSize& size)
-        : number(photo),
-          grid(size),
-          plane(size.width, size.height),
-          tiles(static_cast<std::size_t>(grid.count())) {}
+    Photo(const PhotoLevel& photoLevel, const EquirectSize& size)
+        : level(photoLevel), grid(size), plane(size), tiles(static_cast<std::size_t>(grid.count())) {}
 
     Tile& tile(int i) { return tiles[static_cast<std::size_t>(i)]; }
 
-    std::vector<jpeg::PixelRect> pixelsOf(int i) const {
-        const jpeg::PixelRect own = grid.pixels(i);
-        if (own.x > 0) {
-            return {own};
-        }
-        return {own, {grid.photo().width, own.y, std::min(SparsePlane::kApron, own.width), own.height}};
-    }
-
-    std::size_t number;
+    PhotoLevel level;
     TileGrid grid;
     SparsePlane plane;
     std::vector<Tile> tiles;
@@ -71,24 +59,19 @@ TileStore::TileStore(std::shared_ptr<TileSource> source, std::uint64_t budgetByt
 
 TileStore::~TileStore() = default;
 
-std::shared_ptr<TileStore::Photo> TileStore::opened(std::size_t photo) {
-    std::shared_ptr<Photo>& entry = m_photos[photo];
-    if (!entry) {
-        try {
-            entry = std::make_shared<Photo>(photo, m_source->size(photo));
-        } catch (...) { // an entry without a photo must not stay
-            m_photos.erase(photo);
-            throw;
-        }
+std::shared_ptr<TileStore::Photo> TileStore::opened(const PhotoLevel& level) {
+    const auto found = m_photos.find(level);
+    if (found != m_photos.end()) {
+        return found->second;
     }
-    return entry;
+    return m_photos.emplace(level, std::make_shared<Photo>(level, m_source->size(level))).first->second;
 }
 
-TileLease TileStore::acquire(std::size_t photo, const TileSet& tiles, Missing missing, int threads) {
-    m_source->check(photo);
+TileLease TileStore::acquire(const PhotoLevel& level, const TileSet& tiles, Missing missing, int threads) {
+    m_source->check(level.photo);
     Lock lock(m_mutex);
     TileLease lease;
-    lease.m_photo = opened(photo);
+    lease.m_photo = opened(level);
     Photo& entry = *lease.m_photo;
     lease.m_store = this;
     lease.m_held = tiles;
@@ -120,7 +103,7 @@ TileLease TileStore::acquire(std::size_t photo, const TileSet& tiles, Missing mi
     ++m_views;
     const int workers = threads > 0 ? threads : hardwareThreads();
     try {
-        load(entry, lease.m_missing, workers, kRowsByThreads, lock);
+        lease.m_isWholeDecode = load(entry, lease.m_missing, workers, kRowsByThreads, lock);
     } catch (...) { // only counted back; the lease lets go of the tiles, and needs the mutex
         --m_views;
         m_changed.notify_all();
@@ -129,14 +112,15 @@ TileLease TileStore::acquire(std::size_t photo, const TileSet& tiles, Missing mi
     }
     --m_views;
     m_changed.notify_all();
-    m_counters.decodedTiles += static_cast<std::uint64_t>(lease.m_missing.count());
+    lease.m_waitedTiles = lease.m_missing.count();
+    m_counters.decodedTiles += static_cast<std::uint64_t>(lease.m_waitedTiles);
     lease.m_missing = TileSet(tiles.grid());
     lease.m_waitedMs = millisecondsSince(begin);
     m_counters.decodeMs += lease.m_waitedMs;
     return lease;
 }
 
-void TileStore::prefetch(std::size_t photo, const TileSet& tiles, const std::stop_token& stop) {
+void TileStore::prefetch(const PhotoLevel& level, const TileSet& tiles, const std::stop_token& stop) {
     for (const TileBlock& block : blocksOf(tiles, kBackgroundRows)) {
         Lock lock(m_mutex);
         m_changed.wait(lock, stop, [&] { return m_views == 0; });
@@ -144,7 +128,7 @@ void TileStore::prefetch(std::size_t photo, const TileSet& tiles, const std::sto
             return;
         }
         try {
-            prefetchBlock(photo, tiles, block, lock);
+            prefetchBlock(level, tiles, block, lock);
         } catch (const Error&) {
             ++m_counters.prefetchErrors;
             return;
@@ -152,8 +136,9 @@ void TileStore::prefetch(std::size_t photo, const TileSet& tiles, const std::sto
     }
 }
 
-void TileStore::prefetchBlock(std::size_t photo, const TileSet& tiles, const TileBlock& block, Lock& lock) {
-    const std::shared_ptr<Photo> entry = opened(photo);
+void TileStore::prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block,
+                              Lock& lock) {
+    const std::shared_ptr<Photo> entry = opened(level);
     TileSet absent(tiles.grid());
     for (int row = block.row; row < block.endRow; ++row) {
         for (int column = block.column; column < block.endColumn; ++column) {
@@ -185,16 +170,17 @@ void TileStore::prefetchBlock(std::size_t photo, const TileSet& tiles, const Til
 }
 
 /// Returns when all of the tiles are resident: decodes those that nobody decodes, and waits for the others.
-void TileStore::load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock) {
+bool TileStore::load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock) {
     lock.unlock();
     bool isWhole = false;
     try {
-        isWhole = !m_source->decodesParts(photo.number); // may open a file
-    } catch (...) {                                      // the caller expects the lock
+        isWhole = !m_source->decodesParts(photo.level.photo); // may open a file
+    } catch (...) {                                           // the caller expects the lock
         lock.lock();
         throw;
     }
     lock.lock();
+    bool hasDecodedWhole = false;
     for (;;) {
         TileSet own(photo.grid);
         bool othersDecode = false;
@@ -210,7 +196,7 @@ void TileStore::load(Photo& photo, const TileSet& tiles, int threads, int maxRow
         tiles.forEach(
             [&](int i) { isComplete = isComplete && photo.tile(i).state == Photo::State::Resident; });
         if (isComplete) {
-            return;
+            return hasDecodedWhole;
         }
         if (own.empty()) {
             m_changed.wait(lock);
@@ -219,9 +205,7 @@ void TileStore::load(Photo& photo, const TileSet& tiles, int threads, int maxRow
         own.forEach([&](int i) {
             photo.tile(i).state = Photo::State::Decoding;
             const std::uint64_t before = photo.plane.residentBytes();
-            for (const jpeg::PixelRect& pixels : photo.pixelsOf(i)) {
-                photo.plane.occupy(pixels);
-            }
+            photo.plane.occupy(photo.grid.pixels(i));
             m_residentBytes += photo.plane.residentBytes() - before;
         });
         ++photo.users;
@@ -240,6 +224,8 @@ void TileStore::load(Photo& photo, const TileSet& tiles, int threads, int maxRow
             m_changed.notify_all();
             std::rethrow_exception(failure);
         }
+        hasDecodedWhole = isWhole;
+        m_counters.wholeDecodes += isWhole ? 1 : 0;
         m_changed.notify_all();
     }
 }
@@ -266,20 +252,14 @@ void TileStore::decodeBlocks(Photo& photo, const TileSet& own, int threads, int 
 
 void TileStore::decodeBlock(Photo& photo, const TileSet& own, const TileBlock& block) {
     const jpeg::PixelRect region = photo.grid.pixels(block.column, block.row, block.endColumn, block.endRow);
-    const int width = photo.grid.photo().width;
-    m_source->decode(photo.number, region, [&](int y, const std::uint8_t* row) {
+    m_source->decode(photo.level, region, [&](int y, const std::uint8_t* row) {
         const int base = y / TileGrid::kTileHeight * photo.grid.columns();
         for (int column = block.column; column < block.endColumn; ++column) {
-            if (!own.contains(base + column)) {
-                continue;
-            }
-            const int x = column * TileGrid::kTileWidth;
-            const auto count = static_cast<std::size_t>(std::min(TileGrid::kTileWidth, width - x));
-            const std::uint8_t* from = row + static_cast<std::size_t>(x - region.x) * 4;
-            std::memcpy(photo.plane.at(x, y), from, count * 4);
-            if (x == 0) {
-                std::memcpy(photo.plane.at(width, y), from,
-                            std::min<std::size_t>(SparsePlane::kApron, count) * 4);
+            if (own.contains(base + column)) {
+                const jpeg::PixelRect tile = photo.grid.pixels(base + column);
+                photo.plane.write(tile.x, y,
+                                  {row + std::ptrdiff_t{3} * (tile.x - region.x),
+                                   static_cast<std::size_t>(tile.width) * PlaneLayout::kPixelBytes});
             }
         }
     });
@@ -309,9 +289,7 @@ void TileStore::giveUp(Photo& photo, const TileSet& own) {
         Photo::Tile& tile = photo.tile(i);
         if (tile.state == Photo::State::Decoding) {
             tile.state = Photo::State::Absent;
-            for (const jpeg::PixelRect& pixels : photo.pixelsOf(i)) {
-                freed.push_back(pixels);
-            }
+            freed.push_back(photo.grid.pixels(i));
         }
     });
     const std::uint64_t before = photo.plane.residentBytes();
@@ -345,11 +323,10 @@ void TileStore::dropBeyondBudget() {
             photo->tile(i).state = Photo::State::Absent;
             --photo->resident;
             ++m_counters.droppedTiles;
-            for (const jpeg::PixelRect& pixels : photo->pixelsOf(i)) {
-                freed.push_back(pixels);
-                expected +=
-                    static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height) * 4;
-            }
+            const jpeg::PixelRect pixels = photo->grid.pixels(i);
+            freed.push_back(pixels);
+            expected += static_cast<std::uint64_t>(pixels.width) * static_cast<std::uint64_t>(pixels.height) *
+                        PlaneLayout::kPixelBytes;
             place = m_recency.erase(candidate);
         }
         if (photo == nullptr) {
@@ -358,7 +335,7 @@ void TileStore::dropBeyondBudget() {
         const std::uint64_t before = photo->plane.residentBytes();
         if (photo->resident == 0 && photo->users == 0) {
             m_residentBytes -= before;
-            m_photos.erase(photo->number); // all of its memory at once
+            m_photos.erase(photo->level); // all of its memory at once
         } else {
             photo->plane.vacate(freed);
             m_residentBytes -= before - photo->plane.residentBytes();
@@ -369,7 +346,7 @@ void TileStore::dropBeyondBudget() {
 void TileStore::dropPhoto(Photo& photo) {
     if (photo.resident == 0 && photo.users == 0) {
         m_residentBytes -= photo.plane.residentBytes();
-        m_photos.erase(photo.number);
+        m_photos.erase(photo.level);
     }
 }
 
@@ -381,9 +358,9 @@ void TileStore::release(Photo& photo, const TileSet& held) {
     dropBeyondBudget();
 }
 
-TileCounters TileStore::counters() const {
+LoadCounters TileStore::counters() const {
     const std::scoped_lock lock(m_mutex);
-    TileCounters result = m_counters;
+    LoadCounters result = m_counters;
     result.residentBytes = m_residentBytes;
     return result;
 }
@@ -406,7 +383,9 @@ TileLease::TileLease(TileLease&& other) noexcept
       m_photo(std::move(other.m_photo)),
       m_held(std::move(other.m_held)),
       m_missing(std::move(other.m_missing)),
-      m_waitedMs(other.m_waitedMs) {
+      m_waitedMs(other.m_waitedMs),
+      m_waitedTiles(other.m_waitedTiles),
+      m_isWholeDecode(other.m_isWholeDecode) {
 }
 
 TileLease& TileLease::operator=(TileLease&& other) noexcept {
@@ -416,6 +395,8 @@ TileLease& TileLease::operator=(TileLease&& other) noexcept {
     std::swap(m_held, taken.m_held);
     std::swap(m_missing, taken.m_missing);
     std::swap(m_waitedMs, taken.m_waitedMs);
+    std::swap(m_waitedTiles, taken.m_waitedTiles);
+    std::swap(m_isWholeDecode, taken.m_isWholeDecode);
     return *this;
 }
 
@@ -425,8 +406,8 @@ TileLease::~TileLease() {
     }
 }
 
-PhotoPlane TileLease::plane() const {
-    return {m_photo->plane.at(0, 0), m_photo->plane.strideBytes(), m_photo->grid.photo()};
+PlaneView TileLease::plane() const {
+    return m_photo->plane.view();
 }
 
 } // namespace spherewalk::render

@@ -4,6 +4,9 @@
 #include "tile_grid.h"
 #include "tile_plane.h"
 
+#include "spherewalk/render/load_counters.h"
+
+#include <compare>
 #include <condition_variable>
 #include <cstdint>
 #include <list>
@@ -15,40 +18,26 @@
 
 namespace spherewalk::render {
 
+/// A photo as its JPEG has it, or reduced while decoding by 2, 4 or 8.
+struct PhotoLevel {
+    std::size_t photo = 0;
+    int denominator = 1;
+    auto operator<=>(const PhotoLevel&) const = default;
+};
+
 /// Where the store's pixels come from. Threads: all functions may be called from any, at a time.
 class TileSource {
   public:
     virtual ~TileSource() = default;
-    virtual EquirectSize size(std::size_t photo) const = 0;
+    virtual EquirectSize size(const PhotoLevel& level) const = 0;
     /// Called for every request, also for tiles that are there. Errors: those of a photo that has been found
     /// to be damaged.
     virtual void check(std::size_t photo) const = 0;
     /// False for a photo that can only be decoded whole; decode() is then asked for all of it.
     virtual bool decodesParts(std::size_t photo) = 0;
-    /// Gives the rows of the region as RGBX. Errors: any Error; the tiles then stay absent.
-    virtual void decode(std::size_t photo, const jpeg::PixelRect& region, const jpeg::RowSink& sink) = 0;
-};
-
-/// A photo's pixels as a sampler reads them: RGBX rows, and behind each row SparsePlane::kApron pixels that
-/// repeat its beginning.
-struct PhotoPlane {
-    const std::uint8_t* pixels = nullptr;
-    std::size_t strideBytes = 0;
-    EquirectSize size;
-};
-
-/// Since the store was made.
-struct TileCounters {
-    std::uint64_t hits = 0;         ///< requests all of whose tiles were there
-    std::uint64_t late = 0;         ///< the other ones
-    std::uint64_t waits = 0;        ///< late ones that waited
-    std::uint64_t decodedTiles = 0; ///< for a request that waited
-    std::uint64_t prefetchedTiles = 0;
-    std::uint64_t droppedTiles = 0;
-    std::uint64_t prefetchErrors = 0; ///< told again, as an Error, to the request that needs the tile
-    double decodeMs = 0;              ///< for requests that waited, the waiting for others included
-    double prefetchMs = 0;
-    std::uint64_t residentBytes = 0;
+    /// Gives the rows of the region, three bytes a pixel. Errors: any Error; the tiles then stay absent.
+    virtual void decode(const PhotoLevel& level, const jpeg::PixelRect& region,
+                        const jpeg::RowSink& sink) = 0;
 };
 
 class TileLease;
@@ -71,11 +60,11 @@ class TileStore {
 
     /// The tiles, held until the lease ends. threads: for decoding, 0 for all of the machine. Errors: those
     /// of the source.
-    TileLease acquire(std::size_t photo, const TileSet& tiles, Missing missing, int threads = 0);
+    TileLease acquire(const PhotoLevel& level, const TileSet& tiles, Missing missing, int threads = 0);
 
     /// Decodes what is not there, block by block, giving way between blocks to every request that waits and
     /// every view that is being made. Returns early when stopped. Errors: none; they are counted.
-    void prefetch(std::size_t photo, const TileSet& tiles, const std::stop_token& stop);
+    void prefetch(const PhotoLevel& level, const TileSet& tiles, const std::stop_token& stop);
 
     /// While one of these lives, prefetch() begins no block.
     class ViewInProgress {
@@ -89,11 +78,11 @@ class TileStore {
         TileStore& m_store;
     };
 
-    TileGrid grid(std::size_t photo) const { return TileGrid(m_source->size(photo)); }
+    TileGrid grid(const PhotoLevel& level) const { return TileGrid(m_source->size(level)); }
 
     std::uint64_t budgetBytes() const { return m_budgetBytes; }
 
-    TileCounters counters() const;
+    LoadCounters counters() const;
 
   private:
     friend class TileLease;
@@ -101,9 +90,10 @@ class TileStore {
     using Lock = std::unique_lock<std::mutex>;
     using Recency = std::list<std::pair<Photo*, int>>;
 
-    std::shared_ptr<Photo> opened(std::size_t photo);
-    void prefetchBlock(std::size_t photo, const TileSet& tiles, const TileBlock& block, Lock& lock);
-    void load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock);
+    std::shared_ptr<Photo> opened(const PhotoLevel& level);
+    void prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block, Lock& lock);
+    /// Whether all of the photo was decoded.
+    bool load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock);
     void decodeBlocks(Photo& photo, const TileSet& own, int threads, int maxRows);
     void decodeBlock(Photo& photo, const TileSet& own, const TileBlock& block);
     void finish(Photo& photo, const TileSet& own, const TileBlock& block);
@@ -116,11 +106,11 @@ class TileStore {
     std::uint64_t m_budgetBytes;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_changed;
-    std::map<std::size_t, std::shared_ptr<Photo>> m_photos;
+    std::map<PhotoLevel, std::shared_ptr<Photo>> m_photos;
     Recency m_recency; ///< resident tiles, most recently used first
     int m_views = 0;
     std::uint64_t m_residentBytes = 0;
-    TileCounters m_counters;
+    LoadCounters m_counters;
 };
 
 /// Tiles in use. Owner: the store must outlive it.
@@ -137,9 +127,16 @@ class TileLease {
     const TileSet& missing() const { return m_missing; }
 
     /// Valid while the lease lives; pixels outside of its tiles are anything. Range: not a default lease.
-    PhotoPlane plane() const;
+    PlaneView plane() const;
 
+    /// How long the request waited for tiles to be decoded.
     double waitedMs() const { return m_waitedMs; }
+
+    /// Tiles that it waited for.
+    int waitedTiles() const { return m_waitedTiles; }
+
+    /// Whether all of the photo was decoded for it.
+    bool isWholeDecode() const { return m_isWholeDecode; }
 
   private:
     friend class TileStore;
@@ -149,6 +146,8 @@ class TileLease {
     TileSet m_held;
     TileSet m_missing;
     double m_waitedMs = 0;
+    int m_waitedTiles = 0;
+    bool m_isWholeDecode = false;
 };
 
 } // namespace spherewalk::render

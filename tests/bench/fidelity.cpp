@@ -65,7 +65,8 @@ std::vector<Fidelity> fidelity(const Source& source, const CameraModel& camera, 
             const Sampling sampling = kRungs[rung];
             const render::RayTable rays(
                 camera, samplesPerAxis(sampling, render::minification(camera, source.picture.width())));
-            const render::PhotoPlane& plane = sampling == Sampling::Reduced ? source.half : source.plane;
+            const render::PlaneView plane =
+                (sampling == Sampling::Reduced ? source.half : source.plane).view();
             renderView(rays, pose, {plane, {}}, sampling, pool, 0, workspace, picture);
             const double db = psnrDb(expected, picture);
             result[rung].meanDb += db / directions;

@@ -113,7 +113,8 @@ class Views {
     const CameraModel& camera() const { return m_camera; }
 
     const RgbImage& ours(Sampling sampling, int threads, int run) {
-        const render::PhotoPlane& plane = sampling == Sampling::Reduced ? m_source.half : m_source.plane;
+        const render::PlaneView plane =
+            (sampling == Sampling::Reduced ? m_source.half : m_source.plane).view();
         renderView(sampling == Sampling::Footprint ? m_several : m_single, poseOf(run, m_setting.pitchDeg),
                    {plane, {}, render::SceneKind::Sphere, kRadiusM}, sampling, m_pool, threads, m_workspace,
                    m_view);
@@ -262,7 +263,7 @@ int run(const std::vector<std::string>& arguments) {
     }
     RgbImage picture = photo.empty() ? detailedPanorama() : jpeg::decode(readFile(photo, 1 << 28), photo);
     render::PhotoPlane plane(picture);
-    render::PhotoPlane half = plane.halved();
+    render::PhotoPlane half(jpeg::decode(jpeg::encode(picture, 98), "picture", 2));
     const Source source{std::move(picture), std::move(plane), std::move(half)};
     cv::setNumThreads(1);
     std::printf("%d x %d views of %s, %d x %d; build %s, %d processors, SIMD %s, OpenCV %s with one thread; "

@@ -98,19 +98,16 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(1, 4, 5, 16, 24, 32, 65535)),
     caseName);
 
-TEST(RegionDecoder, GivesRgbxWithTheSamePixels) {
+TEST(RegionDecoder, GivesEachRowOnce) {
     const Bytes marked = jpeg::withRestartMarkers(jpeg::encode(test::madePicture(200, 90), 90), 4, "a.jpg");
     const RgbImage whole = jpeg::decode(marked, "a.jpg");
     const PixelRect region{33, 21, 101, 50};
     jpeg::RegionOptions options;
-    options.layout = jpeg::PixelLayout::Rgbx;
+    options.threads = 3;
     std::vector<int> seen(50);
     decoderOf(marked).decode(region, options, [&](int y, const std::uint8_t* pixels) {
         ++seen[static_cast<std::size_t>(y - region.y)];
-        for (int x = 0; x < region.width; ++x) {
-            ASSERT_TRUE(std::equal(pixels + 4 * x, pixels + 4 * x + 3, whole.at(region.x + x, y)));
-            ASSERT_EQ(pixels[4 * x + 3], 255);
-        }
+        EXPECT_TRUE(std::equal(pixels, pixels + 3 * region.width, whole.at(region.x, y)));
     });
     EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int count) { return count == 1; }));
 }

@@ -70,7 +70,7 @@ Scene randomScene(test::Random& random) {
             random.integer(0, 1) == 0 ? SceneKind::None : SceneKind::Sphere};
 }
 
-RgbImage rendered(const Scene& scene, const PhotoPlane& plane, Sampling sampling, int threads,
+RgbImage rendered(const Scene& scene, const PlaneView& plane, Sampling sampling, int threads,
                   WorkerPool& pool) {
     const int n = samplesPerAxis(sampling, minification(scene.camera, plane.size().width));
     const RayTable rays(scene.camera, n);
@@ -86,7 +86,7 @@ double catmullRom(double x) {
     return x < 1 ? 1 - x * x * (2.5 - 1.5 * x) : x < 2 ? 2 - x * (4 - x * (2.5 - 0.5 * x)) : 0;
 }
 
-Vector3d bicubic(const PhotoPlane& plane, const Vector2d& at) {
+Vector3d bicubic(const PlaneView& plane, const Vector2d& at) {
     const int x = static_cast<int>(std::floor(at.x()));
     const int y = static_cast<int>(std::floor(at.y()));
     Vector3d sum = Vector3d::Zero();
@@ -117,7 +117,8 @@ void forEachTarget(Body&& body) {
 
 TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
     test::Random random(71);
-    const PhotoPlane plane(noise(512, 72));
+    const PhotoPlane photo(noise(512, 72));
+    const PlaneView plane = photo.view();
     std::vector<Scene> scenes;
     std::vector<RgbImage> expected;
     WorkerPool pool(4);
@@ -145,7 +146,8 @@ TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
 TEST(FastView, IsTheExactBilinearView) {
     test::Random random(73);
     const RgbImage picture = noise(512, 74);
-    const PhotoPlane plane(picture);
+    const PhotoPlane photo(picture);
+    const PlaneView plane = photo.view();
     WorkerPool pool(2);
     double worst = 0;
     double sum = 0;
@@ -174,7 +176,8 @@ TEST(FastView, IsTheExactBilinearView) {
 
 TEST(FastView, IsTheExactBicubicView) {
     test::Random random(75);
-    const PhotoPlane plane(smooth(512));
+    const PhotoPlane photo(smooth(512));
+    const PlaneView plane = photo.view();
     WorkerPool pool(2);
     for (int i = 0; i < 30; ++i) {
         const Scene scene = randomScene(random);
@@ -194,8 +197,9 @@ TEST(FastView, IsTheExactBicubicView) {
 }
 
 TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
-    const PhotoPlane plane(smooth(1024));
-    const PhotoPlane half = plane.halved();
+    const PhotoPlane photo(smooth(1024));
+    const PlaneView plane = photo.view();
+    const PhotoPlane half(smooth(512));
     const CameraModel camera(CameraIntrinsics::pinhole(80, 60, 1.2));
     WorkerPool pool(2);
     for (int pitch = -90; pitch <= 90; pitch += 15) {
@@ -205,7 +209,7 @@ TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
             for (const Sampling sampling : kAll) {
                 const RgbImage view =
                     rendered({camera, pose, Rigid3{}, SceneKind::None},
-                             sampling == Sampling::Reduced ? half : plane, sampling, 0, pool);
+                             sampling == Sampling::Reduced ? half.view() : plane, sampling, 0, pool);
                 for (int y = 0; y < 60; ++y) {
                     for (int x = 0; x < 80; ++x) {
                         const Vector3d d = pose.rotation * *camera.ray(Vector2d(x, y));
@@ -222,7 +226,8 @@ TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
 }
 
 TEST(FastView, NeedsTheRaysOfItsSampling) {
-    const PhotoPlane plane(smooth(64));
+    const PhotoPlane photo(smooth(64));
+    const PlaneView plane = photo.view();
     const CameraModel camera(CameraIntrinsics::pinhole(8, 8, 1));
     WorkerPool pool(1);
     Workspace workspace;

@@ -85,8 +85,8 @@ class Reference {
 
 /// The angle between where fast coordinates point and the reference, in photo pixels at the equator.
 double errorPx(std::int32_t u, std::int32_t v, const Vector3r& expected) {
-    const Real x = Real(u) / 65536 - Real(PhotoPlane::kGuard) - Real(kRoundingU);
-    const Real y = Real(v) / 65536 - Real(PhotoPlane::kGuard);
+    const Real x = Real(u) / 65536 - Real(PlaneLayout::kGuard) - Real(kRoundingU);
+    const Real y = Real(v) / 65536 - Real(PlaneLayout::kGuard);
     const Real azimuth = kPi - 2 * kPi * (x + Real(0.5)) / kPhoto.width;
     const Real elevation = kPi / 2 - kPi * (y + Real(0.5)) / kPhoto.height;
     const Vector3r found(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),

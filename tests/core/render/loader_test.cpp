@@ -64,15 +64,15 @@ TEST_F(Loading, GivesTheBytesOfAWholeDecodeWithAndWithoutMarkers) {
     for (const std::size_t photo : {0, 1, 2}) {
         const RgbImage whole = jpeg::decode(dataset->readPhoto(photo), "a");
         for (const int i : {5, 0, 15, 6}) {
-            const TileLease lease = store.acquire(photo, tile(i), TileStore::Missing::Decode);
+            const TileLease lease = store.acquire({photo}, tile(i), TileStore::Missing::Decode);
+            const PhotoPlane expected(whole);
             const jpeg::PixelRect own = grid.pixels(i);
             for (int y = own.y; y < own.y + own.height; ++y) {
                 for (int x = own.x; x < own.x + own.width; ++x) {
-                    const std::uint8_t* pixel = lease.plane().pixels +
-                                                static_cast<std::size_t>(y) * lease.plane().strideBytes +
-                                                static_cast<std::size_t>(x) * 4;
-                    ASSERT_TRUE(std::equal(pixel, pixel + 3, whole.at(x, y))) << x << ", " << y;
-                    ASSERT_EQ(pixel[3], 255);
+                    for (int c = 0; c < 3; ++c) {
+                        ASSERT_EQ(lease.plane().stored(x, y, c), expected.view().stored(x, y, c))
+                            << x << ", " << y;
+                    }
                 }
             }
         }
@@ -96,8 +96,8 @@ TEST_F(Loading, VerifiesInBackgroundAndRefusesWhatItServedBefore) {
     const auto photos = std::make_shared<LoaderPhotos>(dataset, VerifyPhotos::InBackground);
     TileStore store(photos, 100 << 20);
     EXPECT_FALSE(photos->verifyNext({}));
-    store.acquire(0, tile(0), TileStore::Missing::Decode);
-    store.acquire(1, tile(0), TileStore::Missing::Decode);
+    store.acquire({0}, tile(0), TileStore::Missing::Decode);
+    store.acquire({1}, tile(0), TileStore::Missing::Decode);
     EXPECT_EQ(photos->trust(0), PhotoTrust::Unverified);
     EXPECT_TRUE(photos->verifyNext({}));
     EXPECT_TRUE(photos->verifyNext({}));
@@ -105,10 +105,10 @@ TEST_F(Loading, VerifiesInBackgroundAndRefusesWhatItServedBefore) {
     EXPECT_EQ(photos->trust(0), PhotoTrust::Damaged);
     EXPECT_EQ(photos->trust(1), PhotoTrust::Verified);
     test::expectError(ErrorKind::Corrupt, "was changed after the export",
-                      [&] { store.acquire(0, tile(0), TileStore::Missing::Decode); });
+                      [&] { store.acquire({0}, tile(0), TileStore::Missing::Decode); });
     std::stop_source stop;
     stop.request_stop();
-    store.acquire(2, tile(0), TileStore::Missing::Decode);
+    store.acquire({2}, tile(0), TileStore::Missing::Decode);
     test::expectError(ErrorKind::Stopped, "", [&] { photos->verifyNext(stop.get_token()); });
     EXPECT_EQ(photos->trust(2), PhotoTrust::Unverified);
 }
@@ -130,43 +130,43 @@ class Policies : public Loading {
     TileSet all = TileSet::all(grid);
     TileStore store{std::make_shared<LoaderPhotos>(dataset, VerifyPhotos::AtOpen), 100 << 20};
     ViewLoader loader{store, std::make_shared<Thumbnails>(dataset)};
-    ViewLoader::TilesOf tilesOf = [this](std::size_t) { return tile(3); };
+    ViewLoader::NeedOf needOf = [this](std::size_t photo) { return TileNeed{{photo}, tile(3)}; };
 };
 
 TEST_F(Policies, WaitGivesTheTilesAndSaysHowLong) {
-    const Served late = loader.serve({0, all}, LatePolicy::Wait, tilesOf);
-    EXPECT_EQ(late.from, Served::From::Tiles);
+    const Served late = loader.serve({{0}, all}, LatePolicy::Wait, needOf);
+    EXPECT_EQ(late.origin, ViewOrigin::Photo);
     EXPECT_TRUE(late.isLate);
-    EXPECT_GT(late.waitedMs, 0);
-    const Served there = loader.serve({0, all}, LatePolicy::Wait, tilesOf);
+    EXPECT_GT(late.lease.waitedMs(), 0);
+    const Served there = loader.serve({{0}, all}, LatePolicy::Wait, needOf);
     EXPECT_FALSE(there.isLate);
     EXPECT_EQ(loader.counters().waited, 1U);
     EXPECT_EQ(loader.counters().views, 2U);
 }
 
 TEST_F(Policies, CoarseGivesTheThumbnailUntilTheTilesAreThere) {
-    const Served late = loader.serve({0, all}, LatePolicy::Coarse, tilesOf);
-    EXPECT_EQ(late.from, Served::From::Coarse);
+    const Served late = loader.serve({{0}, all}, LatePolicy::Coarse, needOf);
+    EXPECT_EQ(late.origin, ViewOrigin::Thumbnail);
     ASSERT_TRUE(late.coarse);
-    EXPECT_EQ(late.coarse->width(), 64);
+    EXPECT_EQ(late.coarse->view().size().width, 64);
     EXPECT_TRUE(late.isLate);
-    store.prefetch(0, all, {});
-    EXPECT_EQ(loader.serve({0, all}, LatePolicy::Coarse, tilesOf).from, Served::From::Tiles);
+    store.prefetch({0}, all, {});
+    EXPECT_EQ(loader.serve({{0}, all}, LatePolicy::Coarse, needOf).origin, ViewOrigin::Photo);
     EXPECT_EQ(loader.counters().coarse, 1U);
     EXPECT_EQ(loader.counters().late, 1U);
 }
 
 TEST_F(Policies, CoarseWithoutAThumbnailWaits) {
-    const Served late = loader.serve({1, all}, LatePolicy::Coarse, tilesOf);
-    EXPECT_EQ(late.from, Served::From::Tiles);
+    const Served late = loader.serve({{1}, all}, LatePolicy::Coarse, needOf);
+    EXPECT_EQ(late.origin, ViewOrigin::Photo);
     EXPECT_TRUE(late.isLate);
     EXPECT_TRUE(late.lease.isComplete());
 }
 
 TEST_F(Policies, PreviousGivesThePhotoBeforeWhereItsTilesAreThere) {
-    loader.serve({1, all}, LatePolicy::Wait, tilesOf);
-    const Served late = loader.serve({0, all}, LatePolicy::Previous, tilesOf);
-    EXPECT_EQ(late.from, Served::From::Previous);
+    loader.serve({{1}, all}, LatePolicy::Wait, needOf);
+    const Served late = loader.serve({{0}, all}, LatePolicy::Previous, needOf);
+    EXPECT_EQ(late.origin, ViewOrigin::PreviousPhoto);
     EXPECT_EQ(late.photo, 1U);
     EXPECT_TRUE(late.lease.isComplete());
     EXPECT_TRUE(late.isLate);
@@ -174,7 +174,7 @@ TEST_F(Policies, PreviousGivesThePhotoBeforeWhereItsTilesAreThere) {
 }
 
 TEST_F(Policies, PreviousAtTheStartIsCoarse) {
-    EXPECT_EQ(loader.serve({0, all}, LatePolicy::Previous, tilesOf).from, Served::From::Coarse);
+    EXPECT_EQ(loader.serve({{0}, all}, LatePolicy::Previous, needOf).origin, ViewOrigin::Thumbnail);
 }
 
 } // namespace

@@ -23,22 +23,23 @@ class MadeTiles : public render::TileSource {
                                          static_cast<std::size_t>(channel) * 101);
     }
 
-    EquirectSize size(std::size_t) const override { return m_size; }
+    EquirectSize size(const render::PhotoLevel&) const override { return m_size; }
 
     void check(std::size_t) const override {}
 
     bool decodesParts(std::size_t) override { return decodesInParts; }
 
-    void decode(std::size_t photo, const jpeg::PixelRect& region, const jpeg::RowSink& sink) override {
+    void decode(const render::PhotoLevel& level, const jpeg::PixelRect& region,
+                const jpeg::RowSink& sink) override {
         ++decodes;
         pixels += std::int64_t{region.width} * region.height;
         if (onDecode) {
-            onDecode(photo);
+            onDecode(level.photo);
         }
-        std::vector<std::uint8_t> row(static_cast<std::size_t>(region.width) * 4);
+        std::vector<std::uint8_t> row(static_cast<std::size_t>(region.width) * 3);
         for (int y = region.y; y < region.y + region.height; ++y) {
-            for (int x = 0; x < region.width * 4; ++x) {
-                row[static_cast<std::size_t>(x)] = value(photo, region.x + x / 4, y, x % 4);
+            for (int x = 0; x < region.width * 3; ++x) {
+                row[static_cast<std::size_t>(x)] = value(level.photo, region.x + x / 3, y, x % 3);
             }
             sink(y, row.data());
         }
@@ -53,27 +54,23 @@ class MadeTiles : public render::TileSource {
     EquirectSize m_size;
 };
 
-/// True if all pixels of the tiles, and the apron of those at the left edge, are the source's.
-inline bool hasPixels(const render::PhotoPlane& plane, std::size_t photo, const render::TileSet& tiles) {
+/// True if all pixels of the tiles, and what the guard repeats of them, are the source's.
+inline bool hasPixels(const render::PlaneView& plane, std::size_t photo, const render::TileSet& tiles) {
+    constexpr int kGuard = render::PlaneLayout::kGuard;
+    const auto [width, height] = plane.size();
     bool isRight = true;
-    const auto compare = [&](int x, int y, int sourceX) {
-        const std::uint8_t* pixel =
-            plane.pixels + static_cast<std::size_t>(y) * plane.strideBytes + static_cast<std::size_t>(x) * 4;
-        for (int c = 0; c < 4; ++c) {
-            isRight = isRight && pixel[c] == MadeTiles::value(photo, sourceX, y, c);
-        }
-    };
-    tiles.forEach([&](int tile) {
-        const jpeg::PixelRect own = tiles.grid().pixels(tile);
-        for (int y = own.y; y < own.y + own.height; ++y) {
-            for (int x = own.x; x < own.x + own.width; ++x) {
-                compare(x, y, x);
-            }
-            for (int x = 0; own.x == 0 && x < render::SparsePlane::kApron; ++x) {
-                compare(plane.size.width + x, y, x);
+    for (int y = -kGuard; y < height + kGuard; ++y) {
+        for (int x = -kGuard; x < width + kGuard; ++x) {
+            const int sourceY = y < 0 ? -1 - y : y >= height ? 2 * height - 1 - y : y;
+            const int sourceX = (x + width + (sourceY == y ? 0 : width / 2)) % width;
+            const int tile = sourceY / render::TileGrid::kTileHeight * tiles.grid().columns() +
+                             sourceX / render::TileGrid::kTileWidth;
+            for (int c = 0; tiles.contains(tile) && c < 3; ++c) {
+                isRight =
+                    isRight && plane.stored(x, y, c) + 128 == MadeTiles::value(photo, sourceX, sourceY, c);
             }
         }
-    });
+    }
     return isRight;
 }
 

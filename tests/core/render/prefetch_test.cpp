@@ -33,7 +33,7 @@ class Corridor {
 
     TileNeed need(const Rigid3& pose) const {
         const std::size_t photo = photoAt(pose.translation);
-        return {photo, tiles(pose, photo)};
+        return {{photo}, tiles(pose, photo)};
     }
 
     TileSet tiles(const Rigid3& pose, std::size_t photo) const {
@@ -52,6 +52,10 @@ class Corridor {
 
 Rigid3 ahead(double x, double yaw = 0) {
     return {yawRotation(Radians(yaw)) * bodyFromOptical(), Vector3d(x, 0, 0)};
+}
+
+Prefetcher::MakePlan always(std::vector<TileNeed> plan) {
+    return [plan = std::move(plan)](const std::stop_token&) { return plan; };
 }
 
 TEST(CameraMotion, PredictsTheMotionItWasTakenFrom) {
@@ -77,13 +81,13 @@ TEST(CameraMotion, OfAJumpOrNoTimeIsNone) {
 TEST(PrefetchPlan, NamesThePhotosOnThePathSoonestFirstAndOnce) {
     const Corridor corridor;
     const auto need = [&](const Rigid3& pose) { return corridor.need(pose); };
-    const auto plan = prefetchPlan(ahead(1), {{2, 0, 0}, {0, 0, 0}}, {0.5, 0.02, 4000}, need);
+    const auto plan = prefetchPlan(ahead(1), {{2, 0, 0}, {0, 0, 0}}, {0.5, 0.02, 4000}, {}, need);
     ASSERT_EQ(plan.size(), 6U);
     for (std::size_t i = 0; i < plan.size(); ++i) {
-        EXPECT_EQ(plan[i].photo, 5 + i);
+        EXPECT_EQ(plan[i].level.photo, 5 + i);
         EXPECT_FALSE(plan[i].tiles.empty());
     }
-    const auto again = prefetchPlan(ahead(1), {{2, 0, 0}, {0, 0, 0}}, {0.5, 0.02, 4000}, need);
+    const auto again = prefetchPlan(ahead(1), {{2, 0, 0}, {0, 0, 0}}, {0.5, 0.02, 4000}, {}, need);
     for (std::size_t i = 0; i < plan.size(); ++i) {
         EXPECT_EQ(plan[i].tiles, again[i].tiles);
     }
@@ -92,7 +96,7 @@ TEST(PrefetchPlan, NamesThePhotosOnThePathSoonestFirstAndOnce) {
 TEST(PrefetchPlan, LooksWhereTheCameraTurns) {
     const Corridor corridor;
     const auto need = [&](const Rigid3& pose) { return corridor.need(pose); };
-    const auto plan = prefetchPlan(ahead(1), {{0, 0, 0}, {0, 0, 3}}, {0.5, 0.02, 4000}, need);
+    const auto plan = prefetchPlan(ahead(1), {{0, 0, 0}, {0, 0, 3}}, {0.5, 0.02, 4000}, {}, need);
     ASSERT_EQ(plan.size(), 1U);
     corridor.tiles(ahead(1, 1.5), 5).forEach([&](int tile) { EXPECT_TRUE(plan[0].tiles.contains(tile)); });
     EXPECT_LT(plan[0].tiles.count(), corridor.grid.count() / 2);
@@ -102,13 +106,13 @@ TEST(PrefetchPlan, EndsBeforeItHasTooManyTiles) {
     const Corridor corridor;
     const auto need = [&](const Rigid3& pose) { return corridor.need(pose); };
     int tiles = 0;
-    const auto plan = prefetchPlan(ahead(1), {{50, 0, 0}, {0, 0, 0}}, {10, 0.02, 100}, need);
+    const auto plan = prefetchPlan(ahead(1), {{50, 0, 0}, {0, 0, 0}}, {10, 0.02, 100}, {}, need);
     for (const TileNeed& one : plan) {
         tiles += one.tiles.count();
     }
     EXPECT_GT(tiles, 50);
     EXPECT_LE(tiles, 100);
-    EXPECT_TRUE(prefetchPlan(ahead(1), {}, {0.5, 0, 100}, need).empty());
+    EXPECT_TRUE(prefetchPlan(ahead(1), {}, {0.5, 0, 100}, {}, need).empty());
 }
 
 // A clock moved by hand: 30 views a second; between two views the plan is done, as far as the time of the
@@ -126,17 +130,17 @@ TEST_P(WalkByHand, HasNoLateViewButTheFirst) {
     for (int frame = 0; frame < 60; ++frame, now += kFrame) {
         const Rigid3 pose = ahead(GetParam() * now, 0.5 * now);
         const TileNeed need = corridor.need(pose);
-        store.acquire(need.photo, need.tiles, Missing::Decode, 1);
+        store.acquire(need.level, need.tiles, Missing::Decode, 1);
         const CameraMotion motion = motionBetween(before, pose, kFrame);
         before = pose;
         double left = kFrame;
-        for (const TileNeed& next : prefetchPlan(pose, motion, {0.2, kFrame, 4000},
+        for (const TileNeed& next : prefetchPlan(pose, motion, {0.2, kFrame, 4000}, {},
                                                  [&](const Rigid3& p) { return corridor.need(p); })) {
             if (left <= 0) {
                 break;
             }
             const auto done = store.counters().prefetchedTiles;
-            store.prefetch(next.photo, next.tiles, {});
+            store.prefetch(next.level, next.tiles, {});
             left -= kSecondsPerTile * static_cast<double>(store.counters().prefetchedTiles - done);
         }
     }
@@ -161,10 +165,10 @@ TEST(Prefetcher, DecodesItsPlanInOrder) {
     TileStore store(source, 256 << 20);
     Prefetcher prefetcher(store);
     const TileSet tiles = corridor.tiles(ahead(1), 5);
-    prefetcher.setPlan({{4, tiles}, {9, tiles}, {2, tiles}});
+    prefetcher.setPlan(always({{{4}, tiles}, {{9}, tiles}, {{2}, tiles}}));
     prefetcher.waitUntilIdle();
     EXPECT_EQ(order, (std::vector<std::size_t>{4, 9, 2}));
-    EXPECT_EQ(store.acquire(9, tiles, Missing::Decode).waitedMs(), 0);
+    EXPECT_EQ(store.acquire({9}, tiles, Missing::Decode).waitedMs(), 0);
 }
 
 TEST(Prefetcher, LeavesAnOldPlanAfterOneBlock) {
@@ -182,15 +186,15 @@ TEST(Prefetcher, LeavesAnOldPlanAfterOneBlock) {
     TileStore store(source, 256 << 20);
     Prefetcher prefetcher(store);
     const TileSet all = TileSet::all(corridor.grid);
-    prefetcher.setPlan({{1, all}, {2, all}});
+    prefetcher.setPlan(always({{{1}, all}, {{2}, all}}));
     begun.wait();
-    prefetcher.setPlan({{3, corridor.tiles(ahead(1), 5)}});
+    prefetcher.setPlan(always({{{3}, corridor.tiles(ahead(1), 5)}}));
     replaced.count_down();
     prefetcher.waitUntilIdle();
-    EXPECT_FALSE(store.acquire(2, all, Missing::LeaveOut).isComplete());
-    EXPECT_EQ(store.acquire(2, all, Missing::LeaveOut).missing().count(), corridor.grid.count());
-    EXPECT_LT(store.acquire(1, all, Missing::LeaveOut).missing().count(), corridor.grid.count());
-    EXPECT_TRUE(store.acquire(3, corridor.tiles(ahead(1), 5), Missing::LeaveOut).isComplete());
+    EXPECT_FALSE(store.acquire({2}, all, Missing::LeaveOut).isComplete());
+    EXPECT_EQ(store.acquire({2}, all, Missing::LeaveOut).missing().count(), corridor.grid.count());
+    EXPECT_LT(store.acquire({1}, all, Missing::LeaveOut).missing().count(), corridor.grid.count());
+    EXPECT_TRUE(store.acquire({3}, corridor.tiles(ahead(1), 5), Missing::LeaveOut).isComplete());
 }
 
 TEST(Prefetcher, DoesWhatIsToDoWhenIdle) {
@@ -198,7 +202,7 @@ TEST(Prefetcher, DoesWhatIsToDoWhenIdle) {
     TileStore store(source, 256 << 20);
     int left = 3;
     Prefetcher prefetcher(store, [&](const std::stop_token&) { return --left > 0; });
-    prefetcher.setPlan({});
+    prefetcher.setPlan(always({}));
     prefetcher.waitUntilIdle();
     EXPECT_EQ(left, 0);
 }
@@ -211,9 +215,9 @@ TEST(Prefetcher, EndsWhileItsPlanIsLong) {
         Prefetcher prefetcher(store);
         std::vector<TileNeed> plan;
         for (std::size_t photo = 0; photo < 10000; ++photo) {
-            plan.push_back({photo, TileSet::all(corridor.grid)});
+            plan.push_back({{photo}, TileSet::all(corridor.grid)});
         }
-        prefetcher.setPlan(plan);
+        prefetcher.setPlan(always(plan));
     }
     EXPECT_LT(store.counters().prefetchedTiles, 10000U * 16U);
 }

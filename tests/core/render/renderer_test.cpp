@@ -202,7 +202,7 @@ TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
         poses.push_back({Eigen::Quaterniond::Identity(), {static_cast<double>(i), 0, 0}});
     }
     test::writeTestDataset(folder.path(), poses, test::smoothWorld, 64);
-    const std::uint64_t photoBytes = 64 * 32 * 3;
+    const std::uint64_t photoBytes = 6 * 4096; // a plane of these photos, in pages
     const Renderer renderer(opened(folder.path()), {2 * photoBytes});
     const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
     const auto decodes = [&](int photo) {
@@ -216,7 +216,7 @@ TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
     EXPECT_TRUE(decodes(1));
     const Renderer tight(opened(folder.path()), {0});
     EXPECT_GT(tight.render(camera, poses[3]).report.decodeMs, 0);
-    EXPECT_EQ(tight.render(camera, poses[3]).report.decodeMs, 0);
+    EXPECT_GT(tight.render(camera, poses[3]).report.decodeMs, 0);
 }
 
 } // namespace spherewalk::render

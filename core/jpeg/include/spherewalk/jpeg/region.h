@@ -20,25 +20,14 @@ struct PixelRect {
     bool operator==(const PixelRect&) const = default;
 };
 
-enum class PixelLayout {
-    Rgb,  ///< three bytes a pixel
-    Rgbx, ///< four, the last one 255: pixels that a single load fetches
-};
-
-constexpr int bytesPerPixel(PixelLayout layout) {
-    return layout == PixelLayout::Rgb ? 3 : 4;
-}
-
 struct RegionOptions {
-    PixelLayout layout = PixelLayout::Rgb;
-    int denominator =
-        1;           ///< 1, 2, 4 or 8: the picture is reduced by it, and rectangles are of the reduced one
-    int threads = 1; ///< 0: all that the machine has; the pixels are the same for any number
+    int denominator = 1; ///< 1, 2, 4 or 8: the picture is reduced by it, and rectangles are of that one
+    int threads = 1;     ///< 0: all that the machine has; the pixels are the same for any number
     std::stop_token stop;
 };
 
-/// Takes row y (of the picture) of the region, region.width pixels. Threads: called from several at a time,
-/// with different rows.
+/// Takes row y (of the picture) of the region, region.width pixels of three bytes. Threads: called from
+/// several at a time, with different rows.
 using RowSink = std::function<void(int y, const std::uint8_t* pixels)>;
 
 /// What a decoded region cost.
@@ -79,7 +68,7 @@ class RegionDecoder {
     /// do not decode; Stopped; those of the source and the sink. Rows may have been given before an error.
     RegionCost decode(const PixelRect& region, const RegionOptions& options, const RowSink& sink) const;
 
-    /// The same as a picture; the layout is Rgb.
+    /// The same as a picture.
     RgbImage decode(const PixelRect& region, const RegionOptions& options = {}) const;
 
     /// The region's samples, widened to whole chroma samples. Errors: as decode(); Unsupported where a chroma

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spherewalk/base/image.h"
+#include "spherewalk/render/sampling.h"
+#include "spherewalk/render/scene_model.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace spherewalk::render {
+
+struct ViewOptions {
+    std::optional<SceneKind> scene; ///< nothing: the best one that the dataset has
+    int threads = 0;                ///< 0: all that the machine has; the pixels are the same for any number
+    Sampling sampling = Sampling::Footprint;
+    double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
+    /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
+    bool exact = false;
+};
+
+/// What a view's pixels come from.
+enum class ViewOrigin {
+    Photo,         ///< the nearest photo
+    Thumbnail,     ///< the nearest photo's thumbnail, since the photo was not decoded yet
+    PreviousPhoto, ///< the photo of the view before, since the nearest one was not decoded yet
+};
+
+std::string_view name(ViewOrigin origin);
+
+/// What a view was made from, and how far it can be trusted.
+struct ViewReport {
+    std::size_t photo = 0; ///< index into DatasetInfo::photos
+    std::string file;
+    SceneKind scene = SceneKind::None;
+    Sampling sampling = Sampling::Footprint; ///< what was used, never Auto
+    ViewOrigin origin = ViewOrigin::Photo;
+    bool isLate = false; ///< something that it needs was not in memory when it was asked for
+    double offsetM = 0;  ///< between the camera and the photo
+    /// By how much a thing at half or at twice the distance that the scene model assumes would be displaced,
+    /// at worst, in pixels at the picture's centre; with SceneKind::None, a thing at the dataset's usual
+    /// distance (its sphere's radius, or 2 m if it has none).
+    double parallaxPx = 0;
+    double blurPx = 0;    ///< of a thumbnail: how far its pixels reach beyond one of the view's
+    double trust = 0;     ///< 1 / (1 + parallaxPx + blurPx): 1 at a photo's own place, 0.5 with 1 px in doubt
+    double decodeMs = 0;  ///< waiting for the photo to be decoded, 0 if it was in memory
+    int decodedTiles = 0; ///< that it waited for
+    bool isWholeDecode = false; ///< the photo has no restart markers: all of it was decoded
+    bool isVerified = false;    ///< the photo's hash is that of dataset.json
+    double renderMs = 0;
+};
+
+struct View {
+    RgbImage picture; ///< black where the lens sees nothing
+    ViewReport report;
+};
+
+} // namespace spherewalk::render

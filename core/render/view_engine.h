@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "camera_tables.h"
+#include "fast_view.h"
+#include "loader.h"
+#include "loader_photos.h"
+
+#include "spherewalk/render/renderer.h"
+
+#include <memory>
+#include <mutex>
+
+namespace spherewalk::render {
+
+/// Where a camera is and how it is to be rendered. Owner: the camera must outlive the request.
+struct ViewRequest {
+    const CameraModel& camera;
+    Rigid3 roomFromCamera; ///< its rotation a unit quaternion
+    ViewOptions options;
+};
+
+/// How one photo answers a request.
+struct ViewPlan {
+    PhotoLevel level;
+    SceneKind scene = SceneKind::None;
+    double radiusM = 0;
+    Sampling sampling = Sampling::Footprint; ///< not Auto
+    CameraTable table;
+};
+
+/// What the renderer and its streams share: photos, tables, threads. Threads: all functions may be called
+/// from any.
+class ViewEngine {
+  public:
+    ViewEngine(std::shared_ptr<const Dataset> dataset, const RendererOptions& options);
+
+    /// Errors: InvalidInput for a pose that is none, or a scene model that the dataset does not have.
+    ViewRequest checked(const CameraModel& camera, const Rigid3& roomFromCamera,
+                        const ViewOptions& options) const;
+
+    std::size_t nearestPhoto(const ViewRequest& request) const;
+    ViewPlan plan(const ViewRequest& request, std::size_t photo);
+
+    /// The plan for the photo's thumbnail in its place.
+    ViewPlan coarse(const ViewRequest& request, const ViewPlan& plan);
+
+    /// The tiles of the plan's photo that the view shows. reachPx: and those so many photo pixels beside.
+    TileNeed need(const ViewRequest& request, const ViewPlan& plan, double reachPx = kFilterReachPx) const;
+
+    /// Makes picture and report from what was served.
+    void make(const ViewRequest& request, const ViewPlan& plan, const Served& served, View& view);
+
+    const Dataset& dataset() const { return *m_dataset; }
+
+    TileStore& store() { return m_store; }
+
+    LoaderPhotos& photos() { return *m_photos; }
+
+    const std::shared_ptr<Thumbnails>& thumbnails() const { return m_thumbnails; }
+
+  private:
+    static constexpr double kFilterReachPx = 2;
+
+    Rigid3 roomFromPhoto(std::size_t photo) const { return m_dataset->info().photos[photo].roomFromPhoto; }
+
+    void report(const ViewRequest& request, const ViewPlan& plan, const Served& served,
+                ViewReport& report) const;
+    void draw(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, RgbImage& picture);
+    void drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
+                     RgbImage& picture);
+
+    std::shared_ptr<const Dataset> m_dataset;
+    std::shared_ptr<LoaderPhotos> m_photos;
+    TileStore m_store;
+    std::shared_ptr<Thumbnails> m_thumbnails;
+    CameraTables m_tables;
+    std::mutex m_drawing; ///< of pool and workspace
+    WorkerPool m_pool;
+    Workspace m_workspace;
+};
+
+} // namespace spherewalk::render
