@@ -15,10 +15,10 @@ class DatasetOptions {
   public:
     void declare(CLI::App& command);
 
-    /// The dataset, checked as far as the user wants.
-    std::shared_ptr<const render::Dataset> open(Context& context) const;
     CameraModel cameraModel() const;
     render::ViewOptions viewOptions() const;
+    /// With hashes compared when the dataset is opened, or photo by photo.
+    render::Renderer renderer(Context& context) const;
     /// The pose of the optical frame that a given pose, of the frame that the user named, stands for.
     Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
 

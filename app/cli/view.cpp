@@ -22,7 +22,7 @@ struct Options {
 Result view(const Options& options, Context& context) {
     const Rigid3 pose = options.dataset.opticalPose(parsePose(options.pose));
     const CameraModel camera = options.dataset.cameraModel();
-    const render::Renderer renderer(options.dataset.open(context));
+    const render::Renderer renderer = options.dataset.renderer(context);
     const render::View view = renderer.render(camera, pose, options.dataset.viewOptions());
     photo::writePng(options.out, view.picture);
     Json json = jobs::toJson(view.report);

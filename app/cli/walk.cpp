@@ -17,6 +17,8 @@ struct Options {
     DatasetOptions dataset;
     std::string path;
     std::string out;
+    std::string late = "wait";
+    double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
 Result walk(const Options& options, Context& context) {
@@ -25,13 +27,15 @@ Result walk(const Options& options, Context& context) {
         pose.roomFromCamera = options.dataset.opticalPose(pose.roomFromCamera);
     }
     const CameraModel camera = options.dataset.cameraModel();
-    const render::Renderer renderer(options.dataset.open(context));
-    const jobs::WalkReport report = jobs::walk(renderer, camera, path, options.dataset.viewOptions(),
-                                               options.out, context.progress, context.stop);
+    const render::Renderer renderer = options.dataset.renderer(context);
+    const jobs::WalkOptions walkOptions{options.dataset.viewOptions(),
+                                        {render::latePolicy(options.late), options.prefetchS}};
+    const jobs::WalkReport report =
+        jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
     return {jobs::toJson(report),
             text("Wrote ", report.frames, " frames, index.csv, and contact-sheet.png to ", options.out,
                  " (median ", fixed(report.medianRenderMs, 1), " ms to render, ", report.photosUsed,
-                 " photos used).")};
+                 " photos used, ", report.stream.late, " frames not decoded in time).")};
 }
 
 } // namespace
@@ -44,6 +48,16 @@ void addWalk(Commands& commands) {
     command.add_option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"")->required();
     command.add_option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
         ->required();
+    command
+        .add_option("--late", options->late,
+                    "What a frame is made from when its photo is not decoded yet: wait for it, coarse (the "
+                    "thumbnail), or previous (the photo before)")
+        ->check(CLI::IsMember({"wait", "coarse", "previous"}))
+        ->capture_default_str();
+    command
+        .add_option("--prefetch", options->prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
 }
 
 } // namespace spherewalk::cli

@@ -30,7 +30,8 @@ std::string csvLine(std::size_t frame, const TimedPose& pose, const render::View
     return text(frameName(frame), ",", pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(),
                 ",", q.z(), ",", q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
                 name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",",
-                fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), "\n");
+                fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), ",", name(report.origin), ",",
+                report.isLate ? 1 : 0, "\n");
 }
 
 void makeFolder(const std::filesystem::path& folder) {
@@ -45,12 +46,13 @@ void makeFolder(const std::filesystem::path& folder) {
 } // namespace
 
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
-                const std::vector<TimedPose>& path, const render::ViewOptions& options,
+                const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
     makeFolder(folder);
+    render::ViewStream stream(renderer, camera, options.stream);
     WalkReport report;
     std::string csv = "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust,"
-                      "decode_ms,render_ms\n";
+                      "decode_ms,render_ms,origin,late\n";
     std::set<std::size_t> photos;
     std::vector<double> renderMs;
     std::vector<double> decodeMs;
@@ -58,7 +60,7 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
     for (std::size_t i = 0; i < path.size(); ++i) {
         throwIfStopped(stop);
-        render::View view = renderer.render(camera, path[i].roomFromCamera, options);
+        render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, options.view);
         photo::writePng(folder / frameName(i), view.picture);
         csv += csvLine(i, path[i], view.report);
         photos.insert(view.report.photo);
@@ -78,16 +80,42 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     writeFile(folder / "index.csv", bytesOf(csv));
     photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
     report.photosUsed = photos.size();
+    report.stream = stream.counters();
+    report.load = renderer.counters();
     report.medianRenderMs = median(renderMs);
     report.medianDecodeMs = median(decodeMs);
     return report;
 }
 
 Json toJson(const render::ViewReport& report) {
-    return {{"photo", report.file},         {"offset_m", report.offsetM},
-            {"scene", name(report.scene)},  {"sampling", name(report.sampling)},
-            {"trust", report.trust},        {"parallax_px", report.parallaxPx},
-            {"decode_ms", report.decodeMs}, {"render_ms", report.renderMs}};
+    return {{"photo", report.file},
+            {"offset_m", report.offsetM},
+            {"scene", name(report.scene)},
+            {"sampling", name(report.sampling)},
+            {"origin", name(report.origin)},
+            {"late", report.isLate},
+            {"trust", report.trust},
+            {"parallax_px", report.parallaxPx},
+            {"blur_px", report.blurPx},
+            {"decode_ms", report.decodeMs},
+            {"decoded_tiles", report.decodedTiles},
+            {"whole_decode", report.isWholeDecode},
+            {"verified", report.isVerified},
+            {"render_ms", report.renderMs}};
+}
+
+Json toJson(const render::LoadCounters& counters) {
+    return {{"hits", counters.hits},
+            {"late", counters.late},
+            {"waits", counters.waits},
+            {"decoded_tiles", counters.decodedTiles},
+            {"prefetched_tiles", counters.prefetchedTiles},
+            {"dropped_tiles", counters.droppedTiles},
+            {"whole_decodes", counters.wholeDecodes},
+            {"prefetch_errors", counters.prefetchErrors},
+            {"decode_ms", counters.decodeMs},
+            {"prefetch_ms", counters.prefetchMs},
+            {"resident_bytes", counters.residentBytes}};
 }
 
 Json toJson(const WalkReport& report) {
@@ -96,7 +124,12 @@ Json toJson(const WalkReport& report) {
             {"median_render_ms", report.medianRenderMs},
             {"median_decode_ms", report.medianDecodeMs},
             {"worst_offset_m", report.worstOffsetM},
-            {"least_trust", report.leastTrust}};
+            {"least_trust", report.leastTrust},
+            {"late", report.stream.late},
+            {"waited", report.stream.waited},
+            {"coarse", report.stream.coarse},
+            {"previous", report.stream.previous},
+            {"load", toJson(report.load)}};
 }
 
 } // namespace spherewalk::jobs

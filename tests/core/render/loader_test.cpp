@@ -5,8 +5,6 @@
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
-#include "spherewalk/jpeg/restart.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,21 +20,10 @@ class Loading : public testing::Test {
         poses[1].translation.x() = 1;
         poses[2].translation.x() = 2;
         DatasetInfo info = test::writeTestDataset(folder.path(), poses, test::smoothWorld, 512);
-        std::filesystem::create_directories(folder / "index");
-        std::filesystem::create_directories(folder / "thumbnails");
-        for (std::size_t i = 0; i < 2; ++i) {
-            DatasetPhoto& photo = info.photos[i];
-            const Bytes marked = jpeg::withRestartMarkers(readFile(folder / photo.file), 8, "a");
-            writeFile(folder / photo.file, marked);
-            photo.sizeBytes = marked.size();
-            photo.sha256 = sha256Hex(marked);
-            photo.restartIndex = "index/" + std::to_string(i) + ".swri";
-            writeFile(folder / photo.restartIndex, jpeg::serialised(jpeg::indexRestarts(marked, "a")));
-        }
-        info.photos[0].thumbnail = "thumbnails/0.jpg";
-        writeFile(folder / info.photos[0].thumbnail,
-                  jpeg::encode(test::panorama(test::smoothWorld, Eigen::Quaterniond::Identity(), 64), 90));
-        writeFile(folder / kDatasetFile, bytesOf(toJson(info).dump(1)));
+        test::mark(folder.path(), info.photos[0]);
+        test::mark(folder.path(), info.photos[1]);
+        test::addThumbnail(folder.path(), info.photos[0]);
+        test::rewriteInfo(folder.path(), info);
         dataset = std::make_shared<const Dataset>(Dataset::open(folder.path()));
     }
 

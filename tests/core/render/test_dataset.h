@@ -5,6 +5,7 @@
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/jpeg/restart.h"
 #include "spherewalk/render/dataset_format.h"
 
 #include <cmath>
@@ -37,6 +38,11 @@ inline RgbImage panorama(const World& world, const Eigen::Quaterniond& roomFromP
     return picture;
 }
 
+/// Rewrites dataset.json after a change of the info.
+inline void rewriteInfo(const std::filesystem::path& folder, const render::DatasetInfo& info) {
+    writeFile(folder / render::kDatasetFile, bytesOf(render::toJson(info).dump(1)));
+}
+
 /// Writes a dataset with a photo of the world at each pose.
 inline render::DatasetInfo writeTestDataset(const std::filesystem::path& folder,
                                             const std::vector<Rigid3>& poses, const World& world,
@@ -62,8 +68,27 @@ inline render::DatasetInfo writeTestDataset(const std::filesystem::path& folder,
         writeFile(folder / photo.file, jpeg);
         info.photos.push_back(photo);
     }
-    writeFile(folder / render::kDatasetFile, bytesOf(render::toJson(info).dump(1)));
+    rewriteInfo(folder, info);
     return info;
+}
+
+/// Gives a photo of the dataset restart markers and their index, as export does. The pixels stay the same.
+inline void mark(const std::filesystem::path& folder, render::DatasetPhoto& photo, int interval = 8) {
+    std::filesystem::create_directories(folder / "index");
+    const Bytes marked = jpeg::withRestartMarkers(readFile(folder / photo.file), interval, photo.file);
+    writeFile(folder / photo.file, marked);
+    photo.sizeBytes = marked.size();
+    photo.sha256 = sha256Hex(marked);
+    photo.restartIndex = "index/" + std::filesystem::path(photo.file).stem().string() + ".swri";
+    writeFile(folder / photo.restartIndex, jpeg::serialised(jpeg::indexRestarts(marked, photo.file)));
+}
+
+/// Gives a photo a thumbnail: an eighth of the photo.
+inline void addThumbnail(const std::filesystem::path& folder, render::DatasetPhoto& photo) {
+    std::filesystem::create_directories(folder / "thumbnails");
+    photo.thumbnail = "thumbnails/" + std::filesystem::path(photo.file).filename().string();
+    writeFile(folder / photo.thumbnail,
+              jpeg::encode(jpeg::decode(readFile(folder / photo.file), photo.file, 8), 90));
 }
 
 } // namespace spherewalk::test

@@ -4,7 +4,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/render/renderer.h"
+#include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
 #include <stop_token>
@@ -12,11 +12,19 @@
 
 namespace spherewalk::jobs {
 
+struct WalkOptions {
+    render::ViewOptions view;
+    render::StreamOptions
+        stream; ///< the poses' times tell how the camera moves; frames are not paced by them
+};
+
 struct WalkReport {
     std::size_t frames = 0;
     std::size_t photosUsed = 0; ///< different ones
     double medianRenderMs = 0;
-    double medianDecodeMs = 0; ///< of the frames that had to decode a photo; 0 if none had
+    double medianDecodeMs = 0; ///< of the frames that had to wait for a photo; 0 if none had
+    render::StreamCounters stream;
+    render::LoadCounters load;
     double worstOffsetM = 0;
     double leastTrust = 1;
 };
@@ -26,10 +34,11 @@ struct WalkReport {
 /// replaced. Frames: the poses are of the optical frame. Errors: those of rendering and writing; Stopped,
 /// with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
-                const std::vector<TimedPose>& path, const render::ViewOptions& options,
+                const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
 
 Json toJson(const render::ViewReport& report);
+Json toJson(const render::LoadCounters& counters);
 Json toJson(const WalkReport& report);
 
 } // namespace spherewalk::jobs
