@@ -21,7 +21,15 @@ SceneKind sceneKind(std::string_view name) {
     return valueOf(kNames, "The scene model", name);
 }
 
-Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
+namespace {
+
+/// A camera in a sphere of radius 1, and how far one of its rays goes.
+struct OnUnitSphere {
+    Eigen::Vector3d from;
+    double distance;
+};
+
+OnUnitSphere onUnitSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
     // In units of the radius, so that neither tiny nor huge rooms lose digits.
     Eigen::Vector3d from = offset / radius;
     const double displacement = from.norm();
@@ -32,8 +40,18 @@ Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Ve
     const double inside = 1 - from.squaredNorm(); // > 0
     const double root = std::sqrt(along * along + inside);
     // The positive root of t^2 + 2 along t - inside = 0, in the form that does not cancel.
-    const double t = along > 0 ? inside / (along + root) : root - along;
-    return from + t * ray;
+    return {from, along > 0 ? inside / (along + root) : root - along};
+}
+
+} // namespace
+
+Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
+    const OnUnitSphere met = onUnitSphere(offset, ray, radius);
+    return met.from + met.distance * ray;
+}
+
+double distanceOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
+    return radius * onUnitSphere(offset, ray, radius).distance;
 }
 
 } // namespace spherewalk::render

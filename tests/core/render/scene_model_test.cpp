@@ -2,6 +2,7 @@
 #include "expect_error.h"
 #include "random.h"
 
+#include "spherewalk/base/text.h"
 #include "spherewalk/render/scene_model.h"
 
 #include <cmath>
@@ -47,6 +48,25 @@ TEST(SphereModel, AgreesWithLongDoubleUpToTheEdgeOfTheSphere) {
     }
     RecordProperty("worst_rad", std::to_string(worst));
     EXPECT_LT(worst, 5e-15); // 4e-12 of a pixel of a 5376 x 2688 photo
+}
+
+TEST(SphereModel, KnowsHowFarARayGoes) {
+    test::Random random(24);
+    SCOPED_TRACE(random.seed());
+    double worst = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const double radius = std::exp(random.uniform(-7, 14));
+        const Vector3d offset = random.direction() * (random.uniform(0, kLargestDisplacement) * radius);
+        const Vector3d ray =
+            i % 3 == 0 ? Vector3d(offset.normalized() * (i % 6 == 0 ? 1 : -1)) : random.direction();
+        const Vector3l d = ray.cast<long double>().normalized();
+        const long double exact = (exactDirection(offset, ray, radius) - offset.cast<long double>()).dot(d);
+        worst = std::max(
+            worst, static_cast<double>(std::abs(distanceOnSphere(offset, ray, radius) - exact) / exact));
+    }
+    RecordProperty("worst_relative", text(worst));
+    EXPECT_LT(worst, 2e-14);
+    EXPECT_NEAR(distanceOnSphere({50, 0, 0}, {1, 0, 0}, 2), 0.1, 1e-12); // from where it is taken to stand
 }
 
 TEST(SphereModel, PutsThingsOnTheSphereWhereTheyBelong) {

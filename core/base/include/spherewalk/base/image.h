@@ -62,6 +62,10 @@ class Image {
 
 /// 8-bit red, green, blue.
 using RgbImage = Image<std::uint8_t, 3>;
+/// 8-bit red, green, blue, alpha. Whether the colours are multiplied by alpha is said where one is used.
+using RgbaImage = Image<std::uint8_t, 4>;
+/// One byte a pixel: how much of it something covers (255: all), or flags.
+using MaskImage = Image<std::uint8_t, 1>;
 /// Distances in metres; +infinity where there is nothing. Whether along the ray or along the axis is said
 /// where one is used.
 using DepthImage = Image<float, 1>;

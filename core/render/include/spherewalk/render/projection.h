@@ -3,8 +3,7 @@
 
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/equirect.h"
-#include "spherewalk/geometry/rigid3.h"
-#include "spherewalk/render/scene_model.h"
+#include "spherewalk/render/scene_rays.h"
 
 #include <Eigen/Core>
 
@@ -26,11 +25,8 @@ class Projection {
 
   private:
     const CameraModel& m_camera;
-    Eigen::Matrix3d m_photoFromCamera;
-    Eigen::Vector3d m_offsetInPhoto;
+    SceneRays m_rays;
     EquirectSize m_photo;
-    SceneKind m_scene;
-    double m_sphereRadiusM;
 };
 
 } // namespace spherewalk::render

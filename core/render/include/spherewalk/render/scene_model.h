@@ -27,4 +27,8 @@ constexpr double kLargestDisplacement = 0.95;
 /// zero. Range: radius > 0; offsets beyond kLargestDisplacement * radius are shortened to it.
 Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius);
 
+/// How far the same ray goes to the same point of the sphere, from where the camera is taken to stand.
+/// Units: those of the radius. Range: as for directionOnSphere(); the result is > 0.
+double distanceOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius);
+
 } // namespace spherewalk::render
