@@ -42,17 +42,17 @@ std::array<Vector2d, 9> placesIn(double x, double y, double endX, double endY) {
 /// Adds the tiles of cells of a view, dividing those in which the projection bends.
 class CellWalk {
   public:
-    CellWalk(TileSet& tiles, const PhotoPixelAt& photoPixelAt, double reachPx)
+    CellWalk(TileSet& tiles, const PhotoDirectionAt& photoDirectionAt, double reachPx)
         : m_tiles(tiles),
-          m_at(photoPixelAt),
+          m_at(photoDirectionAt),
           m_reach(reachPx * std::numbers::pi / tiles.grid().photo().height) {}
 
     using Seen = std::array<Vector3d, 9>;
 
-    /// The direction in the photo that the view shows at this place, zero for none.
+    /// The unit direction in the photo that the view shows at this place, zero for none.
     Vector3d look(const Vector2d& place) const {
-        const auto pixel = m_at(place);
-        return pixel ? direction(m_tiles.grid().photo(), *pixel) : Vector3d::Zero();
+        const auto direction = m_at(place);
+        return direction ? direction->normalized() : Vector3d::Zero();
     }
 
     void add(double x, double y, double endX, double endY) {
@@ -103,25 +103,30 @@ class CellWalk {
     static constexpr double kMostBend = 0.15;
     static constexpr double kSmallest = 0.5;
 
+    /// The angle between unit vectors that are so far apart.
+    static double angleOf(double squaredChord) {
+        return 2 * std::asin(std::min(1.0, std::sqrt(squaredChord) / 2));
+    }
+
     static double radiusOf(const Seen& seen) {
-        double radius = 0;
+        double chord = 0;
         for (const Vector3d& other : seen) {
-            radius = std::max(radius, angleBetween(seen[4], other).value());
+            chord = std::max(chord, (seen[4] - other).squaredNorm());
         }
-        return radius;
+        return angleOf(chord);
     }
 
     /// How far the middles are from where a projection without bend would have them.
     static double bendOf(const Seen& seen) {
         constexpr std::array<std::array<std::size_t, 3>, 6> kLines{
             {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {0, 3, 6}, {1, 4, 7}, {2, 5, 8}}};
-        double bend = 0;
+        double chord = 0;
         for (const auto& [from, middle, to] : kLines) {
             const Vector3d straight = seen[from] + seen[to];
-            bend = std::max(bend, straight.norm() < 0.1 ? std::numbers::pi
-                                                        : angleBetween(seen[middle], straight).value());
+            const double length = straight.norm();
+            chord = std::max(chord, length < 0.1 ? 4 : (seen[middle] - straight / length).squaredNorm());
         }
-        return bend;
+        return angleOf(chord);
     }
 
     void addSeen(const Seen& seen, double radius) {
@@ -133,7 +138,7 @@ class CellWalk {
     }
 
     TileSet& m_tiles;
-    const PhotoPixelAt& m_at;
+    const PhotoDirectionAt& m_at;
     double m_reach;
 };
 
@@ -161,9 +166,10 @@ ViewFootprint::ViewFootprint(const CameraModel& camera)
     }
 }
 
-TileSet ViewFootprint::tiles(const TileGrid& grid, const PhotoPixelAt& photoPixelAt, double reachPx) const {
+TileSet ViewFootprint::tiles(const TileGrid& grid, const PhotoDirectionAt& photoDirectionAt,
+                             double reachPx) const {
     TileSet result(grid);
-    CellWalk walk(result, photoPixelAt, reachPx);
+    CellWalk walk(result, photoDirectionAt, reachPx);
     // Neighbouring cells share samples; each is taken once, when the first cell needs it.
     std::vector<std::optional<Vector3d>> samples(m_x.size() * m_y.size());
     for (const Cell& cell : m_cells) {

@@ -13,9 +13,9 @@
 
 namespace spherewalk::render {
 
-/// Where a photo shows what a view's pixel does; nothing where the lens sees nothing. Called for fractions of
-/// pixels too, up to half a pixel outside of the view.
-using PhotoPixelAt = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d& viewPixel)>;
+/// The direction in which a photo sees what a view's pixel shows, not normalised; nothing where the lens sees
+/// nothing. Called for fractions of pixels too, up to half a pixel outside of the view.
+using PhotoDirectionAt = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& viewPixel)>;
 
 /// Which part of a camera's picture has pixels, prepared so that the tiles of a view are found in a fraction
 /// of the view's own time. Threads: const, any number.
@@ -27,7 +27,7 @@ class ViewFootprint {
     /// All tiles that a view may touch, and few others: lens distortion, displacement, seam and poles
     /// included. The projection is sampled every 16 pixels, and closer where it bends; it must be continuous
     /// on the sphere. reachPx: how far beyond its own place a pixel is filtered, in photo pixels.
-    TileSet tiles(const TileGrid& grid, const PhotoPixelAt& photoPixelAt, double reachPx = 2) const;
+    TileSet tiles(const TileGrid& grid, const PhotoDirectionAt& photoDirectionAt, double reachPx = 2) const;
 
   private:
     struct Cell {

@@ -97,9 +97,10 @@ TileNeed ViewEngine::need(const ViewRequest& request, const ViewPlan& plan, doub
     const TileGrid grid = m_store.grid(plan.level);
     const Projection projection(request.camera, request.roomFromCamera, roomFromPhoto(plan.level.photo),
                                 grid.photo(), plan.scene, plan.radiusM);
-    return {plan.level,
-            plan.table.footprint->tiles(
-                grid, [&](const Eigen::Vector2d& pixel) { return projection.photoPixel(pixel); }, reachPx)};
+    return {
+        plan.level,
+        plan.table.footprint->tiles(
+            grid, [&](const Eigen::Vector2d& pixel) { return projection.photoDirection(pixel); }, reachPx)};
 }
 
 void ViewEngine::make(const ViewRequest& request, const ViewPlan& plan, const Served& served, View& view) {

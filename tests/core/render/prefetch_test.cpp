@@ -40,7 +40,7 @@ class Corridor {
         const Rigid3 roomFromPhoto{Eigen::Quaterniond::Identity(),
                                    Vector3d(kStepM * static_cast<double>(photo), 0, 0)};
         const Projection projection(m_camera, pose, roomFromPhoto, kPhoto, SceneKind::Sphere, 2);
-        return m_footprint.tiles(grid, [&](const Vector2d& p) { return projection.photoPixel(p); });
+        return m_footprint.tiles(grid, [&](const Vector2d& p) { return projection.photoDirection(p); });
     }
 
     TileGrid grid{kPhoto};

@@ -20,12 +20,12 @@ using Eigen::Vector2d;
 const EquirectSize kPhoto{1800, 900}; // the last column and row of tiles are cut
 
 /// The tiles of the four pixels that a bilinear sample at each of the view's pixels reads.
-TileSet touchedBy(const TileGrid& grid, const CameraModel& camera, const PhotoPixelAt& at) {
+TileSet touchedBy(const TileGrid& grid, const CameraModel& camera, const Projection& projection) {
     TileSet tiles(grid);
     const auto [width, height] = grid.photo();
     for (int y = 0; y < camera.height(); ++y) {
         for (int x = 0; x < camera.width(); ++x) {
-            const auto pixel = at(Vector2d(x, y));
+            const auto pixel = projection.photoPixel(Vector2d(x, y));
             for (int i = 0; pixel && i < 4; ++i) {
                 int u = static_cast<int>(std::floor(pixel->x())) + i % 2;
                 int v = static_cast<int>(std::floor(pixel->y())) + i / 2;
@@ -73,8 +73,8 @@ TEST(ViewFootprint, HoldsEveryTileThatAViewTouches) {
                           random.direction() * radius * std::min(1.0, random.uniform(0, 1.1)) * 0.95};
         const SceneKind scene = round % 3 == 0 ? SceneKind::None : SceneKind::Sphere;
         const Projection projection(camera, pose, {random.rotation(), {0, 0, 0}}, kPhoto, scene, radius);
-        const PhotoPixelAt at = [&](const Vector2d& p) { return projection.photoPixel(p); };
-        const TileSet expected = touchedBy(grid, camera, at);
+        const PhotoDirectionAt at = [&](const Vector2d& p) { return projection.photoDirection(p); };
+        const TileSet expected = touchedBy(grid, camera, projection);
         const TileSet got = ViewFootprint(camera).tiles(grid, at);
         expected.forEach([&](int tile) {
             ASSERT_TRUE(got.contains(tile))
@@ -94,9 +94,9 @@ TEST(ViewFootprint, LooksAtPolesAndSeam) {
             const Rigid3 pose{rotation({Degrees(yaw), Degrees(pitch), Degrees(0)}) * bodyFromOptical(),
                               {0, 0, 0}};
             const Projection projection(camera, pose, {}, kPhoto, SceneKind::None, 1);
-            const PhotoPixelAt at = [&](const Vector2d& p) { return projection.photoPixel(p); };
+            const PhotoDirectionAt at = [&](const Vector2d& p) { return projection.photoDirection(p); };
             const TileSet got = ViewFootprint(camera).tiles(grid, at);
-            touchedBy(grid, camera, at).forEach([&](int tile) {
+            touchedBy(grid, camera, projection).forEach([&](int tile) {
                 ASSERT_TRUE(got.contains(tile)) << pitch << ", " << yaw;
             });
         }
@@ -109,7 +109,7 @@ TEST(ViewFootprint, OfALevel90DegreeViewIsAboutAnEighthOfThePhoto) {
     const Projection projection(camera, {bodyFromOptical(), {0, 0, 0}}, {}, photo, SceneKind::None, 1);
     const TileGrid grid(photo);
     const TileSet tiles =
-        ViewFootprint(camera).tiles(grid, [&](const Vector2d& p) { return projection.photoPixel(p); });
+        ViewFootprint(camera).tiles(grid, [&](const Vector2d& p) { return projection.photoDirection(p); });
     EXPECT_GT(tiles.count(), grid.count() / 10);
     EXPECT_LT(tiles.count(), grid.count() / 7);
 }

@@ -23,6 +23,9 @@ class Projection {
     /// The photo's pixel that the view's pixel shows; nothing where the lens sees nothing.
     std::optional<Eigen::Vector2d> photoPixel(const Eigen::Vector2d& viewPixel) const;
 
+    /// The direction, in the photo's frame, of that pixel; not normalised.
+    std::optional<Eigen::Vector3d> photoDirection(const Eigen::Vector2d& viewPixel) const;
+
   private:
     const CameraModel& m_camera;
     SceneRays m_rays;
