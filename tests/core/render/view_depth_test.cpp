@@ -86,7 +86,7 @@ TEST(ViewDepth, AgreesWithLongDoubleFromAnywhereInTheSphereThroughAnyLens) {
         }
     }
     RecordProperty("worst_relative", text(worst));
-    EXPECT_LT(worst, 2e-6); // rays of lenses are kept as floats
+    EXPECT_LT(worst, 1e-6); // rays of lenses are kept as floats
 }
 
 TEST(ViewDepth, AgreesWithLongDoubleAtTheNarrowestAndTheWidestView) {

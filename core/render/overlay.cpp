@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/render/overlay.h"
+
+#include "overlay_layer.h"
+#include "overlay_map.h"
+#include "recently_used.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::render {
+
+namespace {
+
+constexpr std::size_t kMapsKept = 8;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+    throw Error(ErrorKind::InvalidInput, text(what, " cannot be laid into the view: ", why));
+}
+
+template <class Picture>
+void checkSize(const std::string& what, std::string_view whose, const Picture& picture,
+               const CameraIntrinsics& camera) {
+    if (picture.width() != camera.width || picture.height() != camera.height) {
+        refuse(what, text(whose, " has ", picture.width(), " x ", picture.height(), " pixels, the camera ",
+                          camera.width, " x ", camera.height, "."));
+    }
+}
+
+void check(const Overlay& overlay, const std::string& what) {
+    try {
+        overlay.camera.validate();
+    } catch (const Error& error) {
+        refuse(what, error.sentence());
+    }
+    checkSize(what, "its picture", overlay.picture, overlay.camera);
+    checkSize(what, "its depth", overlay.depth, overlay.camera);
+    if (!overlay.roomDepth.empty()) {
+        checkSize(what, "its room's depth", overlay.roomDepth, overlay.camera);
+    }
+}
+
+void check(const ComposeOptions& options) {
+    for (const double tolerance : {options.toleranceM, options.toleranceShare}) {
+        if (!(tolerance >= 0) || !std::isfinite(tolerance)) {
+            refuse("Overlays", text("their depth tolerance is ", tolerance, "; it must be 0 or more."));
+        }
+    }
+}
+
+/// An overlay, and how the view's pixels find it.
+struct Layer {
+    OverlayLayer pixels;
+    std::shared_ptr<const OverlayMap> map; ///< nothing: pixel for pixel
+
+    OverlayLayer::Span span(int y, int width) const {
+        return map ? OverlayLayer::Span{0, width} : pixels.span(y);
+    }
+
+    Shown at(int x, int y, float viewDepth) const {
+        if (!map) {
+            return pixels.pixel(x, y);
+        }
+        const OverlayMap::Place place = map->at(x, y);
+        return pixels.mayShow(place) ? pixels.between(place, viewDepth) : Shown();
+    }
+};
+
+/// What overlays show in one pixel, farthest first.
+using Pile = std::vector<Shown>;
+
+void gather(const std::vector<Layer>& layers, int x, int y, int width, float viewDepth, Pile& pile) {
+    pile.clear();
+    for (const Layer& layer : layers) {
+        const OverlayLayer::Span span = layer.span(y, width);
+        const Shown shown = span.holds(x) ? layer.at(x, y, viewDepth) : Shown();
+        if (shown.coverage > 0) {
+            pile.insert(std::upper_bound(pile.begin(), pile.end(), shown,
+                                         [](const Shown& a, const Shown& b) { return a.depth > b.depth; }),
+                        shown);
+        }
+    }
+}
+
+/// How much of the pixel the pile covers, in [0, 255].
+std::uint8_t lay(const Pile& pile, std::uint8_t* rgb) {
+    double left = 255;
+    for (const Shown& shown : pile) {
+        const std::uint64_t rest = Shown::kWhole - shown.coverage;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint64_t sum = shown.colour[c] + rest * rgb[c];
+            rgb[c] = static_cast<std::uint8_t>( // a premultiplied colour may exceed its alpha: it glows
+                std::min<std::uint64_t>(255, (sum + Shown::kWhole / 2) / Shown::kWhole));
+        }
+        left *= static_cast<double>(rest) / static_cast<double>(Shown::kWhole);
+    }
+    return static_cast<std::uint8_t>(255.5 - left);
+}
+
+void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y, Pile& pile,
+            RgbImage& picture, MaskImage* shown) {
+    OverlayLayer::Span row{picture.width(), 0};
+    for (const Layer& layer : layers) {
+        const OverlayLayer::Span span = layer.span(y, picture.width());
+        row = {std::min(row.begin, span.begin), std::max(row.end, span.end)};
+    }
+    for (int x = row.begin; x < row.end; ++x) {
+        gather(layers, x, y, picture.width(), viewDepth.empty() ? 0 : *viewDepth.at(x, y), pile);
+        if (!pile.empty()) {
+            const std::uint8_t covered = lay(pile, picture.at(x, y));
+            if (shown != nullptr) {
+                *shown->at(x, y) = covered;
+            }
+        }
+    }
+}
+
+} // namespace
+
+struct Composer::State {
+    Layer layer(const Overlay& overlay, const CameraModel& camera, const DepthImage& viewDepth,
+                const ComposeOptions& options, WorkerPool& pool) {
+        if (overlay.camera == camera.intrinsics()) {
+            const DepthImage& room = overlay.roomDepth.empty() ? viewDepth : overlay.roomDepth;
+            return {OverlayLayer(overlay, room, options, pool), nullptr};
+        }
+        return {OverlayLayer(overlay, overlay.roomDepth, options, pool),
+                maps.get({camera.intrinsics(), overlay.camera}, [&] {
+                    return OverlayMap(camera, CameraModel(overlay.camera), pool, options.threads);
+                })};
+    }
+
+    RecentlyUsed<std::pair<CameraIntrinsics, CameraIntrinsics>, OverlayMap> maps{kMapsKept};
+};
+
+Composer::Composer() : m_state(std::make_unique<State>()) {
+}
+
+Composer::~Composer() = default;
+Composer::Composer(Composer&&) noexcept = default;
+Composer& Composer::operator=(Composer&&) noexcept = default;
+
+void Composer::compose(std::span<const Overlay> overlays, const CameraModel& camera,
+                       const DepthImage& viewDepth, const ComposeOptions& options, WorkerPool& pool,
+                       RgbImage& picture, MaskImage* shown) {
+    check(options);
+    checkSize("Overlays", "the view", picture, camera.intrinsics());
+    if (!viewDepth.empty()) {
+        checkSize("Overlays", "the view's depth", viewDepth, camera.intrinsics());
+    }
+    for (std::size_t i = 0; i < overlays.size(); ++i) {
+        check(overlays[i], text("Overlay ", i));
+    }
+    std::vector<Layer> layers;
+    for (const Overlay& overlay : overlays) {
+        layers.push_back(m_state->layer(overlay, camera, viewDepth, options, pool));
+    }
+    if (shown != nullptr) {
+        *shown = MaskImage(picture.width(), picture.height());
+    }
+    std::vector<Pile> piles(static_cast<std::size_t>(pool.threads()));
+    pool.run(picture.height(), options.threads, [&](int y, int worker) {
+        layRow(layers, viewDepth, y, piles[static_cast<std::size_t>(worker)], picture, shown);
+    });
+}
+
+} // namespace spherewalk::render

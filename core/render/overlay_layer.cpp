@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "overlay_layer.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spherewalk::render {
+
+namespace {
+
+constexpr float kNoDepth = std::numeric_limits<float>::infinity();
+constexpr std::int16_t kNotThere = -1; ///< a pixel without an object, which says nothing of its neighbours
+
+/// How much the depth of one surface may change from pixel to pixel: 3 % are 87 degrees of inclination where
+/// a pixel spans a tenth of a degree.
+constexpr float kSurfaceStep = 0.03F;
+
+} // namespace
+
+int DepthTest::shown(float object, float room) const {
+    if (!isDepth(room)) {
+        return 255;
+    }
+    const double tolerance = std::max(m_toleranceM, m_toleranceShare * static_cast<double>(room));
+    const double behind = static_cast<double>(object) - static_cast<double>(room);
+    if (behind <= tolerance || behind >= 2 * tolerance) {
+        return behind <= tolerance ? 255 : 0;
+    }
+    return static_cast<int>(255 * (2 - behind / tolerance) + 0.5);
+}
+
+OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, const ComposeOptions& options,
+                           WorkerPool& pool)
+    : m_overlay(overlay),
+      m_test(options),
+      m_edges(options.edges),
+      m_spans(static_cast<std::size_t>(overlay.picture.height())) {
+    const int height = overlay.picture.height();
+    pool.run(height, options.threads, [&](int y, int) { m_spans[static_cast<std::size_t>(y)] = found(y); });
+    m_columns = {overlay.picture.width(), 0};
+    m_rows = {height, 0};
+    for (int y = 0; y < height; ++y) {
+        if (span(y).begin < span(y).end) {
+            m_columns = {std::min(m_columns.begin, span(y).begin), std::max(m_columns.end, span(y).end)};
+            m_rows = {std::min(m_rows.begin, y), y + 1};
+        }
+    }
+    if (roomDepth.empty() || m_rows.begin >= m_rows.end) {
+        return;
+    }
+    const int rows = m_rows.end - m_rows.begin;
+    Tested tested(m_columns.end - m_columns.begin, rows);
+    pool.run(rows, options.threads, [&](int row, int) { testRow(m_rows.begin + row, roomDepth, tested); });
+    m_shown = MaskImage(tested.width(), rows);
+    pool.run(rows, options.threads, [&](int row, int) { softenRow(m_rows.begin + row, tested); });
+}
+
+OverlayLayer::Span OverlayLayer::found(int y) const {
+    const std::uint8_t* row = m_overlay.picture.at(0, y);
+    Span span{0, m_overlay.picture.width()};
+    while (span.begin < span.end && row[4 * span.begin + 3] == 0) {
+        ++span.begin;
+    }
+    while (span.begin < span.end && row[4 * span.end - 1] == 0) {
+        --span.end;
+    }
+    return span;
+}
+
+float OverlayLayer::depth(int x, int y) const {
+    const DepthImage& depth = m_overlay.depth;
+    if (isDepth(*depth.at(x, y))) {
+        return *depth.at(x, y);
+    }
+    float nearest = kNoDepth;
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, depth.height() - 1); ++j) {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, depth.width() - 1); ++i) {
+            nearest = isDepth(*depth.at(i, j)) ? std::min(nearest, *depth.at(i, j)) : nearest;
+        }
+    }
+    return nearest;
+}
+
+void OverlayLayer::testRow(int y, const DepthImage& roomDepth, Tested& tested) const {
+    for (int x = m_columns.begin; x < m_columns.end; ++x) {
+        const float object = m_overlay.picture.at(x, y)[3] != 0 ? depth(x, y) : kNoDepth;
+        const int shown = isDepth(object) ? m_test.shown(object, *roomDepth.at(x, y)) : kNotThere;
+        *tested.at(x - m_columns.begin, y - m_rows.begin) = static_cast<std::int16_t>(shown);
+    }
+}
+
+void OverlayLayer::softenRow(int y, const Tested& tested) {
+    for (int x = span(y).begin; x < span(y).end; ++x) {
+        const int own = *tested.at(x - m_columns.begin, y - m_rows.begin);
+        if (own != kNotThere) {
+            *m_shown.at(x - m_columns.begin, y - m_rows.begin) =
+                static_cast<std::uint8_t>(m_edges == Edges::Soft ? softened(x, y, tested) : own);
+        }
+    }
+}
+
+int OverlayLayer::softened(int x, int y, const Tested& tested) const {
+    // Weights 1 6 1 in both directions. Only pixels of the same surface count: where one object ends in front
+    // of another, the room's edge is elsewhere.
+    const float own = depth(x, y);
+    int sum = 0;
+    int weights = 0;
+    for (int j = std::max(y - 1, m_rows.begin); j <= std::min(y + 1, m_rows.end - 1); ++j) {
+        for (int i = std::max(x - 1, m_columns.begin); i <= std::min(x + 1, m_columns.end - 1); ++i) {
+            const int value = *tested.at(i - m_columns.begin, j - m_rows.begin);
+            if (value != kNotThere && std::abs(depth(i, j) - own) <= kSurfaceStep * own) {
+                const int weight = (i == x ? 6 : 1) * (j == y ? 6 : 1);
+                sum += weight * value;
+                weights += weight;
+            }
+        }
+    }
+    return (sum + weights / 2) / weights;
+}
+
+void OverlayLayer::add(int x, int y, std::uint64_t weight, float viewDepth, std::uint64_t& heaviest,
+                       Shown& sum) const {
+    const std::uint8_t* rgba = m_overlay.picture.at(x, y);
+    if (rgba[3] == 0 || weight == 0) {
+        return;
+    }
+    const float object = depth(x, y);
+    if (!isDepth(object)) {
+        return;
+    }
+    weight *=
+        static_cast<std::uint64_t>(m_shown.empty() ? m_test.shown(object, viewDepth)
+                                                   : *m_shown.at(x - m_columns.begin, y - m_rows.begin));
+    const unsigned factor = m_overlay.alpha == Alpha::Straight ? rgba[3] : 255;
+    for (std::size_t c = 0; c < 3; ++c) {
+        sum.colour[c] += weight * (factor * rgba[c]);
+    }
+    sum.coverage += weight * rgba[3];
+    if (weight * rgba[3] > heaviest) {
+        heaviest = weight * rgba[3];
+        sum.depth = object;
+    }
+}
+
+Shown OverlayLayer::pixel(int x, int y) const {
+    Shown result;
+    std::uint64_t heaviest = 0;
+    add(x, y, std::uint64_t{OverlayMap::kOne} * OverlayMap::kOne, kNoDepth, heaviest, result);
+    return result;
+}
+
+Shown OverlayLayer::between(const OverlayMap::Place& place, float viewDepth) const {
+    Shown result;
+    const int left = place.u >> 8;
+    const int top = place.v >> 8;
+    const int right = place.u & 0xFF;
+    const int below = place.v & 0xFF;
+    std::uint64_t heaviest = 0;
+    for (const int j : {0, 1}) {
+        const int y = std::clamp(top + j, 0, m_overlay.picture.height() - 1); // the rim repeats half a pixel
+        if (!span(y).holds(left) && !span(y).holds(left + 1)) {
+            continue;
+        }
+        for (const int i : {0, 1}) {
+            const int x = std::clamp(left + i, 0, m_overlay.picture.width() - 1);
+            const int weight =
+                (i == 1 ? right : OverlayMap::kOne - right) * (j == 1 ? below : OverlayMap::kOne - below);
+            add(x, y, static_cast<std::uint64_t>(weight), viewDepth, heaviest, result);
+        }
+    }
+    return result;
+}
+
+} // namespace spherewalk::render

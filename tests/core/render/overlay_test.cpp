@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "expect_error.h"
+#include "lenses.h"
+#include "random.h"
+
+#include "spherewalk/render/overlay.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <thread>
+
+namespace spherewalk::render {
+
+using Eigen::Vector2d;
+using Rgba = std::array<int, 4>;
+using Rgb = std::array<int, 3>;
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr Rgb kGround{10, 100, 200};
+
+void set(RgbaImage& picture, int x, int y, const Rgba& value) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        picture.at(x, y)[c] = static_cast<std::uint8_t>(value[c]);
+    }
+}
+
+DepthImage depthOf(int width, int height, float value) {
+    DepthImage depth(width, height);
+    std::fill(depth.values().begin(), depth.values().end(), value);
+    return depth;
+}
+
+Overlay plain(const CameraIntrinsics& camera, const Rgba& colour, float depth) {
+    Overlay overlay;
+    overlay.camera = camera;
+    overlay.picture = RgbaImage(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            set(overlay.picture, x, y, colour);
+        }
+    }
+    overlay.depth = depthOf(camera.width, camera.height, depth);
+    return overlay;
+}
+
+Overlay noise(const CameraIntrinsics& camera, test::Random& random) {
+    Overlay overlay = plain(camera, {}, 1);
+    for (std::uint8_t& value : overlay.picture.values()) {
+        value = static_cast<std::uint8_t>(random.integer(0, 3) == 0 ? 255 * random.integer(0, 1)
+                                                                    : random.integer(0, 255));
+    }
+    overlay.roomDepth = overlay.depth;
+    for (float& depth : overlay.depth.values()) {
+        depth = static_cast<float>(random.uniform(-0.5, 4));
+    }
+    for (float& depth : overlay.roomDepth.values()) {
+        depth = static_cast<float>(random.uniform(-0.5, 4));
+    }
+    return overlay;
+}
+
+/// A view of one colour, with overlays laid into it.
+struct Composed {
+    RgbImage picture;
+    MaskImage shown;
+
+    Rgb at(int x, int y) const {
+        const std::uint8_t* rgb = picture.at(x, y);
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+};
+
+RgbImage ground(const CameraIntrinsics& camera) {
+    RgbImage picture(camera.width, camera.height);
+    for (std::size_t i = 0; i < picture.values().size(); ++i) {
+        picture.values()[i] = static_cast<std::uint8_t>(kGround[i % 3]);
+    }
+    return picture;
+}
+
+Composed composed(std::span<const Overlay> overlays, const CameraIntrinsics& camera,
+                  const ComposeOptions& options = {}, const DepthImage& viewDepth = {}) {
+    static WorkerPool pool(3);
+    Composer composer;
+    Composed result{ground(camera), {}};
+    composer.compose(overlays, CameraModel(camera), viewDepth, options, pool, result.picture, &result.shown);
+    return result;
+}
+
+Composed composed(const Overlay& overlay, const ComposeOptions& options = {},
+                  const DepthImage& viewDepth = {}) {
+    return composed({&overlay, 1}, overlay.camera, options, viewDepth);
+}
+
+const CameraIntrinsics kSmall = CameraIntrinsics::pinhole(8, 6, 1);
+
+} // namespace
+
+TEST(Overlay, IsBlendedByItsAlphaAndRoundedOnce) {
+    for (int alpha = 0; alpha <= 255; ++alpha) {
+        const Rgb colour{255 - alpha, 77, alpha};
+        const Composed straight = composed(plain(kSmall, {colour[0], colour[1], colour[2], alpha}, 1));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double exact = (colour[c] * alpha + kGround[c] * (255 - alpha)) / 255.0;
+            ASSERT_EQ(straight.at(3, 2)[c], static_cast<int>(exact + 0.5)) << alpha;
+        }
+        ASSERT_EQ(*straight.shown.at(3, 2), alpha);
+    }
+}
+
+TEST(Overlay, PremultipliedColoursAreNotMultipliedAgain) {
+    for (int alpha = 0; alpha <= 255; ++alpha) {
+        Overlay overlay = plain(kSmall, {alpha / 2, 0, alpha, alpha}, 1);
+        overlay.alpha = Alpha::Premultiplied;
+        const Composed result = composed(overlay);
+        for (const auto& [c, own] : {std::pair{0, alpha / 2}, {1, 0}, {2, alpha}}) {
+            const double exact = own + kGround[static_cast<std::size_t>(c)] * (255 - alpha) / 255.0;
+            ASSERT_EQ(result.at(0, 0)[static_cast<std::size_t>(c)], static_cast<int>(exact + 0.5)) << alpha;
+        }
+    }
+    Overlay glow = plain(kSmall, {255, 255, 255, 0}, 1); // colour without alpha: still nothing
+    glow.alpha = Alpha::Premultiplied;
+    EXPECT_EQ(composed(glow).at(0, 0), kGround);
+    Overlay brighter = plain(kSmall, {255, 255, 255, 128}, 1);
+    brighter.alpha = Alpha::Premultiplied;
+    EXPECT_EQ(composed(brighter).at(0, 0), (Rgb{255, 255, 255}));
+}
+
+TEST(Overlay, WithoutADepthThereIsNothing) {
+    for (const float none : {kInfinity, -kInfinity, kNan, 0.0F, -1.0F}) {
+        EXPECT_EQ(composed(plain(kSmall, {255, 0, 0, 255}, none)).picture, ground(kSmall)) << none;
+    }
+}
+
+TEST(Overlay, IsHiddenByNothingWhereTheRoomHasNoDepth) {
+    for (const float none : {kInfinity, -kInfinity, kNan, 0.0F, -1.0F}) {
+        Overlay overlay = plain(kSmall, {255, 0, 0, 255}, 3);
+        overlay.roomDepth = depthOf(8, 6, none);
+        EXPECT_EQ(composed(overlay).at(4, 4), (Rgb{255, 0, 0})) << none;
+        overlay.roomDepth = {};
+        EXPECT_EQ(composed(overlay, {}, depthOf(8, 6, none)).at(4, 4), (Rgb{255, 0, 0})) << none;
+    }
+}
+
+TEST(Overlay, FadesBetweenOneAndTwoTolerancesBehindTheRoom) {
+    ComposeOptions options;
+    options.toleranceM = 0.25;
+    for (const auto& [behind, share] : {std::pair{-2.0F, 1.0},
+                                        {-0.01F, 1.0},
+                                        {0.0F, 1.0},
+                                        {0.25F, 1.0},
+                                        {0.3125F, 0.75},
+                                        {0.375F, 0.5},
+                                        {0.5F, 0.0},
+                                        {4.0F, 0.0}}) {
+        Overlay overlay = plain(kSmall, {255, 255, 255, 255}, 4 + behind);
+        overlay.roomDepth = depthOf(8, 6, 4);
+        EXPECT_NEAR(*composed(overlay, options).shown.at(3, 3), 255 * share, 0.51) << behind;
+    }
+    options.toleranceM = 0;
+    options.toleranceShare = 0.0625; // of 4 m: the same
+    Overlay overlay = plain(kSmall, {255, 255, 255, 255}, 4.375F);
+    overlay.roomDepth = depthOf(8, 6, 4);
+    EXPECT_NEAR(*composed(overlay, options).shown.at(3, 3), 127.5, 0.51);
+    options.toleranceShare = 0; // no band at all
+    overlay.depth = depthOf(8, 6, std::nextafter(4.0F, 5.0F));
+    EXPECT_EQ(*composed(overlay, options).shown.at(3, 3), 0);
+    overlay.depth = depthOf(8, 6, 4);
+    EXPECT_EQ(*composed(overlay, options).shown.at(3, 3), 255);
+}
+
+TEST(Overlay, IsHiddenByItsOwnRoomElseByTheViewsDepth) {
+    Overlay overlay = plain(kSmall, {255, 0, 0, 255}, 2);
+    EXPECT_EQ(composed(overlay, {}, depthOf(8, 6, 1)).at(1, 1), kGround);
+    EXPECT_EQ(composed(overlay, {}, depthOf(8, 6, 3)).at(1, 1), (Rgb{255, 0, 0}));
+    overlay.roomDepth = depthOf(8, 6, 3);
+    EXPECT_EQ(composed(overlay, {}, depthOf(8, 6, 1)).at(1, 1), (Rgb{255, 0, 0}));
+    overlay.roomDepth = depthOf(8, 6, 1);
+    EXPECT_EQ(composed(overlay, {}, depthOf(8, 6, 3)).at(1, 1), kGround);
+}
+
+TEST(Overlay, ThroughAnotherCameraIsHiddenByTheViewsDepthToo) {
+    const CameraIntrinsics other = CameraIntrinsics::pinhole(40, 30, 1.2);
+    const Overlay overlay = plain(other, {255, 0, 0, 255}, 2);
+    DepthImage depth = depthOf(8, 6, 3);
+    *depth.at(2, 3) = 1;
+    const Composed result = composed({&overlay, 1}, kSmall, {}, depth);
+    EXPECT_EQ(result.at(2, 3), kGround);
+    EXPECT_EQ(result.at(3, 3), (Rgb{255, 0, 0}));
+}
+
+TEST(Overlay, FarthestIsLaidFirstInWhateverOrderTheyAreGiven) {
+    const Overlay farRed = plain(kSmall, {255, 0, 0, 255}, 3);
+    const Overlay middleGreen = plain(kSmall, {0, 255, 0, 255}, 2);
+    Overlay nearBlue = plain(kSmall, {0, 0, 255, 255}, 1);
+    set(nearBlue.picture, 5, 1, {0, 0, 255, 0});
+    set(nearBlue.picture, 6, 1, {0, 0, 255, 128});
+    std::vector<Overlay> overlays{farRed, middleGreen, nearBlue};
+    std::vector<int> order{0, 1, 2};
+    do {
+        const std::vector<Overlay> given{overlays[static_cast<std::size_t>(order[0])],
+                                         overlays[static_cast<std::size_t>(order[1])],
+                                         overlays[static_cast<std::size_t>(order[2])]};
+        const Composed result = composed(given, kSmall);
+        EXPECT_EQ(result.at(2, 2), (Rgb{0, 0, 255}));
+        EXPECT_EQ(result.at(5, 1), (Rgb{0, 255, 0}));
+        EXPECT_EQ(result.at(6, 1), (Rgb{0, 127, 128}));
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(Overlay, OfTheSameDepthTheLaterOneIsOnTop) {
+    const std::vector<Overlay> overlays{plain(kSmall, {255, 0, 0, 255}, 2),
+                                        plain(kSmall, {0, 255, 0, 255}, 2)};
+    EXPECT_EQ(composed(overlays, kSmall).at(0, 5), (Rgb{0, 255, 0}));
+}
+
+TEST(Overlay, MaskTellsHowMuchAllOfThemCover) {
+    const std::vector<Overlay> overlays{plain(kSmall, {1, 2, 3, 128}, 2), plain(kSmall, {4, 5, 6, 64}, 3)};
+    const double left = (1 - 128 / 255.0) * (1 - 64 / 255.0);
+    EXPECT_NEAR(*composed(overlays, kSmall).shown.at(7, 0), 255 * (1 - left), 0.51);
+    const Composed none = composed(std::span<const Overlay>(), kSmall);
+    EXPECT_EQ(none.picture, ground(kSmall));
+    EXPECT_EQ(none.shown, MaskImage(8, 6));
+}
+
+TEST(Overlay, ARimPixelTakesTheNearestDepthBesideIt) {
+    Overlay overlay = plain(kSmall, {0, 0, 0, 0}, kInfinity);
+    overlay.roomDepth = depthOf(8, 6, 2);
+    for (const int x : {2, 3, 6}) {
+        set(overlay.picture, x, 2, {255, 255, 255, 255});
+    }
+    *overlay.depth.at(1, 2) = 5; // behind the room
+    *overlay.depth.at(3, 3) = 1; // in front of it; beside (2, 2) and (3, 2)
+    const Composed result = composed(overlay);
+    EXPECT_EQ(*result.shown.at(2, 2), 255);
+    EXPECT_EQ(*result.shown.at(3, 2), 255);
+    EXPECT_EQ(*result.shown.at(6, 2), 0); // alone: its depth is not invented
+    EXPECT_EQ(*result.shown.at(3, 3), 0); // a depth without a colour is nothing
+}
+
+TEST(Overlay, AnEdgeOfTheRoomIsSoftenedOnBothSides) {
+    Overlay overlay = plain(kSmall, {255, 255, 255, 255}, 2);
+    overlay.roomDepth = depthOf(8, 6, 3);
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 4; x < 8; ++x) {
+            *overlay.roomDepth.at(x, y) = 1;
+        }
+    }
+    ComposeOptions options;
+    const Composed soft = composed(overlay, options);
+    options.edges = Edges::Hard;
+    const Composed hard = composed(overlay, options);
+    const std::array<int, 8> expectedSoft{255, 255, 255, 223, 32, 0, 0, 0}; // 7/8 and 1/8
+    for (int x = 0; x < 8; ++x) {
+        EXPECT_EQ(*soft.shown.at(x, 3), expectedSoft[static_cast<std::size_t>(x)]) << x;
+        EXPECT_EQ(*hard.shown.at(x, 3), x < 4 ? 255 : 0) << x;
+    }
+}
+
+TEST(Overlay, WhereOneObjectEndsBeforeAnotherNothingIsSoftened) {
+    // Left an object in front of the room, right one behind it: what separates them is not the room's edge.
+    Overlay overlay = plain(kSmall, {255, 255, 255, 255}, 1);
+    overlay.roomDepth = depthOf(8, 6, 2);
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 4; x < 8; ++x) {
+            *overlay.depth.at(x, y) = 3;
+        }
+    }
+    const Composed result = composed(overlay);
+    for (int x = 0; x < 8; ++x) {
+        EXPECT_EQ(*result.shown.at(x, 3), x < 4 ? 255 : 0) << x;
+    }
+}
+
+TEST(Overlay, OfACameraShiftedByWholePixelsIsTakenPixelForPixel) {
+    test::Random random(71);
+    SCOPED_TRACE(random.seed());
+    CameraIntrinsics wider = CameraIntrinsics::pinhole(40, 30, 1);
+    const Overlay overlay = noise(wider, random);
+    CameraIntrinsics view = wider;
+    view.width = 30;
+    view.height = 20;
+    view.cx -= 6;
+    view.cy -= 4;
+    const Composed looked = composed({&overlay, 1}, view);
+    const Composed own = composed(overlay);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 30; ++x) {
+            ASSERT_EQ(looked.at(x, y), own.at(x + 6, y + 4)) << x << ", " << y;
+        }
+    }
+}
+
+TEST(Overlay, ThroughALensIsBilinearInPremultipliedColours) {
+    test::Random random(72);
+    SCOPED_TRACE(random.seed());
+    const CameraIntrinsics simulator = CameraIntrinsics::pinhole(90, 70, 1.7);
+    const CameraModel simulated(simulator);
+    Overlay overlay = noise(simulator, random);
+    overlay.depth = depthOf(90, 70, 1);
+    overlay.roomDepth = {};
+    int seen = 0;
+    for (const CameraIntrinsics& intrinsics : test::everyLens(64, 48)) {
+        const CameraModel camera(intrinsics);
+        const Composed result = composed({&overlay, 1}, intrinsics);
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                const auto ray = camera.ray(Vector2d(x, y));
+                const auto place = ray ? simulated.project(*ray) : std::nullopt;
+                if (!place || place->x() < 0 || place->y() < 0 || place->x() > 88.9 || place->y() > 68.9) {
+                    continue;
+                }
+                const int left = static_cast<int>(place->x());
+                const int top = static_cast<int>(place->y());
+                Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+                for (const int k : {0, 1, 2, 3}) {
+                    const std::uint8_t* rgba = overlay.picture.at(left + k % 2, top + k / 2);
+                    const double weight = (1 - std::abs(place->x() - (left + k % 2))) *
+                                          (1 - std::abs(place->y() - (top + k / 2)));
+                    const double alpha = rgba[3] / 255.0;
+                    sum += weight * alpha * Eigen::Vector4d(rgba[0], rgba[1], rgba[2], 1);
+                }
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double exact = sum[static_cast<int>(c)] + (1 - sum[3]) * kGround[c];
+                    // Places are multiples of 1/256 pixels, which is up to 1/512 of 255 levels along each
+                    // axis.
+                    ASSERT_NEAR(result.at(x, y)[c], exact, 1.6) << name(intrinsics.lens) << x << ", " << y;
+                }
+                ++seen;
+            }
+        }
+    }
+    EXPECT_GT(seen, 4000);
+}
+
+TEST(Overlay, BetweenPixelsNoDepthIsInvented) {
+    // Left a near thing, right a far one, the room between: halfway between two pixels half of the near thing
+    // is shown, and nothing of the far one. A depth between them would show all or nothing of both.
+    CameraIntrinsics camera = CameraIntrinsics::pinhole(8, 6, 1);
+    Overlay overlay = plain(camera, {255, 0, 0, 255}, 1);
+    overlay.roomDepth = depthOf(8, 6, 2);
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 4; x < 8; ++x) {
+            *overlay.depth.at(x, y) = 3;
+            set(overlay.picture, x, y, {0, 255, 0, 255});
+        }
+    }
+    CameraIntrinsics view = camera;
+    view.cx -= 0.5; // the view's pixel x lies at the overlay's x + 0.5
+    const Composed result = composed({&overlay, 1}, view);
+    EXPECT_EQ(result.at(2, 3), (Rgb{255, 0, 0}));
+    EXPECT_EQ(*result.shown.at(3, 3), 128);
+    EXPECT_EQ(result.at(3, 3), (Rgb{133, 50, 100}));
+    EXPECT_EQ(result.at(4, 3), kGround);
+    // The same with the depth of the view itself.
+    overlay.roomDepth = {};
+    EXPECT_EQ(composed({&overlay, 1}, view, {}, depthOf(8, 6, 2)).at(3, 3), (Rgb{133, 50, 100}));
+}
+
+TEST(Overlay, ChangesNothingBesideItsPictureAndWhereTheLensSeesNothing) {
+    const CameraIntrinsics narrow = CameraIntrinsics::pinhole(20, 20, 0.3);
+    const Overlay overlay = plain(narrow, {255, 0, 0, 255}, 1);
+    for (const CameraIntrinsics& intrinsics : test::everyLens(64, 48)) {
+        const CameraModel camera(intrinsics);
+        const CameraModel simulator(narrow);
+        const Composed result = composed({&overlay, 1}, intrinsics);
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                const auto ray = camera.ray(Vector2d(x, y));
+                const auto place = ray ? simulator.project(*ray) : std::nullopt;
+                const bool isInside = place && (*place - Vector2d(9.5, 9.5)).cwiseAbs().maxCoeff() <= 10;
+                ASSERT_EQ(result.at(x, y), isInside ? (Rgb{255, 0, 0}) : kGround) << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST(Overlay, GivesTheSameBytesForAnyNumberOfThreads) {
+    test::Random random(73);
+    SCOPED_TRACE(random.seed());
+    const std::vector<CameraIntrinsics> lenses = test::everyLens(97, 61);
+    std::vector<Overlay> overlays;
+    for (const CameraIntrinsics& camera : lenses) {
+        overlays.push_back(noise(camera, random));
+    }
+    overlays[2].roomDepth = {};
+    const DepthImage depth = depthOf(97, 61, 2);
+    for (const CameraIntrinsics& view : lenses) {
+        const Composed one = composed(overlays, view, {0.1, 0.1, Edges::Soft, 1}, depth);
+        for (const int threads : {0, 2, 3}) {
+            const Composed many = composed(overlays, view, {0.1, 0.1, Edges::Soft, threads}, depth);
+            EXPECT_EQ(many.picture, one.picture) << threads;
+            EXPECT_EQ(many.shown, one.shown) << threads;
+        }
+    }
+}
+
+TEST(Overlay, GivesTheSameBytesToManyThreadsAtATime) {
+    test::Random random(74);
+    const std::vector<CameraIntrinsics> lenses = test::everyLens(64, 48);
+    const Overlay overlay = noise(CameraIntrinsics::pinhole(80, 60, 1.5), random);
+    std::vector<RgbImage> expected;
+    for (const CameraIntrinsics& view : lenses) {
+        expected.push_back(composed({&overlay, 1}, view).picture);
+    }
+    Composer composer;
+    WorkerPool pool(2);
+    std::atomic<int> different{0};
+    {
+        std::vector<std::jthread> callers;
+        for (int caller = 0; caller < 4; ++caller) {
+            callers.emplace_back([&] {
+                for (std::size_t i = 0; i < 4 * lenses.size(); ++i) {
+                    const CameraIntrinsics& view = lenses[i % lenses.size()];
+                    RgbImage picture = ground(view);
+                    composer.compose({&overlay, 1}, CameraModel(view), {}, {}, pool, picture);
+                    different += picture == expected[i % lenses.size()] ? 0 : 1;
+                }
+            });
+        }
+    }
+    EXPECT_EQ(different, 0);
+}
+
+TEST(Overlay, OfOnePixelIsLaidIn) {
+    for (const double fov : {0.017, 1.0, 3.12}) {
+        const CameraIntrinsics one = CameraIntrinsics::pinhole(1, 1, fov);
+        EXPECT_EQ(composed(plain(one, {1, 2, 3, 255}, 2)).at(0, 0), (Rgb{1, 2, 3}));
+        const Overlay overlay = plain(CameraIntrinsics::pinhole(1, 1, 0.99 * fov), {1, 2, 3, 255}, 2);
+        EXPECT_EQ(composed({&overlay, 1}, one).at(0, 0), (Rgb{1, 2, 3}));
+    }
+}
+
+TEST(Overlay, RefusesWhatDoesNotFitAndLeavesTheViewAlone) {
+    WorkerPool pool(1);
+    Composer composer;
+    RgbImage picture = ground(kSmall);
+    MaskImage shown;
+    std::vector<Overlay> overlays(2, plain(kSmall, {255, 0, 0, 255}, 1));
+    ComposeOptions options;
+    DepthImage depth;
+    const auto refused = [&](const std::string& part) {
+        test::expectError(ErrorKind::InvalidInput, part, [&] {
+            composer.compose(overlays, CameraModel(kSmall), depth, options, pool, picture, &shown);
+        });
+        EXPECT_TRUE(picture.width() != 8 || picture == ground(kSmall));
+        EXPECT_TRUE(shown.empty());
+        overlays = std::vector<Overlay>(2, plain(kSmall, {255, 0, 0, 255}, 1));
+        options = {};
+        depth = {};
+        picture = ground(kSmall);
+    };
+    overlays[1].picture = RgbaImage(8, 5);
+    refused("Overlay 1 cannot be laid into the view: its picture has 8 x 5 pixels, the camera 8 x 6.");
+    overlays[0].depth = {};
+    refused("Overlay 0 cannot be laid into the view: its depth has 0 x 0 pixels");
+    overlays[1].roomDepth = DepthImage(6, 8);
+    refused("its room's depth has 6 x 8 pixels");
+    overlays[1].camera.fx = std::nan("");
+    refused("Overlay 1 cannot be laid into the view: The camera model");
+    overlays[1].camera.lens = LensModel::PlumbBob;
+    refused("Overlay 1");
+    depth = DepthImage(8, 5);
+    refused("the view's depth has 8 x 5 pixels");
+    picture = RgbImage(7, 6);
+    refused("the view has 7 x 6 pixels");
+    for (const double tolerance : {-1.0, std::nan(""), HUGE_VAL}) {
+        options.toleranceM = tolerance;
+        refused("tolerance");
+        options.toleranceShare = tolerance;
+        refused("tolerance");
+    }
+}
+
+} // namespace spherewalk::render
