@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/render/pixel_trust.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/render/scene_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace spherewalk::render {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw Error(ErrorKind::InvalidInput, text("The trust of the view's pixels cannot be told: ", what, "."));
+}
+
+/// By how many pixels a thing in this pixel moves in the picture for each radian that it moves in this
+/// direction, a unit vector across the ray.
+double pixelsPerRadian(const CameraModel& camera, const Vector2d& pixel, const Vector3d& ray,
+                       const Vector3d& direction) {
+    constexpr double kStep = 1e-5; // radians: lenses are smooth at this scale, and ten digits are left
+    const auto ahead = camera.project(ray + kStep * direction);
+    const auto behind = camera.project(ray - kStep * direction);
+    if (!ahead && !behind) { // the lens's field is a single point
+        return std::max(camera.intrinsics().fx, camera.intrinsics().fy);
+    }
+    const double steps = ahead && behind ? 2 : 1;
+    return (ahead.value_or(pixel) - behind.value_or(pixel)).norm() / (steps * kStep);
+}
+
+class TrustRows {
+  public:
+    TrustRows(const ViewGeometry& view, const TrustOptions& options)
+        : m_rays(view.rays),
+          m_scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM),
+          m_usualDistanceM(view.sphereRadiusM),
+          m_options(options),
+          m_photoPixel(2 * std::numbers::pi / view.photo.width),
+          m_sinPole(std::sin(std::min(Radians(options.poleRadius).value(), std::numbers::pi / 2))),
+          m_sinStitching(
+              std::sin(std::min(Radians(options.stitchingHalfWidth).value(), std::numbers::pi / 2))) {}
+
+    void compute(int y, PixelTrust& trust) const;
+
+  private:
+    using Directions =
+        std::vector<Vector3d>; ///< unit vectors of the photo's frame; zero where nothing is seen
+
+    Directions directions(int y) const;
+    double footprint(const Directions& row, const Directions& other, int x) const;
+    double displacementPx(int x, int y, const Vector3d& ray) const;
+    double blurPx(double footprint) const;
+    std::uint8_t flags(const Vector3d& inPhoto, double footprint, bool isBlurred) const;
+
+    const PixelRays& m_rays;
+    SceneRays m_scene;
+    double m_usualDistanceM;
+    const TrustOptions& m_options;
+    double m_photoPixel; ///< radians, at the equator
+    double m_sinPole;
+    double m_sinStitching;
+};
+
+TrustRows::Directions TrustRows::directions(int y) const {
+    Directions result(static_cast<std::size_t>(m_rays.camera().width()));
+    for (int x = 0; x < m_rays.camera().width(); ++x) {
+        const Vector3d ray = m_rays.ray(x, y);
+        result[static_cast<std::size_t>(x)] =
+            ray.isZero(0) ? ray : Vector3d(m_scene.directionInPhoto(ray).normalized());
+    }
+    return result;
+}
+
+/// The angle in the photo that the pixel spans, along the axis of the view that has more: the way to its
+/// neighbours.
+double TrustRows::footprint(const Directions& row, const Directions& other, int x) const {
+    const auto at = static_cast<std::size_t>(x);
+    double most = 0;
+    const auto measure = [&](const Vector3d& neighbour) {
+        most = neighbour.isZero(0) ? most : std::max(most, (neighbour - row[at]).norm());
+    };
+    if (x + 1 < static_cast<int>(row.size())) {
+        measure(row[at + 1]);
+    } else if (x > 0) {
+        measure(row[at - 1]);
+    }
+    if (!other.empty()) {
+        measure(other[at]);
+    }
+    const CameraIntrinsics& k = m_rays.camera().intrinsics();
+    return most > 0 ? most : 1 / std::min(k.fx, k.fy);
+}
+
+double TrustRows::displacementPx(int x, int y, const Vector3d& ray) const {
+    const Vector3d& offset = m_scene.offsetInCamera();
+    const Vector3d across = offset - offset.dot(ray) * ray;
+    const double acrossM = across.norm();
+    if (!(acrossM > 0)) {
+        return 0;
+    }
+    const double modelM = m_scene.distanceM(ray);
+    const double distanceM = std::isfinite(modelM) ? modelM : m_usualDistanceM;
+    return pixelsPerRadian(m_rays.camera(), Vector2d(x, y), ray, across / acrossM) * acrossM *
+           m_options.distanceResidual / distanceM;
+}
+
+double TrustRows::blurPx(double footprint) const {
+    const double full = m_photoPixel / footprint; // view pixels that one pixel of the photo spans
+    return 0.5 * std::max(0.0, m_options.coarseness * full - std::max(1.0, full));
+}
+
+std::uint8_t TrustRows::flags(const Vector3d& inPhoto, double footprint, bool isBlurred) const {
+    const double level = std::hypot(inPhoto.x(), inPhoto.y());
+    const double seamReach = 0.5 * (footprint + level * m_photoPixel); // of bilinear samples in the pixel
+    unsigned result = 0;
+    const auto set = [&](bool holds, PixelFlag flag) { result |= holds ? static_cast<unsigned>(flag) : 0U; };
+    set(level < m_sinPole, PixelFlag::Pole);
+    set(std::abs(inPhoto.x()) < m_sinStitching, PixelFlag::Stitching);
+    set(inPhoto.x() <= 0 && std::abs(inPhoto.y()) <= seamReach, PixelFlag::Seam);
+    set(isBlurred, PixelFlag::Coarse);
+    return static_cast<std::uint8_t>(result);
+}
+
+void TrustRows::compute(int y, PixelTrust& trust) const {
+    const int height = m_rays.camera().height();
+    const Directions row = directions(y);
+    const Directions other = height > 1 ? directions(y + 1 < height ? y + 1 : y - 1) : Directions();
+    for (int x = 0; x < m_rays.camera().width(); ++x) {
+        const Vector3d& inPhoto = row[static_cast<std::size_t>(x)];
+        if (inPhoto.isZero(0)) {
+            *trust.errorPx.at(x, y) = std::numeric_limits<float>::infinity();
+            *trust.flags.at(x, y) = static_cast<std::uint8_t>(PixelFlag::Unseen);
+            continue;
+        }
+        const double angle = footprint(row, other, x);
+        const double blur = blurPx(angle);
+        *trust.errorPx.at(x, y) = static_cast<float>(displacementPx(x, y, m_rays.ray(x, y)) + blur);
+        *trust.flags.at(x, y) = flags(inPhoto, angle, blur > 0);
+    }
+    if (m_options.overlays != nullptr) {
+        for (int x = 0; x < m_rays.camera().width(); ++x) {
+            *trust.flags.at(x, y) |=
+                *m_options.overlays->at(x, y) != 0 ? static_cast<std::uint8_t>(PixelFlag::Overlay) : 0;
+        }
+    }
+}
+
+} // namespace
+
+void TrustOptions::validate() const {
+    for (const double value : {distanceResidual, poleRadius.value(), stitchingHalfWidth.value()}) {
+        if (!(value >= 0) || !std::isfinite(value)) {
+            refuse(text("the residual of the distance and the widths of pole and stitching zone must be 0 or "
+                        "more, not ",
+                        value));
+        }
+    }
+    if (!(coarseness >= 1) || !std::isfinite(coarseness)) {
+        refuse(text("the coarseness must be 1 or more, not ", coarseness));
+    }
+}
+
+PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, WorkerPool& pool, int threads) {
+    view.validate();
+    options.validate();
+    const CameraModel& camera = view.rays.camera();
+    if (options.overlays != nullptr &&
+        (options.overlays->width() != camera.width() || options.overlays->height() != camera.height())) {
+        refuse(text("the overlays' mask has ", options.overlays->width(), " x ", options.overlays->height(),
+                    " pixels, the view ", camera.width(), " x ", camera.height()));
+    }
+    PixelTrust result{Image<float, 1>(camera.width(), camera.height()),
+                      MaskImage(camera.width(), camera.height())};
+    const TrustRows rows(view, options);
+    pool.run(camera.height(), threads, [&](int y, int) { rows.compute(y, result); });
+    return result;
+}
+
+} // namespace spherewalk::render
