@@ -4,9 +4,9 @@
 #include "reference_sampling.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/render/projection.h"
+#include "spherewalk/render/view_depth.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,6 +61,11 @@ ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFro
     return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options};
 }
 
+std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, int samplesPerAxis) {
+    return m_rays.get({camera.intrinsics(), samplesPerAxis},
+                      [&] { return RayTable(camera, samplesPerAxis); });
+}
+
 std::size_t ViewEngine::nearestPhoto(const ViewRequest& request) const {
     return m_dataset->nearestPhoto(request.roomFromCamera.translation);
 }
@@ -82,35 +87,38 @@ ViewPlan ViewEngine::plan(const ViewRequest& request, std::size_t photo) {
             plan.sampling = Sampling::Footprint; // too small, or of an odd height
         }
     }
-    plan.table = m_tables.get(request.camera, samplesPerAxis(plan.sampling, ratio));
+    plan.rays = raysOf(request.camera, samplesPerAxis(plan.sampling, ratio));
     return plan;
 }
 
 ViewPlan ViewEngine::coarse(const ViewRequest& request, const ViewPlan& plan) {
     ViewPlan coarse = plan;
     coarse.sampling = Sampling::Bilinear; // a thumbnail is magnified
-    coarse.table = m_tables.get(request.camera, 1);
+    coarse.rays = raysOf(request.camera, 1);
     return coarse;
 }
 
-TileNeed ViewEngine::need(const ViewRequest& request, const ViewPlan& plan, double reachPx) const {
+TileNeed ViewEngine::need(const ViewRequest& request, const ViewPlan& plan, double reachPx) {
     const TileGrid grid = m_store.grid(plan.level);
     const Projection projection(request.camera, request.roomFromCamera, roomFromPhoto(plan.level.photo),
                                 grid.photo(), plan.scene, plan.radiusM);
-    return {
-        plan.level,
-        plan.table.footprint->tiles(
-            grid, [&](const Eigen::Vector2d& pixel) { return projection.photoDirection(pixel); }, reachPx)};
+    const auto footprint =
+        m_footprints.get(request.camera.intrinsics(), [&] { return ViewFootprint(request.camera); });
+    const auto seenIn = [&](const Eigen::Vector2d& pixel) { return projection.photoDirection(pixel); };
+    return {plan.level, footprint->tiles(grid, seenIn, reachPx)};
 }
 
 void ViewEngine::make(const ViewRequest& request, const ViewPlan& plan, const Served& served, View& view) {
     const auto begin = std::chrono::steady_clock::now();
     report(request, plan, served, view.report);
     const PlaneView photo = served.coarse ? served.coarse->view() : served.lease.plane();
-    if (request.options.exact) {
-        drawExactly(request, plan, photo, view.picture);
-    } else {
-        draw(request, plan, photo, view.picture);
+    const std::unique_lock lock(m_drawing, std::try_to_lock);
+    if (lock) {
+        draw(request, plan, photo, m_pool, request.options.threads, m_workspace, view);
+    } else { // another thread has them: each view is then made by its own thread
+        WorkerPool alone(1);
+        Workspace own;
+        draw(request, plan, photo, alone, 1, own, view);
     }
     view.report.renderMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
@@ -139,34 +147,61 @@ void ViewEngine::report(const ViewRequest& request, const ViewPlan& plan, const 
 }
 
 void ViewEngine::draw(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
-                      RgbImage& picture) {
-    const ViewSource source{photo, roomFromPhoto(plan.level.photo), plan.scene, plan.radiusM};
-    const auto drawWith = [&](WorkerPool& pool, int threads, Workspace& workspace) {
-        renderView(*plan.table.rays, request.roomFromCamera, source, plan.sampling, pool, threads, workspace,
-                   picture);
-    };
-    const std::unique_lock lock(m_drawing, std::try_to_lock);
-    if (lock) {
-        drawWith(m_pool, request.options.threads, m_workspace);
-    } else { // another thread has them: each view is then made by its own thread
-        WorkerPool alone(1);
-        Workspace own;
-        drawWith(alone, 1, own);
+                      WorkerPool& pool, int threads, Workspace& workspace, View& view) {
+    if (request.options.exact) {
+        drawExactly(request, plan, photo, pool, threads, view.picture);
+    } else {
+        const ViewSource source{photo, roomFromPhoto(plan.level.photo), plan.scene, plan.radiusM};
+        renderView(*plan.rays, request.roomFromCamera, source, plan.sampling, pool, threads, workspace,
+                   view.picture);
     }
+    addLayers(request, plan, photo, pool, threads, view);
 }
 
 void ViewEngine::drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
-                             RgbImage& picture) {
+                             WorkerPool& pool, int threads, RgbImage& picture) const {
     const Projection projection(request.camera, request.roomFromCamera, roomFromPhoto(plan.level.photo),
                                 photo.size(), plan.scene, plan.radiusM);
     if (picture.width() != request.camera.width() || picture.height() != request.camera.height()) {
         picture = RgbImage(request.camera.width(), request.camera.height());
     }
-    parallelFor(picture.height(), 8, request.options.threads, [&](int first, int end) {
-        for (int y = first; y < end; ++y) {
-            exactRow(projection, photo, y, picture);
-        }
-    });
+    pool.run(picture.height(), threads, [&](int y, int) { exactRow(projection, photo, y, picture); });
+}
+
+/// Depth, overlays and trust, as far as they are wanted.
+void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
+                           WorkerPool& pool, int threads, View& view) {
+    const ViewOptions& options = request.options;
+    view.depth = {};
+    view.trust = {};
+    view.overlaid = {};
+    if (!options.wantsDepth && !options.wantsTrust && options.overlays.empty()) {
+        return;
+    }
+    const auto rays = m_pixelRays.get(request.camera.intrinsics(),
+                                      [&] { return PixelRays(request.camera, pool, threads); });
+    const DatasetPhoto& whole = m_dataset->info().photos[plan.level.photo];
+    const ViewGeometry geometry{
+        *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
+        plan.radiusM};
+    if (options.wantsDepth || !options.overlays.empty()) {
+        view.depth = viewDepth(geometry, pool, threads);
+    }
+    if (!options.overlays.empty()) {
+        ComposeOptions compose = options.compose;
+        compose.threads = threads;
+        m_composer.compose(options.overlays, request.camera, view.depth, compose, pool, view.picture,
+                           &view.overlaid);
+    }
+    if (options.wantsTrust) {
+        TrustOptions trust;
+        trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
+        trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
+        view.trust = pixelTrust(geometry, trust, pool, threads);
+    }
+    if (!options.wantsDepth) {
+        view.depth = {};
+    }
 }
 
 } // namespace spherewalk::render

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "camera_tables.h"
 #include "fast_view.h"
 #include "loader.h"
 #include "loader_photos.h"
+#include "recently_used.h"
+#include "tile_footprint.h"
 
 #include "spherewalk/render/renderer.h"
 
@@ -26,7 +27,7 @@ struct ViewPlan {
     SceneKind scene = SceneKind::None;
     double radiusM = 0;
     Sampling sampling = Sampling::Footprint; ///< not Auto
-    CameraTable table;
+    std::shared_ptr<const RayTable> rays;
 };
 
 /// What the renderer and its streams share: photos, tables, threads. Threads: all functions may be called
@@ -46,9 +47,9 @@ class ViewEngine {
     ViewPlan coarse(const ViewRequest& request, const ViewPlan& plan);
 
     /// The tiles of the plan's photo that the view shows. reachPx: and those so many photo pixels beside.
-    TileNeed need(const ViewRequest& request, const ViewPlan& plan, double reachPx = kFilterReachPx) const;
+    TileNeed need(const ViewRequest& request, const ViewPlan& plan, double reachPx = kFilterReachPx);
 
-    /// Makes picture and report from what was served.
+    /// Makes all of the view from what was served.
     void make(const ViewRequest& request, const ViewPlan& plan, const Served& served, View& view);
 
     const Dataset& dataset() const { return *m_dataset; }
@@ -61,20 +62,28 @@ class ViewEngine {
 
   private:
     static constexpr double kFilterReachPx = 2;
+    static constexpr std::size_t kCamerasKept = 8;
 
     Rigid3 roomFromPhoto(std::size_t photo) const { return m_dataset->info().photos[photo].roomFromPhoto; }
 
+    std::shared_ptr<const RayTable> raysOf(const CameraModel& camera, int samplesPerAxis);
     void report(const ViewRequest& request, const ViewPlan& plan, const Served& served,
                 ViewReport& report) const;
-    void draw(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, RgbImage& picture);
+    void draw(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, WorkerPool& pool,
+              int threads, Workspace& workspace, View& view);
     void drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
-                     RgbImage& picture);
+                     WorkerPool& pool, int threads, RgbImage& picture) const;
+    void addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, WorkerPool& pool,
+                   int threads, View& view);
 
     std::shared_ptr<const Dataset> m_dataset;
     std::shared_ptr<LoaderPhotos> m_photos;
     TileStore m_store;
     std::shared_ptr<Thumbnails> m_thumbnails;
-    CameraTables m_tables;
+    RecentlyUsed<std::pair<CameraIntrinsics, int>, RayTable> m_rays{kCamerasKept}; ///< by samples per axis
+    RecentlyUsed<CameraIntrinsics, ViewFootprint> m_footprints{kCamerasKept};
+    RecentlyUsed<CameraIntrinsics, PixelRays> m_pixelRays{kCamerasKept};
+    Composer m_composer;
     std::mutex m_drawing; ///< of pool and workspace
     WorkerPool m_pool;
     Workspace m_workspace;

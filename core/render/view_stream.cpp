@@ -69,7 +69,9 @@ void ViewStream::State::prefetch(const ViewRequest& request, double timeS, TileN
         ahead.stepSeconds = timeS - before->timeS;
         motion = motionBetween(before->roomFromCamera, request.roomFromCamera, ahead.stepSeconds);
     }
-    prefetcher.setPlan([this, motion, ahead, pose = request.roomFromCamera, view = request.options,
+    ViewOptions view = request.options;
+    view.overlays = {}; // they live until this view is made only
+    prefetcher.setPlan([this, motion, ahead, view, pose = request.roomFromCamera,
                         own = std::move(own)](const std::stop_token& stop) {
         std::vector<TileNeed> plan = prefetchPlan(pose, motion, ahead, stop, [&](const Rigid3& predicted) {
             const ViewRequest next{camera, predicted, view};

@@ -219,4 +219,54 @@ TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
     EXPECT_GT(tight.render(camera, poses[3]).report.decodeMs, 0);
 }
 
+TEST(Renderer, GivesDepthAndTrustWhenTheyAreWanted) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 512, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(41, 31, 1));
+    const Rigid3 pose{bodyFromOptical(), {0, 0.3, 0}};
+    const View plain = renderer.render(camera, pose);
+    EXPECT_TRUE(plain.depth.empty());
+    EXPECT_TRUE(plain.trust.errorPx.empty());
+    EXPECT_TRUE(plain.overlaid.empty());
+    ViewOptions options;
+    options.wantsDepth = options.wantsTrust = true;
+    const View view = renderer.render(camera, pose, options);
+    EXPECT_EQ(view.picture, plain.picture);
+    // Straight ahead of a camera that stands 0.3 m beside the centre of a sphere of 2 m.
+    EXPECT_NEAR(view.depth.at(20, 15)[0], std::sqrt(4 - 0.09), 1e-5);
+    EXPECT_NEAR(view.trust.errorPx.at(20, 15)[0], view.report.parallaxPx, 0.05 * view.report.parallaxPx);
+    options.scene = SceneKind::None;
+    EXPECT_TRUE(renderer.render(camera, pose, options).depth.empty());
+}
+
+TEST(Renderer, LaysOverlaysInByTheDepthOfItsSceneModel) {
+    const TemporaryFolder folder;
+    test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 512, 2.0);
+    const Renderer renderer(opened(folder.path()));
+    const CameraModel camera(CameraIntrinsics::pinhole(40, 30, 1));
+    const Rigid3 pose{bodyFromOptical(), {0, 0, 0}};
+    Overlay overlay;
+    overlay.camera = camera.intrinsics();
+    overlay.picture = RgbaImage(40, 30);
+    overlay.depth = DepthImage(40, 30);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            std::fill_n(overlay.picture.at(x, y), 4, std::uint8_t{255});
+            overlay.depth.at(x, y)[0] = x < 20 ? 1 : 3; // in front of the sphere, and behind it
+        }
+    }
+    ViewOptions options;
+    options.overlays = {&overlay, 1};
+    const View view = renderer.render(camera, pose, options);
+    const View plain = renderer.render(camera, pose);
+    EXPECT_EQ(view.picture.at(5, 15)[1], 255);
+    EXPECT_EQ(view.overlaid.at(5, 15)[0], 255);
+    EXPECT_EQ(view.overlaid.at(35, 15)[0], 0);
+    EXPECT_TRUE(std::equal(view.picture.at(30, 15), view.picture.at(39, 15), plain.picture.at(30, 15)));
+    EXPECT_TRUE(view.depth.empty()); // it was not asked for
+    overlay.depth = DepthImage(3, 3);
+    expectError(ErrorKind::InvalidInput, "3 x 3", [&] { renderer.render(camera, pose, options); });
+}
+
 } // namespace spherewalk::render

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "spherewalk/base/image.h"
+#include "spherewalk/render/overlay.h"
+#include "spherewalk/render/pixel_trust.h"
 #include "spherewalk/render/sampling.h"
 #include "spherewalk/render/scene_model.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,6 +21,11 @@ struct ViewOptions {
     double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
     /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
     bool exact = false;
+    bool wantsDepth = false; ///< View::depth
+    bool wantsTrust = false; ///< View::trust
+    /// Laid into the picture. Owner: they must live until the view is made.
+    std::span<const Overlay> overlays = {};
+    ComposeOptions compose = {}; ///< how; its threads are those above
 };
 
 /// What a view's pixels come from.
@@ -51,8 +59,12 @@ struct ViewReport {
     double renderMs = 0;
 };
 
+/// What was not asked for is empty.
 struct View {
     RgbImage picture; ///< black where the lens sees nothing
+    DepthImage depth; ///< of the scene model without overlays, as viewDepth() says: none for SceneKind::None
+    PixelTrust trust; ///< as pixelTrust() says
+    MaskImage overlaid; ///< how much of each pixel overlays cover, 255 for all of it; empty without overlays
     ViewReport report;
 };
 
