@@ -45,7 +45,8 @@ void addExport(Commands& commands) {
     command.add_option("dataset", options->dataset, "Folder to make")->required();
     command
         .add_option("--restart-every", options->write.mcusPerInterval,
-                    "JPEG blocks (MCUs) between restart markers")
+                    "JPEG blocks (MCUs) between restart markers; the nearest number that divides a row is "
+                    "taken")
         ->check(CLI::Range(1, 65535))
         ->capture_default_str();
 }

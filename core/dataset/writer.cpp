@@ -9,6 +9,7 @@
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/jpeg/region.h"
 #include "spherewalk/jpeg/restart.h"
 
 #include <algorithm>
@@ -79,7 +80,9 @@ Bytes sourceBytes(const SourcePhoto& photo) {
 std::uint64_t writePhoto(const Bytes& source, const fs::path& folder, const std::string& stem,
                          const std::string& sourceName, const WriteOptions& options,
                          render::DatasetPhoto& entry) {
-    const Bytes marked = jpeg::withRestartMarkers(source, options.mcusPerInterval, sourceName);
+    const jpeg::Info info = jpeg::readInfo(source, sourceName);
+    const Bytes marked = jpeg::withRestartMarkers(
+        source, jpeg::dividingInterval(info.width, info.mcuWidth, options.mcusPerInterval), sourceName);
     const jpeg::RestartIndex index = jpeg::indexRestarts(marked, sourceName);
     entry.file = text("photos/", stem, ".jpg");
     entry.restartIndex = text("index/", stem, ".swri");

@@ -26,7 +26,9 @@ struct Contents {
 };
 
 struct WriteOptions {
-    int mcusPerInterval = 8; ///< between restart markers; see resources/docs/formats.md for what others cost
+    /// Between restart markers; the nearest number that divides a row of the photo is taken. See
+    /// resources/docs/formats.md for what others cost.
+    int mcusPerInterval = 8;
     int thumbnailWidth = 512;
     int threads = 0; ///< 0: all that the machine has
 
