@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <numbers>
 
@@ -40,33 +41,58 @@ void sample(const PlaneView& photo, Sampling sampling, const simd::CellSamples& 
     }
 }
 
+simd::Rounding rounding(Sampling sampling) {
+    constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
+    switch (sampling) {
+    case Sampling::Nearest:
+        return {kHalf, kHalf};
+    case Sampling::Bicubic: // u is rounded to its weights' steps already, see kRoundingU
+        return {0, kHalf / 256};
+    default:
+        return {0, 0};
+    }
+}
+
+/// How far apart in a row of samples those are that lie in different cache lines.
+int stepToOtherMemory(const std::int32_t* u, const std::int32_t* v, int count) {
+    constexpr int kLine = 64;
+    int lines = 1;
+    for (const int row : {0, count - kCell}) { // the cell's first and last
+        const int across = std::abs(u[row + kCell - 1] - u[row]) >> kFractionBits;
+        const int down = std::abs(v[row + kCell - 1] - v[row]) >> kFractionBits;
+        lines = std::max({lines, 1 + across * PlaneLayout::kPixelBytes / kLine, 1 + down});
+    }
+    return lines <= 2 ? 8 : lines <= 4 ? 4 : lines <= 8 ? 2 : 1;
+}
+
 void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling, int cellY,
                Workspace::Worker& worker, RgbImage& picture) {
     const RayTable& rays = *lattice.rays;
     worker.lattice.beginRow(lattice, cellY);
+    const int count = kCell * kCell * rays.samplesPerAxis() * rays.samplesPerAxis();
+    int step = 1;
     const auto samples = [&](int cellX) {
         Workspace::Coordinates& at = worker.coordinates[static_cast<std::size_t>(cellX % 2)];
         worker.lattice.coordinates(lattice, cellX, at.u.data(), at.v.data());
-        const simd::CellSamples result{at.u.data(),
-                                       at.v.data(),
-                                       rays.samplesPerAxis(),
-                                       picture.at(kCell * cellX, kCell * cellY),
-                                       std::ptrdiff_t{3} * picture.width(),
-                                       std::min(kCell, picture.width() - kCell * cellX),
-                                       std::min(kCell, picture.height() - kCell * cellY),
-                                       kCell * (cellX + 1) + 2 <= picture.width()};
-        if (result.samplesPerAxis >
-            1) { // single samples are few enough for the processor to look ahead itself
-            simd::prefetch(photo, result);
-        }
-        return result;
+        step = stepToOtherMemory(at.u.data(), at.v.data(), count);
+        simd::locate(photo.stride(), rounding(sampling), count, at.u.data(), at.v.data());
+        return simd::CellSamples{at.u.data(),
+                                 at.v.data(),
+                                 rays.samplesPerAxis(),
+                                 picture.at(kCell * cellX, kCell * cellY),
+                                 std::ptrdiff_t{3} * picture.width(),
+                                 std::min(kCell, picture.width() - kCell * cellX),
+                                 std::min(kCell, picture.height() - kCell * cellY),
+                                 kCell * (cellX + 1) + 2 <= picture.width()};
     };
     // A cell's pixels are on their way from memory while the cell before it is sampled.
     simd::CellSamples next = samples(0);
     for (int cellX = 0; cellX < rays.cellsX(); ++cellX) {
-        const simd::CellSamples now = next;
+        simd::CellSamples now = next;
         if (cellX + 1 < rays.cellsX()) {
             next = samples(cellX + 1);
+            now.next = next.places;
+            now.nextStep = step;
         }
         sample(photo, sampling, now);
         if (const RayTable::ExplicitCell* cell = rays.explicitCell(cellX, cellY)) {

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sampler.h"
 
-#include "lattice.h"
-
-#include <algorithm>
 #include <array>
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sampler.cpp"
-#include <hwy/cache_control.h>
+// The order matters here.
+// clang-format off
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "sampler-inl.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 
 namespace spherewalk::render::simd::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr int kGroup = RayTable::kCell; // samples side by side
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -31,15 +26,14 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const auto scaled = [](int value, int factor) { return (value * factor + (1 << 14)) >> 15; };
     for (int y = 0; y < cell.height; ++y) {
+        fetchNext(cell, y, photo.data(), stride, 2);
         for (int x = 0; x < cell.width; ++x) {
             std::array<int, 3> sum{};
             for (int part = 0; part < parts; ++part) {
-                const std::int32_t u = cell.u[(y * parts + part) * kGroup + x];
-                const std::int32_t v = cell.v[(y * parts + part) * kGroup + x];
-                const int right = ((u & 0xFFFF) * 255) >> 16;
-                const int below = ((v & 0xFFFF) * weightSum) >> 16;
-                const std::int8_t* pixel = photo.data() + (v >> kFractionBits) * stride +
-                                           (u >> kFractionBits) * PlaneLayout::kPixelBytes;
+                const int at = (y * parts + part) * kGroup + x;
+                const int right = ((cell.fractions[at] & 0xFFFF) * 255) >> 16;
+                const int below = ((cell.fractions[at] >> 16 & 0xFFFF) * weightSum) >> 16;
+                const std::int8_t* pixel = photo.data() + cell.places[at];
                 for (std::size_t c = 0; c < 3; ++c) {
                     const int upper = (255 - right) * pixel[c] + right * pixel[c + PlaneLayout::kPixelBytes];
                     const std::int8_t* next = pixel + stride + c;
@@ -56,34 +50,17 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     }
 }
 
-void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
-    for (int y = 0; y < cell.height; ++y) {
-        std::uint8_t* to = cell.out + y * cell.pitch;
-        for (int x = 0; x < cell.width; ++x) {
-            constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
-            const std::ptrdiff_t column = (cell.u[y * kGroup + x] + kHalf) >> kFractionBits;
-            const std::ptrdiff_t row = (cell.v[y * kGroup + x] + kHalf) >> kFractionBits;
-            const std::int8_t* pixel =
-                photo.data() + (row * photo.stride() + column) * PlaneLayout::kPixelBytes;
-            for (int channel = 0; channel < 3; ++channel) {
-                to[3 * x + channel] = static_cast<std::uint8_t>(pixel[channel] + 128);
-            }
-        }
+void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t atU = u[i] + rounding.u;
+        const std::int32_t atV = v[i] + rounding.v;
+        u[i] = ((atV >> kFractionBits) * stride + (atU >> kFractionBits)) * PlaneLayout::kPixelBytes;
+        v[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(atV) << 16 |
+                                         (static_cast<std::uint32_t>(atU) & 0xFFFF));
     }
 }
 
 #else
-
-using D32 = hn::CappedTag<std::int32_t, kGroup>;
-using D64 = hn::Repartition<std::uint64_t, D32>;
-using D16 = hn::Repartition<std::int16_t, D32>;
-using DU16 = hn::Repartition<std::uint16_t, D32>;
-using D8 = hn::Repartition<std::uint8_t, D32>;
-using V32 = hn::Vec<D32>;
-using V64 = hn::Vec<D64>;
-using V16 = hn::Vec<D16>;
-using VU16 = hn::Vec<DU16>;
-using V8 = hn::Vec<D8>;
 
 /// Products of an unsigned byte of `weights` and a signed one of `pixels`, sums of neighbours: 16 bits each.
 /// Range: no sum beyond 16 bits.
@@ -106,53 +83,38 @@ HWY_INLINE V16 multiplyPairs(V8 weights, V8 pixels) {
 #endif
 }
 
-/// Lower and upper 16 bits of each 32-bit lane, signed, times `factors`' likewise, and summed.
-HWY_INLINE V32 multiplyHalves(V16 values, V16 factors) {
-#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
-    return V32{_mm512_madd_epi16(values.raw, factors.raw)};
-#elif HWY_TARGET == HWY_AVX2
-    return V32{_mm256_madd_epi16(values.raw, factors.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-    return V32{_mm_madd_epi16(values.raw, factors.raw)};
-#else
-    const D32 d;
-    const V32 a = hn::BitCast(d, values);
-    const V32 b = hn::BitCast(d, factors);
-    const V32 low =
-        hn::Mul(hn::ShiftRight<16>(hn::ShiftLeft<16>(a)), hn::ShiftRight<16>(hn::ShiftLeft<16>(b)));
-    return hn::Add(low, hn::Mul(hn::ShiftRight<16>(a), hn::ShiftRight<16>(b)));
-#endif
+/// Eight bytes at each of the first two places of every four.
+template <class D>
+HWY_INLINE hn::Vec<D> eightBytes(D d, const std::int8_t* base, const std::int32_t* places) {
+    const hn::Half<D> half;
+    if constexpr (hn::MaxLanes(D()) == kBlockBytes) {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(base);
+        return hn::Combine(d, hn::LoadU(half, bytes + places[1]), hn::LoadU(half, bytes + places[0]));
+    } else {
+        constexpr int kOn = 4 * static_cast<int>(hn::MaxLanes(hn::Half<D>()) / kBlockBytes);
+        return hn::Combine(d, eightBytes(half, base, places + kOn), eightBytes(half, base, places));
+    }
 }
 
-/// Eight bytes, two neighbouring pixels, at each offset. Samples are taken in the order of their 128-bit
-/// blocks: `kUpper` chooses the upper two of each block's four.
+/// Two neighbouring pixels at each place. Samples are taken in the order of their 128-bit blocks: `kUpper`
+/// chooses the upper two of each block's four.
 template <bool kUpper>
-HWY_INLINE V64 pixelPairs(const std::int8_t* base, V32 byteOffsets) {
-    const D64 d;
-#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
-    const D32 d32;
-    const V32 zero = hn::Zero(d32);
-    const V32 wide =
-        kUpper ? hn::InterleaveUpper(d32, byteOffsets, zero) : hn::InterleaveLower(d32, byteOffsets, zero);
+HWY_INLINE V8 pixelPairs(const std::int8_t* base, const std::int32_t* places) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+    const D32 d;
+    const V32 offsets = hn::LoadU(d, places);
+    const V32 zero = hn::Zero(d);
+    const V32 wide = kUpper ? hn::InterleaveUpper(d, offsets, zero) : hn::InterleaveLower(d, offsets, zero);
     const hn::Repartition<std::int64_t, D32> di;
-    return hn::GatherOffset(d, reinterpret_cast<const std::uint64_t*>(base), hn::BitCast(di, wide));
+    return hn::BitCast(
+        D8(), hn::GatherOffset(D64(), reinterpret_cast<const std::uint64_t*>(base), hn::BitCast(di, wide)));
 #else
-    const D32 d32;
-    HWY_ALIGN std::int32_t offsets[kGroup];
-    HWY_ALIGN std::uint64_t pairs[kGroup / 2];
-    hn::Store(byteOffsets, d32, offsets);
-    const std::size_t lanes = hn::Lanes(d);
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const std::size_t sample = i / 2 * 4 + i % 2 + (kUpper ? 2 : 0);
-        std::memcpy(pairs + i, base + offsets[sample], sizeof(std::uint64_t));
-    }
-    return hn::Load(d, pairs);
+    return eightBytes(D8(), base, places + (kUpper ? 2 : 0));
 #endif
 }
 
 /// What is the same for all samples of a call.
 struct Constants {
-    V16 stride;    ///< 1 and the plane's stride, in turns
     VU16 scale;    ///< of the fractions: 255, and the vertical weights' sum
     V16 weightSum; ///< of a sample's vertical weights
     V16 gain;      ///< what is missing from samples^2 * weightSum to 2^15, in 2^-15
@@ -162,35 +124,25 @@ struct Constants {
     V8 complement;
 };
 
-HWY_INLINE V8 shuffle(const std::array<std::uint8_t, 16>& bytes) {
-    return hn::LoadDup128(D8(), bytes.data());
-}
-
-HWY_INLINE V8 repeated(int first, int second, int step) {
-    std::array<std::uint8_t, 16> bytes{};
-    for (int i = 0; i < 16; ++i) {
-        bytes[static_cast<std::size_t>(i)] =
-            static_cast<std::uint8_t>((i < 8 ? first : second) + i % 2 * step);
-    }
-    return shuffle(bytes);
-}
-
-HWY_INLINE Constants constants(const PlaneView& photo, int samplesPerAxis) {
+HWY_INLINE Constants constants(int samplesPerAxis) {
+    static constexpr Block kPairs{0, 3, 1, 4, 2, 5, 6, 7, 8, 11, 9, 12, 10, 13, 14, 15};
+    static constexpr Block kHorizontal{0, 0, 0, 0, 0, 0, 0, 0, 4, 4, 4, 4, 4, 4, 4, 4};
+    static constexpr Block kVertical{2, 3, 2, 3, 2, 3, 2, 3, 6, 7, 6, 7, 6, 7, 6, 7};
+    const D8 d8;
     const D16 d16;
     const DU16 du16;
     const int sum = 32767 / (samplesPerAxis * samplesPerAxis);
     const int total = sum * samplesPerAxis * samplesPerAxis;
     Constants c;
-    c.stride = hn::OddEven(hn::Set(d16, static_cast<std::int16_t>(photo.stride())), hn::Set(d16, 1));
     c.scale = hn::OddEven(hn::Set(du16, static_cast<std::uint16_t>(sum)), hn::Set(du16, 255));
     c.weightSum = hn::Set(d16, static_cast<std::int16_t>(sum));
     c.gain = hn::Set(d16, static_cast<std::int16_t>((32768 - total) * 32768 / total));
-    c.pairs = shuffle({0, 3, 1, 4, 2, 5, 6, 7, 8, 11, 9, 12, 10, 13, 14, 15});
-    c.horizontalLower = repeated(0, 4, 0);
-    c.horizontalUpper = repeated(8, 12, 0);
-    c.verticalLower = repeated(2, 6, 1);
-    c.verticalUpper = repeated(10, 14, 1);
-    c.complement = hn::BitCast(D8(), hn::Set(du16, 0x00FF));
+    c.pairs = inBlocks(kPairs);
+    c.horizontalLower = inBlocks(kHorizontal);
+    c.horizontalUpper = hn::Add(c.horizontalLower, hn::Set(d8, 8));
+    c.verticalLower = inBlocks(kVertical);
+    c.verticalUpper = hn::Add(c.verticalLower, hn::Set(d8, 8));
+    c.complement = hn::BitCast(d8, hn::Set(du16, 0x00FF));
     return c;
 }
 
@@ -198,16 +150,15 @@ HWY_INLINE Constants constants(const PlaneView& photo, int samplesPerAxis) {
 /// channels side by side.
 template <bool kUpper>
 HWY_INLINE V16 bilinearPart(const Constants& c, const std::int8_t* upperRow, const std::int8_t* lowerRow,
-                            V32 offsets, V8 weights) {
-    const D8 d8;
+                            const std::int32_t* places, V8 weights) {
     const D16 d16;
     const V8 x =
         hn::Xor(hn::TableLookupBytes(weights, kUpper ? c.horizontalUpper : c.horizontalLower), c.complement);
     const V16 lowerWeight =
         hn::BitCast(d16, hn::TableLookupBytes(weights, kUpper ? c.verticalUpper : c.verticalLower));
     const V16 upperWeight = hn::Sub(c.weightSum, lowerWeight);
-    const V8 upper = hn::TableLookupBytes(hn::BitCast(d8, pixelPairs<kUpper>(upperRow, offsets)), c.pairs);
-    const V8 lower = hn::TableLookupBytes(hn::BitCast(d8, pixelPairs<kUpper>(lowerRow, offsets)), c.pairs);
+    const V8 upper = hn::TableLookupBytes(pixelPairs<kUpper>(upperRow, places), c.pairs);
+    const V8 lower = hn::TableLookupBytes(pixelPairs<kUpper>(lowerRow, places), c.pairs);
     return hn::Add(hn::MulFixedPoint15(multiplyPairs(x, upper), upperWeight),
                    hn::MulFixedPoint15(multiplyPairs(x, lower), lowerWeight));
 }
@@ -221,57 +172,40 @@ HWY_INLINE VU16 greyLevels(const Constants& c, V16 sum) {
     return hn::MulHigh(positive, hn::Set(du16, 257));
 }
 
-/// Writes the first 12 bytes of each block, one after the other, and 4 bytes beyond.
-HWY_INLINE void storeBlocks(V8 packed, std::uint8_t* out) {
-    const D8 d8;
-    HWY_ALIGN std::uint8_t bytes[4 * kGroup];
-    hn::Store(packed, d8, bytes);
-    for (std::size_t block = 0; block < hn::Lanes(d8) / 16; ++block) {
-        std::memcpy(out + 12 * block, bytes + 16 * block, 16);
-    }
-}
-
-/// Writes 3 bytes a pixel, and 4 bytes beyond.
+/// Writes 3 bytes a pixel, and 4 bytes beyond. Lower values are samples 0 and 1 of each block, upper ones 2
+/// and 3.
 HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
-    const D8 d8;
-    // Lower bytes are samples 0 and 1 of each block, upper ones 2 and 3.
-    const V8 both = hn::BitCast(d8, hn::Or(lower, hn::ShiftLeft<8>(upper)));
-    const V8 packed =
-        hn::TableLookupBytes(both, shuffle({0, 2, 4, 8, 10, 12, 1, 3, 5, 9, 11, 13, 6, 6, 6, 6}));
-    storeBlocks(packed, out);
+    const V8 both = hn::BitCast(D8(), hn::Or(lower, hn::ShiftLeft<8>(upper)));
+    static constexpr Block kPacked{0, 2, 4, 8, 10, 12, 1, 3, 5, 9, 11, 13, 6, 6, 6, 6};
+    storeTwelves(D8(), hn::TableLookupBytes(both, inBlocks(kPacked)), out);
 }
 
 /// kParts: samples of a pixel, 0 if known only when running.
 template <int kParts>
 HWY_INLINE void sampleParts(const PlaneView& photo, const CellSamples& cell) {
     const D32 d32;
-    const D16 d16;
     const DU16 du16;
     const int lanes = static_cast<int>(hn::Lanes(d32));
     const int parts = kParts != 0 ? kParts : cell.samplesPerAxis * cell.samplesPerAxis;
-    const Constants c = constants(photo, cell.samplesPerAxis);
+    const Constants c = constants(cell.samplesPerAxis);
+    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const std::int8_t* upperRow = photo.data();
-    const std::int8_t* lowerRow =
-        upperRow + static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
+    const std::int8_t* lowerRow = upperRow + stride;
     for (int y = 0; y < cell.height; ++y) {
+        fetchNext(cell, y, upperRow, stride, 2);
         HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
         std::uint8_t* out = cell.out + y * cell.pitch;
         std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
         for (int x = 0; x < kGroup; x += lanes) {
-            V16 lower = hn::Zero(d16);
-            V16 upper = hn::Zero(d16);
+            V16 lower = hn::Zero(D16());
+            V16 upper = hn::Zero(D16());
             for (int part = 0; part < parts; ++part) {
                 const int at = (y * parts + part) * kGroup + x;
-                const V32 u = hn::LoadU(d32, cell.u + at);
-                const V32 v = hn::LoadU(d32, cell.v + at);
-                const V16 whole = hn::OddEven(hn::BitCast(d16, v), hn::BitCast(d16, hn::ShiftRight<16>(u)));
-                const VU16 fraction =
-                    hn::OddEven(hn::BitCast(du16, hn::ShiftLeft<16>(v)), hn::BitCast(du16, u));
-                const V32 pixel = multiplyHalves(whole, c.stride);
-                const V32 offsets = hn::Add(pixel, hn::ShiftLeft<1>(pixel)); // three bytes each
-                const V8 weights = hn::BitCast(D8(), hn::MulHigh(fraction, c.scale));
-                lower = hn::Add(lower, bilinearPart<false>(c, upperRow, lowerRow, offsets, weights));
-                upper = hn::Add(upper, bilinearPart<true>(c, upperRow, lowerRow, offsets, weights));
+                const VU16 fractions = hn::BitCast(du16, hn::LoadU(d32, cell.fractions + at));
+                const V8 weights = hn::BitCast(D8(), hn::MulHigh(fractions, c.scale));
+                const std::int32_t* places = cell.places + at;
+                lower = hn::Add(lower, bilinearPart<false>(c, upperRow, lowerRow, places, weights));
+                upper = hn::Add(upper, bilinearPart<true>(c, upperRow, lowerRow, places, weights));
             }
             storePixels(greyLevels(c, lower), greyLevels(c, upper), pixels + 3 * x);
         }
@@ -292,80 +226,23 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     }
 }
 
-void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
-    const D32 d32;
+void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
+    const D32 d;
     const D16 d16;
-    const D8 d8;
-    const int lanes = static_cast<int>(hn::Lanes(d32));
-    const V16 stride = constants(photo, 1).stride;
-    const V32 half = hn::Set(d32, 1 << (kFractionBits - 1));
-    for (int y = 0; y < cell.height; ++y) {
-        HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
-        std::uint8_t* out = cell.out + y * cell.pitch;
-        std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
-        for (int x = 0; x < kGroup; x += lanes) {
-            const V32 u = hn::Add(hn::LoadU(d32, cell.u + y * kGroup + x), half);
-            const V32 v = hn::Add(hn::LoadU(d32, cell.v + y * kGroup + x), half);
-            const V16 whole = hn::OddEven(hn::BitCast(d16, v), hn::BitCast(d16, hn::ShiftRight<16>(u)));
-            const V32 pixel = multiplyHalves(whole, stride);
-            HWY_ALIGN std::int32_t offsets[kGroup];
-            hn::Store(hn::Add(pixel, hn::ShiftLeft<1>(pixel)), d32, offsets);
-            HWY_ALIGN std::int32_t loaded[kGroup];
-            for (int i = 0; i < lanes; ++i) {
-                std::memcpy(loaded + i, photo.data() + offsets[i], sizeof(std::int32_t));
-            }
-            const V8 values = hn::Xor(hn::BitCast(d8, hn::Load(d32, loaded)), hn::Set(d8, 0x80));
-            storeBlocks(
-                hn::TableLookupBytes(values, shuffle({0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 3, 3, 3})),
-                pixels + 3 * x);
-        }
-        if (pixels != out) {
-            std::memcpy(out, pixels, static_cast<std::size_t>(3 * cell.width));
-        }
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const V16 strides = hn::OddEven(hn::Set(d16, static_cast<std::int16_t>(stride)), hn::Set(d16, 1));
+    for (int i = 0; i < count; i += lanes) {
+        const V32 atU = hn::Add(hn::LoadU(d, u + i), hn::Set(d, rounding.u));
+        const V32 atV = hn::Add(hn::LoadU(d, v + i), hn::Set(d, rounding.v));
+        const V16 whole = hn::OddEven(hn::BitCast(d16, atV), hn::BitCast(d16, hn::ShiftRight<16>(atU)));
+        const V16 fractions = hn::OddEven(hn::BitCast(d16, hn::ShiftLeft<16>(atV)), hn::BitCast(d16, atU));
+        const V32 pixel = multiplyHalves(whole, strides);
+        hn::StoreU(hn::Add(pixel, hn::ShiftLeft<1>(pixel)), d, u + i); // three bytes each
+        hn::StoreU(hn::BitCast(d, fractions), d, v + i);
     }
 }
 
 #endif
-
-/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position of step / 256, in 2^-14; they sum to 2^14.
-std::array<std::int32_t, 4> cubicWeights(std::int32_t step) {
-    const std::int32_t t = step; // in 1/256: exact in 32 bits up to the division
-    const std::int32_t t2 = t * t;
-    const std::int32_t t3 = t2 * t;
-    constexpr std::int32_t kToWeight = 1 << 11; // 2^24 * 2 / 2^14
-    const std::int32_t before = (-t3 + 512 * t2 - 65536 * t) / kToWeight;
-    const std::int32_t right = (-3 * t3 + 4 * 256 * t2 + 65536 * t) / kToWeight;
-    const std::int32_t after = (t3 - 256 * t2) / kToWeight;
-    return {before, (1 << 14) - before - right - after, right, after};
-}
-
-void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
-    const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
-    for (int y = 0; y < cell.height; ++y) {
-        for (int x = 0; x < cell.width; ++x) {
-            constexpr std::int32_t kHalfStep = 1 << (kFractionBits - 9);
-            const std::int32_t u = cell.u[y * kGroup + x];
-            const std::int32_t v = cell.v[y * kGroup + x] + kHalfStep;
-            const std::array<std::int32_t, 4> across = cubicWeights((u & 0xFFFF) >> (kFractionBits - 8));
-            const std::array<std::int32_t, 4> down = cubicWeights((v & 0xFFFF) >> (kFractionBits - 8));
-            const std::int8_t* row = photo.data() + ((v >> kFractionBits) - 1) * stride +
-                                     ((u >> kFractionBits) - 1) * PlaneLayout::kPixelBytes;
-            std::array<std::int32_t, 3> sum{1 << 20, 1 << 20, 1 << 20};
-            for (std::size_t j = 0; j < 4; ++j, row += stride) {
-                for (std::size_t channel = 0; channel < 3; ++channel) {
-                    const std::int32_t line = (1 << 6) + row[channel] * across[0] +
-                                              row[channel + 3] * across[1] + row[channel + 6] * across[2] +
-                                              row[channel + 9] * across[3];
-                    sum[channel] += (line >> 7) * down[j];
-                }
-            }
-            std::uint8_t* to = cell.out + y * cell.pitch + 3 * x;
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                to[channel] = static_cast<std::uint8_t>(std::clamp((sum[channel] >> 21) + 128, 0, 255));
-            }
-        }
-    }
-}
 
 } // namespace spherewalk::render::simd::HWY_NAMESPACE
 
@@ -375,33 +252,36 @@ HWY_AFTER_NAMESPACE();
 
 namespace spherewalk::render::simd {
 
-void prefetch(const PlaneView& photo, const CellSamples& cell) {
-    // Of each row of samples, the lines that hold its pixels if it is not minified by more than three.
-    const int n = cell.samplesPerAxis;
-    for (int row = 0; row < cell.height * n; ++row) {
-        const int at = row * n * RayTable::kCell;
-        for (const int x : {0, 7, 14}) {
-            const std::ptrdiff_t column = cell.u[at + x] >> kFractionBits;
-            const std::ptrdiff_t line = cell.v[at + x] >> kFractionBits;
-            hwy::Prefetch(photo.data() + (line * photo.stride() + column) * PlaneLayout::kPixelBytes);
-        }
-    }
-}
-
 HWY_EXPORT(sampleBilinear);
-HWY_EXPORT(sampleNearest);
-HWY_EXPORT(sampleBicubic);
+HWY_EXPORT(locate);
 
 void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBilinear)(photo, cell);
 }
 
-void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
-    HWY_DYNAMIC_DISPATCH(sampleNearest)(photo, cell);
+void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
+    HWY_DYNAMIC_DISPATCH(locate)(stride, rounding, count, u, v);
 }
 
-void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
-    HWY_DYNAMIC_DISPATCH(sampleBicubic)(photo, cell);
+void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
+    const std::int8_t* data = photo.data();
+    const int full = cell.spill ? cell.width : cell.width - 1; // these may write a byte beyond themselves
+    for (int y = 0; y < cell.height; ++y) {
+        HWY_STATIC_DISPATCH(fetchNext)(cell, y, data, 0, 1);
+        const std::int32_t* places = cell.places + y * RayTable::kCell;
+        std::uint8_t* to = cell.out + y * cell.pitch;
+        for (int x = 0; x < full; ++x, to += 3) {
+            std::uint32_t rgb = 0;
+            std::memcpy(&rgb, data + places[x], sizeof rgb);
+            rgb ^= 0x80808080U;
+            std::memcpy(to, &rgb, sizeof rgb);
+        }
+        for (int x = full; x < cell.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                to[c] = static_cast<std::uint8_t>(data[places[x] + c] + 128);
+            }
+        }
+    }
 }
 
 } // namespace spherewalk::render::simd

@@ -3,24 +3,39 @@
 
 #include "photo_plane.h"
 
+#include <array>
 #include <cstdint>
 
 namespace spherewalk::render::simd {
 
-/// A cell's samples, in the fixed point and order of lattice.h, and where its pixels go.
+/// A cell's samples in the order of lattice.h, and where its pixels go.
 struct CellSamples {
-    const std::int32_t* u;
-    const std::int32_t* v;
+    const std::int32_t* places;    ///< bytes from the plane's first to the sample's upper left pixel
+    const std::int32_t* fractions; ///< of the way to the next pixel, in 2^-16: right (lower half) and down
     int samplesPerAxis;
     std::uint8_t* out;    ///< red, green, blue of the cell's first pixel
     std::ptrdiff_t pitch; ///< bytes from one row of pixels to the next
     int width;            ///< pixels, at most 16
     int height;
     bool spill; ///< whether 4 bytes beyond a full row may be written, since the next cell writes them again
+
+    /// Places of the next cell: while a row is sampled, memory is asked for that cell's row; null for none.
+    const std::int32_t* next = nullptr;
+    int nextStep = 1; ///< how far apart the samples are that need different memory, 1 to 16
 };
 
-/// Asks for the photo's pixels that the cell will need, and does not wait for them.
-void prefetch(const PlaneView& photo, const CellSamples& cell);
+/// Sixteen bytes, what Highway shuffles within.
+using Block = std::array<std::uint8_t, 16>;
+
+/// What is added to coordinates so that cutting bits off rounds as the sampling needs.
+struct Rounding {
+    std::int32_t u;
+    std::int32_t v;
+};
+
+/// Makes places and fractions from coordinates (lattice.h), in place: of u, and of v. stride: the plane's.
+/// count: a multiple of 16.
+void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v);
 
 /// Each pixel is the mean of its samples, each of which is bilinear. Integer arithmetic, the same on every
 /// machine: given the coordinates, a pixel is within 1.05 grey levels of the exact value, 0.5 of them
@@ -28,7 +43,7 @@ void prefetch(const PlaneView& photo, const CellSamples& cell);
 /// black to white).
 void sampleBilinear(const PlaneView& photo, const CellSamples& cell);
 
-/// The nearest pixel. Range: one sample a pixel.
+/// The pixels at the places. Range: one sample a pixel.
 void sampleNearest(const PlaneView& photo, const CellSamples& cell);
 
 /// Catmull-Rom over sixteen pixels, weights of 14 bits at 1/256 pixel. Range: one sample a pixel.

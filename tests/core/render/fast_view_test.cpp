@@ -196,6 +196,39 @@ TEST(FastView, IsTheExactBicubicView) {
     }
 }
 
+// Sums at their greatest: overshoots of both signs are cut to black and white. 0.02 pixels of coordinates
+// cost up to 6 grey levels an axis there, and positions are multiples of 1/256 pixel.
+TEST(FastView, IsTheExactBicubicViewOfNoise) {
+    test::Random random(76);
+    const PhotoPlane photo(noise(512, 77));
+    const PlaneView plane = photo.view();
+    WorkerPool pool(2);
+    double worst = 0;
+    double sum = 0;
+    long count = 0;
+    for (int i = 0; i < 30; ++i) {
+        const Scene scene = randomScene(random);
+        const Projection projection(scene.camera, scene.roomFromCamera, scene.roomFromPhoto, plane.size(),
+                                    scene.kind, 2.0);
+        const RgbImage view = rendered(scene, plane, Sampling::Bicubic, 0, pool);
+        for (int y = 0; y < view.height(); ++y) {
+            for (int x = 0; x < view.width(); ++x) {
+                if (const auto at = projection.photoPixel(Vector2d(x, y))) {
+                    const Vector3d found(view.at(x, y)[0], view.at(x, y)[1], view.at(x, y)[2]);
+                    const Vector3d apart = (found - bicubic(plane, *at)).cwiseAbs();
+                    worst = std::max(worst, apart.maxCoeff());
+                    sum += apart.sum() / 3;
+                    ++count;
+                }
+            }
+        }
+    }
+    std::cout << "  bicubic on black and white noise: worst " << worst << ", mean "
+              << sum / static_cast<double>(count) << " grey levels, seed " << random.seed() << "\n";
+    EXPECT_LT(worst, 8);
+    EXPECT_LT(sum / static_cast<double>(count), 0.5);
+}
+
 TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
     const PhotoPlane photo(smooth(1024));
     const PlaneView plane = photo.view();
