@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "c_enums.h"
+#include "c_handles.h"
+#include "c_interface.h"
+
+using namespace spherewalk;
+using namespace spherewalk::render;
+
+namespace {
+
+RendererOptions rendererOptions(const spherewalk_renderer_options* given, bool isVerified) {
+    const auto source = takenOrDefaults(given);
+    checkReserved(source.reserved);
+    const VerifyPhotos verify = verifyPhotosOf(source.verify_photos);
+    return {source.cache_bytes, isVerified ? VerifyPhotos::AtOpen : verify};
+}
+
+} // namespace
+
+spherewalk_status spherewalk_renderer_options_init(spherewalk_renderer_options* options, size_t size) {
+    return initialised(options, size);
+}
+
+spherewalk_status spherewalk_renderer_create(const spherewalk_dataset* dataset,
+                                             const spherewalk_renderer_options* options,
+                                             spherewalk_renderer** renderer) {
+    return guarded([&] {
+        given(renderer, "renderer") = nullptr;
+        const spherewalk_dataset& source = given(dataset, "dataset");
+        *renderer =
+            new spherewalk_renderer{Renderer(source.dataset, rendererOptions(options, source.isVerified))};
+    });
+}
+
+void spherewalk_renderer_destroy(spherewalk_renderer* renderer) {
+    delete renderer;
+}
+
+spherewalk_status spherewalk_view_options_init(spherewalk_view_options* options, size_t size) {
+    return initialised(options, size);
+}
+
+spherewalk_status spherewalk_view_init(spherewalk_view* view, size_t size) {
+    return initialised(view, size);
+}
+
+spherewalk_status spherewalk_report_init(spherewalk_report* report, size_t size) {
+    return initialised(report, size);
+}
+
+spherewalk_status spherewalk_renderer_render(const spherewalk_renderer* renderer,
+                                             const spherewalk_camera* camera,
+                                             const spherewalk_pose* room_from_camera,
+                                             const spherewalk_view_options* options,
+                                             const spherewalk_view* view, spherewalk_report* report) {
+    return guarded([&] {
+        const spherewalk_renderer& from = given(renderer, "renderer");
+        const CameraModel& model = given(camera, "camera").model;
+        const Rigid3 pose = rigid3(given(room_from_camera, "room_from_camera"));
+        const ViewOptions wanted = viewOptions(options);
+        const ViewTarget target(view, report, {model.width(), model.height()});
+        View own;
+        const std::unique_lock lock(from.inUse, std::try_to_lock);
+        View& made = lock ? from.spare : own; // another thread makes one: then with memory of its own
+        from.renderer.render(model, pose, wanted, made);
+        target.fill(made);
+    });
+}
+
+spherewalk_status spherewalk_load_counters_init(spherewalk_load_counters* counters, size_t size) {
+    return initialised(counters, size);
+}
+
+spherewalk_status spherewalk_renderer_get_counters(const spherewalk_renderer* renderer,
+                                                   spherewalk_load_counters* counters) {
+    return guarded([&] {
+        const LoadCounters source = given(renderer, "renderer").renderer.counters();
+        auto result = CStruct<spherewalk_load_counters>::defaults();
+        result.hits = source.hits;
+        result.late = source.late;
+        result.waits = source.waits;
+        result.decoded_tiles = source.decodedTiles;
+        result.prefetched_tiles = source.prefetchedTiles;
+        result.dropped_tiles = source.droppedTiles;
+        result.whole_decodes = source.wholeDecodes;
+        result.prefetch_errors = source.prefetchErrors;
+        result.decode_ms = source.decodeMs;
+        result.prefetch_ms = source.prefetchMs;
+        result.resident_bytes = source.residentBytes;
+        give(result, counters);
+    });
+}
