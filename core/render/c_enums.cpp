@@ -52,6 +52,12 @@ constexpr Numbers<ViewOrigin, 3> kOrigins{{{SPHEREWALK_ORIGIN_PHOTO, ViewOrigin:
                                            {SPHEREWALK_ORIGIN_THUMBNAIL, ViewOrigin::Thumbnail},
                                            {SPHEREWALK_ORIGIN_PREVIOUS, ViewOrigin::PreviousPhoto}}};
 
+constexpr Numbers<Alpha, 2> kAlphas{
+    {{SPHEREWALK_ALPHA_STRAIGHT, Alpha::Straight}, {SPHEREWALK_ALPHA_PREMULTIPLIED, Alpha::Premultiplied}}};
+
+constexpr Numbers<Edges, 2> kEdges{
+    {{SPHEREWALK_EDGES_SOFT, Edges::Soft}, {SPHEREWALK_EDGES_HARD, Edges::Hard}}};
+
 constexpr Numbers<LatePolicy, 3> kPolicies{{{SPHEREWALK_LATE_WAIT, LatePolicy::Wait},
                                             {SPHEREWALK_LATE_COARSE, LatePolicy::Coarse},
                                             {SPHEREWALK_LATE_PREVIOUS, LatePolicy::Previous}}};
@@ -134,6 +140,14 @@ ViewOrigin originOf(std::int32_t number) {
 
 std::int32_t cOrigin(ViewOrigin origin) {
     return numberOf(kOrigins, origin);
+}
+
+Alpha alphaOf(std::int32_t number) {
+    return valueOf(kAlphas, "kind of alpha", number);
+}
+
+Edges edgesOf(std::int32_t number) {
+    return valueOf(kEdges, "kind of edges", number);
 }
 
 LatePolicy lateOf(std::int32_t number) {

@@ -31,6 +31,9 @@ std::int32_t cSampling(Sampling sampling);
 ViewOrigin originOf(std::int32_t number);
 std::int32_t cOrigin(ViewOrigin origin);
 
+Alpha alphaOf(std::int32_t number);
+Edges edgesOf(std::int32_t number);
+
 LatePolicy lateOf(std::int32_t number);
 std::int32_t cLate(LatePolicy policy);
 

@@ -21,13 +21,13 @@ struct spherewalk_camera {
 
 struct spherewalk_renderer {
     spherewalk::render::Renderer renderer;
-    mutable std::mutex inUse{};               ///< of spare
-    mutable spherewalk::render::View spare{}; ///< its memory is used again
+    mutable std::mutex inUse{}; ///< of spare
+    mutable spherewalk::render::ViewMemory spare{};
 };
 
 struct spherewalk_stream {
     spherewalk::render::ViewStream stream;
-    spherewalk::render::PictureSize size;
+    spherewalk::CameraIntrinsics camera;
     std::mutex inUse{};
-    spherewalk::render::View spare{};
+    spherewalk::render::ViewMemory spare{};
 };

@@ -53,6 +53,9 @@ void checkReserved(std::int32_t reserved);
 Rigid3 rigid3(const spherewalk_pose& pose);
 spherewalk_pose cPose(const Rigid3& pose);
 
+/// Errors: InvalidInput for an unknown version, lens or count of parameters; what CameraModel checks is left
+/// to it.
+CameraIntrinsics intrinsicsOf(const spherewalk_intrinsics* intrinsics);
 spherewalk_intrinsics cIntrinsics(const CameraIntrinsics& intrinsics);
 
 } // namespace spherewalk::render

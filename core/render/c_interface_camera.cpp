@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint64_t kLargestYaml = 1 << 20;
 constexpr int kMostDistortion = 8;
 
+} // namespace
+
 CameraIntrinsics intrinsicsOf(const spherewalk_intrinsics* intrinsics) {
     const spherewalk_intrinsics source = taken(intrinsics);
     if (source.distortion_count < 0 || source.distortion_count > kMostDistortion) {
@@ -32,8 +34,6 @@ CameraIntrinsics intrinsicsOf(const spherewalk_intrinsics* intrinsics) {
     result.distortion.assign(source.distortion, source.distortion + source.distortion_count);
     return result;
 }
-
-} // namespace
 
 spherewalk_intrinsics cIntrinsics(const CameraIntrinsics& source) {
     auto result = CStruct<spherewalk_intrinsics>::defaults();

@@ -39,8 +39,7 @@ spherewalk_status spherewalk_stream_create(const spherewalk_renderer* renderer,
         given(stream, "stream") = nullptr;
         const Renderer& from = given(renderer, "renderer").renderer;
         const CameraModel& model = given(camera, "camera").model;
-        *stream = new spherewalk_stream{ViewStream(from, model, streamOptions(options)),
-                                        {model.width(), model.height()}};
+        *stream = new spherewalk_stream{ViewStream(from, model, streamOptions(options)), model.intrinsics()};
     });
 }
 
@@ -58,9 +57,11 @@ spherewalk_status spherewalk_stream_next(spherewalk_stream* stream, const sphere
         if (!std::isfinite(time_s)) {
             throw Error(ErrorKind::InvalidInput, "The time of a view is not a number; give seconds.");
         }
-        const ViewTarget target(view, report, from.size);
-        from.stream.next(pose, time_s, viewOptions(options), from.spare);
-        target.fill(from.spare);
+        const ViewTarget target(view, report, from.camera);
+        ViewOptions wanted = viewOptions(options, from.camera, from.spare.overlays);
+        target.want(wanted);
+        from.stream.next(pose, time_s, wanted, from.spare.view);
+        target.fill(from.spare.view);
     });
 }
 

@@ -36,6 +36,10 @@ void spherewalk_renderer_destroy(spherewalk_renderer* renderer) {
     delete renderer;
 }
 
+spherewalk_status spherewalk_overlay_init(spherewalk_overlay* overlay, size_t size) {
+    return initialised(overlay, size);
+}
+
 spherewalk_status spherewalk_view_options_init(spherewalk_view_options* options, size_t size) {
     return initialised(options, size);
 }
@@ -57,13 +61,14 @@ spherewalk_status spherewalk_renderer_render(const spherewalk_renderer* renderer
         const spherewalk_renderer& from = given(renderer, "renderer");
         const CameraModel& model = given(camera, "camera").model;
         const Rigid3 pose = rigid3(given(room_from_camera, "room_from_camera"));
-        const ViewOptions wanted = viewOptions(options);
-        const ViewTarget target(view, report, {model.width(), model.height()});
-        View own;
+        const ViewTarget target(view, report, model.intrinsics());
+        ViewMemory own;
         const std::unique_lock lock(from.inUse, std::try_to_lock);
-        View& made = lock ? from.spare : own; // another thread makes one: then with memory of its own
-        from.renderer.render(model, pose, wanted, made);
-        target.fill(made);
+        ViewMemory& memory = lock ? from.spare : own; // another thread makes one: then with memory of its own
+        ViewOptions wanted = viewOptions(options, model.intrinsics(), memory.overlays);
+        target.want(wanted);
+        from.renderer.render(model, pose, wanted, memory.view);
+        target.fill(memory.view);
     });
 }
 

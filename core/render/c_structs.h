@@ -61,12 +61,19 @@ struct CStruct<spherewalk_renderer_options> : detail::PlainCStruct<spherewalk_re
 };
 
 template <>
+struct CStruct<spherewalk_overlay> : detail::PlainCStruct<spherewalk_overlay> {
+    static constexpr const char* kName = "spherewalk_overlay";
+};
+
+template <>
 struct CStruct<spherewalk_view_options> : detail::PlainCStruct<spherewalk_view_options> {
     static constexpr const char* kName = "spherewalk_view_options";
 
     static spherewalk_view_options defaults() {
         auto result = PlainCStruct::defaults();
         result.tolerance_db = ViewOptions{}.toleranceDb;
+        result.overlay_tolerance_m = ComposeOptions{}.toleranceM;
+        result.overlay_tolerance_share = ComposeOptions{}.toleranceShare;
         return result;
     }
 };

@@ -3,6 +3,7 @@
 
 #include "c_enums.h"
 #include "c_interface.h"
+#include "c_rows.h"
 
 #include <cmath>
 
@@ -11,32 +12,63 @@ namespace spherewalk::render {
 namespace {
 
 constexpr int kMostThreads = 4096;
+constexpr std::uint64_t kMostOverlays = 1000;
 
-/// Errors: InvalidInput if rows of so many bytes do not fit; what: the buffer, for the sentence. No product
-/// here can exceed 64 bits unnoticed.
-void checkBuffer(const spherewalk_buffer& buffer, std::uint64_t rowBytes, int height, const char* what) {
-    const auto [data, sizeBytes, stride] = buffer;
-    if (data == nullptr) {
-        throw Error(ErrorKind::InvalidInput, text("The buffer ", what, " of the view has no data."));
-    }
-    if (stride < rowBytes) {
-        throw Error(ErrorKind::InvalidInput, text("The rows of the buffer ", what, " are ", stride,
-                                                  " bytes apart, and one needs ", rowBytes, "."));
-    }
-    const auto gaps = static_cast<std::uint64_t>(height - 1);
-    if (sizeBytes < rowBytes || sizeBytes > PTRDIFF_MAX ||
-        (gaps > 0 && stride > (sizeBytes - rowBytes) / gaps)) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The buffer ", what, " of ", sizeBytes, " bytes cannot hold ", height, " rows of ",
-                         rowBytes, " bytes that are ", stride, " bytes apart."));
+// The flags of pixels are handed over as they are.
+static_assert(SPHEREWALK_PIXEL_UNSEEN == static_cast<int>(PixelFlag::Unseen));
+static_assert(SPHEREWALK_PIXEL_POLE == static_cast<int>(PixelFlag::Pole));
+static_assert(SPHEREWALK_PIXEL_STITCHING == static_cast<int>(PixelFlag::Stitching));
+static_assert(SPHEREWALK_PIXEL_SEAM == static_cast<int>(PixelFlag::Seam));
+static_assert(SPHEREWALK_PIXEL_COARSE == static_cast<int>(PixelFlag::Coarse));
+static_assert(SPHEREWALK_PIXEL_OVERLAY == static_cast<int>(PixelFlag::Overlay));
+
+void take(const spherewalk_overlay* overlay, const CameraIntrinsics& camera, Overlay& into) {
+    const spherewalk_overlay source = taken(overlay);
+    checkReserved(source.reserved);
+    into.alpha = alphaOf(source.alpha);
+    into.camera = source.camera == nullptr ? camera : intrinsicsOf(source.camera);
+    into.camera.validate();
+    const auto [width, height] = std::pair(into.camera.width, into.camera.height);
+    copyRows(source.rgba, width, height, "the rgba of an overlay", into.picture);
+    copyRows(source.depth, width, height, "the depth of an overlay", into.depth);
+    if (source.room_depth.data == nullptr) {
+        into.roomDepth = {};
+    } else {
+        copyRows(source.room_depth, width, height, "the room_depth of an overlay", into.roomDepth);
     }
 }
 
-template <class Value, int kChannels>
-void copyRows(const Image<Value, kChannels>& from, const spherewalk_buffer& into) {
-    for (int y = 0; y < from.height(); ++y) {
-        std::memcpy(static_cast<char*>(into.data) + static_cast<std::uint64_t>(y) * into.row_stride_bytes,
-                    from.at(0, y), from.row(y).size_bytes());
+void takeOverlays(const spherewalk_view_options& options, const CameraIntrinsics& camera,
+                  std::vector<Overlay>& into) {
+    if (options.overlay_count > kMostOverlays) {
+        throw Error(ErrorKind::InvalidInput, text("A view cannot have ", options.overlay_count,
+                                                  " overlays; give it up to ", kMostOverlays, "."));
+    }
+    if (options.overlay_count > 0) {
+        checkGiven(options.overlays, "overlays");
+    }
+    into.resize(static_cast<std::size_t>(options.overlay_count));
+    for (std::size_t i = 0; i < into.size(); ++i) {
+        take(options.overlays[i], camera, into[i]);
+    }
+}
+
+/// Fills the buffer, if there is one, with the picture, or with one value if there is no picture.
+template <class Picture, class Value>
+void fillBuffer(const spherewalk_buffer& buffer, const Picture& picture, int width, int height,
+                Value otherwise) {
+    if (buffer.data == nullptr) {
+        return;
+    }
+    if (!picture.empty()) {
+        copyRows(picture, buffer);
+        return;
+    }
+    Picture row(width, 1);
+    std::fill(row.values().begin(), row.values().end(), otherwise);
+    for (int y = 0; y < height; ++y) {
+        std::memcpy(static_cast<char*>(buffer.data) + static_cast<std::uint64_t>(y) * buffer.row_stride_bytes,
+                    row.at(0, 0), row.row(0).size_bytes());
     }
 }
 
@@ -61,8 +93,10 @@ spherewalk_report cReport(const ViewReport& source) {
 
 } // namespace
 
-ViewOptions viewOptions(const spherewalk_view_options* options) {
+ViewOptions viewOptions(const spherewalk_view_options* options, const CameraIntrinsics& camera,
+                        std::vector<Overlay>& overlays) {
     const auto source = takenOrDefaults(options);
+    checkReserved(source.reserved);
     if (source.threads < 0 || source.threads > kMostThreads) {
         throw Error(ErrorKind::InvalidInput, text("A view cannot be made by ", source.threads,
                                                   " threads; give 0 for all, or up to ", kMostThreads, "."));
@@ -76,20 +110,42 @@ ViewOptions viewOptions(const spherewalk_view_options* options) {
     result.sampling = samplingOf(source.sampling);
     result.toleranceDb = source.tolerance_db;
     result.exact = source.is_exact != 0;
+    result.compose = {source.overlay_tolerance_m, source.overlay_tolerance_share,
+                      edgesOf(source.overlay_edges)};
+    takeOverlays(source, camera, overlays);
+    result.overlays = overlays;
     return result;
 }
 
-ViewTarget::ViewTarget(const spherewalk_view* view, spherewalk_report* report, PictureSize size)
-    : m_view(taken(view)), m_report(report), m_size(size) {
+ViewTarget::ViewTarget(const spherewalk_view* view, spherewalk_report* report, const CameraIntrinsics& camera)
+    : m_view(taken(view)), m_report(report), m_width(camera.width), m_height(camera.height) {
     if (report != nullptr) {
         checkedSize(report);
     }
-    checkBuffer(m_view.rgb, std::uint64_t{RgbImage::kChannels} * static_cast<std::uint64_t>(size.width),
-                size.height, "rgb");
+    checkRows(asSource(m_view.rgb), rowBytes<RgbImage>(m_width), m_height, "the rgb of a view");
+    const auto check = [&](const spherewalk_buffer& buffer, std::uint64_t bytes, const char* what) {
+        if (buffer.data != nullptr) {
+            checkRows(asSource(buffer), bytes, m_height, what);
+        }
+    };
+    check(m_view.depth, rowBytes<DepthImage>(m_width), "the depth of a view");
+    check(m_view.error_px, rowBytes<DepthImage>(m_width), "the error_px of a view");
+    check(m_view.flags, rowBytes<MaskImage>(m_width), "the flags of a view");
+    check(m_view.overlaid, rowBytes<MaskImage>(m_width), "the overlaid of a view");
+}
+
+void ViewTarget::want(ViewOptions& options) const {
+    options.wantsDepth = m_view.depth.data != nullptr;
+    options.wantsTrust = m_view.error_px.data != nullptr || m_view.flags.data != nullptr;
 }
 
 void ViewTarget::fill(const View& view) const {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     copyRows(view.picture, m_view.rgb);
+    fillBuffer(m_view.depth, view.depth, m_width, m_height, kInfinity);
+    fillBuffer(m_view.error_px, view.trust.errorPx, m_width, m_height, kInfinity);
+    fillBuffer(m_view.flags, view.trust.flags, m_width, m_height, std::uint8_t{0});
+    fillBuffer(m_view.overlaid, view.overlaid, m_width, m_height, std::uint8_t{0});
     if (m_report != nullptr) {
         give(cReport(view.report), m_report);
     }

@@ -119,6 +119,21 @@ TEST_F(CMisuse, StructsOfUnknownSizesAreRefused) {
         return status;
     });
     expectSizesChecked(spherewalk_view_options_init, [&](auto* s) { return rendered(s, &into, nullptr); });
+    expectSizesChecked(spherewalk_overlay_init, [&](auto* s) {
+        auto options = ready(spherewalk_view_options_init);
+        options.overlays = &s;
+        options.overlay_count = 1;
+        return rendered(&options, &into, nullptr);
+    });
+    expectSizesChecked(spherewalk_intrinsics_init, [&](auto* s) {
+        auto overlay = ready(spherewalk_overlay_init);
+        overlay.camera = s;
+        const spherewalk_overlay* overlays = &overlay;
+        auto options = ready(spherewalk_view_options_init);
+        options.overlays = &overlays;
+        options.overlay_count = 1;
+        return rendered(&options, &into, nullptr);
+    });
     expectSizesChecked(spherewalk_view_init, [&](auto* s) { return rendered(nullptr, s, nullptr); });
     expectSizesChecked(spherewalk_report_init, [&](auto* s) { return rendered(nullptr, &into, s); });
     expectSizesChecked(spherewalk_report_init, [&](auto* s) {
@@ -201,31 +216,124 @@ TEST_F(CMisuse, NullIsAnswered) {
     spherewalk_stream_destroy(nullptr);
 }
 
-TEST_F(CMisuse, BuffersThatCannotHoldTheViewAreRefusedUntouched) {
-    constexpr std::uint64_t kRow = std::uint64_t{3} * kWidth;
-    const std::uint64_t size = pixels.size();
-    const std::vector<spherewalk_buffer> refused{
-        {nullptr, size, kRow},
-        {pixels.data(), size - 1, kRow},
-        {pixels.data(), 0, kRow},
-        {pixels.data(), size, 0},
-        {pixels.data(), size, kRow - 1},
-        {pixels.data(), size, kRow + 1},
-        {pixels.data(), size, UINT64_MAX},
-        {pixels.data(), size, UINT64_MAX / kHeight + 1}, // times the height: more than 64 bits
-        {pixels.data(), UINT64_MAX, kRow},
-        {pixels.data(), UINT64_MAX, UINT64_MAX / kHeight},
-    };
-    for (std::size_t i = 0; i < refused.size(); ++i) {
-        auto into = view();
-        into.rgb = refused[i];
-        EXPECT_EQ(spherewalk_renderer_render(renderer.get(), camera.get(), &kHere, nullptr, &into, nullptr),
-                  SPHEREWALK_INVALID_INPUT)
-            << i;
-        EXPECT_THAT(spherewalk_last_error(), testing::HasSubstr("rgb"));
+namespace {
+
+/// Buffers into this memory that cannot hold a view for which it has just enough.
+std::vector<spherewalk_buffer> unfit(std::vector<std::uint8_t>& memory) {
+    const std::uint64_t size = memory.size();
+    constexpr std::uint64_t kHeight = CMisuse::kHeight;
+    const std::uint64_t row = size / kHeight;
+    std::vector<spherewalk_buffer> result;
+    for (const auto& [bytes, stride] : std::initializer_list<std::pair<std::uint64_t, std::uint64_t>>{
+             {size - 1, row},
+             {0, row},
+             {row - 1, row},
+             {size, 0},
+             {size, row - 1},
+             {size, row + 1},
+             {size, UINT64_MAX},
+             {size, UINT64_MAX / kHeight + 1}, // times the height: more than 64 bits
+             {UINT64_MAX, row},
+             {UINT64_MAX, UINT64_MAX / kHeight}}) {
+        result.push_back({memory.data(), bytes, stride});
     }
-    EXPECT_EQ(pixels, std::vector<std::uint8_t>(size, 7));
-    EXPECT_EQ(render(kHere), SPHEREWALK_OK);
+    return result;
+}
+
+} // namespace
+
+TEST_F(CMisuse, BuffersThatCannotHoldTheViewAreRefusedUntouched) {
+    const auto status = [&](const spherewalk_view& into) {
+        return spherewalk_renderer_render(renderer.get(), camera.get(), &kHere, nullptr, &into, nullptr);
+    };
+    for (const auto& [member, name, pixelBytes] : {std::tuple{&spherewalk_view::rgb, "rgb", 3},
+                                                   {&spherewalk_view::depth, "depth", 4},
+                                                   {&spherewalk_view::error_px, "error_px", 4},
+                                                   {&spherewalk_view::flags, "flags", 1},
+                                                   {&spherewalk_view::overlaid, "overlaid", 1}}) {
+        std::vector<std::uint8_t> memory(static_cast<std::size_t>(pixelBytes * kWidth) * kHeight, 7);
+        for (const spherewalk_buffer& buffer : unfit(memory)) {
+            auto into = view();
+            into.*member = buffer;
+            EXPECT_EQ(status(into), SPHEREWALK_INVALID_INPUT)
+                << buffer.size_bytes << ' ' << buffer.row_stride_bytes;
+            EXPECT_THAT(spherewalk_last_error(), testing::HasSubstr(name));
+        }
+        EXPECT_EQ(memory, std::vector<std::uint8_t>(memory.size(), 7));
+        auto into = view();
+        into.*member = {memory.data(), memory.size(), memory.size() / kHeight};
+        EXPECT_EQ(status(into), SPHEREWALK_OK);
+    }
+    auto into = view();
+    into.rgb.data = nullptr;
+    expectStatus(status(into), SPHEREWALK_INVALID_INPUT, "rgb");
+}
+
+TEST_F(CMisuse, OverlaysThatAreNoneAreRefused) {
+    std::vector<std::uint8_t> memory(static_cast<std::size_t>(4 * kWidth) * kHeight, 7);
+    const spherewalk_source fit{memory.data(), memory.size(), std::uint64_t{4} * kWidth};
+    const auto whole = [&] {
+        auto overlay = ready(spherewalk_overlay_init);
+        overlay.rgba = overlay.depth = overlay.room_depth = fit;
+        return overlay;
+    };
+    const auto status = [&](const spherewalk_overlay& overlay) {
+        const std::vector<const spherewalk_overlay*> overlays{&overlay};
+        auto options = ready(spherewalk_view_options_init);
+        options.overlays = overlays.data();
+        options.overlay_count = 1;
+        return render(kHere, &options);
+    };
+    EXPECT_EQ(status(whole()), SPHEREWALK_OK) << spherewalk_last_error();
+    pixels.assign(pixels.size(), 7);
+    for (const auto& [member, name] : {std::pair{&spherewalk_overlay::rgba, "rgba"},
+                                       {&spherewalk_overlay::depth, "depth"},
+                                       {&spherewalk_overlay::room_depth, "room_depth"}}) {
+        for (const auto& [data, size, stride] : unfit(memory)) {
+            auto overlay = whole();
+            overlay.*member = {data, size, stride};
+            expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, name);
+        }
+    }
+    auto overlay = whole();
+    overlay.rgba.data = nullptr;
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "NULL");
+    overlay = whole();
+    overlay.depth.data = nullptr;
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "NULL");
+    overlay = whole();
+    overlay.alpha = 2;
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "alpha");
+    overlay = whole();
+    overlay.reserved = 1;
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "reserved");
+    auto intrinsics = ready(spherewalk_intrinsics_init); // of 0 x 0 pixels
+    overlay = whole();
+    overlay.camera = &intrinsics;
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "pixels");
+    ASSERT_EQ(spherewalk_intrinsics_pinhole(kWidth, kHeight + 1, 1, &intrinsics), SPHEREWALK_OK);
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "rgba"); // too small for that camera
+    EXPECT_EQ(pixels, std::vector<std::uint8_t>(pixels.size(), 7));
+}
+
+TEST_F(CMisuse, ListsOfOverlaysThatAreNoneAreRefused) {
+    const spherewalk_overlay* missing = nullptr;
+    auto options = ready(spherewalk_view_options_init);
+    options.overlay_count = 1;
+    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "overlays is NULL");
+    options.overlays = &missing;
+    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "spherewalk_overlay is NULL");
+    for (const std::uint64_t count : {std::uint64_t{1001}, UINT64_MAX}) {
+        options.overlay_count = count;
+        expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "overlays");
+    }
+    options.overlay_count = 0;
+    EXPECT_EQ(render(kHere, &options), SPHEREWALK_OK);
+    options.overlay_edges = 2;
+    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "edges");
+    options = ready(spherewalk_view_options_init);
+    options.reserved = 1;
+    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "reserved");
 }
 
 TEST_F(CMisuse, NumbersThatMeanNothingAreRefused) {
@@ -303,7 +411,11 @@ TEST_F(CMisuse, PosesAndTimesThatAreNoneAreRefused) {
 
 TEST_F(CMisuse, HugePosesAreServed) {
     const auto stream = this->stream();
-    const auto into = view();
+    std::vector<float> depth(pixels.size() / 3);
+    std::vector<float> errorPx(pixels.size() / 3);
+    auto into = view();
+    into.depth = {depth.data(), 4 * depth.size(), 4 * kWidth};
+    into.error_px = {errorPx.data(), 4 * errorPx.size(), 4 * kWidth};
     double time = -1e300;
     for (const double huge : {1e9, -1e155, 1e300, 1.7e308, -1.7e308}) {
         const spherewalk_pose pose{huge, -huge, huge, 1, 0, 0, 0};

@@ -159,6 +159,146 @@ TEST_F(CInterface, RendersWhatTheLibraryRenders) {
     }
 }
 
+namespace {
+
+/// A picture of the library and the same in memory with gaps between its rows.
+template <class Picture>
+struct Rows {
+    explicit Rows(const Picture& picture, std::size_t gapBytes = 12) {
+        stride = picture.row(0).size_bytes() + gapBytes;
+        bytes.resize(stride * static_cast<std::size_t>(picture.height()) - gapBytes);
+        for (int y = 0; y < picture.height(); ++y) {
+            std::memcpy(bytes.data() + stride * static_cast<std::size_t>(y), picture.at(0, y),
+                        picture.row(y).size_bytes());
+        }
+    }
+
+    spherewalk_source source() const { return {bytes.data(), bytes.size(), stride}; }
+
+    spherewalk_buffer buffer() { return {bytes.data(), bytes.size(), stride}; }
+
+    std::size_t stride;
+    std::vector<std::uint8_t> bytes;
+};
+
+/// Noise of which a part has no depth.
+Overlay noise(const CameraIntrinsics& camera, test::Random& random) {
+    Overlay overlay;
+    overlay.camera = camera;
+    overlay.alpha = random.integer(0, 1) == 0 ? Alpha::Straight : Alpha::Premultiplied;
+    overlay.picture = RgbaImage(camera.width, camera.height);
+    overlay.depth = DepthImage(camera.width, camera.height);
+    for (std::uint8_t& value : overlay.picture.values()) {
+        value = static_cast<std::uint8_t>(random.integer(0, 255));
+    }
+    for (float& depth : overlay.depth.values()) {
+        depth = static_cast<float>(random.uniform(-1, 4));
+    }
+    if (random.integer(0, 1) == 0) {
+        overlay.roomDepth = overlay.depth;
+        for (float& depth : overlay.roomDepth.values()) {
+            depth += static_cast<float>(random.uniform(-0.01, 0.01));
+        }
+    }
+    return overlay;
+}
+
+} // namespace
+
+TEST_F(CInterface, GivesDepthTrustAndOverlaysAsTheLibrary) {
+    test::Random random(73);
+    SCOPED_TRACE(random.seed());
+    const Renderer reference(std::make_shared<const Dataset>(Dataset::open(folder.path())));
+    const auto lens = CameraIntrinsics::pinhole(kWidth, kHeight, 1.2);
+    auto other = ready(spherewalk_intrinsics_init);
+    ASSERT_EQ(spherewalk_intrinsics_pinhole(50, 40, 1.4, &other), SPHEREWALK_OK);
+    for (int i = 0; i < 20; ++i) {
+        const Rigid3 pose{random.rotation(), random.vector(0.6)};
+        const std::vector<Overlay> overlays{noise(lens, random),
+                                            noise(CameraIntrinsics::pinhole(50, 40, 1.4), random)};
+        ViewOptions options;
+        options.scene = random.integer(0, 2) == 0 ? SceneKind::None : SceneKind::Sphere;
+        options.wantsDepth = options.wantsTrust = true;
+        options.overlays = overlays;
+        options.compose = {0.1, 0.02, random.integer(0, 1) == 0 ? Edges::Hard : Edges::Soft};
+        View expected = reference.render(CameraModel(lens), pose, options);
+        if (expected.depth.empty()) {
+            expected.depth = DepthImage(kWidth, kHeight);
+            std::fill(expected.depth.values().begin(), expected.depth.values().end(), HUGE_VALF);
+        }
+
+        std::vector<Rows<RgbaImage>> pictures;
+        std::vector<Rows<DepthImage>> depths;
+        std::vector<Rows<DepthImage>> rooms;
+        std::vector<spherewalk_overlay> laid(2, ready(spherewalk_overlay_init));
+        for (const Overlay& overlay : overlays) {
+            pictures.emplace_back(overlay.picture);
+            depths.emplace_back(overlay.depth);
+            rooms.emplace_back(overlay.roomDepth.empty() ? overlay.depth : overlay.roomDepth);
+        }
+        for (std::size_t k = 0; k < 2; ++k) {
+            laid[k].camera = k == 0 ? nullptr : &other;
+            laid[k].alpha = overlays[k].alpha == Alpha::Straight ? SPHEREWALK_ALPHA_STRAIGHT
+                                                                 : SPHEREWALK_ALPHA_PREMULTIPLIED;
+            laid[k].rgba = pictures[k].source();
+            laid[k].depth = depths[k].source();
+            if (!overlays[k].roomDepth.empty()) {
+                laid[k].room_depth = rooms[k].source();
+            }
+        }
+        const std::vector<const spherewalk_overlay*> pointers{&laid[0], &laid[1]};
+        auto wanted = ready(spherewalk_view_options_init);
+        wanted.scene = cScene(*options.scene);
+        wanted.overlays = pointers.data();
+        wanted.overlay_count = 2;
+        wanted.overlay_tolerance_m = 0.1;
+        wanted.overlay_tolerance_share = 0.02;
+        wanted.overlay_edges =
+            options.compose.edges == Edges::Hard ? SPHEREWALK_EDGES_HARD : SPHEREWALK_EDGES_SOFT;
+
+        Rows rgb{RgbImage(kWidth, kHeight)};
+        Rows depth{DepthImage(kWidth, kHeight)};
+        Rows errorPx{DepthImage(kWidth, kHeight)};
+        Rows flags{MaskImage(kWidth, kHeight)};
+        Rows overlaid{MaskImage(kWidth, kHeight)};
+        auto into = ready(spherewalk_view_init);
+        into.rgb = rgb.buffer();
+        into.depth = depth.buffer();
+        into.error_px = errorPx.buffer();
+        into.flags = flags.buffer();
+        into.overlaid = overlaid.buffer();
+        const spherewalk_pose at = test::cPose(pose);
+        ASSERT_EQ(spherewalk_renderer_render(renderer.get(), camera.get(), &at, &wanted, &into, nullptr),
+                  SPHEREWALK_OK)
+            << spherewalk_last_error();
+        EXPECT_EQ(rgb.bytes, Rows(expected.picture).bytes);
+        EXPECT_EQ(depth.bytes, Rows(expected.depth).bytes);
+        EXPECT_EQ(errorPx.bytes, Rows(expected.trust.errorPx).bytes);
+        EXPECT_EQ(flags.bytes, Rows(expected.trust.flags).bytes);
+        EXPECT_EQ(overlaid.bytes, Rows(expected.overlaid).bytes);
+    }
+}
+
+TEST_F(CInterface, GivesOneLayerWithoutTheOthers) {
+    std::vector<float> depth(pixels.size() / 3);
+    std::vector<std::uint8_t> flags(pixels.size() / 3, 9);
+    auto into = view();
+    into.depth = {depth.data(), 4 * depth.size(), 4 * kWidth};
+    ASSERT_EQ(spherewalk_renderer_render(renderer.get(), camera.get(), &kHere, nullptr, &into, nullptr),
+              SPHEREWALK_OK);
+    EXPECT_GT(depth[depth.size() / 2], 0.5);
+    into = view();
+    into.flags = {flags.data(), flags.size(), kWidth};
+    ASSERT_EQ(spherewalk_renderer_render(renderer.get(), camera.get(), &kHere, nullptr, &into, nullptr),
+              SPHEREWALK_OK);
+    EXPECT_TRUE(std::none_of(flags.begin(), flags.end(), [](int flag) { return flag == 9; }));
+    into = view();
+    into.overlaid = {flags.data(), flags.size(), kWidth};
+    ASSERT_EQ(spherewalk_renderer_render(renderer.get(), camera.get(), &kHere, nullptr, &into, nullptr),
+              SPHEREWALK_OK);
+    EXPECT_EQ(flags, std::vector<std::uint8_t>(flags.size(), 0)); // no overlay covers anything
+}
+
 TEST_F(CInterface, ServesManyThreadsAtOnce) {
     ASSERT_EQ(render(kHere), SPHEREWALK_OK);
     std::vector<std::thread> threads;

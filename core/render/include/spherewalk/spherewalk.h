@@ -229,6 +229,45 @@ enum {
     SPHEREWALK_SAMPLING_AUTO = 6 ///< the cheapest that is expected to be within tolerance_db
 };
 
+/// Pixels of the caller, from the top left one, rows first.
+typedef struct spherewalk_source {
+    const void* data;
+    uint64_t size_bytes;       ///< at least row_stride_bytes * (height - 1) and one row
+    uint64_t row_stride_bytes; ///< from one row to the next, at least a row
+} spherewalk_source;
+
+/// Memory of the caller that pixels are written to, as in spherewalk_source; what is between rows is left
+/// alone.
+typedef struct spherewalk_buffer {
+    void* data;
+    uint64_t size_bytes;
+    uint64_t row_stride_bytes;
+} spherewalk_buffer;
+
+/// Whether the colours of an overlay are already multiplied by its alpha.
+enum { SPHEREWALK_ALPHA_STRAIGHT = 0, SPHEREWALK_ALPHA_PREMULTIPLIED = 1 };
+
+/// Objects as a simulator renders them, to be laid into a view from the view's own pose. Depths are floats: z
+/// along the optical axis in metres; what is not finite and above zero is none. Shape: all that of camera.
+typedef struct spherewalk_overlay {
+    size_t struct_size;
+    const spherewalk_intrinsics* camera; ///< what took the picture; NULL: the view's camera
+    spherewalk_source rgba;              ///< 4 bytes a pixel
+    spherewalk_source depth;             ///< of the objects, a float a pixel
+    spherewalk_source room_depth; ///< of the room as the simulator models it, a float a pixel; if its data
+                                  ///< are NULL, that of the view's scene model takes its place
+    int32_t alpha;    ///< SPHEREWALK_ALPHA_STRAIGHT
+    int32_t reserved; ///< 0
+} spherewalk_overlay;
+
+SPHEREWALK_API spherewalk_status spherewalk_overlay_init(spherewalk_overlay* overlay, size_t size);
+
+/// What the border between an object and what hides it is like.
+enum {
+    SPHEREWALK_EDGES_SOFT = 0, ///< softened over a pixel on either side, as pictures of edges are
+    SPHEREWALK_EDGES_HARD = 1  ///< a pixel is shown or hidden as a whole
+};
+
 typedef struct spherewalk_view_options {
     size_t struct_size;
     int32_t scene;       ///< SPHEREWALK_SCENE_BEST
@@ -236,21 +275,41 @@ typedef struct spherewalk_view_options {
     int32_t threads;     ///< 0: all that the machine has; the pixels are the same for any number
     int32_t is_exact;    ///< 0. 1: in double precision, bilinear, a hundred times slower: for comparisons
     double tolerance_db; ///< 40
+    const spherewalk_overlay* const* overlays; ///< laid into the picture; NULL if there are none
+    uint64_t overlay_count;                    ///< up to 1000
+    /// How far an object may lie behind the room's surface and still be shown: the larger of metres (0.005)
+    /// and share of the room's depth (0.002).
+    double overlay_tolerance_m;
+    double overlay_tolerance_share;
+    int32_t overlay_edges; ///< SPHEREWALK_EDGES_SOFT
+    int32_t reserved;      ///< 0
 } spherewalk_view_options;
 
 SPHEREWALK_API spherewalk_status spherewalk_view_options_init(spherewalk_view_options* options, size_t size);
 
-/// Memory of the caller that pixels are written to, from the top left one, rows first.
-typedef struct spherewalk_buffer {
-    void* data;
-    uint64_t size_bytes;       ///< at least row_stride_bytes * (height - 1) and one row
-    uint64_t row_stride_bytes; ///< from one row to the next, at least a row; what is between is left alone
-} spherewalk_buffer;
+/// What is to be known of a pixel; bits, so that several may hold.
+enum {
+    SPHEREWALK_PIXEL_UNSEEN = 1,    ///< the lens sees nothing there
+    SPHEREWALK_PIXEL_POLE = 2,      ///< near the photo's zenith or nadir, where the camera's own foot is
+    SPHEREWALK_PIXEL_STITCHING = 4, ///< near where the pictures of a camera's two lenses were joined
+    SPHEREWALK_PIXEL_SEAM = 8,      ///< partly from the photo's left border, partly from its right one
+    SPHEREWALK_PIXEL_COARSE = 16,   ///< blurred, since the view was made from a coarser picture
+    SPHEREWALK_PIXEL_OVERLAY = 32   ///< at least partly covered by an overlay
+};
 
-/// Where a view goes. Shape: all that of the camera's picture.
+/// Where a view goes. What has no data is not wanted, and costs nothing; rgb must have. Shape: all that of
+/// the camera's picture.
 typedef struct spherewalk_view {
     size_t struct_size;
     spherewalk_buffer rgb; ///< 3 bytes a pixel: red, green, blue; black where the lens sees nothing
+    /// A float a pixel: how far away the scene model takes it to be, z along the optical axis in metres;
+    /// +infinity where it is not known. Without overlays.
+    spherewalk_buffer depth;
+    /// A float a pixel: by how many pixels what it shows may be off its place; +infinity where the lens sees
+    /// nothing. 1 / (1 + error) is its trust.
+    spherewalk_buffer error_px;
+    spherewalk_buffer flags;    ///< a byte a pixel: SPHEREWALK_PIXEL_...
+    spherewalk_buffer overlaid; ///< a byte a pixel: how much of it overlays cover, 255 for all
 } spherewalk_view;
 
 SPHEREWALK_API spherewalk_status spherewalk_view_init(spherewalk_view* view, size_t size);
