@@ -5,6 +5,13 @@
 
 namespace spherewalk {
 
+#ifdef SPHEREWALK_EIGEN_ALIGNMENT // what the installed library was compiled with
+static_assert(alignof(Eigen::Quaterniond) == SPHEREWALK_EIGEN_ALIGNMENT,
+              "The render library was compiled for other instructions (-march, -mavx), with which Eigen "
+              "aligns otherwise: compile this program with -DEIGEN_MAX_STATIC_ALIGN_BYTES as the library, "
+              "16 by default, or use the C interface.");
+#endif
+
 /// A rotation followed by a translation, in metres. A variable is named aFromB: pInA = aFromB * pInB, and the
 /// translation is the origin of b in a.
 struct Rigid3 {
