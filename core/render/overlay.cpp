@@ -58,8 +58,19 @@ struct Layer {
     OverlayLayer pixels;
     std::shared_ptr<const OverlayMap> map; ///< nothing: pixel for pixel
 
+    /// The pixels of the view's row that may show something.
     OverlayLayer::Span span(int y, int width) const {
-        return map ? OverlayLayer::Span{0, width} : pixels.span(y);
+        if (!map) {
+            return pixels.span(y);
+        }
+        OverlayLayer::Span span{0, width};
+        while (span.begin < span.end && !pixels.mayShow(map->at(span.begin, y))) {
+            ++span.begin;
+        }
+        while (span.begin < span.end && !pixels.mayShow(map->at(span.end - 1, y))) {
+            --span.end;
+        }
+        return span;
     }
 
     Shown at(int x, int y, float viewDepth) const {
@@ -74,11 +85,17 @@ struct Layer {
 /// What overlays show in one pixel, farthest first.
 using Pile = std::vector<Shown>;
 
-void gather(const std::vector<Layer>& layers, int x, int y, int width, float viewDepth, Pile& pile) {
+/// What a worker needs for a row.
+struct RowSpace {
+    std::vector<OverlayLayer::Span> spans; ///< of each layer
+    Pile pile;
+};
+
+void gather(const std::vector<Layer>& layers, const std::vector<OverlayLayer::Span>& spans, int x, int y,
+            float viewDepth, Pile& pile) {
     pile.clear();
-    for (const Layer& layer : layers) {
-        const OverlayLayer::Span span = layer.span(y, width);
-        const Shown shown = span.holds(x) ? layer.at(x, y, viewDepth) : Shown();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Shown shown = spans[i].holds(x) ? layers[i].at(x, y, viewDepth) : Shown();
         if (shown.coverage > 0) {
             pile.insert(std::upper_bound(pile.begin(), pile.end(), shown,
                                          [](const Shown& a, const Shown& b) { return a.depth > b.depth; }),
@@ -102,17 +119,18 @@ std::uint8_t lay(const Pile& pile, std::uint8_t* rgb) {
     return static_cast<std::uint8_t>(255.5 - left);
 }
 
-void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y, Pile& pile,
+void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y, RowSpace& space,
             RgbImage& picture, MaskImage* shown) {
     OverlayLayer::Span row{picture.width(), 0};
+    space.spans.clear();
     for (const Layer& layer : layers) {
-        const OverlayLayer::Span span = layer.span(y, picture.width());
+        const OverlayLayer::Span span = space.spans.emplace_back(layer.span(y, picture.width()));
         row = {std::min(row.begin, span.begin), std::max(row.end, span.end)};
     }
     for (int x = row.begin; x < row.end; ++x) {
-        gather(layers, x, y, picture.width(), viewDepth.empty() ? 0 : *viewDepth.at(x, y), pile);
-        if (!pile.empty()) {
-            const std::uint8_t covered = lay(pile, picture.at(x, y));
+        gather(layers, space.spans, x, y, viewDepth.empty() ? 0 : *viewDepth.at(x, y), space.pile);
+        if (!space.pile.empty()) {
+            const std::uint8_t covered = lay(space.pile, picture.at(x, y));
             if (shown != nullptr) {
                 *shown->at(x, y) = covered;
             }
@@ -163,9 +181,9 @@ void Composer::compose(std::span<const Overlay> overlays, const CameraModel& cam
     if (shown != nullptr) {
         *shown = MaskImage(picture.width(), picture.height());
     }
-    std::vector<Pile> piles(static_cast<std::size_t>(pool.threads()));
+    std::vector<RowSpace> spaces(static_cast<std::size_t>(pool.threads()));
     pool.run(picture.height(), options.threads, [&](int y, int worker) {
-        layRow(layers, viewDepth, y, piles[static_cast<std::size_t>(worker)], picture, shown);
+        layRow(layers, viewDepth, y, spaces[static_cast<std::size_t>(worker)], picture, shown);
     });
 }
 

@@ -18,6 +18,8 @@ using Eigen::Vector3d;
 
 namespace {
 
+constexpr int kBand = 8; ///< rows that one worker does in turn, sharing what two neighbouring rows see
+
 [[noreturn]] void refuse(const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("The trust of the view's pixels cannot be told: ", what, "."));
 }
@@ -48,17 +50,23 @@ class TrustRows {
           m_sinStitching(
               std::sin(std::min(Radians(options.stitchingHalfWidth).value(), std::numbers::pi / 2))) {}
 
-    void compute(int y, PixelTrust& trust) const;
+    /// Rows [begin, end).
+    void compute(int begin, int end, PixelTrust& trust) const;
 
   private:
-    using Directions =
-        std::vector<Vector3d>; ///< unit vectors of the photo's frame; zero where nothing is seen
+    struct Seen {
+        Vector3d ray;     ///< optical frame; zero where the lens sees nothing
+        Vector3d inPhoto; ///< unit vector of the photo's frame
+    };
 
-    Directions directions(int y) const;
-    double footprint(const Directions& row, const Directions& other, int x) const;
+    using Row = std::vector<Seen>;
+
+    Row seen(int y) const;
+    double footprint(const Row& row, const Row& other, std::size_t x) const;
     double displacementPx(int x, int y, const Vector3d& ray) const;
     double blurPx(double footprint) const;
     std::uint8_t flags(const Vector3d& inPhoto, double footprint, bool isBlurred) const;
+    void computeRow(int y, const Row& row, const Row& other, PixelTrust& trust) const;
 
     const PixelRays& m_rays;
     SceneRays m_scene;
@@ -69,34 +77,32 @@ class TrustRows {
     double m_sinStitching;
 };
 
-TrustRows::Directions TrustRows::directions(int y) const {
-    Directions result(static_cast<std::size_t>(m_rays.camera().width()));
+TrustRows::Row TrustRows::seen(int y) const {
+    Row row(static_cast<std::size_t>(m_rays.camera().width()));
     for (int x = 0; x < m_rays.camera().width(); ++x) {
         const Vector3d ray = m_rays.ray(x, y);
-        result[static_cast<std::size_t>(x)] =
-            ray.isZero(0) ? ray : Vector3d(m_scene.directionInPhoto(ray).normalized());
+        row[static_cast<std::size_t>(x)] = {ray, m_scene.directionInPhoto(ray)};
     }
-    return result;
+    return row;
 }
 
 /// The angle in the photo that the pixel spans, along the axis of the view that has more: the way to its
 /// neighbours.
-double TrustRows::footprint(const Directions& row, const Directions& other, int x) const {
-    const auto at = static_cast<std::size_t>(x);
+double TrustRows::footprint(const Row& row, const Row& other, std::size_t x) const {
     double most = 0;
-    const auto measure = [&](const Vector3d& neighbour) {
-        most = neighbour.isZero(0) ? most : std::max(most, (neighbour - row[at]).norm());
+    const auto measure = [&](const Seen& neighbour) {
+        if (!neighbour.ray.isZero(0)) {
+            most = std::max(most, (neighbour.inPhoto - row[x].inPhoto).squaredNorm());
+        }
     };
-    if (x + 1 < static_cast<int>(row.size())) {
-        measure(row[at + 1]);
-    } else if (x > 0) {
-        measure(row[at - 1]);
+    if (row.size() > 1) {
+        measure(x + 1 < row.size() ? row[x + 1] : row[x - 1]);
     }
     if (!other.empty()) {
-        measure(other[at]);
+        measure(other[x]);
     }
     const CameraIntrinsics& k = m_rays.camera().intrinsics();
-    return most > 0 ? most : 1 / std::min(k.fx, k.fy);
+    return most > 0 ? std::sqrt(most) : 1 / std::min(k.fx, k.fy);
 }
 
 double TrustRows::displacementPx(int x, int y, const Vector3d& ray) const {
@@ -118,7 +124,7 @@ double TrustRows::blurPx(double footprint) const {
 }
 
 std::uint8_t TrustRows::flags(const Vector3d& inPhoto, double footprint, bool isBlurred) const {
-    const double level = std::hypot(inPhoto.x(), inPhoto.y());
+    const double level = inPhoto.head<2>().norm();
     const double seamReach = 0.5 * (footprint + level * m_photoPixel); // of bilinear samples in the pixel
     unsigned result = 0;
     const auto set = [&](bool holds, PixelFlag flag) { result |= holds ? static_cast<unsigned>(flag) : 0U; };
@@ -129,27 +135,31 @@ std::uint8_t TrustRows::flags(const Vector3d& inPhoto, double footprint, bool is
     return static_cast<std::uint8_t>(result);
 }
 
-void TrustRows::compute(int y, PixelTrust& trust) const {
-    const int height = m_rays.camera().height();
-    const Directions row = directions(y);
-    const Directions other = height > 1 ? directions(y + 1 < height ? y + 1 : y - 1) : Directions();
+void TrustRows::computeRow(int y, const Row& row, const Row& other, PixelTrust& trust) const {
     for (int x = 0; x < m_rays.camera().width(); ++x) {
-        const Vector3d& inPhoto = row[static_cast<std::size_t>(x)];
-        if (inPhoto.isZero(0)) {
+        const auto& [ray, inPhoto] = row[static_cast<std::size_t>(x)];
+        if (ray.isZero(0)) {
             *trust.errorPx.at(x, y) = std::numeric_limits<float>::infinity();
             *trust.flags.at(x, y) = static_cast<std::uint8_t>(PixelFlag::Unseen);
-            continue;
+        } else {
+            const double angle = footprint(row, other, static_cast<std::size_t>(x));
+            const double blur = blurPx(angle);
+            *trust.errorPx.at(x, y) = static_cast<float>(displacementPx(x, y, ray) + blur);
+            *trust.flags.at(x, y) = flags(inPhoto, angle, blur > 0);
         }
-        const double angle = footprint(row, other, x);
-        const double blur = blurPx(angle);
-        *trust.errorPx.at(x, y) = static_cast<float>(displacementPx(x, y, m_rays.ray(x, y)) + blur);
-        *trust.flags.at(x, y) = flags(inPhoto, angle, blur > 0);
+        if (m_options.overlays != nullptr && *m_options.overlays->at(x, y) != 0) {
+            *trust.flags.at(x, y) |= static_cast<std::uint8_t>(PixelFlag::Overlay);
+        }
     }
-    if (m_options.overlays != nullptr) {
-        for (int x = 0; x < m_rays.camera().width(); ++x) {
-            *trust.flags.at(x, y) |=
-                *m_options.overlays->at(x, y) != 0 ? static_cast<std::uint8_t>(PixelFlag::Overlay) : 0;
-        }
+}
+
+void TrustRows::compute(int begin, int end, PixelTrust& trust) const {
+    const int height = m_rays.camera().height();
+    Row row = seen(begin);
+    for (int y = begin; y < end; ++y) {
+        Row other = y + 1 < height ? seen(y + 1) : y > 0 ? seen(y - 1) : Row();
+        computeRow(y, row, other, trust);
+        row.swap(other);
     }
 }
 
@@ -180,7 +190,9 @@ PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, Wor
     PixelTrust result{Image<float, 1>(camera.width(), camera.height()),
                       MaskImage(camera.width(), camera.height())};
     const TrustRows rows(view, options);
-    pool.run(camera.height(), threads, [&](int y, int) { rows.compute(y, result); });
+    pool.run((camera.height() + kBand - 1) / kBand, threads, [&](int band, int) {
+        rows.compute(kBand * band, std::min(kBand * (band + 1), camera.height()), result);
+    });
     return result;
 }
 

@@ -3,8 +3,6 @@
 
 #include "enum_names.h"
 
-#include <cmath>
-
 namespace spherewalk::render {
 
 namespace {
@@ -21,37 +19,16 @@ SceneKind sceneKind(std::string_view name) {
     return valueOf(kNames, "The scene model", name);
 }
 
-namespace {
-
-/// A camera in a sphere of radius 1, and how far one of its rays goes.
-struct OnUnitSphere {
-    Eigen::Vector3d from;
-    double distance;
-};
-
-OnUnitSphere onUnitSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
-    // In units of the radius, so that neither tiny nor huge rooms lose digits.
-    Eigen::Vector3d from = offset / radius;
-    const double displacement = from.norm();
+DisplacedCamera::DisplacedCamera(const Eigen::Vector3d& offset, double radius) : m_from(offset / radius) {
+    const double displacement = m_from.norm();
     if (displacement > kLargestDisplacement) {
-        from *= kLargestDisplacement / displacement;
+        m_from *= kLargestDisplacement / displacement;
     }
-    const double along = from.dot(ray);
-    const double inside = 1 - from.squaredNorm(); // > 0
-    const double root = std::sqrt(along * along + inside);
-    // The positive root of t^2 + 2 along t - inside = 0, in the form that does not cancel.
-    return {from, along > 0 ? inside / (along + root) : root - along};
+    m_inside = 1 - m_from.squaredNorm();
 }
-
-} // namespace
 
 Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
-    const OnUnitSphere met = onUnitSphere(offset, ray, radius);
-    return met.from + met.distance * ray;
-}
-
-double distanceOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius) {
-    return radius * onUnitSphere(offset, ray, radius).distance;
+    return DisplacedCamera(offset, radius).direction(ray);
 }
 
 } // namespace spherewalk::render

@@ -12,20 +12,20 @@ SceneRays::SceneRays(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto, 
     : m_photoFromCamera((roomFromPhoto.rotation.conjugate() * roomFromCamera.rotation).toRotationMatrix()),
       m_offsetInCamera(roomFromCamera.rotation.conjugate() *
                        (roomFromCamera.translation - roomFromPhoto.translation)),
-      m_offsetInPhoto(roomFromPhoto.rotation.conjugate() *
-                      (roomFromCamera.translation - roomFromPhoto.translation)),
       m_scene(scene),
-      m_sphereRadiusM(sphereRadiusM) {
+      m_sphereRadiusM(sphereRadiusM),
+      m_inPhoto(roomFromPhoto.rotation.conjugate() * (roomFromCamera.translation - roomFromPhoto.translation),
+                sphereRadiusM),
+      m_inCamera(m_offsetInCamera, sphereRadiusM) {
 }
 
 Vector3d SceneRays::directionInPhoto(const Vector3d& rayInCamera) const {
     const Vector3d ray = m_photoFromCamera * rayInCamera;
-    return m_scene == SceneKind::Sphere ? directionOnSphere(m_offsetInPhoto, ray, m_sphereRadiusM) : ray;
+    return m_scene == SceneKind::Sphere ? m_inPhoto.direction(ray) : ray;
 }
 
 double SceneRays::distanceM(const Vector3d& rayInCamera) const {
-    return m_scene == SceneKind::Sphere ? distanceOnSphere(m_offsetInCamera, rayInCamera, m_sphereRadiusM)
-                                        : HUGE_VAL;
+    return m_scene == SceneKind::Sphere ? m_sphereRadiusM * m_inCamera.distance(rayInCamera) : HUGE_VAL;
 }
 
 } // namespace spherewalk::render

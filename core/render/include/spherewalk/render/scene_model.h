@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <string_view>
 
 namespace spherewalk::render {
@@ -22,13 +23,34 @@ SceneKind sceneKind(std::string_view name);
 /// as if it stood there, since outside of the sphere rays miss it.
 constexpr double kLargestDisplacement = 0.95;
 
+/// A camera in the sphere about a photo. Frames: one common frame, rays are unit vectors. Threads: const, any
+/// number.
+class DisplacedCamera {
+  public:
+    /// offset: camera minus photo position; beyond kLargestDisplacement * radius it is shortened to that.
+    /// Range: radius > 0.
+    DisplacedCamera(const Eigen::Vector3d& offset, double radius);
+
+    /// How far the ray goes to the sphere, in radii. Range: > 0.
+    double distance(const Eigen::Vector3d& ray) const {
+        const double along = m_from.dot(ray);
+        const double root = std::sqrt(along * along + m_inside);
+        // The positive root of t^2 + 2 along t - inside = 0, in the form that does not cancel.
+        return along > 0 ? m_inside / (along + root) : root - along;
+    }
+
+    /// The direction in which the photo sees what the ray meets on the sphere. Shape: a unit vector, but for
+    /// rounding.
+    Eigen::Vector3d direction(const Eigen::Vector3d& ray) const { return m_from + distance(ray) * ray; }
+
+  private:
+    Eigen::Vector3d m_from; ///< in radii, so that neither tiny nor huge rooms lose digits
+    double m_inside;        ///< 1 - |from|^2 > 0
+};
+
 /// The direction in which the photo sees what the camera's ray meets on a sphere about the photo.
 /// Frames: one common frame. offset: camera minus photo position; ray: unit. Shape: not normalised, never
 /// zero. Range: radius > 0; offsets beyond kLargestDisplacement * radius are shortened to it.
 Eigen::Vector3d directionOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius);
-
-/// How far the same ray goes to the same point of the sphere, from where the camera is taken to stand.
-/// Units: those of the radius. Range: as for directionOnSphere(); the result is > 0.
-double distanceOnSphere(const Eigen::Vector3d& offset, const Eigen::Vector3d& ray, double radius);
 
 } // namespace spherewalk::render

@@ -17,8 +17,8 @@ class SceneRays {
     SceneRays(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto, SceneKind scene,
               double sphereRadiusM);
 
-    /// The direction, in the photo's frame, in which the photo sees what the ray meets. Shape: not
-    /// normalised, never zero.
+    /// The direction, in the photo's frame, in which the photo sees what the ray meets. Shape: a unit vector,
+    /// but for rounding.
     Eigen::Vector3d directionInPhoto(const Eigen::Vector3d& rayInCamera) const;
 
     /// Metres from the camera, along the ray, to what it meets; +infinity where the scene model knows of
@@ -32,9 +32,10 @@ class SceneRays {
   private:
     Eigen::Matrix3d m_photoFromCamera;
     Eigen::Vector3d m_offsetInCamera;
-    Eigen::Vector3d m_offsetInPhoto;
     SceneKind m_scene;
     double m_sphereRadiusM;
+    DisplacedCamera m_inPhoto; ///< for SceneKind::Sphere; the same camera in two frames
+    DisplacedCamera m_inCamera;
 };
 
 } // namespace spherewalk::render
