@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 #include <utility>
 
@@ -18,13 +19,21 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+double nowMs(Clock clock) {
+    if (clock == Clock::Processor) {
+        return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    }
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 } // namespace
 
 void Contest::add(std::string name, std::function<void(int)> action) {
     m_entries.push_back({std::move(name), std::move(action), {}});
 }
 
-void Contest::run(int rounds) {
+void Contest::run(int rounds, Clock clock) {
     for (Entry& entry : m_entries) {
         entry.result = {};
     }
@@ -33,12 +42,10 @@ void Contest::run(int rounds) {
     for (int begin = -kBlock; begin < rounds; begin += kBlock) {
         for (std::size_t i = 0; i < m_entries.size(); ++i) {
             for (int run = begin; run < std::min(begin + kBlock, rounds); ++run) {
-                const auto start = std::chrono::steady_clock::now();
+                const double start = nowMs(clock);
                 m_entries[i].action(run + kBlock);
-                const std::chrono::duration<double, std::milli> passed =
-                    std::chrono::steady_clock::now() - start;
                 if (run >= 0) {
-                    times[i].push_back(passed.count());
+                    times[i].push_back(nowMs(clock) - start);
                 }
             }
         }
@@ -49,7 +56,8 @@ void Contest::run(int rounds) {
         for (const double time : times[i]) {
             deviations.push_back(std::abs(time - middle));
         }
-        m_entries[i].result = {middle, median(deviations)};
+        m_entries[i].result = {middle, median(deviations),
+                               *std::min_element(times[i].begin(), times[i].end())};
     }
 }
 
@@ -64,8 +72,8 @@ const Measured& Contest::of(const std::string& name) const {
 
 void Contest::print() const {
     for (const Entry& entry : m_entries) {
-        std::printf("  %-34s %8.3f ms  +- %.3f\n", entry.name.c_str(), entry.result.medianMs,
-                    entry.result.madMs);
+        std::printf("  %-34s %8.3f ms  +- %.3f  least %8.3f\n", entry.name.c_str(), entry.result.medianMs,
+                    entry.result.madMs, entry.result.leastMs);
     }
 }
 
