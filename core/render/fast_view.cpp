@@ -41,28 +41,29 @@ void sample(const PlaneView& photo, Sampling sampling, const simd::CellSamples& 
     }
 }
 
-simd::Rounding rounding(Sampling sampling) {
+Placing placing(Sampling sampling, int stride) {
     constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
     switch (sampling) {
     case Sampling::Nearest:
-        return {kHalf, kHalf};
+        return {stride, kHalf, kHalf};
     case Sampling::Bicubic: // u is rounded to its weights' steps already, see kRoundingU
-        return {0, kHalf / 256};
+        return {stride, 0, kHalf / 256};
     default:
-        return {0, 0};
+        return {stride, 0, 0};
     }
 }
 
 /// How far apart in a row of samples those are that lie in different cache lines.
-int stepToOtherMemory(const std::int32_t* u, const std::int32_t* v, int count) {
+int stepToOtherMemory(const std::int32_t* places, int count, int stride) {
     constexpr int kLine = 64;
-    int lines = 1;
+    const int rowBytes = stride * PlaneLayout::kPixelBytes;
+    int lines = 0;
     for (const int row : {0, count - kCell}) { // the cell's first and last
-        const int across = std::abs(u[row + kCell - 1] - u[row]) >> kFractionBits;
-        const int down = std::abs(v[row + kCell - 1] - v[row]) >> kFractionBits;
-        lines = std::max({lines, 1 + across * PlaneLayout::kPixelBytes / kLine, 1 + down});
+        const int apart = std::abs(places[row + kCell - 1] - places[row]);
+        const int down = (apart + rowBytes / 2) / rowBytes;
+        lines = std::max(lines, down + std::abs(apart - down * rowBytes) / kLine);
     }
-    return lines <= 2 ? 8 : lines <= 4 ? 4 : lines <= 8 ? 2 : 1;
+    return lines < 1 ? 8 : lines < 3 ? 4 : lines < 7 ? 2 : 1;
 }
 
 void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling, int cellY,
@@ -70,12 +71,12 @@ void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling
     const RayTable& rays = *lattice.rays;
     worker.lattice.beginRow(lattice, cellY);
     const int count = kCell * kCell * rays.samplesPerAxis() * rays.samplesPerAxis();
+    const Placing to = placing(sampling, photo.stride());
     int step = 1;
     const auto samples = [&](int cellX) {
         Workspace::Coordinates& at = worker.coordinates[static_cast<std::size_t>(cellX % 2)];
-        worker.lattice.coordinates(lattice, cellX, at.u.data(), at.v.data());
-        step = stepToOtherMemory(at.u.data(), at.v.data(), count);
-        simd::locate(photo.stride(), rounding(sampling), count, at.u.data(), at.v.data());
+        worker.lattice.places(lattice, cellX, to, at.u.data(), at.v.data());
+        step = stepToOtherMemory(at.u.data(), count, photo.stride());
         return simd::CellSamples{at.u.data(),
                                  at.v.data(),
                                  rays.samplesPerAxis(),

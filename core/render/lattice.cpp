@@ -2,10 +2,10 @@
 #include "lattice.h"
 
 #include "lattice_simd.h"
-#include "photo_plane.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace spherewalk::render {
 
@@ -14,44 +14,11 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kCell = RayTable::kCell;
+constexpr int kPadding = 16;
 constexpr double kUnit = 1 << kFractionBits;
-constexpr double kOffsetU = PlaneLayout::kGuard + kRoundingU;
-constexpr double kOffsetV = PlaneLayout::kGuard;
-constexpr int kMostNodes = 96; // of a cell at its densest, 9 x 9, padded
 
-std::int32_t fixedPoint(double value, double offset) {
-    return static_cast<std::int32_t>((value + offset) * kUnit + 0.5);
-}
-
-/// The biquadratic through 3 x 3 of the values, relative to the middle one, in fixed point.
-std::array<float, 9> patch(const double* middle, int pitch, double period) {
-    std::array<std::array<double, 3>, 3> rows{};
-    for (int y = 0; y < 3; ++y) {
-        std::array<double, 3> f{};
-        for (int x = 0; x < 3; ++x) {
-            double difference = middle[(y - 1) * pitch + x - 1] - *middle;
-            difference -= difference > period / 2 ? period : difference < -period / 2 ? -period : 0;
-            f[static_cast<std::size_t>(x)] = difference;
-        }
-        rows[static_cast<std::size_t>(y)] = {f[1], 0.5 * (f[2] - f[0]), 0.5 * (f[2] + f[0]) - f[1]};
-    }
-    std::array<float, 9> result{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        result[3 * i] = static_cast<float>(kUnit * rows[1][i]);
-        result[3 * i + 1] = static_cast<float>(kUnit * 0.5 * (rows[2][i] - rows[0][i]));
-        result[3 * i + 2] = static_cast<float>(kUnit * (0.5 * (rows[2][i] + rows[0][i]) - rows[1][i]));
-    }
-    return result;
-}
-
-/// Whether a patch about u may reach over the seam.
-bool crossesSeam(double u, const std::array<float, 9>& coefficients, double width) {
-    double reach = 2 * kUnit;
-    for (const float c : coefficients) {
-        reach += std::abs(c);
-    }
-    reach *= 2 / kUnit; // samples lie within the nodes; twice that is safe, and cells at the seam are few
-    return u - reach < -0.5 || u + reach > width - 0.5;
+int padded(int count) {
+    return (count + 2 * kPadding - 1) / kPadding * kPadding;
 }
 
 } // namespace
@@ -79,59 +46,102 @@ Lattice::Lattice(const RayTable& table, const Rigid3& roomFromCamera, const Rigi
     }
 }
 
-LatticeScratch::LatticeScratch(int cellsX)
-    : m_pitch((cellsX + 1 + 31) / 16 * 16),
-      m_nodes(static_cast<std::size_t>(21 * m_pitch)),
-      m_coefficients(static_cast<std::size_t>(18 * m_pitch)),
-      m_bound(static_cast<std::size_t>(m_pitch)),
-      m_mode(static_cast<std::size_t>(m_pitch)),
-      m_rays(5 * kMostNodes + 64) {
-    double* at = m_nodes.data();
-    const auto next = [&] {
-        at += m_pitch;
-        return at - m_pitch;
-    };
-    for (NodeRow& row : m_rows) {
-        row = {next(), next(), next(), next(), next(), next()};
+LatticeScratch::Level::Level(int cellsX, int partsOfCell)
+    : parts(partsOfCell),
+      values(static_cast<std::size_t>((18 + partsOfCell) * padded(cellsX * partsOfCell + 1))),
+      coefficients(static_cast<std::size_t>(18 * partsOfCell * padded(cellsX * partsOfCell + 1))),
+      centres(static_cast<std::size_t>(2 * partsOfCell * padded(cellsX * partsOfCell + 1))) {
+    const int pitch = padded(cellsX * parts + 1);
+    double* value = values.data();
+    float* coefficient = coefficients.data();
+    std::int32_t* centre = centres.data();
+    const auto next = [pitch](auto*& at) { return std::exchange(at, at + pitch); };
+    for (NodeRow& row : nodes) {
+        row.edges = {next(value), next(value), nullptr, nullptr};
+        row.centres = {next(value), next(value), next(value), next(value)};
     }
-    for (int i = 0; i < 9; ++i) {
-        m_quadratics.u[i] = m_coefficients.data() + i * m_pitch;
-        m_quadratics.v[i] = m_coefficients.data() + (9 + i) * m_pitch;
+    for (int i = 0; i < parts; ++i) {
+        PatchRow& row = patches[static_cast<std::size_t>(i)];
+        std::generate(row.u.begin(), row.u.end(), [&] { return next(coefficient); });
+        std::generate(row.v.begin(), row.v.end(), [&] { return next(coefficient); });
+        row.centreU = next(centre);
+        row.centreV = next(centre);
+        row.fromSeam = next(value);
     }
 }
 
-void LatticeScratch::evaluateRow(const Lattice& lattice, int nodeY, const NodeRow& row) {
-    const RayTable& table = *lattice.rays;
-    if (!table.affine()) {
-        const auto rays = [&](bool edge) {
-            return simd::RayArrays{table.nodes(0, edge, nodeY), table.nodes(1, edge, nodeY),
-                                   table.nodes(2, edge, nodeY)};
-        };
-        simd::photoCoordinates(lattice, rays(true), table.cellsX() + 1, row.edgeU, row.edgeV, nullptr,
-                               nullptr);
-        simd::photoCoordinates(lattice, rays(false), table.cellsX(), row.centreU, row.centreV, row.centreCos,
-                               row.centreAlong);
-        return;
+LatticeScratch::LatticeScratch(int cellsX)
+    : m_levels{Level(cellsX, 1), Level(cellsX, 2), Level(cellsX, 4)},
+      m_bound(static_cast<std::size_t>(padded(cellsX))),
+      m_mode(static_cast<std::size_t>(cellsX)),
+      m_rays(static_cast<std::size_t>(3 * padded(4 * cellsX + 1))),
+      m_raysPitch(padded(4 * cellsX + 1)) {
+}
+
+/// The rays of so many pixels, to m_rays.
+void LatticeScratch::interpolateRays(const RayTable& table, const Eigen::Vector2d& first, double step,
+                                     int count) {
+    for (int i = 0; i < count; ++i) {
+        const Vector3d ray = table.ray(Eigen::Vector2d(first.x() + step * i, first.y()));
+        for (int c = 0; c < 3; ++c) {
+            m_rays[static_cast<std::size_t>(c * m_raysPitch + i)] = ray[c];
+        }
     }
-    simd::affineCoordinates(lattice, {-0.5, RayTable::kNodeStep * nodeY - 0.5, kCell}, table.cellsX() + 1,
-                            row.edgeU, row.edgeV, nullptr, nullptr);
-    simd::affineCoordinates(lattice, {RayTable::kNodeStep - 0.5, RayTable::kNodeStep * nodeY - 0.5, kCell},
-                            table.cellsX(), row.centreU, row.centreV, row.centreCos, row.centreAlong);
+}
+
+/// The nodes of the patches [begin, end) on one row of nodes.
+void LatticeScratch::evaluateRow(const Lattice& lattice, const Level& level, int nodeY, int begin, int end,
+                                 const NodeRow& row) {
+    const RayTable& table = *lattice.rays;
+    const double size = static_cast<double>(kCell) / level.parts;
+    for (const bool edge : {true, false}) {
+        const NodeValues& to = edge ? row.edges : row.centres;
+        const bool bounds = !edge && level.parts == 1;
+        const NodeValues out{to.u + begin, to.v + begin, bounds ? to.cosine + begin : nullptr,
+                             bounds ? to.along + begin : nullptr};
+        const int count = end - begin + (edge ? 1 : 0);
+        const Eigen::Vector2d first(size * (begin + (edge ? 0 : 0.5)) - 0.5, size * 0.5 * nodeY - 0.5);
+        if (table.affine()) {
+            simd::affineCoordinates(lattice, {first.x(), first.y(), size}, count, out);
+        } else if (level.parts <= RayTable::kFineParts) {
+            const auto rays = [&](int c) { return table.nodes(level.parts, c, edge, nodeY) + begin; };
+            simd::photoCoordinates(lattice, {rays(0), rays(1), rays(2)}, count, out);
+        } else {
+            interpolateRays(table, first, size, count);
+            const double* rays = m_rays.data();
+            simd::photoCoordinates(lattice, {rays, rays + m_raysPitch, rays + 2 * m_raysPitch}, count, out);
+        }
+    }
 }
 
 void LatticeScratch::beginRow(const Lattice& lattice, int cellY) {
+    Level& coarse = m_levels[0];
+    const int cells = lattice.rays->cellsX();
     if (m_cellY == cellY - 1) {
-        std::swap(m_rows[0], m_rows[2]);
+        std::swap(coarse.nodes[0], coarse.nodes[2]);
     } else {
-        evaluateRow(lattice, 2 * cellY, m_rows[0]);
+        evaluateRow(lattice, coarse, 2 * cellY, 0, cells, coarse.nodes[0]);
     }
-    evaluateRow(lattice, 2 * cellY + 1, m_rows[1]);
-    evaluateRow(lattice, 2 * cellY + 2, m_rows[2]);
+    evaluateRow(lattice, coarse, 2 * cellY + 1, 0, cells, coarse.nodes[1]);
+    evaluateRow(lattice, coarse, 2 * cellY + 2, 0, cells, coarse.nodes[2]);
     m_cellY = cellY;
-    simd::biquadratics(lattice, cellY, m_rows, m_quadratics, m_bound.data());
+    simd::fitPatches(lattice, coarse.nodes, 0, cells, coarse.patches[0]);
+    simd::errorBounds(lattice, cellY, coarse.nodes[1].centres, m_bound.data());
+    chooseModes(lattice);
+    for (int begin = 0, end = 0; begin < cells; begin = end) {
+        for (end = begin + 1; end < cells && mode(end) == mode(begin);) {
+            ++end;
+        }
+        if (mode(begin) == CellMode::Fine || mode(begin) == CellMode::Finest) {
+            refine(lattice, m_levels[static_cast<std::size_t>(mode(begin))], begin, end);
+        }
+    }
+}
+
+void LatticeScratch::chooseModes(const Lattice& lattice) {
     for (int x = 0; x < lattice.rays->cellsX(); ++x) {
-        const double bound = m_bound[static_cast<std::size_t>(x)] / lattice.tolerancePx;
-        const bool isExplicit = lattice.rays->explicitCell(x, cellY) != nullptr;
+        const double bound = boundPx(x) / lattice.tolerancePx;
+        const bool isExplicit = lattice.rays->explicitCell(x, m_cellY) != nullptr;
         // A bound that is no number fails every comparison.
         m_mode[static_cast<std::size_t>(x)] = isExplicit    ? CellMode::Exact
                                               : bound <= 1  ? CellMode::Coarse
@@ -141,65 +151,53 @@ void LatticeScratch::beginRow(const Lattice& lattice, int cellY) {
     }
 }
 
-void LatticeScratch::coordinates(const Lattice& lattice, int cellX, std::int32_t* u, std::int32_t* v) {
-    switch (mode(cellX)) {
-    case CellMode::Fine:
-        return subdivided(lattice, cellX, 2, u, v);
-    case CellMode::Finest:
-        return subdivided(lattice, cellX, 4, u, v);
-    case CellMode::Exact:
-        return exact(lattice, cellX, u, v);
-    case CellMode::Coarse:
-        break;
-    }
-    std::array<float, 9> inU{};
-    std::array<float, 9> inV{};
-    for (std::size_t i = 0; i < 9; ++i) {
-        inU[i] = m_quadratics.u[i][cellX];
-        inV[i] = m_quadratics.v[i][cellX];
-    }
-    const int n = lattice.rays->samplesPerAxis();
-    const double centreU = m_rows[1].centreU[cellX];
-    simd::fillPatch({kCell, n}, inU, fixedPoint(centreU, kOffsetU), u);
-    simd::fillPatch({kCell, n}, inV, fixedPoint(m_rows[1].centreV[cellX], kOffsetV), v);
-    if (crossesSeam(centreU, inU, lattice.width)) {
-        simd::wrapFixed(u, kCell * kCell * n * n, fixedPoint(-0.5, kOffsetU), fixedPoint(lattice.width, 0));
+/// The patches of the cells [begin, end) of the row.
+void LatticeScratch::refine(const Lattice& lattice, Level& level, int begin, int end) {
+    const int first = begin * level.parts;
+    const int last = end * level.parts;
+    const int nodeY = 2 * level.parts * m_cellY;
+    evaluateRow(lattice, level, nodeY, first, last, level.nodes[0]);
+    for (int i = 0; i < level.parts; ++i) {
+        evaluateRow(lattice, level, nodeY + 2 * i + 1, first, last, level.nodes[1]);
+        evaluateRow(lattice, level, nodeY + 2 * i + 2, first, last, level.nodes[2]);
+        simd::fitPatches(lattice, level.nodes, first, last, level.patches[static_cast<std::size_t>(i)]);
+        std::swap(level.nodes[0], level.nodes[2]);
     }
 }
 
-void LatticeScratch::subdivided(const Lattice& lattice, int cellX, int parts, std::int32_t* u,
-                                std::int32_t* v) {
-    const RayTable& table = *lattice.rays;
-    const int nodes = 2 * parts + 1;
-    const double step = static_cast<double>(kCell) / (2 * parts);
-    double* x = m_rays.data();
-    double* y = x + kMostNodes;
-    double* z = y + kMostNodes;
-    double* atU = z + kMostNodes;
-    double* atV = atU + kMostNodes;
-    for (int i = 0; i < nodes * nodes; ++i) {
-        const Eigen::Vector2d pixel(kCell * cellX - 0.5 + step * (i % nodes),
-                                    kCell * m_cellY - 0.5 + step * (i / nodes));
-        const Vector3d ray = table.affine() ? Vector3d(pixel.x(), pixel.y(), 1) : table.ray(pixel);
-        x[i] = ray.x();
-        y[i] = ray.y();
-        z[i] = ray.z();
+/// Whether a sample of the cell may lie beyond the seam. Range: not CellMode::Exact.
+bool LatticeScratch::crossesSeam(int cellX) const {
+    const Level& level = levelOf(cellX);
+    for (int i = 0; i < level.parts * level.parts; ++i) {
+        const PatchRow& row = level.patches[static_cast<std::size_t>(i / level.parts)];
+        if (row.fromSeam[level.parts * cellX + i % level.parts] < 0) {
+            return true;
+        }
     }
-    simd::photoCoordinates(lattice, {x, y, z}, nodes * nodes, atU, atV, nullptr, nullptr);
-    const int n = table.samplesPerAxis();
-    const int size = kCell / parts;
-    bool seam = false;
-    for (int part = 0; part < parts * parts; ++part) {
-        const int middle = (2 * (part / parts) + 1) * nodes + 2 * (part % parts) + 1;
-        const std::array<float, 9> inU = patch(atU + middle, nodes, lattice.width);
-        const std::array<float, 9> inV = patch(atV + middle, nodes, 4 * lattice.height);
-        const int at = (part / parts) * size * n * n * kCell + (part % parts) * size;
-        simd::fillPatch({size, n}, inU, fixedPoint(atU[middle], kOffsetU), u + at);
-        simd::fillPatch({size, n}, inV, fixedPoint(atV[middle], kOffsetV), v + at);
-        seam = seam || crossesSeam(atU[middle], inU, lattice.width);
+    return false;
+}
+
+void LatticeScratch::coordinates(const Lattice& lattice, int cellX, std::int32_t* u, std::int32_t* v) {
+    if (mode(cellX) == CellMode::Exact) {
+        return exact(lattice, cellX, u, v);
     }
-    if (seam) {
-        simd::wrapFixed(u, kCell * kCell * n * n, fixedPoint(-0.5, kOffsetU), fixedPoint(lattice.width, 0));
+    const int n = lattice.rays->samplesPerAxis();
+    simd::fillCoordinates(levelOf(cellX).patches.data(), levelOf(cellX).parts, cellX, n, u, v);
+    if (crossesSeam(cellX)) {
+        const auto least = static_cast<std::int32_t>((simd::kOffsetU - 0.5) * kUnit + 0.5);
+        simd::wrapFixed(u, kCell * kCell * n * n, least, static_cast<std::int32_t>(lattice.width * kUnit));
+    }
+}
+
+void LatticeScratch::places(const Lattice& lattice, int cellX, const Placing& placing, std::int32_t* places,
+                            std::int32_t* fractions) {
+    const int n = lattice.rays->samplesPerAxis();
+    if (mode(cellX) == CellMode::Exact || crossesSeam(cellX)) {
+        coordinates(lattice, cellX, places, fractions);
+        simd::locate(placing, kCell * kCell * n * n, places, fractions);
+    } else {
+        simd::fillPlaces(levelOf(cellX).patches.data(), levelOf(cellX).parts, cellX, n, placing, places,
+                         fractions);
     }
 }
 
@@ -207,32 +205,25 @@ void LatticeScratch::exact(const Lattice& lattice, int cellX, std::int32_t* u, s
     const RayTable& table = *lattice.rays;
     const int n = table.samplesPerAxis();
     const RayTable::ExplicitCell* given = table.explicitCell(cellX, m_cellY);
-    double* x = m_rays.data();
-    double* y = x + kCell;
-    double* z = y + kCell;
-    double* atU = z + kCell;
-    double* atV = atU + kCell;
+    alignas(64) std::array<double, 2 * kPadding> atU;
+    alignas(64) std::array<double, 2 * kPadding> atV;
+    const NodeValues out{atU.data(), atV.data(), nullptr, nullptr};
     for (int part = 0; part < kCell * n * n; ++part) { // sixteen samples each
-        const std::size_t count = static_cast<std::size_t>(kCell * kCell * n * n);
-        simd::RayArrays rays{x, y, z};
+        const Eigen::Vector2d first(kCell * cellX + (part % n + 0.5) / n - 0.5,
+                                    kCell * m_cellY + part / (n * n) + (part / n % n + 0.5) / n - 0.5);
         if (given != nullptr) {
-            const double* stored = given->rays.data() + part * kCell;
-            rays = {stored, stored + count, stored + 2 * count};
+            const std::ptrdiff_t count = kCell * kCell * n * n;
+            const double* rays = given->rays.data() + part * kCell;
+            simd::photoCoordinates(lattice, {rays, rays + count, rays + 2 * count}, kCell, out);
+        } else if (table.affine()) {
+            simd::affineCoordinates(lattice, {first.x(), first.y(), 1}, kCell, out);
         } else {
-            const double offsetX = (part % n + 0.5) / n - 0.5;
-            const double offsetY = (part / n % n + 0.5) / n - 0.5;
-            for (int i = 0; i < kCell; ++i) {
-                const Eigen::Vector2d pixel(kCell * cellX + i + offsetX,
-                                            kCell * m_cellY + part / (n * n) + offsetY);
-                const Vector3d ray = table.affine() ? Vector3d(pixel.x(), pixel.y(), 1) : table.ray(pixel);
-                x[i] = ray.x();
-                y[i] = ray.y();
-                z[i] = ray.z();
-            }
+            interpolateRays(table, first, 1, kCell);
+            const double* rays = m_rays.data();
+            simd::photoCoordinates(lattice, {rays, rays + m_raysPitch, rays + 2 * m_raysPitch}, kCell, out);
         }
-        simd::photoCoordinates(lattice, rays, kCell, atU, atV, nullptr, nullptr);
-        simd::toFixed(atU, kCell, kOffsetU, u + part * kCell);
-        simd::toFixed(atV, kCell, kOffsetV, v + part * kCell);
+        simd::toFixed(atU.data(), kCell, simd::kOffsetU, u + part * kCell);
+        simd::toFixed(atV.data(), kCell, simd::kOffsetV, v + part * kCell);
     }
 }
 

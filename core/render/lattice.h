@@ -77,6 +77,36 @@ enum class CellMode : std::uint8_t {
 constexpr int kFractionBits = 16;
 constexpr double kRoundingU = 1.0 / 510;
 
+/// Coordinates and more at nodes, one after the other; cosine and along may be null.
+struct NodeValues {
+    double* u;
+    double* v;
+    double* cosine; ///< of the elevation
+    double* along;  ///< displacement along the ray, the a of the bound
+};
+
+/// A row of nodes: those on the patches' left edges, and those between.
+struct NodeRow {
+    NodeValues edges;
+    NodeValues centres;
+};
+
+/// A row of patches, in each of which u and v are biquadratic in s and t from -1 to 1. Units: 2^-16 pixels.
+struct PatchRow {
+    std::array<float*, 9> u; ///< relative to the centre: [3 i + j] is the coefficient of s^i t^j
+    std::array<float*, 9> v;
+    std::int32_t* centreU;
+    std::int32_t* centreV;
+    double* fromSeam; ///< pixels from the seam; only where it is negative may a sample lie beyond
+};
+
+/// How coordinates become places in a photo's plane.
+struct Placing {
+    int stride;             ///< pixels from one of the plane's rows to the next
+    std::int32_t roundingU; ///< added, so that cutting bits off rounds as the sampling needs
+    std::int32_t roundingV;
+};
+
 /// Memory for the lattice of one row of cells, and of one cell. Threads: one.
 class LatticeScratch {
   public:
@@ -87,48 +117,56 @@ class LatticeScratch {
     /// To be called before the first row of a lattice: what was kept of another one is forgotten.
     void restart() { m_cellY = -2; }
 
-    /// Does the row's nodes and chooses each cell's mode. Cost: less when rows are taken one after the other.
+    /// Chooses each cell's mode, and does the row's nodes and patches. Cost: less when rows are taken one
+    /// after the other.
     void beginRow(const Lattice& lattice, int cellY);
 
     /// The coordinates of a cell of that row. Shape: 16 for each part of each pixel row, kCell * kCell *
     /// samplesPerAxis^2 in all; part (i, j) of pixel (x, y) is at ((y * n + j) * n + i) * 16 + x.
     void coordinates(const Lattice& lattice, int cellX, std::int32_t* u, std::int32_t* v);
 
+    /// The same as bytes from the plane's first pixel to the one at the sample's upper left, and what is cut
+    /// off: fractions of the way to the next pixel in 2^-16, to the right in the lower half and down in the
+    /// upper.
+    void places(const Lattice& lattice, int cellX, const Placing& placing, std::int32_t* places,
+                std::int32_t* fractions);
+
     CellMode mode(int cellX) const { return m_mode[static_cast<std::size_t>(cellX)]; }
 
     /// The bound of a coarse cell's error; those of finer modes are 8 and 64 times less.
     double boundPx(int cellX) const { return m_bound[static_cast<std::size_t>(cellX)]; }
 
-    /// Coordinates and more at the nodes of one row, at the cells' left edges and centres.
-    struct NodeRow {
-        double* edgeU;
-        double* edgeV;
-        double* centreU;
-        double* centreV;
-        double* centreCos;   ///< cosine of the elevation
-        double* centreAlong; ///< displacement along the ray, the a of the bound
-    };
-
-    /// Biquadratic coefficients, in 2^-16 pixels relative to the centre: [3 i + j] is that of s^i t^j.
-    struct Quadratics {
-        float* u[9];
-        float* v[9];
-    };
-
   private:
-    void evaluateRow(const Lattice& lattice, int nodeY, const NodeRow& row);
-    void subdivided(const Lattice& lattice, int cellX, int parts, std::int32_t* u, std::int32_t* v);
+    /// Cells of one mode are cut into parts x parts patches each.
+    struct Level {
+        Level() = default;
+        Level(int cellsX, int partsOfCell);
+
+        int parts = 1;
+        AlignedBuffer<double> values;
+        AlignedBuffer<float> coefficients;
+        AlignedBuffer<std::int32_t> centres;
+        std::array<NodeRow, 3> nodes{};
+        std::array<PatchRow, 4> patches{};
+    };
+
+    void evaluateRow(const Lattice& lattice, const Level& level, int nodeY, int begin, int end,
+                     const NodeRow& row);
+    void interpolateRays(const RayTable& table, const Eigen::Vector2d& first, double step, int count);
+    void refine(const Lattice& lattice, Level& level, int begin, int end);
+    void chooseModes(const Lattice& lattice);
+    bool crossesSeam(int cellX) const;
+
+    const Level& levelOf(int cellX) const { return m_levels[static_cast<std::size_t>(mode(cellX))]; }
+
     void exact(const Lattice& lattice, int cellX, std::int32_t* u, std::int32_t* v);
 
-    int m_pitch = 0;
     int m_cellY = -2;
-    AlignedBuffer<double> m_nodes;
-    AlignedBuffer<float> m_coefficients;
+    std::array<Level, 3> m_levels;
     AlignedBuffer<double> m_bound;
     AlignedBuffer<CellMode> m_mode;
-    AlignedBuffer<double> m_rays;
-    std::array<NodeRow, 3> m_rows{};
-    Quadratics m_quadratics{};
+    AlignedBuffer<double> m_rays; ///< of one row of nodes or samples: x, y, z
+    int m_raysPitch = 0;
 };
 
 } // namespace spherewalk::render

@@ -2,42 +2,49 @@
 #pragma once
 
 #include "lattice.h"
+#include "photo_plane.h"
 
 namespace spherewalk::render::simd {
 
-/// Fills the coordinates at `count` rays (each component contiguous; all arrays may be read and written up to
-/// 16 values beyond); cosine and along may be null.
+constexpr double kOffsetU = PlaneLayout::kGuard + kRoundingU; ///< of fixed point
+constexpr double kOffsetV = PlaneLayout::kGuard;
+
+/// Rays, each component contiguous.
 struct RayArrays {
     const double* x;
     const double* y;
     const double* z;
 };
 
-void photoCoordinates(const Lattice& lattice, const RayArrays& rays, int count, double* u, double* v,
-                      double* cosine, double* along);
-
-/// The same for rays (x + i step, y, 1).
+/// Rays (x + i step, y, 1).
 struct PixelRow {
     double x;
     double y;
     double step;
 };
 
-void affineCoordinates(const Lattice& lattice, const PixelRow& row, int count, double* u, double* v,
-                       double* cosine, double* along);
+// Arrays may be read and written up to 16 values beyond their count.
 
-/// From a row of cells' nodes: the coefficients, and the bound of the error.
-void biquadratics(const Lattice& lattice, int cellY, const std::array<LatticeScratch::NodeRow, 3>& rows,
-                  const LatticeScratch::Quadratics& out, double* bound);
+/// The coordinates, and what else of `out` is not null, of so many rays.
+void photoCoordinates(const Lattice& lattice, const RayArrays& rays, int count, const NodeValues& out);
+void affineCoordinates(const Lattice& lattice, const PixelRow& row, int count, const NodeValues& out);
 
-/// The fixed-point values of one biquadratic at the samples of size x size pixels (16, 8 or 4).
-struct PatchShape {
-    int size;
-    int samplesPerAxis;
-};
+/// The bound of the error in each cell of a row; of `centres`, cosine and along are used.
+void errorBounds(const Lattice& lattice, int cellY, const NodeValues& centres, double* bound);
 
-void fillPatch(const PatchShape& shape, const std::array<float, 9>& coefficients, std::int32_t base,
-               std::int32_t* out);
+/// The patches [begin, end) of a row from its three rows of nodes.
+void fitPatches(const Lattice& lattice, const std::array<NodeRow, 3>& rows, int begin, int end,
+                const PatchRow& out);
+
+/// The coordinates, or places and fractions, of a cell that is cut into parts x parts patches (1, 2 or 4), of
+/// as many rows.
+void fillCoordinates(const PatchRow* rows, int parts, int cellX, int samplesPerAxis, std::int32_t* u,
+                     std::int32_t* v);
+void fillPlaces(const PatchRow* rows, int parts, int cellX, int samplesPerAxis, const Placing& placing,
+                std::int32_t* places, std::int32_t* fractions);
+
+/// Makes places of u and fractions of v, count of them, a multiple of 16.
+void locate(const Placing& placing, int count, std::int32_t* u, std::int32_t* v);
 
 /// Exact doubles to fixed point, count of them, a multiple of 16.
 void toFixed(const double* values, int count, double offset, std::int32_t* out);

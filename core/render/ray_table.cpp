@@ -83,9 +83,14 @@ double& RayTable::motionAt(int axis, int order, int cellX, int cellY) {
     return m_motion[static_cast<std::size_t>(motion(axis, order, cellY) - m_motion.data() + cellX)];
 }
 
-const double* RayTable::nodes(int component, bool edge, int nodeY) const {
-    const int row = (2 * component + (edge ? 1 : 0)) * (2 * m_cellsY + 1) + nodeY;
-    return m_nodes.data() + static_cast<std::ptrdiff_t>(row) * m_pitch;
+int RayTable::nodesPitch(int parts) const {
+    return (parts * m_cellsX + 1 + 2 * kPadding - 1) / kPadding * kPadding;
+}
+
+const double* RayTable::nodes(int parts, int component, bool edge, int nodeY) const {
+    const int row = (2 * component + (edge ? 1 : 0)) * (2 * parts * m_cellsY + 1) + nodeY;
+    return m_nodes[static_cast<std::size_t>(parts - 1)].data() +
+           static_cast<std::ptrdiff_t>(row) * nodesPitch(parts);
 }
 
 const RayTable::ExplicitCell* RayTable::explicitCell(int cellX, int cellY) const {
@@ -117,29 +122,34 @@ void RayTable::tabulateAffine(const CameraIntrinsics& camera) {
 }
 
 Vector3d RayTable::fineRay(int fineX, int fineY) const {
-    return m_fine[static_cast<std::size_t>(fineY * (kFinePerCell * m_cellsX + 1) + fineX)];
+    const auto at = [&](int c) { return nodes(kFineParts, c, fineX % 2 == 0, fineY)[fineX / 2]; };
+    return {at(0), at(1), at(2)};
+}
+
+/// The nodes of cells that are cut into parts x parts.
+void RayTable::tabulateNodes(const CameraModel& camera, int parts) {
+    const int rows = 2 * parts * m_cellsY + 1;
+    AlignedBuffer<double>& values = m_nodes[static_cast<std::size_t>(parts - 1)];
+    values = AlignedBuffer<double>(
+        6 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(nodesPitch(parts)) + kPadding);
+    const double step = static_cast<double>(kNodeStep) / parts;
+    parallelFor(rows, 4, 0, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x <= 2 * parts * m_cellsX; ++x) {
+                const Vector3d ray =
+                    camera.ray(Vector2d(step * x - 0.5, step * y - 0.5)).value_or(Vector3d::Zero());
+                for (int c = 0; c < 3; ++c) {
+                    values[static_cast<std::size_t>(nodes(parts, c, x % 2 == 0, y) - values.data() + x / 2)] =
+                        ray[c];
+                }
+            }
+        }
+    });
 }
 
 void RayTable::tabulateLens(const CameraModel& camera) {
-    const int columns = kFinePerCell * m_cellsX + 1;
-    const int rows = kFinePerCell * m_cellsY + 1;
-    m_fine.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    parallelFor(rows, 4, 0, [&](int begin, int end) {
-        for (int i = begin * columns; i < end * columns; ++i) {
-            const Vector2d pixel(kFineStep * (i % columns) - 0.5, kFineStep * (i / columns) - 0.5);
-            m_fine[static_cast<std::size_t>(i)] = camera.ray(pixel).value_or(Vector3d::Zero());
-        }
-    });
-    m_nodes = AlignedBuffer<double>(
-        static_cast<std::size_t>(6 * (2 * m_cellsY + 1)) * static_cast<std::size_t>(m_pitch) + kPadding);
-    for (int nodeY = 0; nodeY <= 2 * m_cellsY; ++nodeY) {
-        for (int nodeX = 0; nodeX <= 2 * m_cellsX; ++nodeX) {
-            for (int c = 0; c < 3; ++c) {
-                const std::ptrdiff_t at = nodes(c, nodeX % 2 == 0, nodeY) - m_nodes.data() + nodeX / 2;
-                m_nodes[static_cast<std::size_t>(at)] = fineRay(2 * nodeX, 2 * nodeY)[c];
-            }
-        }
-    }
+    tabulateNodes(camera, 1);
+    tabulateNodes(camera, kFineParts);
     m_explicitIndex.assign(static_cast<std::size_t>(m_cellsX * m_cellsY), -1);
     std::vector<std::uint8_t> isExplicit(m_explicitIndex.size());
     parallelFor(m_cellsY, 1, 0, [&](int cellY, int) {

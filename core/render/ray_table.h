@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,7 @@ class RayTable {
     static constexpr int kCell = 16;
     static constexpr int kNodeStep = kCell / 2;
     static constexpr int kFineStep = kCell / 4;
+    static constexpr int kFineParts = 2; ///< a cell's, for the finest nodes that are stored
 
     /// samplesPerAxis: of each pixel; matters only where a lens cannot be interpolated. Errors: InvalidInput
     /// unless it is in [1, 8].
@@ -50,9 +52,10 @@ class RayTable {
     /// covariant jerk (3) of the unit ray, in radians a pixel, a pixel^2 and a pixel^3.
     const double* motion(int axis, int order, int cellY) const;
 
-    /// Coordinate x, y, or z (component) of the rays at the cells' left edges (edge) or centres, on row nodeY
-    /// of nodes, with room for 16 more. Range: not affine.
-    const double* nodes(int component, bool edge, int nodeY) const;
+    /// Coordinate x, y, or z (component) of the rays on the row nodeY of the nodes of cells that are cut into
+    /// parts x parts (1 or kFineParts): those at the parts' left edges (edge) or centres, with room for 16
+    /// more. Zero where there is no ray. Range: not affine.
+    const double* nodes(int parts, int component, bool edge, int nodeY) const;
 
     /// A ray between the nodes, interpolated with an error far below a thousandth of a photo pixel. Range:
     /// not affine, inside of a cell that is not explicit.
@@ -71,10 +74,11 @@ class RayTable {
   private:
     void tabulateAffine(const CameraIntrinsics& camera);
     void tabulateLens(const CameraModel& camera);
-    void tabulateCell(const CameraModel& camera, int cellX, int cellY);
+    void tabulateNodes(const CameraModel& camera, int parts);
     bool interpolates(const CameraModel& camera, int cellX, int cellY) const;
     void measureMotion(int cellX, int cellY);
     ExplicitCell madeExplicit(const CameraModel& camera, int cellX, int cellY) const;
+    int nodesPitch(int parts) const;
     double& motionAt(int axis, int order, int cellX, int cellY);
     Eigen::Vector3d fineRay(int fineX, int fineY) const;
 
@@ -86,11 +90,9 @@ class RayTable {
     int m_pitch = 0; ///< of rows of cells or nodes, padded
     bool m_affine = true;
     Eigen::Matrix3d m_rayFromPixel = Eigen::Matrix3d::Identity();
-    AlignedBuffer<double> m_motion; ///< [axis][order - 1][cellY][cellX]
-    AlignedBuffer<double> m_nodes;  ///< [component][edge][nodeY][cellX]
-    std::vector<Eigen::Vector3d>
-        m_fine; ///< [fineY][fineX], every kFineStep pixels; zero where there is no ray
-    std::vector<std::int32_t> m_explicitIndex; ///< for each cell, -1 if not explicit
+    AlignedBuffer<double> m_motion;                        ///< [axis][order - 1][cellY][cellX]
+    std::array<AlignedBuffer<double>, kFineParts> m_nodes; ///< [parts - 1][component][edge][nodeY][part]
+    std::vector<std::int32_t> m_explicitIndex;             ///< for each cell, -1 if not explicit
     std::vector<ExplicitCell> m_explicit;
 };
 

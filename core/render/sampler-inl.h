@@ -23,17 +23,18 @@ constexpr int kGroup = RayTable::kCell; // samples side by side
 
 /// Asks for the pixels of the next cell's row y, so many rows of the photo from `first` on, and does not wait
 /// for them.
-HWY_INLINE void fetchNext(const CellSamples& cell, int y, const std::int8_t* first, std::ptrdiff_t stride,
-                          int rows) {
+template <int kRows>
+HWY_INLINE void fetchNext(const CellSamples& cell, int y, const std::int8_t* first, std::ptrdiff_t stride) {
     if (cell.next == nullptr) {
         return;
     }
     const int n = cell.samplesPerAxis;
     const std::int32_t* places = cell.next + y * n * n * kGroup;
     for (int part = 0; part < n; ++part, places += n * kGroup) {
-        for (int x = 0; x < kGroup; x += cell.nextStep) {
-            for (int row = 0; row < rows; ++row) {
-                hwy::Prefetch(first + places[x] + row * stride);
+        for (std::ptrdiff_t x = 0; x < kGroup; x += cell.nextStep) {
+            const std::int8_t* at = first + places[x];
+            for (int row = 0; row < kRows; ++row, at += stride) {
+                hwy::Prefetch(at);
             }
         }
     }

@@ -26,7 +26,7 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const auto scaled = [](int value, int factor) { return (value * factor + (1 << 14)) >> 15; };
     for (int y = 0; y < cell.height; ++y) {
-        fetchNext(cell, y, photo.data(), stride, 2);
+        fetchNext<2>(cell, y, photo.data(), stride);
         for (int x = 0; x < cell.width; ++x) {
             std::array<int, 3> sum{};
             for (int part = 0; part < parts; ++part) {
@@ -47,16 +47,6 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
                     static_cast<std::uint8_t>((level * 257) >> 16);
             }
         }
-    }
-}
-
-void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
-    for (int i = 0; i < count; ++i) {
-        const std::int32_t atU = u[i] + rounding.u;
-        const std::int32_t atV = v[i] + rounding.v;
-        u[i] = ((atV >> kFractionBits) * stride + (atU >> kFractionBits)) * PlaneLayout::kPixelBytes;
-        v[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(atV) << 16 |
-                                         (static_cast<std::uint32_t>(atU) & 0xFFFF));
     }
 }
 
@@ -83,14 +73,28 @@ HWY_INLINE V16 multiplyPairs(V8 weights, V8 pixels) {
 #endif
 }
 
+/// Eight bytes at each of two places.
+HWY_INLINE hn::Vec<hn::CappedTag<std::uint8_t, kBlockBytes>> twoPairs(const std::int8_t* base,
+                                                                      const std::int32_t* places) {
+#if HWY_ARCH_X86
+    const auto* first = reinterpret_cast<const __m128i*>(base + places[0]);
+    const auto* second = reinterpret_cast<const __m64*>(base + places[1]);
+    return {_mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(first)), second))};
+#else
+    const hn::CappedTag<std::uint8_t, kBlockBytes> d;
+    const hn::Half<decltype(d)> half;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(base);
+    return hn::Combine(d, hn::LoadU(half, bytes + places[1]), hn::LoadU(half, bytes + places[0]));
+#endif
+}
+
 /// Eight bytes at each of the first two places of every four.
 template <class D>
 HWY_INLINE hn::Vec<D> eightBytes(D d, const std::int8_t* base, const std::int32_t* places) {
-    const hn::Half<D> half;
     if constexpr (hn::MaxLanes(D()) == kBlockBytes) {
-        const auto* bytes = reinterpret_cast<const std::uint8_t*>(base);
-        return hn::Combine(d, hn::LoadU(half, bytes + places[1]), hn::LoadU(half, bytes + places[0]));
+        return twoPairs(base, places);
     } else {
+        const hn::Half<D> half;
         constexpr int kOn = 4 * static_cast<int>(hn::MaxLanes(hn::Half<D>()) / kBlockBytes);
         return hn::Combine(d, eightBytes(half, base, places + kOn), eightBytes(half, base, places));
     }
@@ -182,7 +186,8 @@ HWY_INLINE void storePixels(VU16 lower, VU16 upper, std::uint8_t* out) {
 
 /// kParts: samples of a pixel, 0 if known only when running.
 template <int kParts>
-HWY_INLINE void sampleParts(const PlaneView& photo, const CellSamples& cell) {
+HWY_INLINE void sampleParts(const PlaneView& photo, const CellSamples& given) {
+    const CellSamples cell = given; // which no store to its pixels can change
     const D32 d32;
     const DU16 du16;
     const int lanes = static_cast<int>(hn::Lanes(d32));
@@ -192,7 +197,7 @@ HWY_INLINE void sampleParts(const PlaneView& photo, const CellSamples& cell) {
     const std::int8_t* upperRow = photo.data();
     const std::int8_t* lowerRow = upperRow + stride;
     for (int y = 0; y < cell.height; ++y) {
-        fetchNext(cell, y, upperRow, stride, 2);
+        fetchNext<2>(cell, y, upperRow, stride);
         HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
         std::uint8_t* out = cell.out + y * cell.pitch;
         std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
@@ -226,22 +231,6 @@ void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     }
 }
 
-void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
-    const D32 d;
-    const D16 d16;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const V16 strides = hn::OddEven(hn::Set(d16, static_cast<std::int16_t>(stride)), hn::Set(d16, 1));
-    for (int i = 0; i < count; i += lanes) {
-        const V32 atU = hn::Add(hn::LoadU(d, u + i), hn::Set(d, rounding.u));
-        const V32 atV = hn::Add(hn::LoadU(d, v + i), hn::Set(d, rounding.v));
-        const V16 whole = hn::OddEven(hn::BitCast(d16, atV), hn::BitCast(d16, hn::ShiftRight<16>(atU)));
-        const V16 fractions = hn::OddEven(hn::BitCast(d16, hn::ShiftLeft<16>(atV)), hn::BitCast(d16, atU));
-        const V32 pixel = multiplyHalves(whole, strides);
-        hn::StoreU(hn::Add(pixel, hn::ShiftLeft<1>(pixel)), d, u + i); // three bytes each
-        hn::StoreU(hn::BitCast(d, fractions), d, v + i);
-    }
-}
-
 #endif
 
 } // namespace spherewalk::render::simd::HWY_NAMESPACE
@@ -253,21 +242,16 @@ HWY_AFTER_NAMESPACE();
 namespace spherewalk::render::simd {
 
 HWY_EXPORT(sampleBilinear);
-HWY_EXPORT(locate);
 
 void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBilinear)(photo, cell);
-}
-
-void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v) {
-    HWY_DYNAMIC_DISPATCH(locate)(stride, rounding, count, u, v);
 }
 
 void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
     const std::int8_t* data = photo.data();
     const int full = cell.spill ? cell.width : cell.width - 1; // these may write a byte beyond themselves
     for (int y = 0; y < cell.height; ++y) {
-        HWY_STATIC_DISPATCH(fetchNext)(cell, y, data, 0, 1);
+        HWY_STATIC_DISPATCH(fetchNext<1>)(cell, y, data, 0);
         const std::int32_t* places = cell.places + y * RayTable::kCell;
         std::uint8_t* to = cell.out + y * cell.pitch;
         for (int x = 0; x < full; ++x, to += 3) {

@@ -8,10 +8,10 @@
 
 namespace spherewalk::render::simd {
 
-/// A cell's samples in the order of lattice.h, and where its pixels go.
+/// A cell's samples, places and fractions as LatticeScratch::places() has them, and where its pixels go.
 struct CellSamples {
-    const std::int32_t* places;    ///< bytes from the plane's first to the sample's upper left pixel
-    const std::int32_t* fractions; ///< of the way to the next pixel, in 2^-16: right (lower half) and down
+    const std::int32_t* places;
+    const std::int32_t* fractions;
     int samplesPerAxis;
     std::uint8_t* out;    ///< red, green, blue of the cell's first pixel
     std::ptrdiff_t pitch; ///< bytes from one row of pixels to the next
@@ -26,16 +26,6 @@ struct CellSamples {
 
 /// Sixteen bytes, what Highway shuffles within.
 using Block = std::array<std::uint8_t, 16>;
-
-/// What is added to coordinates so that cutting bits off rounds as the sampling needs.
-struct Rounding {
-    std::int32_t u;
-    std::int32_t v;
-};
-
-/// Makes places and fractions from coordinates (lattice.h), in place: of u, and of v. stride: the plane's.
-/// count: a multiple of 16.
-void locate(int stride, const Rounding& rounding, int count, std::int32_t* u, std::int32_t* v);
 
 /// Each pixel is the mean of its samples, each of which is bilinear. Integer arithmetic, the same on every
 /// machine: given the coordinates, a pixel is within 1.05 grey levels of the exact value, 0.5 of them

@@ -85,7 +85,7 @@ void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
     const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const std::int8_t* first = photo.data() - stride - PlaneLayout::kPixelBytes;
     for (int y = 0; y < cell.height; ++y) {
-        fetchNext(cell, y, first, stride, 4);
+        fetchNext<4>(cell, y, first, stride);
         for (int x = 0; x < cell.width; ++x) {
             const int at = y * kGroup + x;
             const std::array<std::int16_t, 4>& across = cubicAt(cell.fractions[at], kShiftAcross);
@@ -219,13 +219,14 @@ HWY_INLINE V8 bicubicPairs(const CubicConstants& c, const std::int8_t* first, st
         hn::TableLookupBytesOr0(blues, inBlocks(kToBlue)));
 }
 
-void sampleBicubic(const PlaneView& photo, const CellSamples& cell) {
+void sampleBicubic(const PlaneView& photo, const CellSamples& given) {
+    const CellSamples cell = given; // which no store to its pixels can change
     const int lanes = static_cast<int>(hn::Lanes(D32()));
     const CubicConstants c = cubicConstants();
     const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(photo.stride()) * PlaneLayout::kPixelBytes;
     const std::int8_t* first = photo.data() - stride - PlaneLayout::kPixelBytes;
     for (int y = 0; y < cell.height; ++y) {
-        fetchNext(cell, y, first, stride, 4);
+        fetchNext<4>(cell, y, first, stride);
         HWY_ALIGN std::uint8_t buffer[3 * kGroup + 16];
         std::uint8_t* out = cell.out + y * cell.pitch;
         std::uint8_t* pixels = cell.spill && cell.width == kGroup ? out : buffer;
