@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
+#include "lattice.h"
+#include "random.h"
+#include "ray_table.h"
 
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/lattice_error.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <iostream>
+#include <numbers>
 
 namespace spherewalk::render {
 
@@ -81,11 +86,11 @@ TEST(Lattice, PlacesAreItsCoordinates) {
     constexpr int kStride = 5441;
     std::array<long, 4> cells{};
     for (int i = 0; i < 60; ++i) {
-        const CameraModel camera =
-            pinhole(random.integer(16, 200), random.integer(16, 200), random.uniform(1, 170));
+        const CameraModel camera(CameraIntrinsics::pinhole(random.integer(16, 200), random.integer(16, 200),
+                                                           random.uniform(1, 170) * std::numbers::pi / 180));
         const int n = random.integer(1, 4);
         const RayTable rays(camera, n);
-        const Lattice lattice(rays, {random.rotation(), 0.9 * random.direction()}, {}, kPhoto,
+        const Lattice lattice(rays, {random.rotation(), 0.9 * random.direction()}, {}, {5376, 2688},
                               SceneKind::Sphere, 1);
         const Placing placing{kStride, random.integer(0, 1 << 15), random.integer(0, 1 << 15)};
         LatticeScratch scratch(rays.cellsX());
