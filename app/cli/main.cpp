@@ -25,6 +25,7 @@ void declareCommands(Commands& commands) {
     addExport(commands);
     addView(commands);
     addWalk(commands);
+    addBench(commands);
     addCamera(commands);
     addPracticeCamera(commands);
     addDemo(commands);

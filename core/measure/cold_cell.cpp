@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cold_cell.h"
+
+#include "contest.h"
+#include "file_cache.h"
+#include "subject.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/jpeg/jpeg.h"
+
+#include <optional>
+
+namespace spherewalk::measure {
+
+using render::VerifyPhotos;
+using SteadyClock = std::chrono::steady_clock;
+
+namespace {
+
+/// Those that are the nearest one to their own place.
+std::vector<std::size_t> photosWithCell(const render::Dataset& dataset) {
+    std::vector<std::size_t> photos;
+    for (std::size_t i = 0; i < dataset.info().photos.size(); ++i) {
+        if (dataset.nearestPhoto(dataset.info().photos[i].roomFromPhoto.translation) == i) {
+            photos.push_back(i);
+        }
+    }
+    return photos;
+}
+
+class ColdCell {
+  public:
+    ColdCell(const std::shared_ptr<const render::Dataset>& dataset, VerifyPhotos verify)
+        : m_dataset(dataset), m_verify(verify), m_photos(photosWithCell(*dataset)), m_warm(dataset) {
+        renderFrom(m_warm, m_photos.front(), 0);
+    }
+
+    void measureOne(int turn) {
+        const std::size_t photo = next();
+        drop(photo);
+        auto begin = SteadyClock::now();
+        renderFrom(*m_cold, photo, turn);
+        m_ownMs.push_back(millisecondsSince(begin));
+        m_parts.add(m_view.report);
+        drop(photo);
+        begin = SteadyClock::now();
+        wholeAndRender(photo, turn);
+        m_peerMs.push_back(millisecondsSince(begin));
+    }
+
+    BenchRow row(const std::string& name) const {
+        BenchRow row;
+        row.name = name;
+        row.threads = hardwareThreads();
+        row.own = measured(m_ownMs);
+        row.peer = {kWholeAndRender, measured(m_peerMs).medianMs};
+        row.view = ViewSetting{};
+        row.parts = m_parts.median();
+        return row;
+    }
+
+    bool filesDropped() const { return m_filesDropped; }
+
+  private:
+    /// A photo that the cold renderer has not seen. The first one of a new renderer only makes the camera's
+    /// tables, unless there is no other.
+    std::size_t next() {
+        if (!m_cold || m_next == m_photos.size()) {
+            m_cold.emplace(m_dataset, render::RendererOptions{.verify = m_verify});
+            m_next = m_photos.size() > 1 ? 1 : 0;
+            if (m_next == 1) {
+                renderFrom(*m_cold, m_photos.front(), 0);
+            }
+        }
+        return m_photos[m_next++];
+    }
+
+    void drop(std::size_t photo) {
+        const render::DatasetPhoto& entry = m_dataset->info().photos[photo];
+        m_filesDropped = dropFromFileCache(m_dataset->folder() / entry.file) && m_filesDropped;
+        if (!entry.restartIndex.empty()) {
+            m_filesDropped = dropFromFileCache(m_dataset->folder() / entry.restartIndex) && m_filesDropped;
+        }
+    }
+
+    void renderFrom(const render::Renderer& renderer, std::size_t photo, int turn) {
+        const Rigid3& roomFromPhoto = m_dataset->info().photos[photo].roomFromPhoto;
+        renderer.render(m_camera, roomFromPhoto * lookingTo(5.7 * turn, 0), {}, m_view);
+    }
+
+    void wholeAndRender(std::size_t photo, int turn) {
+        const std::string& file = m_dataset->info().photos[photo].file;
+        const Bytes bytes = m_verify == VerifyPhotos::BeforeUse ? m_dataset->readPhoto(photo)
+                                                                : readFile(m_dataset->folder() / file);
+        m_whole = jpeg::decode(bytes, file);
+        renderFrom(m_warm, m_photos.front(), turn % 2); // of one that is in memory
+    }
+
+    std::shared_ptr<const render::Dataset> m_dataset;
+    VerifyPhotos m_verify;
+    CameraModel m_camera = standardCamera(90);
+    std::vector<std::size_t> m_photos;
+    std::size_t m_next = 0;
+    render::Renderer m_warm;
+    std::optional<render::Renderer> m_cold;
+    render::View m_view;
+    RgbImage m_whole;
+    std::vector<double> m_ownMs;
+    std::vector<double> m_peerMs;
+    PartsOfViews m_parts;
+    bool m_filesDropped = true;
+};
+
+} // namespace
+
+ColdCells measureColdCells(const std::shared_ptr<const render::Dataset>& dataset, int views,
+                           ProgressSink& progress, const std::stop_token& stop) {
+    ColdCells result;
+    // What is not verified in the background stays unverified: no stream runs here.
+    ColdCell verified(dataset, VerifyPhotos::BeforeUse);
+    ColdCell unverified(dataset, VerifyPhotos::InBackground);
+    for (int i = 0; i < views; ++i) {
+        for (ColdCell* cell : {&verified, &unverified}) {
+            throwIfStopped(stop);
+            cell->measureOne(i);
+        }
+        progress.progress(static_cast<double>(i + 1) / views, "Timing first views of photos");
+    }
+    result.rows = {verified.row("cold_cell"), unverified.row("cold_cell.unverified")};
+    result.filesDropped = verified.filesDropped() && unverified.filesDropped();
+    return result;
+}
+
+} // namespace spherewalk::measure
