@@ -256,8 +256,8 @@ typedef struct spherewalk_overlay {
     spherewalk_source depth;             ///< of the objects, a float a pixel
     spherewalk_source room_depth; ///< of the room as the simulator models it, a float a pixel; if its data
                                   ///< are NULL, that of the view's scene model takes its place
-    int32_t alpha;    ///< SPHEREWALK_ALPHA_STRAIGHT
-    int32_t reserved; ///< 0
+    int32_t alpha;                ///< SPHEREWALK_ALPHA_STRAIGHT
+    int32_t reserved;             ///< 0
 } spherewalk_overlay;
 
 SPHEREWALK_API spherewalk_status spherewalk_overlay_init(spherewalk_overlay* overlay, size_t size);
