@@ -72,4 +72,8 @@ void FileSource::read(std::uint64_t offset, std::span<std::uint8_t> into) const 
     }
 }
 
+void FileSource::fetchAhead() const {
+    ::posix_fadvise(m_descriptor, 0, 0, POSIX_FADV_WILLNEED); // advice: if it fails, reads are only slower
+}
+
 } // namespace spherewalk

@@ -79,6 +79,7 @@ std::shared_ptr<const LoaderPhotos::Open> LoaderPhotos::opened(std::size_t photo
     if (open->file->sizeBytes() != entry.sizeBytes) {
         refuseDamaged(photo);
     }
+    open->file->fetchAhead();
     if (!entry.restartIndex.empty()) {
         const auto indexFile = m_dataset->folder() / entry.restartIndex;
         open->parts.emplace(open->file,

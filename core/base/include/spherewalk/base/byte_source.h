@@ -55,6 +55,10 @@ class FileSource : public ByteSource {
 
     const std::string& name() const override { return m_name; }
 
+    /// Asks the system to read all of it now, in the background: many reads of small parts then wait for the
+    /// disk once. Nothing happens where that is not possible.
+    void fetchAhead() const;
+
   private:
     std::string m_name;
     int m_descriptor = -1;
