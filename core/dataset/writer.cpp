@@ -134,14 +134,18 @@ void write(const Contents& contents, UnfinishedFolder& folder, const WriteOption
         throwIfStopped(stop);
         const auto k = static_cast<std::size_t>(i);
         const SourcePhoto& photo = contents.photos[k];
-        const Bytes source = sourceBytes(photo);
+        Bytes source = sourceBytes(photo);
+        const std::size_t sourceSize = source.size();
+        if (photo.tag) {
+            source = photo::withPositionTag(source, *photo.tag, photo.file.string());
+        }
         render::DatasetPhoto entry = photo.entry;
         const std::uint64_t others =
             writePhoto(source, folder.path(), names[k], photo.file.string(), options, entry);
         const std::scoped_lock lock(mutex);
         info.photos[k] = entry;
         ++report.photos;
-        report.sourceBytes += source.size();
+        report.sourceBytes += sourceSize;
         report.photoBytes += entry.sizeBytes;
         report.totalBytes += entry.sizeBytes + others;
         progress.progress(static_cast<double>(report.photos) / count,

@@ -105,11 +105,19 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
                            const std::stop_token& stop) {
     const Poses poses(store);
     dataset::Contents contents{infoOf(store), {}};
+    const std::string surveyId = store.info().uuid;
     ExportReport report;
     for (const store::PhotoRecord& photo : store.chosenPhotos()) {
         dataset::SourcePhoto source{store.photoFolder() / photo.fileName, photo.fileSha256, {}};
         source.entry.station = store.station(photo.station).name;
-        report.withoutRotation += poses.fill(photo, source.entry) ? 0 : 1;
+        const bool isSolved = poses.fill(photo, source.entry);
+        report.withoutRotation += isSolved ? 0 : 1;
+        source.tag = {
+            surveyId,     photo.station, source.entry.station, source.entry.roomFromPhoto.translation,
+            std::nullopt, isSolved};
+        if (isSolved) {
+            source.tag->roomFromPhoto = source.entry.roomFromPhoto.rotation;
+        }
         contents.photos.push_back(std::move(source));
     }
     contents.info.sphereRadiusM = radiusFor(store.room(), contents.photos);

@@ -29,6 +29,8 @@ constexpr std::size_t kMaxContent = 65533;
 constexpr std::size_t kMaxText = 200;
 constexpr std::array kPositionKeys{"PositionX", "PositionY", "PositionZ"};
 constexpr std::array kRotationKeys{"RoomFromPhotoW", "RoomFromPhotoX", "RoomFromPhotoY", "RoomFromPhotoZ"};
+constexpr std::array<std::string_view, 3> kPoseKeys{
+    "Xmp.GPano.PoseHeadingDegrees", "Xmp.GPano.PosePitchDegrees", "Xmp.GPano.PoseRollDegrees"};
 
 std::string key(std::string_view name) {
     return text(kKeyPrefix, name);
@@ -49,6 +51,20 @@ void check(const PositionTag& tag) {
     }
 }
 
+/// Looking up and leaning to the right are positive there.
+void setPose(const Eigen::Quaterniond& roomFromPhoto, Exiv2::XmpData& xmp) {
+    constexpr int kDigits = 4; // of a degree
+    constexpr double kRounded = 360 - 0.5e-4;
+    const YawPitchRoll angles = yawPitchRoll(roomFromPhoto);
+    const double clockwise = 90 - Degrees(angles.yaw).value();
+    const double heading = clockwise < 0 ? clockwise + 360 : clockwise;
+    const std::array degrees{heading < kRounded ? heading : 0, -Degrees(angles.pitch).value(),
+                             Degrees(angles.roll).value()};
+    for (std::size_t i = 0; i < kPoseKeys.size(); ++i) {
+        xmp[std::string(kPoseKeys[i])] = fixed(degrees[i], kDigits);
+    }
+}
+
 void setProperties(const PositionTag& tag, Exiv2::XmpData& xmp) {
     xmp[key("SurveyId")] = tag.surveyId;
     xmp[key("StationId")] = text(tag.stationId);
@@ -66,6 +82,9 @@ void setProperties(const PositionTag& tag, Exiv2::XmpData& xmp) {
         for (std::size_t i = 0; i < 4; ++i) {
             xmp[key(kRotationKeys[i])] = text(components[i]);
         }
+        if (tag.isPanoramaPose) {
+            setPose(unit, xmp);
+        }
     }
 }
 
@@ -73,9 +92,16 @@ bool isOurs(const Exiv2::Xmpdatum& datum) {
     return datum.key().starts_with(kKeyPrefix);
 }
 
-void removeProperties(Exiv2::XmpData& xmp) {
+/// True for what this tag replaces.
+bool isReplaced(const Exiv2::Xmpdatum& datum, const PositionTag& tag) {
+    const std::string name = datum.key();
+    return isOurs(datum) ||
+           (tag.isPanoramaPose && tag.roomFromPhoto && std::ranges::find(kPoseKeys, name) != kPoseKeys.end());
+}
+
+void removeProperties(const PositionTag& tag, Exiv2::XmpData& xmp) {
     for (auto it = xmp.begin(); it != xmp.end();) {
-        it = isOurs(*it) ? xmp.erase(it) : it + 1;
+        it = isReplaced(*it, tag) ? xmp.erase(it) : it + 1;
     }
 }
 
@@ -93,7 +119,7 @@ std::string taggedPacket(const Segment* present, ByteView jpeg, const PositionTa
                          std::string_view source) {
     const XmpSession session;
     Exiv2::XmpData xmp = readXmp(session, present, jpeg, source);
-    removeProperties(xmp);
+    removeProperties(tag, xmp);
     try {
         setProperties(tag, xmp);
     } catch (const Exiv2::Error& error) {
@@ -104,14 +130,15 @@ std::string taggedPacket(const Segment* present, ByteView jpeg, const PositionTa
     return session.encoded(xmp);
 }
 
-/// All properties but ours, with their values.
-std::multimap<std::string, std::string> foreignProperties(ByteView jpeg, std::string_view source) {
+/// All properties but those that the tag replaces, with their values.
+std::multimap<std::string, std::string> foreignProperties(ByteView jpeg, const PositionTag& tag,
+                                                          std::string_view source) {
     const std::vector<Segment> segments = jpeg::segments(jpeg, source);
     const XmpSession session;
     std::multimap<std::string, std::string> found;
     for (const Exiv2::Xmpdatum& datum :
          readXmp(session, findApp1(segments, jpeg, xmpSignature()), jpeg, source)) {
-        if (!isOurs(datum)) {
+        if (!isReplaced(datum, tag)) {
             found.emplace(datum.key(), datum.toString());
         }
     }
@@ -189,7 +216,8 @@ void verify(ByteView before, ByteView after, const PositionTag& tag, std::string
     require(std::ranges::equal(untouched(before, source), untouched(after, source), areEqual),
             "more than its XMP");
     require(makerNote(before, source) == makerNote(after, source), "its maker note");
-    require(foreignProperties(before, source) == foreignProperties(after, source), "other XMP properties");
+    require(foreignProperties(before, tag, source) == foreignProperties(after, tag, source),
+            "other XMP properties");
     const std::optional<PositionTag> written = readPositionTag(after, source);
     require(written && isSame(*written, tag), "the tag itself");
 }
@@ -276,8 +304,12 @@ std::optional<PositionTag> readPositionTag(ByteView jpeg, std::string_view sourc
     if (!position || !stationId || word("SurveyId").empty()) {
         return std::nullopt;
     }
-    return PositionTag{word("SurveyId"), *stationId, word("StationName"), Eigen::Vector3d(position->data()),
-                       unitRotation(numbers(properties, kRotationKeys))};
+    return PositionTag{word("SurveyId"),
+                       *stationId,
+                       word("StationName"),
+                       Eigen::Vector3d(position->data()),
+                       unitRotation(numbers(properties, kRotationKeys)),
+                       false};
 }
 
 } // namespace spherewalk::photo

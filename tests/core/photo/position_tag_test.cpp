@@ -63,6 +63,28 @@ TEST(PositionTag, IsReadAsItWasWritten) {
     }
 }
 
+TEST(PositionTag, StatesTheRotationAsThePanoramasPoseToo) {
+    test::Random random(12);
+    SCOPED_TRACE(random.seed());
+    const Bytes photo = test::madePhoto(ByteView(), test::gpanoXmp(test::poseXmp("1.5", "-2.5")));
+    for (int i = 0; i < 50; ++i) {
+        const YawPitchRoll angles{Radians(random.uniform(-3.14, 3.14)), Radians(random.uniform(-1.5, 1.5)),
+                                  Radians(random.uniform(-3.1, 3.1))};
+        const PositionTag tag{"survey", 1, "", Eigen::Vector3d::Zero(), rotation(angles), true};
+        const Bytes tagged = photo::withPositionTag(photo, tag, "a.jpg");
+        const auto said = photo::readMetadata(tagged, "a.jpg").panorama;
+        ASSERT_TRUE(said && said->heading && said->pitch && said->roll);
+        EXPECT_EQ(said->projection, "equirectangular");
+        EXPECT_NEAR(wrapped(Radians(Degrees(90 - said->heading->value())) - angles.yaw).value(), 0, 2e-6);
+        EXPECT_NEAR(-Radians(*said->pitch).value(), angles.pitch.value(), 2e-6);
+        EXPECT_NEAR(Radians(*said->roll).value(), angles.roll.value(), 2e-6);
+        // Once more: what was there is replaced.
+        EXPECT_EQ(photo::withPositionTag(tagged, tag, "a.jpg"), tagged);
+    }
+    const auto kept = photo::readMetadata(photo::withPositionTag(photo, kTag, "a.jpg"), "a.jpg").panorama;
+    EXPECT_EQ(kept->pitch, Degrees(1.5));
+}
+
 TEST(PositionTag, KeepsExtremesAndForeignLetters) {
     const Bytes photo = test::madePhoto(ByteView(), "");
     PositionTag tag{"<&>\"' ]]> \xc3\xa9\xe6\xbc\xa2",

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "spherewalk/base/progress.h"
+#include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset_format.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -18,6 +20,7 @@ struct SourcePhoto {
     std::filesystem::path file;
     std::string sha256; ///< that the file must have
     render::DatasetPhoto entry;
+    std::optional<photo::PositionTag> tag = {}; ///< for the XMP of the dataset's copy, in place of an earlier one
 };
 
 struct Contents {

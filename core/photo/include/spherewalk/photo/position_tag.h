@@ -23,17 +23,20 @@ struct PositionTag {
     std::string stationName;
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
     std::optional<Eigen::Quaterniond> roomFromPhoto;
+    /// With a rotation: it is also written as GPano's pose, in place of the camera's, so that viewers turn
+    /// the picture rightly. GPano counts headings clockwise from north, which the room's +y stands for.
+    bool isPanoramaPose = false;
 };
 
 /// The same photo with the tag in its XMP, in place of an earlier one. Everything else stays: the other XMP
-/// properties with their values; every other segment, Exif and maker note among them, and the picture's data
-/// byte for byte. That is checked on the result before it is returned. Errors: InvalidInput for a tag out of
-/// range; Corrupt if the JPEG or its XMP is damaged; Unsupported if the XMP would exceed its 64 kB; Internal
-/// if the check fails. Threads: any, also at a time.
+/// properties with their values (but GPano's pose where the tag is to be that); every other segment, Exif and
+/// maker note among them, and the picture's data byte for byte. That is checked on the result before it is
+/// returned. Errors: InvalidInput for a tag out of range; Corrupt if the JPEG or its XMP is damaged;
+/// Unsupported if the XMP would exceed its 64 kB; Internal if the check fails. Threads: any, also at a time.
 Bytes withPositionTag(ByteView jpeg, const PositionTag& tag, std::string_view source);
 
-/// The tag of a photo; nothing if there is none, or none that makes sense. Errors: Corrupt if the bytes are
-/// no JPEG.
+/// The tag of a photo, isPanoramaPose not set; nothing if there is none, or none that makes sense. Errors:
+/// Corrupt if the bytes are no JPEG.
 std::optional<PositionTag> readPositionTag(ByteView jpeg, std::string_view source);
 
 } // namespace spherewalk::photo
