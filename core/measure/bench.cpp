@@ -4,6 +4,7 @@
 #include "cold_cell.h"
 #include "decode_bench.h"
 #include "effort.h"
+#include "extras_bench.h"
 #include "fidelity.h"
 #include "machine.h"
 #include "opencv_views.h"
@@ -96,15 +97,17 @@ class Bench {
             append(measureViews(subject, setting, m_options.peers, m_effort.viewRounds, step, m_stop));
             begin += 0.04;
         }
+        ProgressStep step(m_progress, 0.41, 0.42);
+        append(measureExtras(subject, m_effort.viewRounds, step, m_stop));
     }
 
     void measureFidelityOf(const Subject& subject) {
         m_report.directions = m_effort.directions;
         const std::size_t count = m_options.fieldsDeg.size();
         for (std::size_t i = 0; i < count; ++i) {
-            const double share = 0.24 / static_cast<double>(count);
-            ProgressStep step(m_progress, 0.41 + share * static_cast<double>(i),
-                              0.41 + share * static_cast<double>(i + 1));
+            const double share = 0.23 / static_cast<double>(count);
+            ProgressStep step(m_progress, 0.42 + share * static_cast<double>(i),
+                              0.42 + share * static_cast<double>(i + 1));
             for (const RungFidelity& rung :
                  measureFidelity(subject, m_options.fieldsDeg[i], {m_effort.directions, m_effort.pixelStep},
                                  step, m_stop)) {

@@ -1,95 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot_axis.h"
-#include "svg.h"
 #include "view_bench.h"
 
 #include "spherewalk/base/text.h"
+#include "spherewalk/measure/chart.h"
+#include "spherewalk/measure/plot_axis.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <optional>
 
 namespace spherewalk::measure {
 
 namespace {
 
-// Of Okabe and Ito: told apart with any kind of colour vision, and visible on light and dark.
-constexpr std::array<std::string_view, 5> kColours{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00"};
-
 constexpr int kWidth = 1040;
 constexpr int kHeight = 450;
 constexpr SvgBox kErrors{75, 92, 400, 285};
 constexpr SvgBox kWalks{605, 92, 400, 285};
-
-/// A frame with its axes; knows where a value is drawn.
-class Chart {
-  public:
-    using Scale = std::function<double(double)>;
-
-    Chart(Svg& svg, const SvgBox& frame) : m_svg(svg), m_frame(frame) {}
-
-    void title(std::string_view words) { m_svg.text({m_frame.x, m_frame.y - 14}, words, Svg::Text::Label); }
-
-    double bottom() const { return m_frame.y + m_frame.height; }
-
-    /// Logarithmic.
-    void xAxis(const std::vector<double>& ticks, std::string_view caption) {
-        m_x = {std::log(ticks.front()), std::log(ticks.back())};
-        for (const double tick : ticks) {
-            m_svg.line({x(tick), m_frame.y}, {x(tick), bottom()}, Svg::Line::Grid);
-            tickText({x(tick), bottom() + 18}, text(tick), SvgAnchor::Middle);
-        }
-        xCaption(caption);
-    }
-
-    void xCaption(std::string_view caption) {
-        m_svg.text({m_frame.x + m_frame.width / 2, bottom() + 40}, caption, Svg::Text::Label,
-                   SvgAnchor::Middle);
-    }
-
-    void yAxis(const std::vector<double>& ticks, std::string_view caption) {
-        m_y = {ticks.front(), ticks.back()};
-        for (const double tick : ticks) {
-            m_svg.line({m_frame.x, y(tick)}, {m_frame.x + m_frame.width, y(tick)}, Svg::Line::Grid);
-            tickText({m_frame.x - 8, y(tick) + 4}, text(tick), SvgAnchor::End);
-        }
-        m_svg.text({m_frame.x - 46, m_frame.y + m_frame.height / 2}, caption, Svg::Text::Label,
-                   SvgAnchor::Middle, true);
-    }
-
-    /// Over the grid.
-    void axisLines() {
-        m_svg.line({m_frame.x, bottom()}, {m_frame.x + m_frame.width, bottom()}, Svg::Line::Axis);
-        m_svg.line({m_frame.x, m_frame.y}, {m_frame.x, bottom()}, Svg::Line::Axis);
-    }
-
-    double x(double value) const { return m_frame.x + m_frame.width * share(m_x, std::log(value)); }
-
-    double y(double value) const { return bottom() - m_frame.height * share(m_y, value); }
-
-    void tickText(const SvgPoint& at, const std::string& words, SvgAnchor anchor) {
-        m_svg.text(at, words, Svg::Text::Small, anchor);
-    }
-
-    const SvgBox& frame() const { return m_frame; }
-
-  private:
-    struct Range {
-        double least = 0;
-        double greatest = 1;
-    };
-
-    static double share(const Range& range, double value) {
-        return (value - range.least) / (range.greatest - range.least);
-    }
-
-    Svg& m_svg;
-    SvgBox m_frame;
-    Range m_x;
-    Range m_y;
-};
 
 struct RungPoint {
     std::string rung;
@@ -195,8 +120,8 @@ void scaleErrors(Chart& chart, const std::vector<RungPoint>& points, const std::
     }
     const auto [leastMs, mostMs] = std::minmax_element(ms.begin(), ms.end());
     const auto [leastDb, mostDb] = std::minmax_element(db.begin(), db.end());
-    chart.xAxis(logarithmicTicks(0.8 * *leastMs, 1.2 * *mostMs), "milliseconds a view");
-    chart.yAxis(evenTicks(*leastDb - 0.5, *mostDb + 3, 8), "likeness to the exact view, dB");
+    chart.xAxis(logarithmicTicks(0.8 * *leastMs, 1.2 * *mostMs), Scale::Logarithmic, "milliseconds a view");
+    chart.yAxis(evenTicks(*leastDb - 0.5, *mostDb + 3, 8), Scale::Even, "likeness to the exact view, dB");
     chart.axisLines();
 }
 
@@ -218,7 +143,7 @@ void drawErrors(Svg& svg, const BenchReport& report) {
         labels.keepFree({x - 2, kErrors.y, 4, kErrors.height});
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string_view colour = kColours[i % kColours.size()];
+        const std::string_view colour = seriesColour(i);
         const SvgPoint mean{chart.x(points[i].ms), chart.y(points[i].fidelity.meanDb)};
         const double lowest = chart.y(points[i].fidelity.worstDb);
         svg.line(mean, {mean.x, lowest}, Svg::Line::Mark, colour);
@@ -263,7 +188,7 @@ Walks walksOf(const BenchReport& report) {
 void drawLegend(Svg& svg, const Walks& walks) {
     double x = kWalks.x;
     for (std::size_t i = 0; i < walks.series.size(); ++i) {
-        svg.rectangle({x, kHeight - 24, 12, 12}, kColours[i % kColours.size()]);
+        svg.rectangle({x, kHeight - 24, 12, 12}, seriesColour(i));
         svg.text({x + 18, kHeight - 14}, walks.series[i], Svg::Text::Small);
         x += 18 + Svg::extent({}, walks.series[i], Svg::Text::Small).width + 16;
     }
@@ -281,7 +206,7 @@ void drawWalks(Svg& svg, const BenchReport& report) {
         most = std::max(most, 100 * row.lateShare);
     }
     chart.title("Late views of a walk, 30 views a second: lower is better");
-    chart.yAxis(evenTicks(0, std::max(most, 5.0), 6), "late views, %");
+    chart.yAxis(evenTicks(0, std::max(most, 5.0), 6), Scale::Even, "late views, %");
     const double group = kWalks.width / static_cast<double>(walks.speeds.size());
     const double bar = std::min(18.0, 0.8 * group / static_cast<double>(walks.series.size()));
     for (std::size_t i = 0; i < walks.speeds.size(); ++i) {
@@ -297,7 +222,7 @@ void drawWalks(Svg& svg, const BenchReport& report) {
                 const double top = std::min(chart.y(100 * row.lateShare), chart.bottom() - 2);
                 svg.rectangle(
                     {left + static_cast<double>(series) * bar + 1, top, bar - 2, chart.bottom() - top},
-                    kColours[series % kColours.size()]);
+                    seriesColour(series));
             }
         }
     }

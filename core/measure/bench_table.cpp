@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cold_cell.h"
 #include "decode_bench.h"
-#include "text_table.h"
 #include "verdict.h"
 #include "view_bench.h"
 
 #include "spherewalk/base/text.h"
+#include "spherewalk/measure/text_table.h"
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace spherewalk::measure {
 
@@ -110,6 +111,23 @@ std::string viewText(const BenchReport& report) {
                 table.text());
 }
 
+std::string extrasText(const BenchReport& report) {
+    TextTable table;
+    table.add({"", "ms", "more than the view alone"});
+    for (const BenchRow& row : report.rows) {
+        constexpr std::string_view kStart = "view.with_";
+        if (row.name.starts_with(kStart)) {
+            std::string title = row.name.substr(kStart.size());
+            title = title == "overlay"              ? "object"
+                    : title == "overlay.other_lens" ? "object of another lens"
+                                                    : title;
+            table.add({title, withDeviation(row.own),
+                       text(milliseconds(row.own.medianMs - row.peer->medianMs), " ms")});
+        }
+    }
+    return text("\nA level view of 90 degrees, footprint, 1 thread, with\n", table.text());
+}
+
 std::string decodeText(const BenchReport& report) {
     TextTable table;
     table.add({"", "ms", "pixels", "against whole by libjpeg-turbo"});
@@ -127,20 +145,25 @@ std::string decodeText(const BenchReport& report) {
         table.text());
 }
 
+std::string coldTitle(const BenchReport& report, const std::string& row) {
+    if (row == "cold_cell.disk") {
+        return report.coldFilesDropped ? "verified, from the disk"
+                                       : "verified, from the disk (but the system would not forget the file)";
+    }
+    return row == "cold_cell" ? "verified by its hash" : "not verified";
+}
+
 std::string coldText(const BenchReport& report) {
     TextTable table;
     table.add({"", "ms", "of it decoding", "whole decode + render", ""});
     for (const BenchRow& row : report.rows) {
         if (row.name.starts_with("cold_cell")) {
-            table.add({row.name == "cold_cell" ? "verified by its hash" : "not verified",
-                       withDeviation(row.own), milliseconds(row.parts->decodeMs),
+            table.add({coldTitle(report, row.name), withDeviation(row.own), milliseconds(row.parts->decodeMs),
                        milliseconds(row.peer->medianMs), text(fixed(row.ratio(), 1), " x")});
         }
     }
-    return text("\nFirst view of a photo that nobody decoded ahead, ",
-                report.coldFilesDropped ? "read from the disk"
-                                        : "its file in the system's cache (the system would not forget it)",
-                "\n", table.text());
+    return text("\nFirst view of a photo that nobody decoded ahead, its file in the system's cache\n",
+                table.text());
 }
 
 std::string fidelityText(const BenchReport& report) {
@@ -200,8 +223,8 @@ std::string walkText(const BenchReport& report) {
 } // namespace
 
 std::string benchTable(const BenchReport& report) {
-    return text(machineText(report), viewText(report), decodeText(report), coldText(report),
-                fidelityText(report), latticeText(report), walkText(report),
+    return text(machineText(report), viewText(report), extrasText(report), decodeText(report),
+                coldText(report), fidelityText(report), latticeText(report), walkText(report),
                 "\nMemory: ", humanBytes(report.residence.peakBytes), " at most, after looking all round at ",
                 report.residence.photos, report.residence.photos == 1 ? " photo" : " photos", "\n\n",
                 verdict(report));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot_axis.h"
+#include "spherewalk/measure/plot_axis.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "svg.h"
+#include "spherewalk/measure/svg.h"
 
 #include "spherewalk/base/text.h"
 

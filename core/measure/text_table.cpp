@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text_table.h"
+#include "spherewalk/measure/text_table.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plot_axis.h"
 #include "random.h"
-#include "svg.h"
-#include "text_table.h"
 
 #include "spherewalk/measure/bench_report.h"
+#include "spherewalk/measure/plot_axis.h"
+#include "spherewalk/measure/svg.h"
+#include "spherewalk/measure/text_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "cold_cell.h"
 #include "decode_bench.h"
 #include "expect_error.h"
+#include "extras_bench.h"
 #include "fidelity.h"
 #include "machine.h"
 #include "made_dataset.h"
@@ -76,6 +77,20 @@ TEST_F(Phases, ViewsNeedNeitherPeersNorASphereNorASecondPhoto) {
     }
 }
 
+TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
+    const std::vector<BenchRow> rows = measureExtras(Subject(dataset), 2, noProgress(), {});
+    EXPECT_EQ(namesOf(rows), (std::set<std::string>{"view.with_depth", "view.with_trust", "view.with_overlay",
+                                                    "view.with_overlay.other_lens"}));
+    for (const BenchRow& row : rows) {
+        EXPECT_EQ(row.peer->name, kViewAlone);
+    }
+    const test::TemporaryFolder other;
+    test::MadeDataset made;
+    made.hasSphere = false;
+    const Subject without(test::openMadeDataset(other.path(), made));
+    EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), std::set<std::string>{"view.with_trust"});
+}
+
 TEST_F(Phases, DecodingHasPartsOnlyWhereThePhotoHasMarkers) {
     const std::vector<BenchRow> rows = measureDecoding(Subject(dataset), true, 1, noProgress(), {});
     EXPECT_EQ(namesOf(rows),
@@ -120,7 +135,8 @@ TEST_F(Phases, RegionAheadHoldsEveryPixelOfTheView) {
 TEST_F(Phases, ColdCellsAreComparedWithWholeDecoding) {
     for (const int views : {2, 7}) { // more than there are photos
         const ColdCells cells = measureColdCells(dataset, views, noProgress(), {});
-        EXPECT_EQ(namesOf(cells.rows), (std::set<std::string>{"cold_cell", "cold_cell.unverified"}));
+        EXPECT_EQ(namesOf(cells.rows),
+                  (std::set<std::string>{"cold_cell", "cold_cell.unverified", "cold_cell.disk"}));
         for (const BenchRow& row : cells.rows) {
             EXPECT_EQ(row.peer->name, kWholeAndRender);
             EXPECT_EQ(row.threads, hardwareThreads());
@@ -131,7 +147,7 @@ TEST_F(Phases, ColdCellsAreComparedWithWholeDecoding) {
     test::MadeDataset one;
     one.places = {{0, 0, 0}};
     EXPECT_EQ(measureColdCells(test::openMadeDataset(other.path(), one), 2, noProgress(), {}).rows.size(),
-              2U);
+              3U);
 }
 
 TEST_F(Phases, FidelityRanksTheRungs) {

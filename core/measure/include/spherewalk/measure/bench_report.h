@@ -114,7 +114,7 @@ struct BenchReport {
     Machine machine;
     Measurand measurand;
     std::vector<BenchRow> rows;
-    bool coldFilesDropped = false; ///< cold cells were read from the disk, not from the system's cache
+    bool coldFilesDropped = false; ///< of row "cold_cell.disk": they were read from the disk indeed
     int directions = 0;            ///< that fidelity was measured in
     std::vector<RungFidelity> fidelity;
     std::vector<LatticeRow> lattice;
