@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "position_hypotheses.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr std::size_t kMostKept = 100;
+constexpr std::size_t kMostSuspects = 150;
+constexpr int kLeastDirections = 4; ///< a photo with fewer is not judged by itself
+constexpr int kLeastContradicted = 2;
+constexpr double kLeastFreeMoveM = 0.05;
+
+/// What a blunder must gain to be believed, in nats: the more ways there are for it to go, the more.
+double price(Blunder blunder, int moved) {
+    switch (blunder) {
+    case Blunder::Reversed:
+        return 10;
+    case Blunder::Shifted:
+        return moved == 1 ? 16 : 14;
+    case Blunder::Swapped:
+        return 17;
+    case Blunder::Elsewhere:
+        return 18;
+    }
+    return 0;
+}
+
+constexpr double kPriceUnplanned = 8; ///< on top: a position where nobody meant to stand
+
+class Search {
+  public:
+    Search(PositionEvidence& evidence, const PlannedLines& lines, const Places& places)
+        : m_evidence(evidence), m_lines(lines), m_places(places) {
+        findSuspects();
+        m_photosAt.resize(static_cast<std::size_t>(lines.size()));
+        for (int photo = 0; const int place : places) {
+            if (place >= 0) {
+                m_photosAt[static_cast<std::size_t>(place)].push_back(photo);
+            }
+            ++photo;
+        }
+    }
+
+    std::vector<Hypothesis> run() {
+        std::set<int> suspectLines;
+        for (const int photo : m_suspects) {
+            suspectLines.insert(m_lines.place(m_places[static_cast<std::size_t>(photo)]).line);
+        }
+        suspectLines.erase(-1);
+        for (const int line : suspectLines) {
+            reverse(line);
+            shift(line);
+        }
+        for (std::size_t i = 0; i < m_suspects.size(); ++i) {
+            for (std::size_t j = i + 1; j < m_suspects.size(); ++j) {
+                swap(m_suspects[i], m_suspects[j]);
+            }
+            lay(m_suspects[i]);
+        }
+        std::ranges::stable_sort(m_found, std::greater(), &Hypothesis::gain);
+        m_found.resize(std::min(m_found.size(), kMostKept));
+        return std::move(m_found);
+    }
+
+  private:
+    void findSuspects() {
+        std::vector<std::pair<int, int>> byContradicted;
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            const PositionEvidence::Count count = m_evidence.count(static_cast<int>(i));
+            if (count.directions >= kLeastDirections && count.contradicted >= kLeastContradicted) {
+                byContradicted.emplace_back(-count.contradicted, static_cast<int>(i));
+            }
+        }
+        std::ranges::sort(byContradicted);
+        for (const auto& [contradicted, photo] : byContradicted) {
+            if (m_suspects.size() < kMostSuspects) {
+                m_suspects.push_back(photo);
+            }
+        }
+    }
+
+    const Eigen::Vector3d& positionM(int photo) const {
+        return m_evidence.positionsM()[static_cast<std::size_t>(photo)];
+    }
+
+    void consider(Blunder blunder, std::vector<Move> moves, int stopsFarther = 0) {
+        std::erase_if(
+            moves, [&](const Move& move) { return (move.positionM - positionM(move.photo)).norm() < 1e-6; });
+        if (moves.empty()) {
+            return;
+        }
+        double gain = m_evidence.gain(moves) - price(blunder, static_cast<int>(moves.size()));
+        gain -= std::ranges::any_of(moves, [](const Move& move) { return move.planned < 0; })
+                    ? kPriceUnplanned
+                    : 0;
+        if (gain > 0) {
+            m_found.push_back({blunder, std::move(moves), gain, stopsFarther});
+        }
+    }
+
+    const std::vector<int>& photosAt(int line, int index) const {
+        const int planned = m_lines.lines()[static_cast<std::size_t>(line)][static_cast<std::size_t>(index)];
+        return m_photosAt[static_cast<std::size_t>(planned)];
+    }
+
+    /// Lays the photos at one index of a line at another.
+    void addMoves(int line, int from, int to, std::vector<Move>& moves) const {
+        const std::vector<int>& positions = m_lines.lines()[static_cast<std::size_t>(line)];
+        const bool isPlanned = to >= 0 && to < static_cast<int>(positions.size());
+        for (const int photo : photosAt(line, from)) {
+            moves.push_back({photo, isPlanned ? positions[static_cast<std::size_t>(to)] : -1,
+                             m_lines.positionM(line, to)});
+        }
+    }
+
+    void reverse(int line) {
+        const int size = static_cast<int>(m_lines.lines()[static_cast<std::size_t>(line)].size());
+        std::vector<Move> moves;
+        for (int i = 0; i < size; ++i) {
+            addMoves(line, i, size - 1 - i, moves);
+        }
+        consider(Blunder::Reversed, std::move(moves));
+    }
+
+    void shift(int line) {
+        const int size = static_cast<int>(m_lines.lines()[static_cast<std::size_t>(line)].size());
+        for (int first = 0; first < size && size > 1; ++first) {
+            std::vector<Move> farther;
+            std::vector<Move> nearer;
+            for (int last = first; last < size; ++last) {
+                addMoves(line, last, last + 1, farther);
+                addMoves(line, last, last - 1, nearer);
+                consider(Blunder::Shifted, farther, 1);
+                consider(Blunder::Shifted, nearer, -1);
+            }
+        }
+    }
+
+    void swap(int a, int b) {
+        consider(Blunder::Swapped, {{a, m_places[static_cast<std::size_t>(b)], positionM(b)},
+                                    {b, m_places[static_cast<std::size_t>(a)], positionM(a)}});
+    }
+
+    void lay(int photo) {
+        for (int planned = 0; planned < m_lines.size(); ++planned) {
+            consider(Blunder::Elsewhere, {{photo, planned, m_lines[planned].positionM}});
+        }
+        const std::optional<Eigen::Vector3d> free = meeting(photo);
+        if (free && (*free - positionM(photo)).norm() > kLeastFreeMoveM) {
+            consider(Blunder::Elsewhere, {{photo, -1, *free}});
+        }
+    }
+
+    /// Where the photo's baselines meet, as seen from its neighbours.
+    std::optional<Eigen::Vector3d> meeting(int photo) const {
+        Eigen::Vector3d meetingM = positionM(photo);
+        for (int round = 0; round < 8; ++round) {
+            Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+            Eigen::Vector3d right = Eigen::Vector3d::Zero(); // relative to the photo: a room may lie far off
+            for (const int i : m_evidence.of(photo)) {
+                const Baseline& baseline = m_evidence.baselines()[static_cast<std::size_t>(i)];
+                if (!baseline.hasDirection) {
+                    continue;
+                }
+                const Eigen::Vector3d otherM =
+                    positionM(baseline.a == photo ? baseline.b : baseline.a) - positionM(photo);
+                const Eigen::Vector3d direction = m_evidence.roomFromPart() * baseline.inPart;
+                const Eigen::Matrix3d across =
+                    Eigen::Matrix3d::Identity() - direction * direction.transpose();
+                const double offM = (across * (meetingM - positionM(photo) - otherM)).norm();
+                const double weight = round == 0 ? 1 : 1 / (0.01 + offM);
+                left += weight * across;
+                right += weight * across * otherM;
+            }
+            const Eigen::LDLT<Eigen::Matrix3d> solver(left);
+            if (solver.info() != Eigen::Success || solver.rcond() < 1e-3) {
+                return std::nullopt; // all baselines lie on one line
+            }
+            meetingM = positionM(photo) + solver.solve(right);
+        }
+        return meetingM.allFinite() ? std::optional(meetingM) : std::nullopt;
+    }
+
+    PositionEvidence& m_evidence;
+    const PlannedLines& m_lines;
+    const Places& m_places;
+    std::vector<int> m_suspects;
+    std::vector<std::vector<int>> m_photosAt;
+    std::vector<Hypothesis> m_found;
+};
+
+} // namespace
+
+std::vector<Hypothesis> hypotheses(PositionEvidence& evidence, const PlannedLines& lines,
+                                   const Places& places) {
+    return Search(evidence, lines, places).run();
+}
+
+} // namespace spherewalk::align
