@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "content_witness.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kLeastParallaxSine = 0.009; ///< half a degree: less gives no distance
+constexpr double kLeastRangeM = 0.1;
+constexpr double kSeenChord = 0.014; ///< 0.8 degrees: what lies so near is the same thing
+constexpr double kPriorShare = 0.2;  ///< evens out shares of few photos
+
+void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::size_t photos) {
+    if (std::min(pair.a, pair.b) < 0 || static_cast<std::size_t>(std::max(pair.a, pair.b)) >= photos) {
+        throw Error(ErrorKind::InvalidInput, text("A pair names the photos ", pair.a, " and ", pair.b,
+                                                  ", but there are ", photos, " photos."));
+    }
+    if (isInlier.size() != pair.matches.size()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The pair of the photos ", pair.a, " and ", pair.b, " has ", pair.matches.size(),
+                         " matches, but ", isInlier.size(), " are said to be inliers or not."));
+    }
+}
+
+double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Turns shares among all of a neighbour's photos into the chance that this photo shows the thing.
+void setChances(std::span<Witness> witnesses) {
+    double seen = 0;
+    double shares = 0;
+    for (const Witness& witness : witnesses) {
+        seen += witness.isSeen ? 1 : 0;
+        shares += witness.chance + kPriorShare;
+    }
+    for (Witness& witness : witnesses) {
+        witness.chance = std::clamp(seen * (witness.chance + kPriorShare) / shares, 0.02, 0.95);
+    }
+}
+
+} // namespace
+
+Sightings::Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::span<const PhotoPair> pairs,
+                     std::span<const std::vector<bool>> isInlier)
+    : m_roomFromPhoto(roomFromPhoto), m_of(roomFromPhoto.size()), m_neighbours(roomFromPhoto.size()) {
+    if (isInlier.size() != pairs.size()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("There are ", pairs.size(), " pairs, but inliers of ", isInlier.size(), " pairs."));
+    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PhotoPair& pair = pairs[i];
+        checkPair(pair, isInlier[i], roomFromPhoto.size());
+        if (pair.a == pair.b || !roomFromPhoto[static_cast<std::size_t>(pair.a)] ||
+            !roomFromPhoto[static_cast<std::size_t>(pair.b)]) {
+            continue;
+        }
+        m_neighbours[static_cast<std::size_t>(pair.a)].push_back(pair.b);
+        m_neighbours[static_cast<std::size_t>(pair.b)].push_back(pair.a);
+        for (std::size_t match = 0; match < pair.matches.size(); ++match) {
+            add(pair.a, pair.b, pair.matches[match], true, isInlier[i][match]);
+            add(pair.b, pair.a, pair.matches[match], false, isInlier[i][match]);
+        }
+    }
+    for (std::vector<Sighting>& sightings : m_of) {
+        std::ranges::stable_sort(sightings, std::less(), &Sighting::feature);
+    }
+}
+
+void Sightings::add(int photo, int other, const Correspondence& match, bool isFromA, bool isInlier) {
+    const int feature = isFromA ? match.featureA : match.featureB;
+    if (feature < 0 || !match.inA.allFinite() || !match.inB.allFinite()) {
+        return;
+    }
+    Sighting sighting{feature, other, isFromA ? &match.inA : &match.inB, isFromA ? &match.inB : &match.inA,
+                      isInlier};
+    sighting.rangeM = isInlier ? rangeM(photo, other, *sighting.own, *sighting.others) : 0;
+    m_of[static_cast<std::size_t>(photo)].push_back(sighting);
+}
+
+/// Where the two bearings come nearest to each other.
+double Sightings::rangeM(int photo, int other, const Eigen::Vector3d& own,
+                         const Eigen::Vector3d& others) const {
+    const Rigid3& roomFromOwn = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
+    const Rigid3& roomFromOther = *m_roomFromPhoto[static_cast<std::size_t>(other)];
+    const Eigen::Vector3d ray = roomFromOwn.rotation * own;
+    const Eigen::Vector3d otherRay = roomFromOther.rotation * others;
+    const Eigen::Vector3d baselineM = roomFromOther.translation - roomFromOwn.translation;
+    const double cosine = ray.dot(otherRay);
+    const double sineSquared = ray.cross(otherRay).squaredNorm();
+    if (!(sineSquared > kLeastParallaxSine * kLeastParallaxSine)) {
+        return 0;
+    }
+    const double alongOwn = (ray.dot(baselineM) - cosine * otherRay.dot(baselineM)) / sineSquared;
+    const double alongOther = (cosine * ray.dot(baselineM) - otherRay.dot(baselineM)) / sineSquared;
+    return std::min(alongOwn, alongOther) > kLeastRangeM ? alongOwn : 0;
+}
+
+PhotoWitnesses Sightings::witnesses(int photo) const {
+    PhotoWitnesses result;
+    for (const int neighbour : m_neighbours[static_cast<std::size_t>(photo)]) {
+        witness(photo, neighbour, result);
+        ++result.neighbours;
+    }
+    return result;
+}
+
+void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const {
+    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(neighbour)];
+    const std::size_t first = result.witnesses.size();
+    for (auto from = all.begin(); from != all.end();) {
+        const auto to = std::find_if(
+            from, all.end(), [&](const Sighting& sighting) { return sighting.feature != from->feature; });
+        if (const std::optional<Witness> found = witness(photo, neighbour, {from, to}, result)) {
+            result.witnesses.push_back(*found);
+        }
+        from = to;
+    }
+    setChances(std::span(result.witnesses).subspan(first));
+}
+
+/// What one feature of the neighbour, in all the photos that it was found in, says of this photo.
+std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
+                                          PhotoWitnesses& result) const {
+    const Sighting* inPhoto = nullptr;
+    std::vector<double> rangesM;
+    for (const Sighting& sighting : ofFeature) {
+        if (sighting.other == photo) {
+            inPhoto = &sighting;
+        } else if (sighting.rangeM > 0) {
+            rangesM.push_back(sighting.rangeM);
+        }
+    }
+    if (rangesM.empty()) {
+        if (inPhoto != nullptr && inPhoto->isInlier) {
+            result.agreed.push_back(*inPhoto->others);
+        }
+        return std::nullopt;
+    }
+    const auto confirming = static_cast<double>(rangesM.size());
+    const Rigid3& roomFromPhoto = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
+    const Eigen::Vector3d pInRoom =
+        *m_roomFromPhoto[static_cast<std::size_t>(neighbour)] * (median(rangesM) * *ofFeature[0].own);
+    Witness witness;
+    witness.expected = (roomFromPhoto.inverse() * pInRoom).normalized();
+    witness.chance =
+        confirming / static_cast<double>(m_neighbours[static_cast<std::size_t>(neighbour)].size());
+    witness.weight = 1 / (1 + confirming);
+    if (inPhoto != nullptr) {
+        witness.isSeen = (*inPhoto->others - witness.expected).norm() < kSeenChord;
+        if (!witness.isSeen) {
+            witness.elsewhere = *inPhoto->others;
+        }
+    }
+    return witness;
+}
+
+} // namespace spherewalk::align
