@@ -51,16 +51,23 @@ void setChances(std::span<Witness> witnesses) {
 
 Sightings::Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::span<const PhotoPair> pairs,
                      std::span<const std::vector<bool>> isInlier)
-    : m_roomFromPhoto(roomFromPhoto), m_of(roomFromPhoto.size()), m_neighbours(roomFromPhoto.size()) {
+    : m_roomFromPhoto(roomFromPhoto.begin(), roomFromPhoto.end()),
+      m_of(roomFromPhoto.size()),
+      m_neighbours(roomFromPhoto.size()) {
     if (isInlier.size() != pairs.size()) {
         throw Error(ErrorKind::InvalidInput,
                     text("There are ", pairs.size(), " pairs, but inliers of ", isInlier.size(), " pairs."));
     }
+    for (std::optional<Rigid3>& pose : m_roomFromPhoto) {
+        if (pose && !(pose->rotation.coeffs().allFinite() && pose->translation.allFinite())) {
+            pose.reset();
+        }
+    }
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const PhotoPair& pair = pairs[i];
         checkPair(pair, isInlier[i], roomFromPhoto.size());
-        if (pair.a == pair.b || !roomFromPhoto[static_cast<std::size_t>(pair.a)] ||
-            !roomFromPhoto[static_cast<std::size_t>(pair.b)]) {
+        if (pair.a == pair.b || !m_roomFromPhoto[static_cast<std::size_t>(pair.a)] ||
+            !m_roomFromPhoto[static_cast<std::size_t>(pair.b)]) {
             continue;
         }
         m_neighbours[static_cast<std::size_t>(pair.a)].push_back(pair.b);

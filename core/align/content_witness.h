@@ -57,7 +57,7 @@ class Sightings {
     std::optional<Witness> witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
                                    PhotoWitnesses& result) const;
 
-    std::span<const std::optional<Rigid3>> m_roomFromPhoto;
+    std::vector<std::optional<Rigid3>> m_roomFromPhoto;
     std::vector<std::vector<Sighting>> m_of;    ///< one list a photo, by feature
     std::vector<std::vector<int>> m_neighbours; ///< of each photo, solved ones alone
 };

@@ -99,8 +99,8 @@ Judged start(std::span<const PhotoPrior> photos, const PlannedLines& lines, std:
         places.push_back(lines.tag(photo));
     }
     std::erase_if(baselines, [&](const Baseline& baseline) {
-        return !positionsM[static_cast<std::size_t>(baseline.a)].allFinite() ||
-               !positionsM[static_cast<std::size_t>(baseline.b)].allFinite();
+        const Eigen::Vector3d& aM = positionsM[static_cast<std::size_t>(baseline.a)];
+        return !std::isfinite((positionsM[static_cast<std::size_t>(baseline.b)] - aM).squaredNorm());
     });
     return {PositionEvidence(std::move(baselines), std::move(positionsM), std::move(sigmasM)),
             std::move(places), std::vector<Finding>(photos.size())};

@@ -127,4 +127,63 @@ TEST(ContentCheck, AcceptsAChairThatMovedForAllLaterPhotos) {
     }
 }
 
+TEST(ContentCheck, JudgesNoPhotoOfTooFewNeighbours) {
+    Random random(41);
+    FurnishedOptions options;
+    options.rows = 1;
+    options.columns = 3;
+    FurnishedSurvey survey(options, random);
+    survey.chairAtM[1].reset();
+    survey.expose(random);
+    EXPECT_TRUE(check(survey).empty());
+    EXPECT_TRUE(changedContent({}, {}, {}).empty());
+}
+
+TEST(ContentCheck, PassesOverPhotosWithoutPoseAndWhatIsNoNumber) {
+    Random random(42);
+    FurnishedSurvey survey({}, random);
+    survey.expose(random);
+    survey.roomFromPhoto[12].reset();
+    survey.roomFromPhoto[3]->translation.x() = std::numeric_limits<double>::quiet_NaN();
+    survey.pairs[3].matches[0].inA.x() = std::numeric_limits<double>::quiet_NaN();
+    survey.pairs[4].matches[0].featureA = -1;
+    EXPECT_TRUE(check(survey).empty());
+}
+
+TEST(ContentCheck, RefusesListsThatDoNotFitTogether) {
+    Random random(43);
+    FurnishedSurvey survey({}, random);
+    survey.expose(random);
+    survey.isInlier[0].pop_back();
+    expectError(ErrorKind::InvalidInput, "are said to be inliers or not", [&] { check(survey); });
+    survey.isInlier.pop_back();
+    expectError(ErrorKind::InvalidInput, "inliers of", [&] { check(survey); });
+}
+
+TEST(ContentCheck, ChecksALargeSurveyAndPrintsItsTime) {
+    Random random(44);
+    FurnishedOptions options;
+    options.rows = 20;
+    options.columns = 20;
+    options.stepM = 0.05; // so that the room holds them; the pairs are chosen by count below
+    options.pointsOnWalls = 600;
+    options.pointsPerM2 = 20;
+    FurnishedSurvey survey(options, random);
+    survey.expose(random);
+    std::vector<PhotoPair> pairs;
+    std::vector<std::vector<bool>> isInlier;
+    for (std::size_t i = 0; i < survey.pairs.size(); ++i) {
+        if (random.uniform(0, 1) * static_cast<double>(survey.pairs.size()) < 2400) {
+            pairs.push_back(survey.pairs[i]);
+            isInlier.push_back(survey.isInlier[i]);
+        }
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<ChangedContent> changes = changedContent(survey.roomFromPhoto, pairs, isInlier, {2});
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    EXPECT_TRUE(changes.empty()) << listed(survey, changes);
+    std::printf("400 photos, %zu pairs of about %zu matches: %.2f s on 2 threads\n", pairs.size(),
+                pairs[0].matches.size(), taken.count());
+}
+
 } // namespace spherewalk::align

@@ -31,8 +31,8 @@ class FurnishedSurvey {
   public:
     FurnishedSurvey(const FurnishedOptions& options, spherewalk::test::Random& random);
 
-    /// From now on photos are taken with the chair here; nothing: carried out. Of the box as it first stood.
-    std::vector<std::optional<Eigen::Vector3d>> chairAtM; ///< one a photo, the middle
+    /// Where the chair stood when each photo was taken; nothing: it was carried out.
+    std::vector<std::optional<Eigen::Vector3d>> chairAtM;
 
     /// Makes the pictures' matches.
     void expose(spherewalk::test::Random& random);

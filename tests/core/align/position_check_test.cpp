@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -153,6 +155,143 @@ TEST(PositionCheck, RaisesNoAlarmInCleanSurveys) {
         EXPECT_TRUE(wrong.empty()) << "seed " << seed << "\n" << listed(survey, wrong);
     }
     std::printf("20 clean surveys, %d with an alarm\n", alarms);
+}
+
+TEST(PositionCheck, NamesSeveralBlundersOfOneSurvey) {
+    Random random(201);
+    SimulatedSurvey survey(gridOf(8, 8), random);
+    reverse(survey, 6, 8);
+    swap(survey, survey.planned(1, 2), survey.planned(1, 3));
+    shift(survey, 3, 4, 7, -1, 8);
+    survey.expose(random);
+    const std::vector<WrongPosition> wrong = check(survey);
+    EXPECT_TRUE(outcome(survey, wrong).areRight) << listed(survey, wrong);
+}
+
+TEST(PositionCheck, NamesEverySecondRailWalkedBackwards) {
+    Random random(202);
+    SimulatedSurvey survey(gridOf(7, 6), random);
+    for (const int rail : {1, 3, 5}) {
+        reverse(survey, rail, 6);
+    }
+    survey.expose(random);
+    const std::vector<WrongPosition> wrong = check(survey);
+    EXPECT_TRUE(outcome(survey, wrong).areRight) << listed(survey, wrong);
+}
+
+TEST(PositionCheck, SaysInSentencesWhatIsSwapped) {
+    Random random(203);
+    SimulatedSurvey survey(gridOf(5, 5), random);
+    swap(survey, survey.planned(2, 3), survey.planned(2, 4));
+    survey.expose(random);
+    const std::vector<WrongPosition> wrong = check(survey);
+    ASSERT_EQ(wrong.size(), 2U) << listed(survey, wrong);
+    EXPECT_EQ(wrong[0].reason, "It shows what is seen from rail 2, stop 4; the photo tagged so shows rail 2, "
+                               "stop 3: they are swapped.");
+    EXPECT_GT(wrong[0].confidence, 0.9);
+}
+
+TEST(PositionCheck, CannotTellWhichWayASingleRailWasWalked) {
+    for (unsigned seed = 210; seed < 214; ++seed) {
+        Random random(seed);
+        SimulatedSurvey survey(gridOf(1, 12), random);
+        if (seed % 2 == 0) {
+            reverse(survey, 0, 12);
+        }
+        survey.expose(random);
+        const std::vector<WrongPosition> wrong = check(survey);
+        EXPECT_TRUE(wrong.empty()) << "seed " << seed << "\n" << listed(survey, wrong);
+    }
+}
+
+TEST(PositionCheck, RaisesNoAlarmWherePhotosShareStations) {
+    for (unsigned seed = 220; seed < 224; ++seed) {
+        Random random(seed);
+        SimulatedSurvey survey(gridOf(5, 5), random);
+        for (std::size_t i = 0; i < 10; ++i) { // photographed twice
+            survey.photos.push_back(survey.photos[i]);
+            survey.takenAt.push_back(survey.takenAt[i]);
+        }
+        survey.expose(random);
+        EXPECT_TRUE(check(survey).empty()) << "seed " << seed << "\n" << listed(survey, check(survey));
+    }
+}
+
+TEST(PositionCheck, JudgesPartsThatNothingConnectsEachByItself) {
+    Random random(230);
+    SimulatedSurvey survey(gridOf(10, 5), random);
+    swap(survey, survey.planned(8, 1), survey.planned(8, 2));
+    survey.expose(random);
+    std::erase_if(survey.estimates, [](const PairEstimate& pair) { return (pair.a < 25) != (pair.b < 25); });
+    const std::vector<WrongPosition> wrong = check(survey);
+    EXPECT_TRUE(outcome(survey, wrong).areRight) << listed(survey, wrong);
+}
+
+TEST(PositionCheck, WorksFarFromTheOrigin) {
+    Random random(240);
+    SimulationOptions options = gridOf(5, 6);
+    options.originM = {1e6, -1e6, 101.2};
+    SimulatedSurvey survey(options, random);
+    reverse(survey, 1, 6);
+    survey.expose(random);
+    const std::vector<WrongPosition> wrong = check(survey);
+    EXPECT_TRUE(outcome(survey, wrong).areRight) << listed(survey, wrong);
+}
+
+TEST(PositionCheck, PassesOverWhatIsNoNumber) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    Random random(250);
+    SimulatedSurvey survey(gridOf(5, 5), random);
+    survey.expose(random);
+    survey.photos[3].positionM.x() = kNone;
+    survey.photos[4].positionSigmaM = kNone;
+    survey.photos[5].levelFromPhoto = Eigen::Quaterniond(kNone, 0, 0, 0);
+    survey.estimates[1].aFromB.x() = kNone;
+    survey.estimates[2].baselineInA = Eigen::Vector3d(kNone, 0, 0);
+    survey.estimates[3].baselineSigmaRad = kNone;
+    survey.estimates[4].parallaxRad = kNone;
+    survey.plannedPositions[7].positionM.y() = kNone;
+    const std::vector<WrongPosition> wrong = check(survey);
+    EXPECT_TRUE(wrong.empty()) << listed(survey, wrong);
+}
+
+TEST(PositionCheck, SaysNothingOfSurveysThatHoldNothing) {
+    EXPECT_TRUE(wrongPositions({}, {}, {}).empty());
+    Random random(260);
+    SimulatedSurvey survey(gridOf(1, 2), random);
+    survey.expose(random);
+    EXPECT_TRUE(check(survey).empty());
+    for (PhotoPrior& photo : survey.photos) {
+        photo.positionM.setZero(); // nobody knows where any was taken
+    }
+    EXPECT_TRUE(check(survey).empty());
+}
+
+TEST(PositionCheck, RefusesPairsOfPhotosThatDoNotExist) {
+    Random random(270);
+    SimulatedSurvey survey(gridOf(2, 2), random);
+    survey.expose(random);
+    survey.estimates[0].b = 4;
+    spherewalk::test::expectError(ErrorKind::InvalidInput, "there are 4 photos", [&] { check(survey); });
+}
+
+TEST(PositionCheck, JudgesALargeSurveyAndPrintsItsTime) {
+    Random random(280);
+    SimulatedSurvey survey(gridOf(20, 20), random);
+    survey.expose(random);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<WrongPosition> wrong = check(survey);
+    const std::chrono::duration<double> clean = std::chrono::steady_clock::now() - start;
+    EXPECT_TRUE(wrong.empty()) << listed(survey, wrong);
+
+    reverse(survey, 7, 20);
+    shift(survey, 12, 5, 19, -1, 20);
+    survey.expose(random);
+    wrong = check(survey);
+    const std::chrono::duration<double> both = std::chrono::steady_clock::now() - start;
+    EXPECT_TRUE(outcome(survey, wrong).areRight) << listed(survey, wrong);
+    std::printf("%zu photos, %zu pairs: %.2f s clean, %.2f s with two rails wrong and simulation\n",
+                survey.photos.size(), survey.estimates.size(), clean.count(), (both - clean).count());
 }
 
 } // namespace spherewalk::align

@@ -4,6 +4,7 @@
 #include "random.h"
 
 #include "spherewalk/align/position_check.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <Eigen/Geometry>
 
