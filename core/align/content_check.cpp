@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/content_check.h"
 
+#include "content_occlusion.h"
 #include "content_witness.h"
 #include "sphere_cells.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace spherewalk::align {
 
@@ -23,6 +25,7 @@ constexpr double kStillSeen = 0.1;     ///< of the chance, where the content cha
 constexpr double kLeastScore = 12;     ///< nats
 constexpr double kLeastMissed = 5;     ///< things that all neighbours see
 constexpr double kLargestShare = 0.15; ///< of what is expected, that may be seen all the same
+constexpr double kOneSidedTimes = 1.3; ///< as much is asked where something might hide what is missed
 constexpr double kAgreedWeight = 0.5;
 constexpr std::size_t kMostParts = 4; ///< more: the photo is wrong as a whole
 constexpr std::size_t kLeastMoved = 4;
@@ -63,9 +66,7 @@ struct Discs {
     }
 };
 
-struct Part {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    Radians radius;
+struct Part : PhotoPart {
     Tally tally;
 };
 
@@ -88,22 +89,21 @@ bool isChanged(const Tally& tally) {
 /// The disc that speaks most for a change; nothing if none says enough.
 std::optional<Part> mostChanged(const std::vector<Tally>& all, const Discs& discs) {
     std::optional<Part> best;
-    for (std::size_t i = 0; i < kRadii.size(); ++i) {
-        for (int cell = 0; cell < discs.cells.size(); ++cell) {
+    for (int cell = 0; cell < discs.cells.size(); ++cell) {
+        for (std::size_t i = 0; i < kRadii.size(); ++i) {
             Tally sum;
             for (const int within : discs.ofRadius[i][static_cast<std::size_t>(cell)]) {
                 sum += all[static_cast<std::size_t>(within)];
             }
+            if (sum.score <= 0) {
+                break; // its middle shows what neighbours see: a better disc lies beside it
+            }
             if (isChanged(sum) && (!best || sum.score > best->tally.score)) {
-                best = Part{discs.cells.centre(cell), kRadii[i], sum};
+                best = Part{{discs.cells.centre(cell), kRadii[i]}, sum};
             }
         }
     }
     return best;
-}
-
-bool isWithin(const Witness& witness, const Part& part, double times = 1) {
-    return angleBetween(witness.expected, part.middle) < part.radius * times;
 }
 
 /// Lays the middle among what is missed, and the radius around nearly all of it.
@@ -117,37 +117,52 @@ void fit(const PhotoWitnesses& photo, Part& part) {
     part.middle = sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : part.middle;
 }
 
-/// The turn from where neighbours expect things to where the photo shows them, if many moved alike.
-std::optional<double> moved(const PhotoWitnesses& photo, const Part& part) {
-    std::vector<Eigen::Vector3d> displacements;
+/// What neighbours expect in the part and the photo shows near it.
+std::vector<const Witness*> displaced(const PhotoWitnesses& photo, const Part& part) {
+    std::vector<const Witness*> all;
     for (const Witness& witness : photo.witnesses) {
         if (witness.elsewhere && isWithin(witness, part) &&
             (*witness.elsewhere - witness.expected).norm() < kFarthestChord) {
-            displacements.emplace_back(*witness.elsewhere - witness.expected);
+            all.push_back(&witness);
         }
     }
-    std::size_t most = 0;
-    double chord = 0;
-    for (const Eigen::Vector3d& one : displacements) {
-        const auto alike =
-            static_cast<std::size_t>(std::ranges::count_if(displacements, [&](const Eigen::Vector3d& other) {
-                return (other - one).norm() < kMovedAlikeShare * one.norm();
-            }));
-        if (alike > most) {
-            most = alike;
-            chord = one.norm();
-        }
-    }
-    return most >= kLeastMoved && 3 * most > displacements.size() ? std::optional(2 * std::asin(chord / 2))
-                                                                  : std::nullopt;
+    return all;
 }
 
-std::string reason(const PhotoWitnesses& photo, const Part& part) {
-    if (const std::optional<double> turnRad = moved(photo, part)) {
-        return text("What its neighbours see there stands about ",
-                    fixed(Degrees(Radians(*turnRad)).value(), 0), " degrees away in this photo: it moved.");
+/// The turn from where neighbours expect things to where the photo shows them, if many moved alike.
+std::optional<double> moved(const PhotoWitnesses& photo, const Part& part) {
+    const std::vector<const Witness*> all = displaced(photo, part);
+    std::size_t most = 0;
+    double chord = 0;
+    for (const Witness* one : all) {
+        const Eigen::Vector3d displacement = *one->elsewhere - one->expected;
+        std::set<int> alike; // one wrong feature may match those of many neighbours
+        for (const Witness* other : all) {
+            if ((*other->elsewhere - other->expected - displacement).norm() <
+                kMovedAlikeShare * displacement.norm()) {
+                alike.insert(other->featureElsewhere);
+            }
+        }
+        if (alike.size() > most) {
+            most = alike.size();
+            chord = displacement.norm();
+        }
     }
-    return text("What its neighbours see there is not in this photo: it moved, vanished or is covered.");
+    return most >= kLeastMoved ? std::optional(2 * std::asin(chord / 2)) : std::nullopt;
+}
+
+std::string reason(const std::optional<double>& movedRad) {
+    if (movedRad) {
+        return text("What its neighbours see there stands about ",
+                    fixed(Degrees(Radians(*movedRad)).value(), 0), " degrees away in this photo: it moved.");
+    }
+    return "What its neighbours see there is not in this photo: it moved, vanished or is covered.";
+}
+
+/// Whether furniture in front explains as well that the photo misses what its neighbours see.
+bool mayBeHidden(const PhotoWitnesses& photo, const Part& part, int index, const Sightings& sightings) {
+    return isSeenFromOneSide(photo, part, index, sightings) &&
+           (hasNearerThings(photo, part) || part.tally.score < kOneSidedTimes * kLeastScore);
 }
 
 std::vector<ChangedContent> changesIn(int index, const Sightings& sightings, const Discs& discs) {
@@ -159,8 +174,11 @@ std::vector<ChangedContent> changesIn(int index, const Sightings& sightings, con
             break;
         }
         fit(photo, *part);
-        const double confidence = 1 - std::exp(-part->tally.score / kLeastScore);
-        changes.push_back({index, part->middle, part->radius, confidence, reason(photo, *part)});
+        const std::optional<double> movedRad = moved(photo, *part);
+        if (movedRad || !mayBeHidden(photo, *part, index, sightings)) {
+            const double confidence = 1 - std::exp(-part->tally.score / kLeastScore);
+            changes.push_back({index, part->middle, part->radius, confidence, reason(movedRad)});
+        }
         if (changes.size() > kMostParts) {
             return {};
         }

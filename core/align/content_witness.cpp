@@ -87,7 +87,11 @@ void Sightings::add(int photo, int other, const Correspondence& match, bool isFr
     if (feature < 0 || !match.inA.allFinite() || !match.inB.allFinite()) {
         return;
     }
-    Sighting sighting{feature, other, isFromA ? &match.inA : &match.inB, isFromA ? &match.inB : &match.inA,
+    Sighting sighting{feature,
+                      other,
+                      isFromA ? match.featureB : match.featureA,
+                      isFromA ? &match.inA : &match.inB,
+                      isFromA ? &match.inB : &match.inA,
                       isInlier};
     sighting.rangeM = isInlier ? rangeM(photo, other, *sighting.own, *sighting.others) : 0;
     m_of[static_cast<std::size_t>(photo)].push_back(sighting);
@@ -109,6 +113,11 @@ double Sightings::rangeM(int photo, int other, const Eigen::Vector3d& own,
     const double alongOwn = (ray.dot(baselineM) - cosine * otherRay.dot(baselineM)) / sineSquared;
     const double alongOther = (cosine * ray.dot(baselineM) - otherRay.dot(baselineM)) / sineSquared;
     return std::min(alongOwn, alongOther) > kLeastRangeM ? alongOwn : 0;
+}
+
+Eigen::Vector3d Sightings::positionInPhoto(int photo, int other) const {
+    return m_roomFromPhoto[static_cast<std::size_t>(photo)]->inverse() *
+           m_roomFromPhoto[static_cast<std::size_t>(other)]->translation;
 }
 
 PhotoWitnesses Sightings::witnesses(int photo) const {
@@ -157,7 +166,9 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
     const Eigen::Vector3d pInRoom =
         *m_roomFromPhoto[static_cast<std::size_t>(neighbour)] * (median(rangesM) * *ofFeature[0].own);
     Witness witness;
-    witness.expected = (roomFromPhoto.inverse() * pInRoom).normalized();
+    const Eigen::Vector3d pInPhoto = roomFromPhoto.inverse() * pInRoom;
+    witness.rangeM = pInPhoto.norm();
+    witness.expected = pInPhoto.normalized();
     witness.chance =
         confirming / static_cast<double>(m_neighbours[static_cast<std::size_t>(neighbour)].size());
     witness.weight = 1 / (1 + confirming);
@@ -165,6 +176,15 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
         witness.isSeen = (*inPhoto->others - witness.expected).norm() < kSeenChord;
         if (!witness.isSeen) {
             witness.elsewhere = *inPhoto->others;
+            witness.featureElsewhere = inPhoto->featureOfOther;
+        }
+    }
+    if (!witness.isSeen) {
+        witness.viewers.push_back(neighbour);
+        for (const Sighting& sighting : ofFeature) {
+            if (sighting.rangeM > 0 && sighting.other != photo) {
+                witness.viewers.push_back(sighting.other);
+            }
         }
     }
     return witness;

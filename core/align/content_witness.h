@@ -17,10 +17,13 @@ namespace spherewalk::align {
 struct Witness {
     Eigen::Vector3d expected = Eigen::Vector3d::UnitX(); ///< in the photo's frame, unit
     bool isSeen = false;                                 ///< the photo shows it there
+    double rangeM = 0;                                   ///< from the photo
+    std::vector<int> viewers;                            ///< photos that see it, if this one does not
     double chance = 0;                                   ///< that the photo shows it, by how many others do
     double weight = 1; ///< less where other neighbours witness the same thing
     /// Where the photo shows what looks like it, if elsewhere.
     std::optional<Eigen::Vector3d> elsewhere;
+    int featureElsewhere = -1;
 };
 
 /// What speaks for and against a photo showing the same as its neighbours.
@@ -40,11 +43,15 @@ class Sightings {
     /// Cost: the matches of the photo's neighbours. Threads: any.
     PhotoWitnesses witnesses(int photo) const;
 
+    /// Where another photo was taken, in the photo's frame. Both are solved.
+    Eigen::Vector3d positionInPhoto(int photo, int other) const;
+
   private:
     /// One match, as seen from one of its photos.
     struct Sighting {
         int feature = 0;
         int other = 0; ///< photo
+        int featureOfOther = -1;
         const Eigen::Vector3d* own = nullptr;
         const Eigen::Vector3d* others = nullptr;
         bool isInlier = false;

@@ -28,21 +28,22 @@ struct ContentCheckOptions {
 };
 
 /// Finds photos in which something moved, vanished or came in (a chair, a door, a person): compact parts,
-/// from about 8 degrees across, where the photo's neighbours agree with one another on much that the photo
-/// ought to show too, and nothing there in the photo agrees with any neighbour.
+/// from about 8 degrees across, that should show many things on which the photo's neighbours agree with one
+/// another, and show hardly any of them where they should be.
 ///
 /// roomFromPhoto: one a photo; nothing where it was not solved. isInlier: one list a pair, of the same order,
-/// one entry a match: whether the match fits the solved poses. A match that lies on the right epipolar line
-/// but too far along it hides what moved: count it as no inlier where the distance would be negative.
+/// one entry a match: whether the match fits the solved poses. Matches need their features' indices: without
+/// them nothing tells that two neighbours see the same thing.
 ///
-/// Not judged: photos with fewer than three neighbours; parts that show little; changes that nearly all
-/// matches of a photo suffer (it is wrong as a whole); changes that some of the neighbours share. So if from
-/// one photo on all later ones see the chair elsewhere, nothing is reported: each photo has neighbours that
-/// agree with it. What hides behind near furniture is told from what changed by the furniture itself, on
-/// which photo and neighbours agree.
+/// Not judged: photos with fewer than three neighbours; parts with little to recognise; photos that differ
+/// from their neighbours in more than four parts (they are wrong as a whole); changes that some neighbours
+/// share. So if from one photo on all later ones see the chair elsewhere, nothing is reported: each photo has
+/// neighbours that agree with it. At the survey's rim, where all neighbours stand to one side, what is missed
+/// may also be hidden by what stands nearer: there only clear changes are told.
 ///
 /// Frames: bearings and directions in the photo's panorama frame. Errors: InvalidInput if the lists' lengths
-/// differ or a pair names a photo that does not exist. Threads: the result is the same for any number.
+/// differ or a pair names a photo that does not exist. Threads: the result is the same for any number. Cost:
+/// about 10 ms a photo with 12 neighbours.
 std::vector<ChangedContent> changedContent(std::span<const std::optional<Rigid3>> roomFromPhoto,
                                            std::span<const PhotoPair> pairs,
                                            std::span<const std::vector<bool>> isInlier,
