@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nearest.h"
+
+#include "spherewalk/align/match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kWithin = 0.21;         ///< radians that parallax may move a vote, 12 degrees
+constexpr double kAnotherRotation = 0.5; ///< radians from which two rotations are different answers
+constexpr double kLeastLead = 2;         ///< times the rival's votes
+constexpr int kMostTrials = 1000;
+
+struct Vote {
+    Eigen::Vector3d inA;
+    Eigen::Vector3d inB;
+};
+
+/// The rotation that turns b's two bearings onto a's as well as can be: nothing if they are too near to each
+/// other to say, or lie at another angle in a than in b.
+std::optional<Eigen::Quaterniond> rotationOf(const Vote& first, const Vote& second) {
+    const auto frame = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+        Eigen::Matrix3d axes;
+        axes.col(0) = (p + q).normalized();
+        axes.col(1) = p.cross(q).normalized();
+        axes.col(2) = axes.col(0).cross(axes.col(1));
+        return axes;
+    };
+    const double cosA = first.inA.dot(second.inA);
+    const double cosB = first.inB.dot(second.inB);
+    if (std::abs(cosA) > 0.9 || std::abs(cosB) > 0.9 ||
+        std::abs(std::acos(cosA) - std::acos(cosB)) > 2 * kWithin) {
+        return std::nullopt;
+    }
+    return Eigen::Quaterniond(frame(first.inA, second.inA) * frame(first.inB, second.inB).transpose());
+}
+
+int votesFor(const Eigen::Quaterniond& aFromB, const std::vector<Vote>& votes) {
+    const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
+    const double least = std::cos(kWithin);
+    return static_cast<int>(std::count_if(votes.begin(), votes.end(), [&](const Vote& vote) {
+        return vote.inA.dot(rotation * vote.inB) > least;
+    }));
+}
+
+/// Turned to where its voters want it on average.
+Eigen::Quaterniond centred(const Eigen::Quaterniond& aFromB, const std::vector<Vote>& votes) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
+    for (const Vote& vote : votes) {
+        if (vote.inA.dot(rotation * vote.inB) > std::cos(kWithin)) {
+            sum += vote.inA * vote.inB.transpose();
+        }
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> parts(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
+    mirror(2, 2) = (parts.matrixU() * parts.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+    return Eigen::Quaterniond(parts.matrixU() * mirror * parts.matrixV().transpose());
+}
+
+/// Pairs of votes: all if they are few, else a fixed choice of them.
+std::vector<std::pair<std::size_t, std::size_t>> trials(std::size_t count) {
+    std::vector<std::pair<std::size_t, std::size_t>> result;
+    if (count * (count - 1) / 2 <= kMostTrials) {
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = i + 1; j < count; ++j) {
+                result.emplace_back(i, j);
+            }
+        }
+        return result;
+    }
+    std::uint64_t state = 1;
+    const auto next = [&] { // Knuth's MMIX generator: the same everywhere
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<std::size_t>(state >> 33) % count;
+    };
+    while (result.size() < kMostTrials) {
+        const std::size_t i = next();
+        const std::size_t j = next();
+        if (i != j) {
+            result.emplace_back(i, j);
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+std::optional<CoarseRotation> coarseRotation(const Features& a, const Features& b,
+                                             const MatchOptions& options) {
+    std::vector<Vote> votes;
+    Search search;
+    search.most = options.firstLook;
+    search.mostRatio = options.mostRatio;
+    for (const auto& [i, j] : mutualNearest(a, b, search)) {
+        votes.push_back({a.bearings[static_cast<std::size_t>(i)].cast<double>(),
+                         b.bearings[static_cast<std::size_t>(j)].cast<double>()});
+    }
+    std::vector<std::pair<int, Eigen::Quaterniond>> tried;
+    CoarseRotation best;
+    if (votes.size() >= 2) {
+        for (const auto& [i, j] : trials(votes.size())) {
+            if (const auto rotation = rotationOf(votes[i], votes[j])) {
+                tried.emplace_back(votesFor(*rotation, votes), *rotation);
+                if (tried.back().first > best.votes) {
+                    best.votes = tried.back().first;
+                    best.aFromB = *rotation;
+                }
+            }
+        }
+    }
+    for (const auto& [count, rotation] : tried) {
+        if (rotation.angularDistance(best.aFromB) > kAnotherRotation) {
+            best.rivalVotes = std::max(best.rivalVotes, count);
+        }
+    }
+    if (best.votes < options.leastVotes || best.votes < kLeastLead * best.rivalVotes) {
+        return std::nullopt;
+    }
+    best.aFromB = centred(best.aFromB, votes);
+    return best;
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/align/features.h"
+
+#include "even_selection.h"
+#include "keypoints.h"
+#include "sphere_view.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/jpeg/jpeg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr int kTile = 768;            ///< pixels; bounds the memory, and the time until a stop is heard
+constexpr float kLargestPx = 48;      ///< larger spots are too blurred to tell a direction
+constexpr double kOwnPx = 2;          ///< within it, one of several orientations or scales is enough
+constexpr double kMaskedAround = 1.5; ///< in diameters of a spot: a mask's edge must not look like a thing
+
+/// A part of a view that is looked at in one go, with a margin.
+struct Tile {
+    GreyImage picture;
+    int left = 0; ///< of the picture in the view
+    int top = 0;
+    std::vector<Keypoint> keypoints; ///< worth describing
+    std::vector<Spot> spots;         ///< one a keypoint
+    std::vector<float> sigmasRad;    ///< one a keypoint
+};
+
+GreyImage cut(const GreyImage& from, int left, int top, int width, int height) {
+    GreyImage part(width, height);
+    for (int y = 0; y < height; ++y) {
+        std::memcpy(part.at(0, y), from.at(left, top + y), static_cast<std::size_t>(width));
+    }
+    return part;
+}
+
+/// Both ends of pieces of [begin, end), about equal and not longer than a tile, whose joints are multiples of
+/// 32 so that each tile halves the picture at the same pixels.
+std::vector<std::pair<int, int>> pieces(int begin, int end) {
+    const int count = std::max(1, (end - begin + kTile - 1) / kTile);
+    std::vector<std::pair<int, int>> result;
+    for (int i = 0, from = begin; i < count; ++i) {
+        const int to = i + 1 == count ? end : begin + (end - begin) * (i + 1) / count / 32 * 32;
+        result.emplace_back(from, to);
+        from = to;
+    }
+    return result;
+}
+
+bool isLeftOut(const MaskImage& mask, const Eigen::Vector3d& bearing, double aroundRad) {
+    if (mask.empty()) {
+        return false;
+    }
+    const Eigen::Vector3d side = bearing.unitOrthogonal();
+    const Eigen::Vector3d other = bearing.cross(side);
+    const EquirectSize size{mask.width(), mask.height()};
+    const auto isZero = [&](const Eigen::Vector3d& at) {
+        const Eigen::Vector2d p = pixel(size, at);
+        const int x = static_cast<int>(std::lround(p.x()));
+        return *mask.at(((x % size.width) + size.width) % size.width,
+                        std::clamp(static_cast<int>(std::lround(p.y())), 0, size.height - 1)) == 0;
+    };
+    bool isOut = isZero(bearing);
+    for (int i = 0; i < 8 && !isOut; ++i) {
+        const double turn = i * std::atan(1.0);
+        isOut = isZero((bearing + aroundRad * (std::cos(turn) * side + std::sin(turn) * other)).normalized());
+    }
+    return isOut;
+}
+
+class FeatureFinder {
+  public:
+    FeatureFinder(const FeatureOptions& options, const MaskImage& mask, std::stop_token stop)
+        : m_options(options), m_mask(mask), m_stop(std::move(stop)), m_detector(options) {}
+
+    Features find(const GreyImage& photo) const {
+        throwIfStopped(m_stop);
+        const std::vector<SphereView> views =
+            sphereViews(photo, m_options.width, m_options.lowestElevation, m_options.usesZenith);
+        std::vector<Tile> tiles;
+        for (const SphereView& view : views) {
+            for (const auto& [top, bottom] :
+                 pieces(SphereView::kMargin, view.picture().height() - SphereView::kMargin)) {
+                for (const auto& [left, right] :
+                     pieces(SphereView::kMargin, view.picture().width() - SphereView::kMargin)) {
+                    throwIfStopped(m_stop);
+                    tiles.push_back(searched(view, left, right, top, bottom));
+                }
+            }
+        }
+        return described(tiles);
+    }
+
+  private:
+    /// The tile whose own part is [left, right) x [top, bottom) of the view.
+    Tile searched(const SphereView& view, int left, int right, int top, int bottom) const {
+        constexpr int kMargin = SphereView::kMargin;
+        Tile tile;
+        tile.left = left - kMargin;
+        tile.top = top - kMargin;
+        tile.picture =
+            cut(view.picture(), tile.left, tile.top, right - left + 2 * kMargin, bottom - top + 2 * kMargin);
+        for (Keypoint& keypoint : m_detector.find(tile.picture)) {
+            const double x = keypoint.x + tile.left;
+            const double y = keypoint.y + tile.top;
+            if (keypoint.sizePx > kLargestPx || x < left - 0.5 || x >= right - 0.5 || y < top - 0.5 ||
+                y >= bottom - 0.5 || !view.owns(x, y)) {
+                continue;
+            }
+            const double pixelRad = view.pixelRad(x, y);
+            const Eigen::Vector3d bearing = view.bearing(x, y);
+            if (bearing.z() < sin(m_options.lowestElevation) ||
+                isLeftOut(m_mask, bearing, kMaskedAround * keypoint.sizePx * pixelRad)) {
+                continue;
+            }
+            if (m_options.isUpright) {
+                const double degrees = Degrees(view.up(x, y)).value();
+                keypoint.angleDeg = static_cast<float>(degrees < 0 ? degrees + 360 : degrees);
+            }
+            tile.keypoints.push_back(keypoint);
+            tile.spots.push_back({bearing, keypoint.response, kOwnPx * pixelRad});
+            tile.sigmasRad.push_back(static_cast<float>(m_detector.sigmaPx(keypoint) * pixelRad));
+        }
+        return tile;
+    }
+
+    Features described(const std::vector<Tile>& tiles) const {
+        std::vector<Spot> spots;
+        for (const Tile& tile : tiles) {
+            spots.insert(spots.end(), tile.spots.begin(), tile.spots.end());
+        }
+        const std::vector<int> selected = evenSelection(spots, m_options.most);
+        Features features;
+        features.detector = m_options.detector;
+        if (selected.empty()) {
+            return features;
+        }
+        std::vector<int> placeOf(spots.size(), -1);
+        for (std::size_t i = 0; i < selected.size(); ++i) {
+            placeOf[static_cast<std::size_t>(selected[i])] = static_cast<int>(i);
+        }
+        features.descriptorBytes = m_detector.descriptorBytes();
+        features.bearings.resize(selected.size());
+        features.sigmasRad.resize(selected.size());
+        features.responses.resize(selected.size());
+        features.descriptors.resize(selected.size() * static_cast<std::size_t>(features.descriptorBytes));
+        const int* places = placeOf.data();
+        for (const Tile& tile : tiles) {
+            throwIfStopped(m_stop);
+            describe(tile, places, features);
+            places += tile.spots.size();
+        }
+        return features;
+    }
+
+    /// places: for each of the tile's keypoints where it goes among the features; -1: nowhere.
+    void describe(const Tile& tile, const int* places, Features& features) const {
+        std::vector<Keypoint> asked;
+        std::vector<std::size_t> to;
+        for (std::size_t i = 0; i < tile.keypoints.size(); ++i) {
+            if (places[i] < 0) {
+                continue;
+            }
+            const auto place = static_cast<std::size_t>(places[i]);
+            features.bearings[place] = tile.spots[i].bearing.cast<float>();
+            features.sigmasRad[place] = tile.sigmasRad[i];
+            features.responses[place] = tile.spots[i].response;
+            asked.push_back(tile.keypoints[i]);
+            to.push_back(place);
+        }
+        if (asked.empty()) {
+            return;
+        }
+        const std::vector<std::uint8_t> descriptors = m_detector.describe(tile.picture, asked);
+        const auto bytes = static_cast<std::size_t>(features.descriptorBytes);
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            std::memcpy(features.descriptors.data() + to[i] * bytes, descriptors.data() + i * bytes, bytes);
+        }
+    }
+
+    const FeatureOptions& m_options;
+    const MaskImage& m_mask;
+    std::stop_token m_stop;
+    KeypointDetector m_detector;
+};
+
+void require(bool holds, const char* option, const char* range) {
+    if (!holds) {
+        throw Error(ErrorKind::InvalidInput, text("The features' option ", option, " must be ", range, "."));
+    }
+}
+
+/// How far the picture can be reduced while decoding without being coarser than the working width, and
+/// without a part of a pixel left over, which would shift all others.
+int denominatorFor(const jpeg::Info& info, int width) {
+    int denominator = 1;
+    while (denominator < 8 && info.width / (2 * denominator) >= width &&
+           info.width % (2 * denominator) == 0 && info.height % (2 * denominator) == 0) {
+        denominator *= 2;
+    }
+    return denominator;
+}
+
+} // namespace
+
+std::string_view name(Detector detector) {
+    switch (detector) {
+    case Detector::Sift:
+        return "sift";
+    case Detector::Akaze:
+        return "akaze";
+    case Detector::Orb:
+        return "orb";
+    }
+    return "unknown";
+}
+
+void FeatureOptions::validate() const {
+    require(name(detector) != "unknown", "detector", "one of the known ones");
+    require(width >= 256 && width <= 8192 && width % 32 == 0, "width", "a multiple of 32 from 256 to 8192");
+    require(most >= 1 && most <= 50000, "most", "from 1 to 50000");
+    require(leastContrast > 0 && leastContrast <= 1, "leastContrast", "above 0 and at most 1");
+    require(lowestElevation >= Radians(Degrees(-90)) && lowestElevation <= Radians(Degrees(45)),
+            "lowestElevation", "from -90 to 45 degrees");
+}
+
+Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask,
+                        const std::stop_token& stop) {
+    options.validate();
+    if (photo.width() < 64 || photo.height() < 32) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Could not look for features in a photo of ", photo.width(), " x ", photo.height(),
+                         " pixels: it must have 64 x 32 or more."));
+    }
+    return FeatureFinder(options, mask, stop).find(grey(photo));
+}
+
+Features detectFeatures(ByteView jpeg, std::string_view source, const FeatureOptions& options,
+                        const MaskImage& mask, const std::stop_token& stop) {
+    options.validate();
+    throwIfStopped(stop);
+    const int denominator = denominatorFor(jpeg::readInfo(jpeg, source), options.width);
+    return detectFeatures(jpeg::decode(jpeg, source, denominator), options, mask, stop);
+}
+
+} // namespace spherewalk::align

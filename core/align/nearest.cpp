@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nearest.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr int kSiftBytes = 128;
+
+/// Squared length of the difference.
+int squaredDistance(const std::uint8_t* a, const std::uint8_t* b) {
+    int sum = 0;
+    for (int i = 0; i < kSiftBytes; ++i) {
+        const auto difference = static_cast<std::int16_t>(a[i] - b[i]);
+        sum += difference * difference;
+    }
+    return sum;
+}
+
+/// Number of bits that differ.
+int differingBits(const std::uint8_t* a, const std::uint8_t* b, int bytes) {
+    int count = 0;
+    for (int i = 0; i < bytes; i += 8) {
+        std::uint64_t ofA = 0;
+        std::uint64_t ofB = 0;
+        std::memcpy(&ofA, a + i, 8);
+        std::memcpy(&ofB, b + i, 8);
+        count += std::popcount(ofA ^ ofB);
+    }
+    return count;
+}
+
+/// The nearest seen so far of one feature.
+struct Nearest {
+    int best = std::numeric_limits<int>::max();
+    int second = std::numeric_limits<int>::max();
+    int index = -1;
+
+    void see(int distance, int candidate) {
+        if (distance < best) {
+            second = best;
+            best = distance;
+            index = candidate;
+        } else if (distance < second) {
+            second = distance;
+        }
+    }
+
+    bool isClear(double ratio) const { return index >= 0 && best < ratio * second; }
+};
+
+/// b's features by height in a's frame, so that those near a bearing are found in a run of them.
+class ByHeight {
+  public:
+    ByHeight(const Features& b, int count, const Eigen::Quaterniond& aFromB)
+        : m_order(static_cast<std::size_t>(count)) {
+        std::vector<Eigen::Vector3f> turned;
+        const Eigen::Matrix3f rotation = aFromB.toRotationMatrix().cast<float>();
+        for (int i = 0; i < count; ++i) {
+            turned.emplace_back(rotation * b.bearings[static_cast<std::size_t>(i)]);
+        }
+        std::iota(m_order.begin(), m_order.end(), 0);
+        std::stable_sort(m_order.begin(), m_order.end(), [&](int i, int j) {
+            return turned[static_cast<std::size_t>(i)].z() < turned[static_cast<std::size_t>(j)].z();
+        });
+        for (const int i : m_order) {
+            m_x.push_back(turned[static_cast<std::size_t>(i)].x());
+            m_y.push_back(turned[static_cast<std::size_t>(i)].y());
+            m_z.push_back(turned[static_cast<std::size_t>(i)].z());
+        }
+    }
+
+    /// take(feature of b) for all within reach.
+    template <class Take>
+    void near(const Eigen::Vector3f& bearing, double reachRad, const Take& take) const {
+        const double height = std::asin(std::clamp(static_cast<double>(bearing.z()), -1.0, 1.0));
+        const double quarter = std::asin(1.0);
+        const auto lowest = static_cast<float>(std::sin(std::max(height - reachRad, -quarter)) - 1e-6);
+        const auto highest = static_cast<float>(std::sin(std::min(height + reachRad, quarter)) + 1e-6);
+        const auto least = static_cast<float>(std::cos(reachRad));
+        const auto begin = std::lower_bound(m_z.begin(), m_z.end(), lowest) - m_z.begin();
+        const auto end = std::upper_bound(m_z.begin(), m_z.end(), highest) - m_z.begin();
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            if (m_x[i] * bearing.x() + m_y[i] * bearing.y() + m_z[i] * bearing.z() >= least) {
+                take(m_order[i]);
+            }
+        }
+    }
+
+  private:
+    std::vector<int> m_order;
+    std::vector<float> m_x, m_y, m_z;
+};
+
+template <class Distance>
+std::vector<std::pair<int, int>> search(const Features& a, const Features& b, const Search& how,
+                                        double ratioOfDistances, const Distance& distance) {
+    const int countA = std::min(a.count(), how.most);
+    const int countB = std::min(b.count(), how.most);
+    std::vector<Nearest> ofA(static_cast<std::size_t>(countA));
+    std::vector<Nearest> ofB(static_cast<std::size_t>(countB));
+    const auto compare = [&](int i, int j) {
+        const int apart = distance(a.descriptor(i), b.descriptor(j));
+        ofA[static_cast<std::size_t>(i)].see(apart, j);
+        ofB[static_cast<std::size_t>(j)].see(apart, i);
+    };
+    if (how.aFromB) {
+        const ByHeight byHeight(b, countB, *how.aFromB);
+        for (int i = 0; i < countA; ++i) {
+            byHeight.near(a.bearings[static_cast<std::size_t>(i)], how.reachRad,
+                          [&](int j) { compare(i, j); });
+        }
+    } else {
+        for (int i = 0; i < countA; ++i) {
+            for (int j = 0; j < countB; ++j) {
+                compare(i, j);
+            }
+        }
+    }
+    std::vector<std::pair<int, int>> pairs;
+    for (int i = 0; i < countA; ++i) {
+        const Nearest& nearest = ofA[static_cast<std::size_t>(i)];
+        if (nearest.isClear(ratioOfDistances)) {
+            const Nearest& back = ofB[static_cast<std::size_t>(nearest.index)];
+            if (back.index == i && back.isClear(ratioOfDistances)) {
+                pairs.emplace_back(i, nearest.index);
+            }
+        }
+    }
+    return pairs;
+}
+
+} // namespace
+
+std::vector<std::pair<int, int>> mutualNearest(const Features& a, const Features& b, const Search& how) {
+    if (a.descriptorBytes == kSiftBytes) {
+        return search(a, b, how, how.mostRatio * how.mostRatio, squaredDistance);
+    }
+    const int bytes = a.descriptorBytes;
+    return search(a, b, how, how.mostRatio, [bytes](const std::uint8_t* x, const std::uint8_t* y) {
+        return differingBits(x, y, bytes);
+    });
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/align/features.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::align {
+
+/// Which descriptors are compared.
+struct Search {
+    int most = 1 << 30; ///< of each photo's features, the first
+    double mostRatio = 0.8;
+    std::optional<Eigen::Quaterniond> aFromB; ///< if given, only bearings that it brings within reach
+    double reachRad = 0;
+};
+
+/// Pairs (feature of a, feature of b) that are each other's nearest, and nearer than both second nearest by
+/// the ratio; in the order of a.
+std::vector<std::pair<int, int>> mutualNearest(const Features& a, const Features& b, const Search& search);
+
+} // namespace spherewalk::align

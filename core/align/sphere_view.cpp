@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sphere_view.h"
+
+#include "spherewalk/geometry/equirect.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double mercator(double elevation) {
+    return std::asinh(std::tan(elevation));
+}
+
+double elevationOf(double mercatorOrdinate) {
+    return std::atan(std::sinh(mercatorOrdinate));
+}
+
+/// Columns of a picture `width` pixels around, from `first` on, in the photo.
+std::vector<SourcePlace> columnsOf(const GreyImage& photo, int width, int first, int count) {
+    const double ratio = static_cast<double>(photo.width()) / width;
+    std::vector<SourcePlace> columns;
+    for (int x = first; x < first + count; ++x) {
+        columns.push_back({(x + 0.5) * ratio - 0.5, ratio});
+    }
+    return columns;
+}
+
+SourcePlace rowAt(const GreyImage& photo, double elevation, double pixelRad) {
+    const double perRad = photo.height() / kPi;
+    return {(kPi / 2 - elevation) * perRad - 0.5, pixelRad * perRad};
+}
+
+/// Bicubic between the pixels; columns wrap, rows stop at the edge.
+double between(const GreyImage& picture, double u, double v) {
+    const double u0 = std::floor(u);
+    const double v0 = std::floor(v);
+    const auto weights = [](double t) {
+        return std::array{((-0.5 * t + 1) * t - 0.5) * t, (1.5 * t - 2.5) * t * t + 1,
+                          ((-1.5 * t + 2) * t + 0.5) * t, (0.5 * t - 0.5) * t * t};
+    };
+    const auto across = weights(u - u0);
+    const auto down = weights(v - v0);
+    const int width = picture.width();
+    double sum = 0;
+    for (int j = 0; j < 4; ++j) {
+        const int y = std::clamp(static_cast<int>(v0) - 1 + j, 0, picture.height() - 1);
+        double line = 0;
+        for (int i = 0; i < 4; ++i) {
+            const int x = static_cast<int>(u0) - 1 + i;
+            line += across[static_cast<std::size_t>(i)] * *picture.at(((x % width) + width) % width, y);
+        }
+        sum += down[static_cast<std::size_t>(j)] * line;
+    }
+    return sum;
+}
+
+} // namespace
+
+double SphereView::pixelsPerRad() const {
+    return m_width / (2 * kPi);
+}
+
+SphereView SphereView::band(const GreyImage& photo, int width, Radians lowest) {
+    SphereView view(Part::Band, width);
+    const double perRad = view.pixelsPerRad();
+    const double bottom = mercator(std::max(lowest, -edge()).value()) - kMargin / perRad;
+    view.m_top = mercator(edge().value()) + kMargin / perRad;
+    const int height = static_cast<int>(std::ceil((view.m_top - bottom) * perRad));
+    std::vector<SourcePlace> rows;
+    for (int y = 0; y < height; ++y) {
+        const double elevation = elevationOf(view.m_top - (y + 0.5) / perRad);
+        rows.push_back(rowAt(photo, elevation, std::cos(elevation) / perRad));
+    }
+    view.m_picture = resampled(photo, columnsOf(photo, width, -kMargin, width + 2 * kMargin), rows);
+    return view;
+}
+
+SphereView SphereView::cap(const GreyImage& photo, int width, bool isZenith) {
+    SphereView view(isZenith ? Part::Zenith : Part::Nadir, width);
+    const double perRad = view.pixelsPerRad();
+    const double reach = 2 * std::tan((kPi / 2 - edge().value()) / 2) + kMargin / perRad;
+    // First to the working size without turning anything, so that the second step needs no filter.
+    const double widest = 2 * std::atan(reach * std::numbers::sqrt2 / 2); // the corners
+    const int rows = std::min(width / 2, static_cast<int>(std::ceil(widest * perRad)) + 2);
+    std::vector<SourcePlace> places;
+    for (int y = 0; y < rows; ++y) {
+        const double fromPole = (y + 0.5) / perRad;
+        places.push_back(rowAt(photo, (isZenith ? 1 : -1) * (kPi / 2 - fromPole), 1 / perRad));
+    }
+    const GreyImage flat = resampled(photo, columnsOf(photo, width, 0, width), places);
+
+    const int side = 2 * static_cast<int>(std::ceil(reach * perRad));
+    view.m_picture = GreyImage(side, side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const SphericalDirection at = sphericalDirection(view.bearing(x, y));
+            const double fromPole = kPi / 2 - std::abs(at.elevation.value());
+            const double value =
+                between(flat, (kPi - at.azimuth.value()) * perRad - 0.5, fromPole * perRad - 0.5);
+            *view.m_picture.at(x, y) = static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
+        }
+    }
+    return view;
+}
+
+Eigen::Vector2d SphereView::onPlane(double x, double y) const {
+    const double middle = (m_picture.width() - 1) / 2.0;
+    return Eigen::Vector2d(x - middle, y - middle) / pixelsPerRad();
+}
+
+Eigen::Vector3d SphereView::bearing(double x, double y) const {
+    if (m_part == Part::Band) {
+        return direction({Radians(kPi - (x - kMargin + 0.5) / pixelsPerRad()),
+                          Radians(elevationOf(m_top - (y + 0.5) / pixelsPerRad()))});
+    }
+    // Seen from inside, with the horizon at azimuth 0 below the zenith and above the nadir.
+    const double sign = m_part == Part::Zenith ? 1 : -1;
+    const Eigen::Vector2d p = onPlane(x, y);
+    const double q = p.squaredNorm() / 4;
+    return Eigen::Vector3d(sign * p.y(), -p.x(), sign * (1 - q)) / (1 + q);
+}
+
+double SphereView::pixelRad(double x, double y) const {
+    const double shrinks = m_part == Part::Band ? std::cosh(m_top - (y + 0.5) / pixelsPerRad())
+                                                : 1 + onPlane(x, y).squaredNorm() / 4;
+    return 1 / (pixelsPerRad() * shrinks);
+}
+
+Radians SphereView::up(double x, double y) const {
+    if (m_part == Part::Band) {
+        return Radians(-kPi / 2);
+    }
+    const Eigen::Vector2d away = (m_part == Part::Zenith ? -1 : 1) * onPlane(x, y);
+    return Radians(std::atan2(away.y(), away.x()));
+}
+
+bool SphereView::owns(double x, double y) const {
+    const double height = std::asin(std::clamp(bearing(x, y).z(), -1.0, 1.0));
+    if (m_part != Part::Band) {
+        return (m_part == Part::Zenith ? height : -height) > edge().value();
+    }
+    const double column = x - kMargin + 0.5;
+    return column >= 0 && column < m_width && std::abs(height) <= edge().value();
+}
+
+std::vector<SphereView> sphereViews(const GreyImage& photo, int width, Radians lowest, bool usesZenith) {
+    std::vector<SphereView> views;
+    views.push_back(SphereView::band(photo, width, lowest));
+    if (usesZenith) {
+        views.push_back(SphereView::cap(photo, width, true));
+    }
+    if (lowest < -SphereView::edge()) {
+        views.push_back(SphereView::cap(photo, width, false));
+    }
+    return views;
+}
+
+} // namespace spherewalk::align
