@@ -11,18 +11,23 @@
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/jpeg/jpeg.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr int kTile = 768;            ///< pixels; bounds the memory, and the time until a stop is heard
-constexpr float kLargestPx = 48;      ///< larger spots are too blurred to tell a direction
-constexpr double kOwnPx = 2;          ///< within it, one of several orientations or scales is enough
-constexpr double kMaskedAround = 1.5; ///< in diameters of a spot: a mask's edge must not look like a thing
+constexpr int kLeastWidth = 64;        ///< pixels of a photo
+constexpr int kTile = 768;             ///< pixels; bounds the memory, and the time until a stop is heard
+constexpr float kLargestPx = 48;       ///< larger spots are too blurred to tell a direction
+constexpr double kOwnPx = 2;           ///< within it, one of several orientations or scales is enough
+constexpr double kLeastSigmaPx = 0.13; ///< of the camera's own pixels, from noise and compression; measured
+constexpr double kMaskedAround = 1.5;  ///< in diameters of a spot: a mask's edge must not look like a thing
 
 /// A part of a view that is looked at in one go, with a margin.
 struct Tile {
@@ -78,8 +83,12 @@ bool isLeftOut(const MaskImage& mask, const Eigen::Vector3d& bearing, double aro
 
 class FeatureFinder {
   public:
-    FeatureFinder(const FeatureOptions& options, const MaskImage& mask, std::stop_token stop)
-        : m_options(options), m_mask(mask), m_stop(std::move(stop)), m_detector(options) {}
+    FeatureFinder(const FeatureOptions& options, const MaskImage& mask, std::stop_token stop, int cameraWidth)
+        : m_options(options),
+          m_mask(mask),
+          m_stop(std::move(stop)),
+          m_leastSigmaRad(kLeastSigmaPx * 2 * std::numbers::pi / cameraWidth),
+          m_detector(options) {}
 
     Features find(const GreyImage& photo) const {
         throwIfStopped(m_stop);
@@ -127,7 +136,8 @@ class FeatureFinder {
             }
             tile.keypoints.push_back(keypoint);
             tile.spots.push_back({bearing, keypoint.response, kOwnPx * pixelRad});
-            tile.sigmasRad.push_back(static_cast<float>(m_detector.sigmaPx(keypoint) * pixelRad));
+            tile.sigmasRad.push_back(
+                static_cast<float>(std::hypot(m_detector.sigmaPx(keypoint) * pixelRad, m_leastSigmaRad)));
         }
         return tile;
     }
@@ -189,6 +199,7 @@ class FeatureFinder {
     const FeatureOptions& m_options;
     const MaskImage& m_mask;
     std::stop_token m_stop;
+    double m_leastSigmaRad;
     KeypointDetector m_detector;
 };
 
@@ -207,6 +218,17 @@ int denominatorFor(const jpeg::Info& info, int width) {
         denominator *= 2;
     }
     return denominator;
+}
+
+/// cameraWidth: of the photo before it was reduced.
+Features found(const RgbImage& photo, int cameraWidth, const FeatureOptions& options, const MaskImage& mask,
+               const std::stop_token& stop) {
+    if (photo.width() < kLeastWidth || photo.height() < kLeastWidth / 2) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Could not look for features in a photo of ", photo.width(), " x ", photo.height(),
+                         " pixels: it must have 64 x 32 or more."));
+    }
+    return FeatureFinder(options, mask, stop, cameraWidth).find(grey(photo));
 }
 
 } // namespace
@@ -235,20 +257,16 @@ void FeatureOptions::validate() const {
 Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask,
                         const std::stop_token& stop) {
     options.validate();
-    if (photo.width() < 64 || photo.height() < 32) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("Could not look for features in a photo of ", photo.width(), " x ", photo.height(),
-                         " pixels: it must have 64 x 32 or more."));
-    }
-    return FeatureFinder(options, mask, stop).find(grey(photo));
+    return found(photo, photo.width(), options, mask, stop);
 }
 
 Features detectFeatures(ByteView jpeg, std::string_view source, const FeatureOptions& options,
                         const MaskImage& mask, const std::stop_token& stop) {
     options.validate();
     throwIfStopped(stop);
-    const int denominator = denominatorFor(jpeg::readInfo(jpeg, source), options.width);
-    return detectFeatures(jpeg::decode(jpeg, source, denominator), options, mask, stop);
+    const jpeg::Info info = jpeg::readInfo(jpeg, source);
+    return found(jpeg::decode(jpeg, source, denominatorFor(info, options.width)), info.width, options, mask,
+                 stop);
 }
 
 } // namespace spherewalk::align

@@ -139,13 +139,12 @@ std::vector<std::uint8_t> KeypointDetector::describe(const GreyImage& picture,
 double KeypointDetector::sigmaPx(const Keypoint& keypoint) const {
     switch (m_state->kind) {
     case Detector::Sift:
-        return std::hypot(0.12, 0.04 * keypoint.sizePx);
     case Detector::Akaze:
-        return std::hypot(0.2, 0.05 * keypoint.sizePx);
+        return 0.03 * keypoint.sizePx;
     case Detector::Orb:
         break;
     }
-    return 0.5 * std::pow(kOrbStep, keypoint.octave);
+    return 0.35 * std::pow(kOrbStep, keypoint.octave);
 }
 
 } // namespace spherewalk::align

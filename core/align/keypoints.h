@@ -36,7 +36,8 @@ class KeypointDetector {
     /// One after the other, descriptorBytes() each; zeros for one that the detector refuses to describe.
     std::vector<std::uint8_t> describe(const GreyImage& picture,
                                        const std::vector<Keypoint>& keypoints) const;
-    /// How far a keypoint's position is off along x or y, in pixels.
+    /// How far a keypoint's position is off along x or y, in pixels, for what its size leaves open. Measured
+    /// on pictures with known poses.
     double sigmaPx(const Keypoint& keypoint) const;
 
   private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -14,12 +15,11 @@ namespace {
 
 constexpr int kSiftBytes = 128;
 
-/// Squared length of the difference.
-int squaredDistance(const std::uint8_t* a, const std::uint8_t* b) {
+/// Sum of the differences: as good as their squares, and one instruction for 16 of them.
+int differenceSum(const std::uint8_t* a, const std::uint8_t* b) {
     int sum = 0;
     for (int i = 0; i < kSiftBytes; ++i) {
-        const auto difference = static_cast<std::int16_t>(a[i] - b[i]);
-        sum += difference * difference;
+        sum += std::abs(a[i] - b[i]);
     }
     return sum;
 }
@@ -60,7 +60,7 @@ struct Nearest {
 class ByHeight {
   public:
     ByHeight(const Features& b, int count, const Eigen::Quaterniond& aFromB)
-        : m_order(static_cast<std::size_t>(count)) {
+        : m_order(static_cast<std::size_t>(count)), m_cosines(static_cast<std::size_t>(count)) {
         std::vector<Eigen::Vector3f> turned;
         const Eigen::Matrix3f rotation = aFromB.toRotationMatrix().cast<float>();
         for (int i = 0; i < count; ++i) {
@@ -79,7 +79,7 @@ class ByHeight {
 
     /// take(feature of b) for all within reach.
     template <class Take>
-    void near(const Eigen::Vector3f& bearing, double reachRad, const Take& take) const {
+    void near(const Eigen::Vector3f& bearing, double reachRad, const Take& take) {
         const double height = std::asin(std::clamp(static_cast<double>(bearing.z()), -1.0, 1.0));
         const double quarter = std::asin(1.0);
         const auto lowest = static_cast<float>(std::sin(std::max(height - reachRad, -quarter)) - 1e-6);
@@ -87,9 +87,20 @@ class ByHeight {
         const auto least = static_cast<float>(std::cos(reachRad));
         const auto begin = std::lower_bound(m_z.begin(), m_z.end(), lowest) - m_z.begin();
         const auto end = std::upper_bound(m_z.begin(), m_z.end(), highest) - m_z.begin();
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            if (m_x[i] * bearing.x() + m_y[i] * bearing.y() + m_z[i] * bearing.z() >= least) {
-                take(m_order[i]);
+        const auto count = static_cast<std::size_t>(end - begin);
+        const float* x = m_x.data() + begin;
+        const float* y = m_y.data() + begin;
+        const float* z = m_z.data() + begin;
+        float* cosines = m_cosines.data();
+        const float ofX = bearing.x();
+        const float ofY = bearing.y();
+        const float ofZ = bearing.z();
+        for (std::size_t i = 0; i < count; ++i) { // by itself, so that it is done several at a time
+            cosines[i] = x[i] * ofX + y[i] * ofY + z[i] * ofZ;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            if (cosines[i] >= least) {
+                take(m_order[static_cast<std::size_t>(begin) + i]);
             }
         }
     }
@@ -97,6 +108,7 @@ class ByHeight {
   private:
     std::vector<int> m_order;
     std::vector<float> m_x, m_y, m_z;
+    std::vector<float> m_cosines; ///< room for one run
 };
 
 template <class Distance>
@@ -112,7 +124,7 @@ std::vector<std::pair<int, int>> search(const Features& a, const Features& b, co
         ofB[static_cast<std::size_t>(j)].see(apart, i);
     };
     if (how.aFromB) {
-        const ByHeight byHeight(b, countB, *how.aFromB);
+        ByHeight byHeight(b, countB, *how.aFromB);
         for (int i = 0; i < countA; ++i) {
             byHeight.near(a.bearings[static_cast<std::size_t>(i)], how.reachRad,
                           [&](int j) { compare(i, j); });
@@ -141,7 +153,7 @@ std::vector<std::pair<int, int>> search(const Features& a, const Features& b, co
 
 std::vector<std::pair<int, int>> mutualNearest(const Features& a, const Features& b, const Search& how) {
     if (a.descriptorBytes == kSiftBytes) {
-        return search(a, b, how, how.mostRatio * how.mostRatio, squaredDistance);
+        return search(a, b, how, how.mostRatio, differenceSum);
     }
     const int bytes = a.descriptorBytes;
     return search(a, b, how, how.mostRatio, [bytes](const std::uint8_t* x, const std::uint8_t* y) {

@@ -21,9 +21,9 @@ std::string_view name(Detector detector);
 
 struct FeatureOptions {
     Detector detector = Detector::Sift;
-    int width = 1536;                       ///< working pixels per turn, a multiple of 32 in [256, 8192]
+    int width = 1280;                       ///< working pixels per turn, a multiple of 32 in [256, 8192]
     int most = 2000;                        ///< features a photo, [1, 50000]
-    double leastContrast = 0.02;            ///< of SIFT, share of black to white between neighbouring scales
+    double leastContrast = 0.03;            ///< of SIFT, share of black to white between neighbouring scales
     Radians lowestElevation = Degrees(-50); ///< below are the rail and the operator's legs
     bool usesZenith = true;                 ///< also what stands higher than 53 degrees
     /// Descriptors hold the direction "up" instead of the strongest gradient's: they tell more things apart,
@@ -62,7 +62,7 @@ struct Features {
 /// the horizon, stereographic around the zenith), spread evenly. mask: equirectangular of any size, 0 where
 /// nothing is to be looked at; empty: the whole photo counts. A photo without texture has no features, which
 /// is no error. Errors: InvalidInput for a picture less than 64 x 32. Stop: Error{Stopped}. Threads: any; one
-/// photo uses one thread besides those of OpenCV. Cost: 0.5 s for the defaults. Source: Lowe 2004 (SIFT);
+/// photo uses one thread besides those of OpenCV. Cost: 0.4 s for the defaults. Source: Lowe 2004 (SIFT);
 /// Arandjelovic and Zisserman 2012 (RootSIFT).
 Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask = {},
                         const std::stop_token& stop = {});

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/align/effort.h"
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr Effort kAll[] = {Effort::Draft, Effort::Normal, Effort::Fine, Effort::Exact};
+
+} // namespace
+
+std::string_view name(Effort effort) {
+    switch (effort) {
+    case Effort::Draft:
+        return "draft";
+    case Effort::Normal:
+        return "normal";
+    case Effort::Fine:
+        return "fine";
+    case Effort::Exact:
+        return "exact";
+    }
+    return "unknown";
+}
+
+std::optional<Effort> effortNamed(std::string_view text) {
+    for (const Effort effort : kAll) {
+        if (name(effort) == text) {
+            return effort;
+        }
+    }
+    return std::nullopt;
+}
+
+EffortOptions optionsFor(Effort effort) {
+    EffortOptions options;
+    switch (effort) {
+    case Effort::Draft:
+        options.features.detector = Detector::Orb;
+        options.features.width = 1024;
+        options.features.most = 1000;
+        break;
+    case Effort::Normal:
+        options.features.width = 1280;
+        options.features.most = 2000;
+        options.features.leastContrast = 0.03;
+        break;
+    case Effort::Fine:
+        options.features.width = 2048;
+        options.features.most = 4000;
+        options.features.leastContrast = 0.02;
+        options.neighbours.farDirections = 4;
+        break;
+    case Effort::Exact:
+        options.features.width = 2688;
+        options.features.most = 8000;
+        options.features.leastContrast = 0.015;
+        options.neighbours.farDirections = 8;
+        break;
+    }
+    return options;
+}
+
+} // namespace spherewalk::align

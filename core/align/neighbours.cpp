@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/align/neighbours.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kOnePlaceM = 0.01;
+constexpr double kSameDistanceM = 0.03; ///< below, the direction decides and not the cart's scatter
+constexpr double kFar = 1.8;            ///< times the nearest's distance
+
+using Pairs = std::set<std::pair<int, int>>;
+
+struct Other {
+    int index = 0;
+    double distanceM = 0;
+    double turn = 0; ///< its direction as a share of the full turn, [0, 1)
+};
+
+void require(bool holds, const char* option, const char* range) {
+    if (!holds) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The neighbours' option ", option, " must be ", range, "."));
+    }
+}
+
+/// All others across the floor, nearest first; of two as near the first.
+std::vector<Other> othersOf(int photo, std::span<const Eigen::Vector3d> positionsM) {
+    std::vector<Other> others;
+    for (int i = 0; i < static_cast<int>(positionsM.size()); ++i) {
+        if (i != photo) {
+            const Eigen::Vector2d to =
+                (positionsM[static_cast<std::size_t>(i)] - positionsM[static_cast<std::size_t>(photo)])
+                    .head<2>();
+            const double turn = std::atan2(to.y(), to.x()) / (2 * std::numbers::pi);
+            others.push_back({i, to.norm(), turn < 0 ? turn + 1 : turn});
+        }
+    }
+    std::stable_sort(others.begin(), others.end(),
+                     [](const Other& a, const Other& b) { return a.distanceM < b.distanceM; });
+    return others;
+}
+
+void add(int a, int b, Pairs& pairs) {
+    pairs.emplace(std::min(a, b), std::max(a, b));
+}
+
+/// The sector around one of `count` directions, the first of which is +x.
+int sectorOf(const Other& other, int count) {
+    return static_cast<int>(std::lround(other.turn * count)) % count;
+}
+
+/// Of each sector the nearest; of those about as near the one closest to the sector's middle.
+std::vector<const Other*> nearestOfSectors(const std::vector<Other>& others, int sectors, double leastM,
+                                           double mostM) {
+    const auto fromMiddle = [sectors](const Other& other) {
+        const double place = other.turn * sectors;
+        return std::abs(place - std::round(place));
+    };
+    std::vector<const Other*> chosen(static_cast<std::size_t>(sectors), nullptr);
+    for (const Other& other : others) {
+        if (other.distanceM < leastM || other.distanceM > mostM) {
+            continue;
+        }
+        const Other*& present = chosen[static_cast<std::size_t>(sectorOf(other, sectors))];
+        if (present == nullptr || (other.distanceM < present->distanceM + kSameDistanceM &&
+                                   fromMiddle(other) < fromMiddle(*present) - 1e-9)) {
+            present = &other;
+        }
+    }
+    std::erase(chosen, nullptr);
+    return chosen;
+}
+
+void addNeighboursOf(int photo, std::span<const Eigen::Vector3d> positionsM, const NeighbourOptions& options,
+                     Pairs& pairs) {
+    const std::vector<Other> others = othersOf(photo, positionsM);
+    int atOnePlace = 0;
+    double nearestM = 0;
+    for (const Other& other : others) {
+        if (other.distanceM > kOnePlaceM) {
+            nearestM = other.distanceM;
+            break;
+        }
+        if (other.index > photo && atOnePlace++ < options.mostAtOnePlace) {
+            add(photo, other.index, pairs);
+        }
+    }
+    if (nearestM == 0) {
+        return;
+    }
+    for (const Other* other : nearestOfSectors(others, options.directions, nearestM, options.mostDistanceM)) {
+        add(photo, other->index, pairs);
+    }
+    if (options.farDirections > 0) {
+        for (const Other* other :
+             nearestOfSectors(others, options.farDirections, kFar * nearestM, options.mostDistanceM)) {
+            add(photo, other->index, pairs);
+        }
+    }
+}
+
+/// Which photos are connected so far.
+class Parts {
+  public:
+    explicit Parts(std::size_t photos) : m_parent(photos) { std::iota(m_parent.begin(), m_parent.end(), 0); }
+
+    int of(int photo) {
+        int& parent = m_parent[static_cast<std::size_t>(photo)];
+        return parent == photo ? photo : parent = of(parent);
+    }
+
+    void join(int a, int b) { m_parent[static_cast<std::size_t>(of(a))] = of(b); }
+
+  private:
+    std::vector<int> m_parent;
+};
+
+/// The shortest connection between two parts; (-1, -1) if there is but one part.
+std::pair<int, int> shortestLink(std::span<const Eigen::Vector3d> positionsM, Parts& parts) {
+    std::pair<int, int> link(-1, -1);
+    double leastM = std::numeric_limits<double>::max();
+    const int count = static_cast<int>(positionsM.size());
+    for (int a = 0; a < count; ++a) {
+        for (int b = a + 1; b < count; ++b) {
+            const double distanceM =
+                (positionsM[static_cast<std::size_t>(a)] - positionsM[static_cast<std::size_t>(b)])
+                    .head<2>()
+                    .norm();
+            if (distanceM < leastM && parts.of(a) != parts.of(b)) {
+                leastM = distanceM;
+                link = {a, b};
+            }
+        }
+    }
+    return link;
+}
+
+} // namespace
+
+void NeighbourOptions::validate() const {
+    require(directions >= 1 && directions <= 64, "directions", "from 1 to 64");
+    require(farDirections >= 0 && farDirections <= 64, "farDirections", "from 0 to 64");
+    require(mostAtOnePlace >= 1 && mostAtOnePlace <= 1000, "mostAtOnePlace", "from 1 to 1000");
+    require(mostDistanceM > 0 && std::isfinite(mostDistanceM), "mostDistanceM", "above 0");
+}
+
+std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> positionsM,
+                                            const NeighbourOptions& options) {
+    options.validate();
+    if (!std::all_of(positionsM.begin(), positionsM.end(), [](const auto& p) { return p.allFinite(); })) {
+        throw Error(ErrorKind::InvalidInput, "Could not find neighbouring photos: a position is not finite.");
+    }
+    Pairs pairs;
+    Parts parts(positionsM.size());
+    for (int photo = 0; photo < static_cast<int>(positionsM.size()); ++photo) {
+        addNeighboursOf(photo, positionsM, options, pairs);
+    }
+    for (const auto& [a, b] : pairs) {
+        parts.join(a, b);
+    }
+    for (auto [a, b] = shortestLink(positionsM, parts); a >= 0;
+         std::tie(a, b) = shortestLink(positionsM, parts)) {
+        add(a, b, pairs);
+        parts.join(a, b);
+    }
+    return {pairs.begin(), pairs.end()};
+}
+
+} // namespace spherewalk::align

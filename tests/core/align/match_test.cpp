@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "noise_photo.h"
+#include "random.h"
+
+#include "spherewalk/align/match.h"
+#include "spherewalk/practice/practice_room.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::align {
+
+using test::expectError;
+using test::noisePhoto;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Eigen::Quaterniond yaw(double degrees) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kPi / 180, Eigen::Vector3d::UnitZ()));
+}
+
+/// Features that are nothing but bearings and random descriptors.
+Features made(const std::vector<Eigen::Vector3d>& bearings, test::Random& random) {
+    Features features;
+    features.descriptorBytes = 128;
+    for (const Eigen::Vector3d& bearing : bearings) {
+        features.bearings.push_back(bearing.cast<float>());
+        features.sigmasRad.push_back(1e-3F);
+        features.responses.push_back(1);
+        for (int i = 0; i < 128; ++i) {
+            features.descriptors.push_back(static_cast<std::uint8_t>(random.integer(0, 90)));
+        }
+    }
+    return features;
+}
+
+Features turned(Features features, const Eigen::Quaterniond& rotation) {
+    for (Eigen::Vector3f& bearing : features.bearings) {
+        bearing = (rotation * bearing.cast<double>()).cast<float>();
+    }
+    return features;
+}
+
+std::vector<Eigen::Vector3d> directions(int count, test::Random& random) {
+    std::vector<Eigen::Vector3d> result;
+    for (int i = 0; i < count; ++i) {
+        result.push_back(random.direction());
+    }
+    return result;
+}
+
+} // namespace
+
+TEST(Match, FindsEachFeatureAgainWhateverTheRotation) {
+    test::Random random(3);
+    SCOPED_TRACE(random.seed());
+    const Features a = made(directions(300, random), random);
+    for (int trial = 0; trial < 5; ++trial) {
+        const Eigen::Quaterniond bFromA = random.rotation();
+        const auto matches = matchFeatures(a, turned(a, bFromA), {});
+        ASSERT_EQ(matches.size(), 300U);
+        for (const Correspondence& match : matches) {
+            EXPECT_EQ(match.featureA, match.featureB);
+            EXPECT_LT((bFromA * match.inA - match.inB).norm(), 1e-5);
+            EXPECT_NEAR(match.sigmaRad, 1e-3, 1e-8);
+        }
+    }
+}
+
+TEST(Match, SeesTheRotationOfTwoPhotosOfOnePlace) {
+    FeatureOptions options;
+    options.width = 512;
+    const Features a = detectFeatures(noisePhoto(Eigen::Quaterniond::Identity()), options);
+    for (const double degrees : {0.0, 73.0, 180.0}) {
+        const Features b = detectFeatures(noisePhoto(yaw(degrees)), options);
+        const auto rotation = coarseRotation(a, b, {});
+        ASSERT_TRUE(rotation) << degrees;
+        EXPECT_LT(rotation->aFromB.angularDistance(yaw(degrees)), 0.01) << degrees;
+        const auto matches = matchFeatures(a, b, {});
+        EXPECT_GT(matches.size(), 200U);
+        const auto right = std::count_if(matches.begin(), matches.end(), [&](const Correspondence& match) {
+            return (match.inA - yaw(degrees) * match.inB).norm() < 5 * match.sigmaRad;
+        });
+        EXPECT_GT(static_cast<double>(right), 0.95 * static_cast<double>(matches.size())) << degrees;
+    }
+}
+
+/// A room that looks alike to four sides must not be taken for one turned by a quarter.
+TEST(Match, SeesNoRotationWhereSeveralWouldDo) {
+    test::Random random(5);
+    SCOPED_TRACE(random.seed());
+    const Features wall = made(directions(60, random), random);
+    const auto allAround = [&](double firstDegrees) {
+        Features room = turned(wall, yaw(firstDegrees));
+        for (const double degrees : {90.0, 180.0, 270.0}) {
+            const Features next = turned(wall, yaw(firstDegrees + degrees));
+            room.bearings.insert(room.bearings.end(), next.bearings.begin(), next.bearings.end());
+            room.sigmasRad.insert(room.sigmasRad.end(), next.sigmasRad.begin(), next.sigmasRad.end());
+            room.responses.insert(room.responses.end(), next.responses.begin(), next.responses.end());
+            room.descriptors.insert(room.descriptors.end(), next.descriptors.begin(), next.descriptors.end());
+        }
+        for (std::uint8_t& value : room.descriptors) { // the camera's noise
+            value = static_cast<std::uint8_t>(value + random.integer(0, 8));
+        }
+        return room;
+    };
+    MatchOptions options;
+    options.mostRatio = 1; // else the alike features are left out at once
+    EXPECT_FALSE(coarseRotation(allAround(0), allAround(30), options));
+}
+
+TEST(Match, LeavesOutFeaturesThatLookAlike) {
+    test::Random random(7);
+    SCOPED_TRACE(random.seed());
+    Features a = made(directions(200, random), random);
+    for (std::uint8_t& value : a.descriptors) {
+        value = 40;
+    }
+    EXPECT_TRUE(matchFeatures(a, a, {}).empty());
+}
+
+TEST(Match, OfUnrelatedPhotosIsAlmostEmpty) {
+    test::Random random(11);
+    SCOPED_TRACE(random.seed());
+    const Features a = made(directions(400, random), random);
+    const Features b = made(directions(400, random), random);
+    EXPECT_FALSE(coarseRotation(a, b, {}));
+    EXPECT_LT(matchFeatures(a, b, {}).size(), 10U);
+}
+
+TEST(Match, WithAGuessKeepsWithinReach) {
+    test::Random random(13);
+    SCOPED_TRACE(random.seed());
+    const Features a = made(directions(200, random), random);
+    const Features b = turned(a, yaw(40));
+    EXPECT_TRUE(matchFeatures(a, b, {}, yaw(140)).size() < 20U);
+    EXPECT_EQ(matchFeatures(a, b, {}, yaw(-40)).size(), 200U);
+}
+
+TEST(Match, OfNothingIsEmpty) {
+    test::Random random(17);
+    const Features some = made(directions(10, random), random);
+    EXPECT_TRUE(matchFeatures({}, some, {}).empty());
+    EXPECT_TRUE(matchFeatures(some, {}, {}).empty());
+    EXPECT_FALSE(coarseRotation({}, some, {}));
+}
+
+TEST(Match, RefusesFeaturesOfDifferentDetectors) {
+    test::Random random(19);
+    const Features a = made(directions(10, random), random);
+    Features b = a;
+    b.detector = Detector::Orb;
+    b.descriptorBytes = 32;
+    b.descriptors.resize(320);
+    expectError(ErrorKind::InvalidInput, "different kinds", [&] { matchFeatures(a, b, {}); });
+}
+
+TEST(Match, RefusesOptionsOutOfRange) {
+    MatchOptions options;
+    options.mostRatio = 0;
+    expectError(ErrorKind::InvalidInput, "mostRatio", [&] { options.validate(); });
+    options = {};
+    options.reach = Radians(std::nan(""));
+    expectError(ErrorKind::InvalidInput, "reach", [&] { options.validate(); });
+}
+
+/// Two photos of the practice room 20 cm apart: nine of ten matches lie in the epipolar plane of the truth.
+TEST(Match, AgreesWithTheTruePosesOfThePracticeRoom) {
+    const practice::PracticeRoom room;
+    const Rigid3 roomFromA{yaw(20), {2.0, 1.8, 1.2}};
+    const Rigid3 roomFromB{yaw(-160) * Eigen::Quaterniond(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX())),
+                           {2.2, 1.8, 1.2}};
+    FeatureOptions options;
+    options.width = 1024;
+    options.most = 1000;
+    const Features a = detectFeatures(room.spherical(roomFromA, {1024, 512}, {.threads = 2}), options);
+    const Features b = detectFeatures(room.spherical(roomFromB, {1024, 512}, {.threads = 2}), options);
+    const auto matches = matchFeatures(a, b, {});
+    EXPECT_GT(matches.size(), 250U);
+    const Rigid3 aFromB = roomFromA.inverse() * roomFromB;
+    const auto right = std::count_if(matches.begin(), matches.end(), [&](const Correspondence& match) {
+        const Eigen::Vector3d normal = aFromB.translation.normalized().cross(match.inA);
+        const double offPlane = normal.dot(aFromB.rotation * match.inB);
+        return std::abs(offPlane) < 4 * match.sigmaRad;
+    });
+    EXPECT_GT(static_cast<double>(right), 0.85 * static_cast<double>(matches.size()));
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "random.h"
+
+#include "spherewalk/align/neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace spherewalk::align {
+
+using test::expectError;
+
+namespace {
+
+using Positions = std::vector<Eigen::Vector3d>;
+
+Positions grid(int columns, int rows, double stepM) {
+    Positions positions;
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            positions.emplace_back(x * stepM, y * stepM, 1.2);
+        }
+    }
+    return positions;
+}
+
+bool areConnected(std::size_t photos, const std::vector<std::pair<int, int>>& pairs) {
+    std::vector<int> part(photos);
+    std::iota(part.begin(), part.end(), 0);
+    for (const auto& [a, b] : pairs) {
+        const int from = part[static_cast<std::size_t>(a)];
+        const int to = part[static_cast<std::size_t>(b)];
+        std::replace(part.begin(), part.end(), from, to);
+    }
+    return std::adjacent_find(part.begin(), part.end(), std::not_equal_to<>()) == part.end();
+}
+
+int pairsOf(int photo, const std::vector<std::pair<int, int>>& pairs) {
+    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [photo](const auto& pair) {
+        return pair.first == photo || pair.second == photo;
+    }));
+}
+
+} // namespace
+
+TEST(Neighbours, OfAGridAreTheEightAround) {
+    const auto pairs = neighbours(grid(5, 5, 0.2));
+    EXPECT_EQ(pairs.size(), 2U * 5 * 4 + 2U * 4 * 4);
+    EXPECT_EQ(pairsOf(12, pairs), 8);
+}
+
+TEST(Neighbours, AreTheSameWithTheCartsScatter) {
+    test::Random random(1);
+    SCOPED_TRACE(random.seed());
+    Positions positions = grid(5, 5, 0.2);
+    for (Eigen::Vector3d& position : positions) {
+        position += random.vector(0.003);
+    }
+    EXPECT_EQ(neighbours(positions), neighbours(grid(5, 5, 0.2)));
+}
+
+TEST(Neighbours, ArePairsOnceAndSorted) {
+    test::Random random(2);
+    SCOPED_TRACE(random.seed());
+    Positions positions;
+    for (int i = 0; i < 100; ++i) {
+        positions.push_back(random.vector(1));
+    }
+    NeighbourOptions options;
+    options.farDirections = 4;
+    const auto pairs = neighbours(positions, options);
+    EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+    EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
+    EXPECT_TRUE(
+        std::all_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first < pair.second; }));
+    EXPECT_TRUE(areConnected(positions.size(), pairs));
+}
+
+TEST(Neighbours, ReachAcrossRailsThatAreFartherApartThanTheirStops) {
+    Positions positions;
+    for (int rail = 0; rail < 3; ++rail) {
+        for (int stop = 0; stop < 8; ++stop) {
+            positions.emplace_back(0.2 * stop, 0.6 * rail, 1.2);
+        }
+    }
+    const auto pairs = neighbours(positions);
+    EXPECT_TRUE(std::find(pairs.begin(), pairs.end(), std::pair(3, 11)) != pairs.end());
+    EXPECT_TRUE(areConnected(positions.size(), pairs));
+}
+
+TEST(Neighbours, FarAwayFromTheOriginAreTheSame) {
+    Positions positions = grid(4, 4, 0.2);
+    for (Eigen::Vector3d& position : positions) {
+        position += Eigen::Vector3d(1e6, -2e6, 0);
+    }
+    EXPECT_EQ(neighbours(positions), neighbours(grid(4, 4, 0.2)));
+}
+
+TEST(Neighbours, ConnectPartsByTheShortestWay) {
+    Positions positions = grid(3, 1, 0.2);
+    for (const Eigen::Vector3d& position : grid(3, 1, 0.2)) {
+        positions.push_back(position + Eigen::Vector3d(10, 0, 0));
+    }
+    const auto pairs = neighbours(positions);
+    EXPECT_TRUE(std::find(pairs.begin(), pairs.end(), std::pair(2, 3)) != pairs.end());
+    EXPECT_TRUE(areConnected(6, pairs));
+}
+
+TEST(Neighbours, IncludeThoseAtTheSamePlace) {
+    const Positions positions = {{0, 0, 1}, {0, 0, 1}, {0.001, 0, 1}, {0.3, 0, 1}};
+    const auto pairs = neighbours(positions);
+    for (const auto& pair : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+        EXPECT_TRUE(std::find(pairs.begin(), pairs.end(), pair) != pairs.end());
+    }
+    EXPECT_TRUE(areConnected(4, pairs));
+}
+
+TEST(Neighbours, FarOnesAreTwoToThreeSteps) {
+    NeighbourOptions options;
+    options.farDirections = 4;
+    const auto pairs = neighbours(grid(7, 1, 0.2), options);
+    EXPECT_TRUE(std::find(pairs.begin(), pairs.end(), std::pair(0, 2)) != pairs.end());
+    EXPECT_FALSE(std::find(pairs.begin(), pairs.end(), std::pair(0, 4)) != pairs.end());
+}
+
+TEST(Neighbours, OfOneOrNoPhotoAreNone) {
+    EXPECT_TRUE(neighbours(Positions{}).empty());
+    EXPECT_TRUE(neighbours(Positions{{1, 2, 3}}).empty());
+}
+
+TEST(Neighbours, RefusePositionsThatAreNotFinite) {
+    expectError(ErrorKind::InvalidInput, "not finite", [] {
+        neighbours(Positions{{0, 0, 0}, {std::nan(""), 0, 0}});
+    });
+}
+
+} // namespace spherewalk::align
