@@ -16,7 +16,7 @@ constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kMostSuspects = 150;
 constexpr int kLeastDirections = 4; ///< a photo with fewer is not judged by itself
 constexpr int kLeastContradicted = 2;
-constexpr double kLeastFreeMoveM = 0.05;
+constexpr double kLeastFreeMoveM = 0.1; ///< less is a cart laid badly, which the alignment solves
 
 /// What a blunder must gain to be believed, in nats: the more ways there are for it to go, the more.
 double price(Blunder blunder, int moved) {
