@@ -16,6 +16,7 @@ constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kMostSuspects = 150;
 constexpr int kLeastDirections = 4; ///< a photo with fewer is not judged by itself
 constexpr int kLeastContradicted = 2;
+constexpr double kAtPlannedM = 0.04;
 constexpr double kLeastFreeMoveM = 0.1; ///< less is a cart laid badly, which the alignment solves
 
 /// What a blunder must gain to be believed, in nats: the more ways there are for it to go, the more.
@@ -154,9 +155,19 @@ class Search {
             consider(Blunder::Elsewhere, {{photo, planned, m_lines[planned].positionM}});
         }
         const std::optional<Eigen::Vector3d> free = meeting(photo);
-        if (free && (*free - positionM(photo)).norm() > kLeastFreeMoveM) {
+        if (free && (*free - positionM(photo)).norm() > kLeastFreeMoveM && !isAtPlanned(*free)) {
             consider(Blunder::Elsewhere, {{photo, -1, *free}});
         }
+    }
+
+    /// Whether so little lies between the place and a planned one that the planned one is meant.
+    bool isAtPlanned(const Eigen::Vector3d& pM) const {
+        for (int planned = 0; planned < m_lines.size(); ++planned) {
+            if ((m_lines[planned].positionM - pM).norm() < kAtPlannedM) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /// Where the photo's baselines meet, as seen from its neighbours.
