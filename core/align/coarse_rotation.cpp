@@ -11,8 +11,8 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr double kWithin = 0.21;         ///< radians that parallax may move a vote, 12 degrees
-constexpr double kAnotherRotation = 0.5; ///< radians from which two rotations are different answers
+constexpr double kWithin = 0.35;         ///< radians that parallax may move a vote, 20 degrees
+constexpr double kAnotherRotation = 1.0; ///< radians from which two rotations are different answers
 constexpr double kLeastLead = 2;         ///< times the rival's votes
 constexpr int kMostTrials = 1000;
 
@@ -40,12 +40,14 @@ std::optional<Eigen::Quaterniond> rotationOf(const Vote& first, const Vote& seco
     return Eigen::Quaterniond(frame(first.inA, second.inA) * frame(first.inB, second.inB).transpose());
 }
 
+bool isFor(const Eigen::Matrix3d& aFromB, const Vote& vote) {
+    return vote.inA.dot(aFromB * vote.inB) > std::cos(kWithin);
+}
+
 int votesFor(const Eigen::Quaterniond& aFromB, const std::vector<Vote>& votes) {
     const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
-    const double least = std::cos(kWithin);
-    return static_cast<int>(std::count_if(votes.begin(), votes.end(), [&](const Vote& vote) {
-        return vote.inA.dot(rotation * vote.inB) > least;
-    }));
+    return static_cast<int>(
+        std::count_if(votes.begin(), votes.end(), [&](const Vote& vote) { return isFor(rotation, vote); }));
 }
 
 /// Turned to where its voters want it on average.
@@ -53,7 +55,7 @@ Eigen::Quaterniond centred(const Eigen::Quaterniond& aFromB, const std::vector<V
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
     for (const Vote& vote : votes) {
-        if (vote.inA.dot(rotation * vote.inB) > std::cos(kWithin)) {
+        if (isFor(rotation, vote)) {
             sum += vote.inA * vote.inB.transpose();
         }
     }
@@ -66,7 +68,7 @@ Eigen::Quaterniond centred(const Eigen::Quaterniond& aFromB, const std::vector<V
 /// Pairs of votes: all if they are few, else a fixed choice of them.
 std::vector<std::pair<std::size_t, std::size_t>> trials(std::size_t count) {
     std::vector<std::pair<std::size_t, std::size_t>> result;
-    if (count * (count - 1) / 2 <= kMostTrials) {
+    if (count < 2 || count * (count - 1) / 2 <= kMostTrials) {
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t j = i + 1; j < count; ++j) {
                 result.emplace_back(i, j);
@@ -101,22 +103,24 @@ std::optional<CoarseRotation> coarseRotation(const Features& a, const Features& 
         votes.push_back({a.bearings[static_cast<std::size_t>(i)].cast<double>(),
                          b.bearings[static_cast<std::size_t>(j)].cast<double>()});
     }
-    std::vector<std::pair<int, Eigen::Quaterniond>> tried;
+    std::vector<Eigen::Quaterniond> tried;
     CoarseRotation best;
-    if (votes.size() >= 2) {
-        for (const auto& [i, j] : trials(votes.size())) {
-            if (const auto rotation = rotationOf(votes[i], votes[j])) {
-                tried.emplace_back(votesFor(*rotation, votes), *rotation);
-                if (tried.back().first > best.votes) {
-                    best.votes = tried.back().first;
-                    best.aFromB = *rotation;
-                }
+    for (const auto& [i, j] : trials(votes.size())) {
+        if (const auto rotation = rotationOf(votes[i], votes[j])) {
+            tried.push_back(*rotation);
+            const int count = votesFor(*rotation, votes);
+            if (count > best.votes) {
+                best.votes = count;
+                best.aFromB = *rotation;
             }
         }
     }
-    for (const auto& [count, rotation] : tried) {
+    // What lies near the axis between two rotations votes for both, and says nothing for either.
+    std::vector<Vote> others = votes;
+    std::erase_if(others, [&](const Vote& vote) { return isFor(best.aFromB.toRotationMatrix(), vote); });
+    for (const Eigen::Quaterniond& rotation : tried) {
         if (rotation.angularDistance(best.aFromB) > kAnotherRotation) {
-            best.rivalVotes = std::max(best.rivalVotes, count);
+            best.rivalVotes = std::max(best.rivalVotes, votesFor(rotation, others));
         }
     }
     if (best.votes < options.leastVotes || best.votes < kLeastLead * best.rivalVotes) {

@@ -4,6 +4,7 @@
 #include "spherewalk/base/sha256.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>

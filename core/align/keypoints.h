@@ -5,6 +5,7 @@
 
 #include "spherewalk/align/features.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -35,14 +36,20 @@ void require(bool holds, const char* option, const char* range) {
     }
 }
 
-/// All others across the floor, nearest first; of two as near the first.
-std::vector<Other> othersOf(int photo, std::span<const Eigen::Vector3d> positionsM) {
+/// From one photo to another, across the floor.
+Eigen::Vector2d across(std::span<const Eigen::Vector3d> positionsM, int from, int to) {
+    return (positionsM[static_cast<std::size_t>(to)] - positionsM[static_cast<std::size_t>(from)]).head<2>();
+}
+
+/// All others across the floor up to a distance, nearest first; of two as near the first.
+std::vector<Other> othersOf(int photo, std::span<const Eigen::Vector3d> positionsM, double mostM) {
     std::vector<Other> others;
     for (int i = 0; i < static_cast<int>(positionsM.size()); ++i) {
-        if (i != photo) {
-            const Eigen::Vector2d to =
-                (positionsM[static_cast<std::size_t>(i)] - positionsM[static_cast<std::size_t>(photo)])
-                    .head<2>();
+        if (i == photo) {
+            continue;
+        }
+        const Eigen::Vector2d to = across(positionsM, photo, i);
+        if (to.norm() <= mostM) {
             const double turn = std::atan2(to.y(), to.x()) / (2 * std::numbers::pi);
             others.push_back({i, to.norm(), turn < 0 ? turn + 1 : turn});
         }
@@ -85,7 +92,7 @@ std::vector<const Other*> nearestOfSectors(const std::vector<Other>& others, int
 
 void addNeighboursOf(int photo, std::span<const Eigen::Vector3d> positionsM, const NeighbourOptions& options,
                      Pairs& pairs) {
-    const std::vector<Other> others = othersOf(photo, positionsM);
+    const std::vector<Other> others = othersOf(photo, positionsM, options.mostDistanceM);
     int atOnePlace = 0;
     double nearestM = 0;
     for (const Other& other : others) {
@@ -127,24 +134,45 @@ class Parts {
     std::vector<int> m_parent;
 };
 
-/// The shortest connection between two parts; (-1, -1) if there is but one part.
-std::pair<int, int> shortestLink(std::span<const Eigen::Vector3d> positionsM, Parts& parts) {
-    std::pair<int, int> link(-1, -1);
-    double leastM = std::numeric_limits<double>::max();
+struct Link {
+    int a = -1;
+    int b = -1;
+    double distanceM = std::numeric_limits<double>::max();
+};
+
+/// Of each part the shortest connection to any other one. Empty if there is but one part.
+std::map<int, Link> shortestLinks(std::span<const Eigen::Vector3d> positionsM, Parts& parts) {
+    std::map<int, Link> links;
     const int count = static_cast<int>(positionsM.size());
     for (int a = 0; a < count; ++a) {
+        const int partA = parts.of(a);
         for (int b = a + 1; b < count; ++b) {
-            const double distanceM =
-                (positionsM[static_cast<std::size_t>(a)] - positionsM[static_cast<std::size_t>(b)])
-                    .head<2>()
-                    .norm();
-            if (distanceM < leastM && parts.of(a) != parts.of(b)) {
-                leastM = distanceM;
-                link = {a, b};
+            const int partB = parts.of(b);
+            if (partA == partB) {
+                continue;
+            }
+            const double distanceM = across(positionsM, a, b).norm();
+            for (Link* link : {&links[partA], &links[partB]}) {
+                if (distanceM < link->distanceM) {
+                    *link = {a, b, distanceM};
+                }
             }
         }
     }
-    return link;
+    return links;
+}
+
+/// Boruvka's way: all parts reach out at a time, until one is left.
+void connect(std::span<const Eigen::Vector3d> positionsM, Parts& parts, Pairs& pairs) {
+    for (auto links = shortestLinks(positionsM, parts); !links.empty();
+         links = shortestLinks(positionsM, parts)) {
+        for (const auto& [part, link] : links) {
+            if (parts.of(link.a) != parts.of(link.b)) { // not joined by another part's link since
+                add(link.a, link.b, pairs);
+                parts.join(link.a, link.b);
+            }
+        }
+    }
 }
 
 } // namespace
@@ -170,11 +198,7 @@ std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> pos
     for (const auto& [a, b] : pairs) {
         parts.join(a, b);
     }
-    for (auto [a, b] = shortestLink(positionsM, parts); a >= 0;
-         std::tie(a, b) = shortestLink(positionsM, parts)) {
-        add(a, b, pairs);
-        parts.join(a, b);
-    }
+    connect(positionsM, parts, pairs);
     return {pairs.begin(), pairs.end()};
 }
 

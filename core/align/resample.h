@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/image.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace spherewalk::align {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,19 @@ Features turned(Features features, const Eigen::Quaterniond& rotation) {
         bearing = (rotation * bearing.cast<double>()).cast<float>();
     }
     return features;
+}
+
+/// A world whose four quarters are equal, its columns shifted to the left.
+RgbImage tiledPhoto(int shiftPx) {
+    const RgbImage whole = noisePhoto(Eigen::Quaterniond::Identity());
+    RgbImage photo(whole.width(), whole.height());
+    const int quarter = whole.width() / 4;
+    for (int y = 0; y < whole.height(); ++y) {
+        for (int x = 0; x < whole.width(); ++x) {
+            std::copy_n(whole.at((x + shiftPx) % quarter, y), 3, photo.at(x, y));
+        }
+    }
+    return photo;
 }
 
 std::vector<Eigen::Vector3d> directions(int count, test::Random& random) {
@@ -112,6 +126,34 @@ TEST(Match, SeesNoRotationWhereSeveralWouldDo) {
     MatchOptions options;
     options.mostRatio = 1; // else the alike features are left out at once
     EXPECT_FALSE(coarseRotation(allAround(0), allAround(30), options));
+}
+
+/// The same with pictures: four equal quarters, seen twice.
+TEST(Match, SeesNoRotationInARoomOfOneRepeatedTile) {
+    FeatureOptions options;
+    options.width = 512;
+    const Features a = detectFeatures(tiledPhoto(0), options);
+    const Features b = detectFeatures(tiledPhoto(20), options);
+    EXPECT_GT(a.count(), 500);
+    EXPECT_FALSE(coarseRotation(a, b, {}));
+    const auto matches = matchFeatures(a, b, {});
+    EXPECT_LT(matches.size(), static_cast<std::size_t>(a.count()) / 8);
+}
+
+TEST(Match, SeesNoRotationInAMirrorImage) {
+    FeatureOptions options;
+    options.width = 512;
+    const RgbImage photo = noisePhoto(Eigen::Quaterniond::Identity());
+    RgbImage mirrored = photo;
+    for (int y = 0; y < photo.height(); ++y) {
+        for (int x = 0; x < photo.width(); ++x) {
+            std::copy_n(photo.at(photo.width() - 1 - x, y), 3, mirrored.at(x, y));
+        }
+    }
+    const Features a = detectFeatures(photo, options);
+    const Features b = detectFeatures(mirrored, options);
+    EXPECT_FALSE(coarseRotation(a, b, {}));
+    EXPECT_LT(matchFeatures(a, b, {}).size(), 30U);
 }
 
 TEST(Match, LeavesOutFeaturesThatLookAlike) {

@@ -14,7 +14,7 @@ namespace spherewalk::align {
 
 struct MatchOptions {
     double mostRatio = 0.8;      ///< of the distances to the best and the second best candidate, (0, 1]
-    Radians reach = Degrees(25); ///< how far a thing may move between two photos that are turned alike
+    Radians reach = Degrees(30); ///< how far a thing may move between two photos that are turned alike
     bool isGuided = true;        ///< compare only what lies within reach, if the photos' rotation is seen
     int firstLook = 400;         ///< features of each photo that the rotation is sought with, [50, 50000]
     int leastVotes = 12;         ///< matches of the first look that must agree on the rotation
