@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -48,5 +49,8 @@ struct PairOptions {
 
 /// Threads: any. Cost: about a millisecond for some hundred matches. The same input gives the same result.
 PairEstimate estimatePair(const PhotoPair& pair, const PairOptions& options = {});
+
+/// The same for each of many pairs, in their order, on PairOptions::threads threads.
+std::vector<PairEstimate> estimatePairs(std::span<const PhotoPair> pairs, const PairOptions& options = {});
 
 } // namespace spherewalk::align

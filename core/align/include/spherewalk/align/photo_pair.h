@@ -16,9 +16,12 @@ namespace spherewalk::align {
 struct PhotoPrior {
     std::string name; ///< as people call it, for sentences
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
-    double positionSigmaM = 0.005; ///< along each axis
-    int placement = -1;            ///< of the rail; -1: stands on none
-    int stop = 0;                  ///< along the rail
+    double positionSigmaM = 0.005; ///< along x and y
+    /// Of its height against the other photos': a cart keeps it far better than its place on the floor, and
+    /// what is level shows by it.
+    double heightSigmaM = 0.001;
+    int placement = -1; ///< of the rail; -1: stands on none
+    int stop = 0;       ///< along the rail
     /// Turns the photo upright, as the photo itself says; nothing if it does not say.
     std::optional<Eigen::Quaterniond> levelFromPhoto;
     Radians tiltSigma = Degrees(0.5); ///< of pitch and of roll after levelFromPhoto

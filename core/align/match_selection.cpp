@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "match_selection.h"
+
+#include "epipolar_residual.h"
+#include "pair_normal.h"
+#include "robust_scale.h"
+#include "tracks.h"
+
+#include "spherewalk/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kLeastApartM = 0.01;
+constexpr double kUsualRangeM = 2;      // of what a photo shows in a room
+constexpr double kAgreeingSigmas = 3.2; // of the scaled residual
+constexpr double kBehindSigmas = 4.2;   // both bearings err, three sigmas of the difference
+constexpr double kLargestScale = 8;
+constexpr double kDefaultSigmaRad = 0.001;
+constexpr double kMarginSine = 0.16;
+constexpr int kBands = 6;
+constexpr int kSectors = 10;
+
+// Equal areas of the sphere.
+std::size_t cellOf(const Eigen::Vector3d& bearing) {
+    const double around = std::atan2(bearing.y(), bearing.x()) / (2 * std::numbers::pi) + 0.5;
+    const int band = std::clamp(static_cast<int>((bearing.z() + 1) / 2 * kBands), 0, kBands - 1);
+    const int sector = std::clamp(static_cast<int>(around * kSectors), 0, kSectors - 1);
+    return static_cast<std::size_t>(band * kSectors + sector);
+}
+
+// Takes from every direction in turn until there are enough.
+void thin(std::vector<UsedMatch>& matches, int most) {
+    if (static_cast<int>(matches.size()) <= most) {
+        return;
+    }
+    std::array<std::vector<UsedMatch>, kBands * kSectors> cells;
+    for (const UsedMatch& match : matches) {
+        cells[cellOf(match.inA)].push_back(match);
+    }
+    matches.clear();
+    for (std::size_t depth = 0; static_cast<int>(matches.size()) < most; ++depth) {
+        for (const std::vector<UsedMatch>& cell : cells) {
+            if (depth < cell.size() && static_cast<int>(matches.size()) < most) {
+                matches.push_back(cell[depth]);
+            }
+        }
+    }
+}
+
+using Wanted = std::function<bool(const UsedPair&, const UsedMatch&)>;
+
+std::vector<UsedPair> select(const Candidates& candidates, const Unknowns& unknowns,
+                             std::span<const PhotoPrior> priors, const Selection& selection,
+                             const Wanted& isWanted) {
+    std::vector<UsedPair> used(candidates.chosen.size());
+    parallelFor(static_cast<int>(used.size()), 16, selection.threads, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const int at = candidates.chosen[static_cast<std::size_t>(i)];
+            UsedPair pair = emptyPair(candidates, unknowns, priors, at);
+            const auto& tracks = candidates.tracks[static_cast<std::size_t>(at)];
+            UsedMatch match;
+            for (std::size_t j = 0; j < tracks.size(); ++j) {
+                const bool isOut = selection.heldOutShare > 0 && isHeldOut(tracks[j], selection.heldOutShare);
+                if (isOut == selection.wantsHeldOut &&
+                    usedMatch(candidates, at, static_cast<int>(j), match) && isWanted(pair, match)) {
+                    pair.matches.push_back(match);
+                }
+            }
+            thin(pair.matches, selection.mostAPair);
+            used[static_cast<std::size_t>(i)] = std::move(pair);
+        }
+    });
+    std::erase_if(used, [](const UsedPair& pair) { return pair.matches.empty(); });
+    return used;
+}
+
+} // namespace
+
+UsedPair emptyPair(const Candidates& candidates, const Unknowns& unknowns, std::span<const PhotoPrior> priors,
+                   int at) {
+    const PhotoPair& given = candidates.pairs[static_cast<std::size_t>(at)];
+    UsedPair pair;
+    pair.pair = at;
+    pair.a = candidates.indexOf[static_cast<std::size_t>(given.a)];
+    pair.b = candidates.indexOf[static_cast<std::size_t>(given.b)];
+    const double sigma = std::hypot(priors[static_cast<std::size_t>(given.a)].positionSigmaM,
+                                    priors[static_cast<std::size_t>(given.b)].positionSigmaM);
+    const double apart = (unknowns.plannedM[static_cast<std::size_t>(pair.a)] -
+                          unknowns.plannedM[static_cast<std::size_t>(pair.b)])
+                             .norm();
+    pair.isTurn = apart < std::max(kLeastApartM, 2 * sigma);
+    pair.toleranceRad = std::hypot(apart, std::min(sigma, kLeastApartM)) / kUsualRangeM;
+    // Of photos at one place, the matches themselves tell how far apart they are.
+    const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(at)];
+    if (pair.isTurn && !estimate.baselineInA) {
+        pair.toleranceRad = std::min(pair.toleranceRad, estimate.parallaxRad);
+    }
+    return pair;
+}
+
+bool usedMatch(const Candidates& candidates, int pair, int at, UsedMatch& into) {
+    const Correspondence& match =
+        candidates.pairs[static_cast<std::size_t>(pair)].matches[static_cast<std::size_t>(at)];
+    const double lengthA = match.inA.norm();
+    const double lengthB = match.inB.norm();
+    if (!(lengthA > 0.5 && lengthA < 2 && lengthB > 0.5 && lengthB < 2)) {
+        return false;
+    }
+    const bool hasSigma = match.sigmaRad > 1e-6 && match.sigmaRad < 0.1;
+    into = {match.inA / lengthA, match.inB / lengthB, hasSigma ? match.sigmaRad : kDefaultSigmaRad, at,
+            candidates.tracks[static_cast<std::size_t>(pair)][static_cast<std::size_t>(at)]};
+    return true;
+}
+
+Judgement judge(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
+                double scale) {
+    MatchRow rows[2];
+    const int count = matchRows(pair, match, a, b, rows);
+    if (count == 2) {
+        const double distance = std::hypot(rows[0].residual, rows[1].residual);
+        const bool isTurned = (a.roomFromPhoto * match.inA).dot(b.roomFromPhoto * match.inB) > 0;
+        return isTurned && distance < 1.2 * kAgreeingSigmas * scale ? Judgement::Agrees
+                                                                    : Judgement::OutOfPlane;
+    }
+    const Eigen::Vector3d inA = a.roomFromPhoto * match.inA;
+    const Eigen::Vector3d inB = b.roomFromPhoto * match.inB;
+    const Eigen::Vector3d direction = (b.positionM - a.positionM).normalized();
+    if (count == 0 || std::min(inA.cross(direction).norm(), inB.cross(direction).norm()) < kMarginSine) {
+        return Judgement::AlongBaseline;
+    }
+    if (std::abs(rows[0].residual) > kAgreeingSigmas * scale) {
+        return Judgement::OutOfPlane;
+    }
+    const bool isBehind =
+        parallaxOf(inA, inB, direction) < -kBehindSigmas * scale * match.sigmaRad || inA.dot(inB) < 0;
+    return isBehind ? Judgement::Behind : Judgement::Agrees;
+}
+
+std::vector<UsedPair> estimatedMatches(const Candidates& candidates, const Unknowns& unknowns,
+                                       std::span<const PhotoPrior> priors, const Selection& selection) {
+    return select(candidates, unknowns, priors, selection, [&](const UsedPair& pair, const UsedMatch& match) {
+        const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(pair.pair)];
+        if (!estimate.isInlier[static_cast<std::size_t>(match.match)]) {
+            return false;
+        }
+        const Eigen::Vector3d turnedB = estimate.aFromB * match.inB;
+        return !estimate.baselineInA ||
+               parallaxOf(match.inA, turnedB, *estimate.baselineInA) > -kBehindSigmas * match.sigmaRad;
+    });
+}
+
+std::vector<UsedPair> agreeingMatches(const Candidates& candidates, const Unknowns& unknowns,
+                                      std::span<const PhotoPrior> priors, double scale,
+                                      const Selection& selection) {
+    const std::vector<PhotoState> states = unknowns.states();
+    return select(candidates, unknowns, priors, selection, [&](const UsedPair& pair, const UsedMatch& match) {
+        return judge(pair, match, states[static_cast<std::size_t>(pair.a)],
+                     states[static_cast<std::size_t>(pair.b)], scale) == Judgement::Agrees;
+    });
+}
+
+double residualScale(std::span<const UsedPair> pairs, std::span<const PhotoState> states) {
+    std::vector<double> residuals;
+    MatchRow rows[2];
+    for (const UsedPair& pair : pairs) {
+        for (const UsedMatch& match : pair.matches) {
+            const int count = matchRows(pair, match, states[static_cast<std::size_t>(pair.a)],
+                                        states[static_cast<std::size_t>(pair.b)], rows);
+            for (int i = 0; i < count; ++i) {
+                residuals.push_back(rows[i].residual);
+            }
+        }
+    }
+    return agreeingScale(std::move(residuals), kLargestScale);
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/align/pair_estimate.h"
+
+#include "epipolar_refinement.h"
+#include "rotation_hypotheses.h"
+
+#include "spherewalk/base/parallel.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kDefaultSigmaRad = 0.001;
+constexpr double kLeastSpread = 0.02;     // a cone of about 11 degrees around its axis
+constexpr double kLargestSigmaRad = 0.03; // of a rotation that is still worth having
+constexpr int kLeastMeasurable = 10;
+constexpr double kRival = 0.7; // of the best one's inliers: nobody can tell the two apart
+// A chance match within the gate lies this probably in one plane with a given baseline.
+constexpr double kChance = 0.04;
+
+Bearings usable(const PhotoPair& pair) {
+    Bearings bearings;
+    for (std::size_t i = 0; i < pair.matches.size(); ++i) {
+        const Correspondence& match = pair.matches[i];
+        const double lengthA = match.inA.norm();
+        const double lengthB = match.inB.norm();
+        // Written so that NaN fails.
+        if (!(lengthA > 0.5 && lengthA < 2 && lengthB > 0.5 && lengthB < 2)) {
+            continue;
+        }
+        bearings.inA.push_back(match.inA / lengthA);
+        bearings.inB.push_back(match.inB / lengthB);
+        const bool hasSigma = match.sigmaRad > 1e-6 && match.sigmaRad < 0.1;
+        bearings.sigmaRad.push_back(hasSigma ? match.sigmaRad : kDefaultSigmaRad);
+        bearings.match.push_back(static_cast<int>(i));
+    }
+    return bearings;
+}
+
+double spreadOf(const Bearings& bearings, const EpipolarFit& fit) {
+    Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < bearings.inA.size(); ++i) {
+        if (fit.isInlier[i]) {
+            mean += Eigen::Matrix3d::Identity() - bearings.inA[i] * bearings.inA[i].transpose();
+        }
+    }
+    mean /= std::max(1, fit.inliers);
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(mean, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+// Whether so many agree only because so many were asked.
+bool isChance(const EpipolarFit& fit) {
+    const double expected = kChance * std::max(fit.scale, 1.0) * fit.gated;
+    return fit.inliers < 8 + expected + 4 * std::sqrt(expected);
+}
+
+// A mirror image shares its epipolar planes with the picture, but half of it lies behind. The smaller the
+// agreeing part, the easier it is found among a mirror image's matches, and the more it must prove.
+double leastForwardShare(const EpipolarFit& fit) {
+    const double share = static_cast<double>(fit.inliers) / static_cast<double>(fit.isInlier.size());
+    return std::clamp(0.9 - 0.6 * (share - 0.2), 0.75, 0.9);
+}
+
+bool isMirrored(const EpipolarFit& fit) {
+    return fit.hasBaseline && fit.measurable >= kLeastMeasurable && fit.forwardShare < leastForwardShare(fit);
+}
+
+PairVerdict verdictOf(const EpipolarFit& fit, int rivalInliers, const PairEstimate& estimate,
+                      const PairOptions& options) {
+    if (fit.inliers < options.leastInliers) {
+        return PairVerdict::TooFew;
+    }
+    if (estimate.inlierShare < options.leastShare || isChance(fit) || isMirrored(fit)) {
+        return PairVerdict::NoAgreement;
+    }
+    const double variance =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(fit.rotationCovariance, Eigen::EigenvaluesOnly)
+            .eigenvalues()[2];
+    if (estimate.spread < kLeastSpread || !(variance < kLargestSigmaRad * kLargestSigmaRad)) {
+        return PairVerdict::TooNarrow;
+    }
+    return rivalInliers > kRival * fit.inliers ? PairVerdict::NoAgreement : PairVerdict::Constraint;
+}
+
+struct Fits {
+    EpipolarFit best;
+    int rivalInliers = 0;
+};
+
+Fits bestFit(const Bearings& bearings) {
+    Fits fits;
+    double firstScore = 0;
+    for (const RotationHypothesis& hypothesis : rotationHypotheses(bearings)) {
+        firstScore = std::max(firstScore, hypothesis.score);
+        if (hypothesis.score < 0.4 * firstScore) {
+            break; // sorted: those that follow have less
+        }
+        EpipolarFit fit = refineEpipolar(bearings, hypothesis.aFromB);
+        if (isMirrored(fit) && fits.best.inliers > 0 && !isMirrored(fits.best)) {
+            continue;
+        }
+        const bool isBetter =
+            fit.inliers > fits.best.inliers || (isMirrored(fits.best) && !isMirrored(fit) && !isChance(fit));
+        // Two starts may end in one minimum: that is no rival.
+        const bool isSame = Eigen::AngleAxisd(fit.aFromB * fits.best.aFromB.transpose()).angle() < 0.05;
+        EpipolarFit& other = isBetter ? fits.best : fit;
+        if (!isSame && !isMirrored(other)) {
+            fits.rivalInliers = std::max(fits.rivalInliers, other.inliers);
+        }
+        if (isBetter) {
+            fits.best = std::move(fit);
+        }
+    }
+    return fits;
+}
+
+} // namespace
+
+PairEstimate estimatePair(const PhotoPair& pair, const PairOptions& options) {
+    PairEstimate estimate;
+    estimate.a = pair.a;
+    estimate.b = pair.b;
+    estimate.isInlier.assign(pair.matches.size(), false);
+    const Bearings bearings = usable(pair);
+    if (bearings.count() < std::max(options.leastInliers, 6)) {
+        return estimate;
+    }
+    const Fits fits = bestFit(bearings);
+    const EpipolarFit& fit = fits.best;
+    if (fit.isInlier.empty()) {
+        return estimate;
+    }
+    for (std::size_t i = 0; i < fit.isInlier.size(); ++i) {
+        estimate.isInlier[static_cast<std::size_t>(bearings.match[i])] = fit.isInlier[i];
+    }
+    estimate.inliers = fit.inliers;
+    estimate.inlierShare = static_cast<double>(fit.inliers) / bearings.count();
+    estimate.spread = spreadOf(bearings, fit);
+    estimate.aFromB = Eigen::Quaterniond(fit.aFromB).normalized();
+    estimate.rotationCovariance = fit.rotationCovariance;
+    estimate.parallaxRad = fit.parallaxRad;
+    if (fit.hasBaseline && fit.measurable >= kLeastMeasurable) {
+        estimate.baselineInA = fit.baselineInA;
+        estimate.baselineSigmaRad = fit.baselineSigmaRad;
+        estimate.forwardShare = fit.forwardShare;
+    }
+    estimate.verdict = verdictOf(fit, fits.rivalInliers, estimate, options);
+    return estimate;
+}
+
+std::vector<PairEstimate> estimatePairs(std::span<const PhotoPair> pairs, const PairOptions& options) {
+    std::vector<PairEstimate> estimates(pairs.size());
+    parallelFor(static_cast<int>(pairs.size()), 4, options.threads, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            estimates[at] = estimatePair(pairs[at], options);
+        }
+    });
+    return estimates;
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pair_normal.h"
+
+#include "epipolar_residual.h"
+#include "so3.h"
+
+#include <cmath>
+
+namespace spherewalk::align {
+
+namespace {
+
+// Matches are selected farther from the baseline (kLeastSine), so that none comes and goes as photos turn.
+constexpr double kNoPlane = 0.02;
+
+// Both components of the distance, in the tangent plane of a's bearing.
+int turnRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
+             MatchRow rows[2]) {
+    const Eigen::Vector3d inRoomB = b.roomFromPhoto * match.inB;
+    // The tangent frame turns with the photo, so that the rows are smooth.
+    const Eigen::Matrix<double, 3, 2> tangent = a.roomFromPhoto.toRotationMatrix() * tangentBasis(match.inA);
+    const double scale =
+        1 / std::sqrt(2 * match.sigmaRad * match.sigmaRad + pair.toleranceRad * pair.toleranceRad);
+    for (int i = 0; i < 2; ++i) {
+        const Eigen::Vector3d axis = tangent.col(i);
+        rows[i].residual = scale * axis.dot(inRoomB);
+        rows[i].by.setZero();
+        rows[i].by.head<3>() = scale * axis.cross(inRoomB);
+        rows[i].by.segment<3>(3) = scale * inRoomB.cross(axis);
+    }
+    return 2;
+}
+
+struct Frame {
+    Eigen::Matrix3d roomFromA;
+    Eigen::Matrix3d roomFromB;
+    Eigen::Vector3d direction;
+    double apartM = 0;
+};
+
+Frame frameOf(const PhotoState& a, const PhotoState& b) {
+    Frame frame{a.roomFromPhoto.toRotationMatrix(), b.roomFromPhoto.toRotationMatrix(),
+                b.positionM - a.positionM, 0};
+    frame.apartM = std::max(frame.direction.norm(), 1e-6);
+    frame.direction /= frame.apartM;
+    return frame;
+}
+
+int planeRow(const UsedMatch& match, const Frame& frame, MatchRow& row) {
+    const Eigen::Vector3d inRoomA = frame.roomFromA * match.inA;
+    const Eigen::Vector3d inRoomB = frame.roomFromB * match.inB;
+    const EpipolarResidual residual = epipolarResidual(inRoomA, inRoomB, frame.direction, match.sigmaRad);
+    if (std::min(residual.sineA, residual.sineB) < kNoPlane) {
+        return 0;
+    }
+    row.residual = residual.value;
+    row.by.head<3>() = inRoomA.cross(residual.byA);
+    row.by.segment<3>(3) = inRoomB.cross(residual.byB);
+    row.by.tail<3>() =
+        (residual.byBaseline - frame.direction * frame.direction.dot(residual.byBaseline)) / frame.apartM;
+    return 1;
+}
+
+} // namespace
+
+int matchRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
+              MatchRow rows[2]) {
+    return pair.isTurn ? turnRows(pair, match, a, b, rows) : planeRow(match, frameOf(a, b), rows[0]);
+}
+
+Bounded bounded(double residual, double width) {
+    const double ratio = residual / width;
+    const double root = 1 / std::sqrt(1 + ratio * ratio);
+    return {residual * root, root * root * root};
+}
+
+PairNormal pairNormal(const UsedPair& pair, const PhotoState& a, const PhotoState& b, double scale,
+                      double width) {
+    const Frame frame = frameOf(a, b);
+    PairNormal normal = PairNormal::Zero();
+    MatchRow rows[2];
+    Eigen::Matrix<double, 10, 1> column;
+    for (const UsedMatch& match : pair.matches) {
+        const int count = pair.isTurn ? turnRows(pair, match, a, b, rows) : planeRow(match, frame, rows[0]);
+        for (int i = 0; i < count; ++i) {
+            const Bounded robust = bounded(rows[i].residual / scale, width);
+            column.head<9>() = (robust.slope / scale) * rows[i].by;
+            column[9] = robust.value;
+            normal.selfadjointView<Eigen::Lower>().rankUpdate(column);
+        }
+    }
+    return normal.selfadjointView<Eigen::Lower>();
+}
+
+double pairCost(const UsedPair& pair, const PhotoState& a, const PhotoState& b, double scale, double width) {
+    const Frame frame = frameOf(a, b);
+    double sum = 0;
+    MatchRow rows[2];
+    for (const UsedMatch& match : pair.matches) {
+        const int count = pair.isTurn ? turnRows(pair, match, a, b, rows) : planeRow(match, frame, rows[0]);
+        for (int i = 0; i < count; ++i) {
+            const double value = bounded(rows[i].residual / scale, width).value;
+            sum += value * value;
+        }
+    }
+    return sum;
+}
+
+} // namespace spherewalk::align

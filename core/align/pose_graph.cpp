@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pose_graph.h"
+
+#include "robust_scale.h"
+#include "rotation_average.h"
+#include "so3.h"
+
+#include "spherewalk/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr double kClosedRad = 0.035;       // around a triangle of pairs that are right
+constexpr double kContradictedRad = 0.052; // from the average
+constexpr int kRounds = 3;
+
+std::vector<GraphEdge> edgesOf(std::span<const PairEstimate> estimates) {
+    std::vector<GraphEdge> edges;
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        const PairEstimate& estimate = estimates[i];
+        if (estimate.verdict == PairVerdict::Constraint) {
+            edges.push_back({static_cast<int>(i), estimate.a, estimate.b, estimate.aFromB.normalized(),
+                             std::min(estimate.inliers, 300) / 300.0, 0, 0});
+        }
+    }
+    return edges;
+}
+
+struct Side {
+    std::size_t edge;
+    int other;
+};
+
+// The turn from one end to the other, whichever way the edge was made.
+Eigen::Quaterniond fromTo(const GraphEdge& edge, int from) {
+    return edge.a == from ? edge.aFromB : edge.aFromB.conjugate();
+}
+
+// Counts every edge's triangles and those that close. Returns the turns that are left around them.
+std::vector<double> closeTriangles(int photos, std::vector<GraphEdge>& edges) {
+    std::vector<std::vector<Side>> sides(static_cast<std::size_t>(photos));
+    std::map<std::pair<int, int>, std::size_t> edgeOf;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto [low, high] = std::minmax(edges[i].a, edges[i].b);
+        sides[static_cast<std::size_t>(low)].push_back({i, high}); // only upwards: every triangle once
+        edgeOf[{low, high}] = i;
+    }
+    std::vector<double> left;
+    for (int first = 0; first < photos; ++first) {
+        const std::vector<Side>& from = sides[static_cast<std::size_t>(first)];
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            for (std::size_t j = i + 1; j < from.size(); ++j) {
+                const auto [low, high] = std::minmax(from[i].other, from[j].other);
+                const auto third = edgeOf.find({low, high});
+                if (third == edgeOf.end()) {
+                    continue;
+                }
+                const Eigen::Quaterniond around = fromTo(edges[from[i].edge], first) *
+                                                  fromTo(edges[third->second], from[i].other) *
+                                                  fromTo(edges[from[j].edge], from[j].other);
+                left.push_back(angleBetween(around, Eigen::Quaterniond::Identity()).value());
+                for (const std::size_t edge : {from[i].edge, from[j].edge, third->second}) {
+                    ++edges[edge].triangles;
+                    edges[edge].closed += left.back() < kClosedRad ? 1 : 0;
+                }
+            }
+        }
+    }
+    return left;
+}
+
+std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& edges) {
+    std::vector<int> root(static_cast<std::size_t>(photos));
+    std::iota(root.begin(), root.end(), 0);
+    const auto rootOf = [&](int photo) {
+        while (root[static_cast<std::size_t>(photo)] != photo) {
+            photo = root[static_cast<std::size_t>(photo)];
+        }
+        return photo;
+    };
+    for (const GraphEdge& edge : edges) {
+        const int a = rootOf(edge.a);
+        const int b = rootOf(edge.b);
+        root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    std::map<int, Component> byRoot;
+    for (const GraphEdge& edge : edges) {
+        byRoot[rootOf(edge.a)].edges.push_back(edge);
+    }
+    for (int photo = 0; photo < photos; ++photo) {
+        const auto component = byRoot.find(rootOf(photo));
+        if (component != byRoot.end()) {
+            component->second.photos.push_back(photo);
+        }
+    }
+    std::vector<Component> components;
+    for (auto& [photo, component] : byRoot) {
+        components.push_back(std::move(component));
+    }
+    std::ranges::stable_sort(components, std::greater<>(),
+                             [](const Component& component) { return component.photos.size(); });
+    return components;
+}
+
+} // namespace
+
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int start) {
+    PoseGraph graph;
+    std::vector<GraphEdge> edges = edgesOf(estimates);
+    graph.cycleErrorRad = median(closeTriangles(photos, edges));
+    // A pair that no triangle supports, of many, would drag its photos along in the average.
+    std::erase_if(edges, [&](const GraphEdge& edge) {
+        const bool isAlone = edge.triangles >= 3 && edge.closed == 0;
+        if (isAlone) {
+            graph.contradicted.push_back(edge.pair);
+        }
+        return isAlone;
+    });
+    std::vector<int> indexOf(static_cast<std::size_t>(photos), 0);
+    for (int round = 0; round < kRounds; ++round) {
+        graph.components = componentsOf(photos, edges);
+        std::vector<GraphEdge> kept;
+        for (Component& component : graph.components) {
+            for (std::size_t i = 0; i < component.photos.size(); ++i) {
+                indexOf[static_cast<std::size_t>(component.photos[i])] = static_cast<int>(i);
+            }
+            component.rootFromPhoto = averagedRotations(component, indexOf, start);
+            for (const GraphEdge& edge : component.edges) {
+                if (disagreement(edge, component.rootFromPhoto, indexOf).norm() < kContradictedRad) {
+                    kept.push_back(edge);
+                } else {
+                    graph.contradicted.push_back(edge.pair);
+                }
+            }
+        }
+        if (kept.size() == edges.size()) {
+            break;
+        }
+        edges = std::move(kept);
+    }
+    std::ranges::sort(graph.contradicted);
+    return graph;
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unknowns.h"
+
+#include "so3.h"
+
+#include "spherewalk/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace spherewalk::align {
+
+namespace {
+
+// A photo that says nothing of its tilt was, as cameras do it, made upright; but nobody vouches for it.
+constexpr double kUnsaidTiltRad = 0.17;
+
+Eigen::Vector3d vector(const Unknowns::Block& block) {
+    return {block[0], block[1], block[2]};
+}
+
+} // namespace
+
+PhotoState Unknowns::state(std::size_t i) const {
+    PhotoState state{align::turn(vector(turn[i])) * reference[i], plannedM[i] + vector(offset[i])};
+    if (rail[i] >= 0) {
+        const auto on = static_cast<std::size_t>(rail[i]);
+        const Eigen::Vector3d fromCentre = plannedM[i] - railCentreM[on];
+        const Block& moved = placement[on];
+        state.positionM +=
+            yawRotation(Radians(moved[2])) * fromCentre - fromCentre + Eigen::Vector3d(moved[0], moved[1], 0);
+    }
+    return state;
+}
+
+std::vector<PhotoState> Unknowns::states() const {
+    std::vector<PhotoState> all;
+    all.reserve(photo.size());
+    for (std::size_t i = 0; i < photo.size(); ++i) {
+        all.push_back(state(i));
+    }
+    return all;
+}
+
+Eigen::Matrix3d Unknowns::positionByPlacement(std::size_t i) const {
+    Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
+    if (rail[i] >= 0) {
+        const auto on = static_cast<std::size_t>(rail[i]);
+        const Eigen::Vector3d turned =
+            yawRotation(Radians(placement[on][2])) * (plannedM[i] - railCentreM[on]);
+        by(0, 0) = 1;
+        by(1, 1) = 1;
+        by.col(2) = Eigen::Vector3d::UnitZ().cross(turned);
+    }
+    return by;
+}
+
+void Unknowns::rebase() {
+    for (std::size_t i = 0; i < photo.size(); ++i) {
+        reference[i] = (align::turn(vector(turn[i])) * reference[i]).normalized();
+        turn[i] = {};
+    }
+}
+
+Unknowns unknowns(std::span<const int> photos, std::span<const PhotoPrior> priors,
+                  std::span<const Eigen::Quaterniond> roomFromPhoto) {
+    Unknowns made;
+    made.photo.assign(photos.begin(), photos.end());
+    made.reference.assign(roomFromPhoto.begin(), roomFromPhoto.end());
+    const Eigen::Vector3d origin = priors[static_cast<std::size_t>(photos.front())].positionM;
+    std::map<int, int> railOf;
+    std::vector<int> stops;
+    for (const int photo : photos) {
+        const PhotoPrior& prior = priors[static_cast<std::size_t>(photo)];
+        made.plannedM.push_back(prior.positionM - origin);
+        if (prior.placement < 0) {
+            made.rail.push_back(-1);
+            continue;
+        }
+        const auto [entry, isNew] = railOf.try_emplace(prior.placement, static_cast<int>(railOf.size()));
+        made.rail.push_back(entry->second);
+        if (isNew) {
+            made.railCentreM.push_back(Eigen::Vector3d::Zero());
+            stops.push_back(0);
+        }
+        made.railCentreM[static_cast<std::size_t>(entry->second)] += made.plannedM.back();
+        ++stops[static_cast<std::size_t>(entry->second)];
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        made.railCentreM[i] /= stops[i];
+    }
+    made.turn.assign(photos.size(), {});
+    made.offset.assign(photos.size(), {});
+    made.placement.assign(stops.size(), {});
+    return made;
+}
+
+void level(Unknowns& unknowns, std::span<const PhotoPrior> priors) {
+    unknowns.rebase();
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
+        const Eigen::Quaterniond levelFromPhoto =
+            prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()).normalized();
+        // Of all turns about z, the one nearest to the rotation: its quaternion has the same w and z.
+        const Eigen::Quaterniond roomFromLevel = unknowns.reference[i] * levelFromPhoto.conjugate();
+        const double heading = 2 * std::atan2(roomFromLevel.z(), roomFromLevel.w());
+        unknowns.reference[i] = yawRotation(Radians(heading)) * levelFromPhoto;
+    }
+}
+
+Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior) {
+    // No prior is so sure that it may leave no room for rounding.
+    return Eigen::Vector3d(prior.positionSigmaM, prior.positionSigmaM, prior.heightSigmaM).cwiseMax(1e-5);
+}
+
+UpPrior upPrior(const PhotoPrior& prior) {
+    if (!prior.levelFromPhoto) {
+        return {Eigen::Vector3d::UnitZ(), kUnsaidTiltRad};
+    }
+    return {prior.levelFromPhoto->normalized().conjugate() * Eigen::Vector3d::UnitZ(),
+            std::max(prior.tiltSigma.value(), 1e-5)};
+}
+
+} // namespace spherewalk::align
