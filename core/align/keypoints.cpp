@@ -16,7 +16,9 @@ namespace spherewalk::align {
 namespace {
 
 constexpr double kOrbStep = 1.2;
-constexpr double kRootScale = 512; ///< the length of a RootSIFT descriptor; its values stay below 256
+constexpr int kOrbLevels = 4; ///< corners are known to a pixel of their level: the coarser ones help no more
+constexpr float kOrbCorner = 7.0F / 31; ///< a corner's diameter as a share of its descriptor's patch
+constexpr double kRootScale = 512;      ///< the length of a RootSIFT descriptor; its values stay below 256
 
 template <class Work>
 auto translated(const Work& work) {
@@ -37,8 +39,8 @@ cv::Ptr<cv::Feature2D> made(const FeatureOptions& options) {
     case Detector::Orb:
         break;
     }
-    return cv::ORB::create(3 * options.most, static_cast<float>(kOrbStep), 8, 24, 0, 2, cv::ORB::HARRIS_SCORE,
-                           31, 8);
+    return cv::ORB::create(3 * options.most, static_cast<float>(kOrbStep), kOrbLevels, 24, 0, 2,
+                           cv::ORB::HARRIS_SCORE, 31, 8);
 }
 
 /// The picture's pixels, not copied.
@@ -96,12 +98,13 @@ std::vector<Keypoint> KeypointDetector::find(const GreyImage& picture) const {
     std::vector<Keypoint> keypoints;
     keypoints.reserve(found.size());
     for (const cv::KeyPoint& each : found) {
-        Keypoint keypoint{each.pt.x, each.pt.y, each.size,   each.response, each.angle,
-                          each.pt.x, each.pt.y, each.octave, each.class_id};
+        Keypoint keypoint{each.pt.x, each.pt.y, each.size, each.response, each.angle,
+                          each.pt.x, each.pt.y, each.size, each.octave,   each.class_id};
         if (m_state->kind == Detector::Sift) {
             keypoint.x -= 0.25; // it doubles the picture about the pixels' corners and halves about centres
             keypoint.y -= 0.25;
         } else if (m_state->kind == Detector::Orb) {
+            keypoint.sizePx *= kOrbCorner;
             keypoint.x = fromOrbLevel(each.pt.x, each.octave, picture.width());
             keypoint.y = fromOrbLevel(each.pt.y, each.octave, picture.height());
         }
@@ -119,8 +122,8 @@ std::vector<std::uint8_t> KeypointDetector::describe(const GreyImage& picture,
     std::vector<cv::KeyPoint> asked;
     for (const Keypoint& each : keypoints) {
         // What is asked for may come back in another order and not whole; the response is passed through.
-        asked.emplace_back(each.rawX, each.rawY, each.sizePx, each.angleDeg, static_cast<float>(asked.size()),
-                           each.octave, each.level);
+        asked.emplace_back(each.rawX, each.rawY, each.rawSizePx, each.angleDeg,
+                           static_cast<float>(asked.size()), each.octave, each.level);
     }
     cv::Mat rows;
     translated([&] { m_state->detector->compute(matrixOf(picture), asked, rows); });

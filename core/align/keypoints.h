@@ -20,6 +20,7 @@ struct Keypoint {
     float angleDeg = 0; ///< of its strongest gradient, from +x to +y
     float rawX = 0;     ///< position as the detector itself counts, which its descriptor starts from
     float rawY = 0;
+    float rawSizePx = 0;
     int octave = 0; ///< the detector's own mark of the scale
     int level = 0;
 };
