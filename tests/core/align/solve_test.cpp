@@ -63,7 +63,8 @@ TEST(Solve, FindsEveryRotationToAHundredthOfADegree) {
         EXPECT_EQ(errors.solved, 25);
         EXPECT_LT(errors.yawRms, 0.012 * kDegree);
         EXPECT_LT(errors.yawWorst, 0.035 * kDegree);
-        EXPECT_LT(errors.tiltRms, 0.02 * kDegree);
+        EXPECT_LT(errors.tiltApartRms, 0.01 * kDegree);
+        EXPECT_LT(errors.tiltRms, 0.1 * kDegree); // all together they lean as heights and priors leave it
         EXPECT_LT(std::abs(errors.commonYaw), 4 * alignment.sigmaCommonYaw.value());
         EXPECT_LT(std::abs(errors.commonYaw), 0.6 * kDegree);
     }
@@ -92,6 +93,7 @@ TEST(Solve, SaysHowFarItErrs) {
 TEST(Solve, ChoosesTheModelThatTheMatchesSupport) {
     SyntheticSurveyOptions exact = small(2);
     exact.positionSigmaM = 0;
+    exact.heightSigmaM = 0;
     const SyntheticSurvey still = syntheticSurvey(exact);
     const Alignment tilted = solveSurvey(still, with(Model::Auto));
     EXPECT_EQ(tilted.model, Model::Tilt) << tilted.reason;
@@ -106,6 +108,7 @@ TEST(Solve, SolvesEveryModelOfItsLadder) {
     SyntheticSurveyOptions options = small(5);
     options.tiltSigma = Degrees(0.02);
     options.positionSigmaM = 0.0003;
+    options.heightSigmaM = 0.0003;
     const SyntheticSurvey survey = syntheticSurvey(options);
     for (const Model model : {Model::Yaw, Model::Tilt, Model::Placement, Model::Position}) {
         SCOPED_TRACE(name(model));
@@ -123,6 +126,7 @@ TEST(Solve, FollowsRailsThatLayAskew) {
     options.placementSigmaM = 0.01;
     options.placementSigma = Degrees(1);
     options.positionSigmaM = 0.0005;
+    options.heightSigmaM = 0.0005;
     const SyntheticSurvey survey = syntheticSurvey(options);
     const SurveyErrors errors = errorsOf(solveSurvey(survey, with(Model::Placement)), survey.roomFromPhoto);
     EXPECT_LT(errors.yawRms, 0.05 * kDegree);
@@ -136,6 +140,32 @@ TEST(Solve, SurvivesFourWrongMatchesOutOfFive) {
     const SurveyErrors errors = errorsOf(solveSurvey(survey, with(Model::Position)), survey.roomFromPhoto);
     EXPECT_EQ(errors.solved, 9);
     EXPECT_LT(errors.yawRms, 0.03 * kDegree);
+}
+
+TEST(Solve, SurvivesARepeatedPattern) {
+    SyntheticSurveyOptions options = small(20);
+    options.repeatedShare = 0.4;
+    const SyntheticSurvey survey = syntheticSurvey(options);
+    const SurveyErrors errors = errorsOf(solveSurvey(survey, with(Model::Position)), survey.roomFromPhoto);
+    EXPECT_EQ(errors.solved, 9);
+    EXPECT_LT(errors.yawRms, 0.03 * kDegree);
+}
+
+TEST(Solve, LeavesOutAMirrorImage) {
+    SyntheticSurvey survey = syntheticSurvey(small(21));
+    for (PhotoPair& pair : survey.pairs) {
+        for (Correspondence& match : pair.matches) {
+            if (pair.a == 4) {
+                match.inA.y() = -match.inA.y();
+            } else if (pair.b == 4) {
+                match.inB.y() = -match.inB.y();
+            }
+        }
+    }
+    const Alignment alignment = solveSurvey(survey, with(Model::Position));
+    EXPECT_FALSE(alignment.photos[4].isSolved);
+    EXPECT_FALSE(alignment.photos[4].why.empty());
+    EXPECT_LT(errorsOf(alignment, survey.roomFromPhoto).yawWorst, 0.06 * kDegree);
 }
 
 TEST(Solve, SurvivesPairsThatAreWrong) {
@@ -188,6 +218,7 @@ TEST(Solve, SolvesTwoPhotosAtOnePlaceButNotTheirHeading) {
     options.rows = 1;
     options.stepM = 0;
     options.positionSigmaM = 0;
+    options.heightSigmaM = 0;
     const SyntheticSurvey survey = syntheticSurvey(options);
     const Alignment alignment = solveSurvey(survey);
     ASSERT_TRUE(alignment.photos[0].isSolved);
@@ -342,8 +373,9 @@ TEST(Solve, TurnsUprightWhatIsTilted) {
         }
     }
     const SurveyErrors errors = errorsOf(solveSurvey(survey, with(Model::Position)), survey.roomFromPhoto);
-    EXPECT_LT(errors.yawRms, 0.04 * kDegree);
-    EXPECT_LT(errors.tiltRms, 0.04 * kDegree);
+    EXPECT_LT(errors.yawRms, 0.1 * kDegree);
+    EXPECT_LT(errors.tiltRms, 0.2 * kDegree);
+    EXPECT_GE(errors.within3, 0.9);
 }
 
 } // namespace spherewalk::align

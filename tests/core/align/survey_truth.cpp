@@ -24,6 +24,8 @@ double rootMeanSquare(const std::vector<double>& values) {
 SurveyErrors errorsOf(const Alignment& alignment, const std::vector<Rigid3>& truth, int component) {
     SurveyErrors errors;
     std::vector<const SolvedPose*> poses;
+    std::vector<Eigen::Vector3d> leans; // in the room's frame
+    Eigen::Vector3d commonLean = Eigen::Vector3d::Zero();
     double sine = 0;
     double cosine = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -39,6 +41,9 @@ SurveyErrors errorsOf(const Alignment& alignment, const std::vector<Rigid3>& tru
         sine += std::sin(errors.yaw.back());
         cosine += std::cos(errors.yaw.back());
         poses.push_back(&pose);
+        leans.push_back(pose.roomFromPhoto.rotation *
+                        (truth[i].rotation.conjugate() * Eigen::Vector3d::UnitZ()));
+        commonLean += leans.back();
     }
     errors.solved = static_cast<int>(poses.size());
     errors.commonYaw = std::atan2(sine, cosine);
@@ -57,6 +62,11 @@ SurveyErrors errorsOf(const Alignment& alignment, const std::vector<Rigid3>& tru
     }
     errors.yawRms = rootMeanSquare(errors.yaw);
     errors.tiltRms = std::hypot(rootMeanSquare(errors.pitch), rootMeanSquare(errors.roll)) / std::sqrt(2.0);
+    for (const Eigen::Vector3d& lean : leans) {
+        const double apart = (lean - commonLean / static_cast<double>(leans.size())).norm();
+        errors.tiltApartRms += apart * apart / 2 / static_cast<double>(leans.size());
+    }
+    errors.tiltApartRms = std::sqrt(errors.tiltApartRms);
     errors.ratioYaw = rootMeanSquare(yawRatios);
     errors.ratioTilt = rootMeanSquare(tiltRatios);
     errors.within3 = within / (3.0 * std::max(errors.solved, 1));

@@ -18,7 +18,8 @@ struct SurveyErrors {
     double yawRms = 0;
     double yawWorst = 0;
     double tiltRms = 0;
-    double ratioYaw = 0; ///< root mean square of error / reported sigma
+    double tiltApartRms = 0; ///< the lean common to all removed
+    double ratioYaw = 0;     ///< root mean square of error / reported sigma
     double ratioTilt = 0;
     double within3 = 0; ///< share of the errors
     int solved = 0;

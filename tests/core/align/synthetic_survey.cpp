@@ -171,6 +171,7 @@ SyntheticSurvey syntheticSurvey(const SyntheticSurveyOptions& options) {
         const Eigen::Vector3d planned = corner + options.stepM * Eigen::Vector3d(column, row, 0);
         prior.positionM = options.originM + planned;
         prior.positionSigmaM = std::max(options.positionSigmaM, 0.0005);
+        prior.heightSigmaM = std::max(options.heightSigmaM, 0.0002);
         prior.levelFromPhoto = Eigen::Quaterniond::Identity();
         prior.tiltSigma = options.tiltSigma;
         const RailError& error = errors[static_cast<std::size_t>(prior.placement)];
@@ -178,7 +179,8 @@ SyntheticSurvey syntheticSurvey(const SyntheticSurveyOptions& options) {
         truth.rotation = randomAttitude(options, random);
         truth.translation =
             error.centre + yawRotation(Radians(error.turn)) * (planned - error.centre) + error.shift +
-            options.positionSigmaM * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+            Eigen::Vector3d(options.positionSigmaM * random.normal(),
+                            options.positionSigmaM * random.normal(), options.heightSigmaM * random.normal());
         found.push_back(findPoints(options, points, truth, random));
         truth.translation += options.originM;
         survey.roomFromPhoto.push_back(truth);

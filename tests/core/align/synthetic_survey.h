@@ -29,7 +29,8 @@ struct SyntheticSurveyOptions {
 
     double sigmaRad = Radians(Degrees(0.05)).value(); ///< of bearings
     Radians tiltSigma = Degrees(0.5);                 ///< true tilts; the priors say upright
-    double positionSigmaM = 0.003; ///< of the true positions about the planned ones, along each axis
+    double positionSigmaM = 0.003; ///< of the true positions about the planned ones, along x and y
+    double heightSigmaM = 0.001;   ///< of the true heights
     double placementSigmaM = 0;    ///< of a rail's x and y
     Radians placementSigma;        ///< of a rail's heading
     bool hasAnyYaw = true;         ///< false: small ones
