@@ -151,6 +151,7 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
                     const std::stop_token& stop) {
     const std::vector<PhotoState> states = unknowns.states();
     Draws right = Draws::Zero(columns.count(), kDraws);
+    Draws passedOn = right; // by what is not solved
     std::vector<Matrix9d> matrices;
     double curvature = 0;
     double count = 0;
@@ -159,17 +160,18 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
         const PairScores scores = scoresOf(pair, states, options);
         curvature += scores.curvature;
         count += static_cast<double>(scores.track.size());
-        Eigen::Matrix<double, 9, Eigen::Dynamic> sums = scores.scores * signs(scores.track);
+        const Eigen::Matrix<double, 9, Eigen::Dynamic> sums = scores.scores * signs(scores.track);
         Eigen::Matrix<double, 9, Eigen::Dynamic> moved(9, kDraws);
         moved.topRows<3>() = errors.turn.middleRows<3>(3 * pair.a);
         moved.middleRows<3>(3) = errors.turn.middleRows<3>(3 * pair.b);
         moved.bottomRows<3>() =
             errors.position.middleRows<3>(3 * pair.b) - errors.position.middleRows<3>(3 * pair.a);
-        sums += scores.matrix * moved;
         const PairColumns at = pairColumns(columns, unknowns, pair);
         const Draws scattered = at.chain * sums;
+        const Draws scatteredMoved = at.chain * (scores.matrix * moved);
         for (std::size_t row = 0; row < at.column.size(); ++row) {
             right.row(at.column[row]) += scattered.row(static_cast<Eigen::Index>(row));
+            passedOn.row(at.column[row]) += scatteredMoved.row(static_cast<Eigen::Index>(row));
         }
         matrices.push_back(scores.matrix);
     }
@@ -177,6 +179,7 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
     for (Matrix9d& matrix : matrices) {
         matrix *= mean;
     }
+    right += mean * passedOn;
     const std::vector<PriorRow> rows = priorRows(columns, unknowns, priors, options);
     addPriors(rows, offsetFactors(unknowns, priors, options.model), right);
     return {normalMatrix(columns, unknowns, pairs, matrices, rows), std::move(right)};
