@@ -109,15 +109,43 @@ std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& ed
     return components;
 }
 
+// Photos that were compared with many others, of which few agree, and no triangle of those confirms it: a
+// mirror image, or a photo of another room.
+std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimates,
+                              const std::vector<GraphEdge>& edges) {
+    std::vector<int> compared(static_cast<std::size_t>(photos), 0);
+    std::vector<int> agreeing(static_cast<std::size_t>(photos), 0);
+    std::vector<bool> isConfirmed(static_cast<std::size_t>(photos), false);
+    for (const PairEstimate& estimate : estimates) {
+        ++compared[static_cast<std::size_t>(estimate.a)];
+        ++compared[static_cast<std::size_t>(estimate.b)];
+    }
+    for (const GraphEdge& edge : edges) {
+        for (const int photo : {edge.a, edge.b}) {
+            const auto at = static_cast<std::size_t>(photo);
+            ++agreeing[at];
+            isConfirmed[at] = isConfirmed[at] || edge.closed > 0;
+        }
+    }
+    std::vector<bool> found;
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+        found.push_back(compared[i] >= 4 && 2 * agreeing[i] < compared[i] && !isConfirmed[i]);
+    }
+    return found;
+}
+
 } // namespace
 
 PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int start) {
     PoseGraph graph;
     std::vector<GraphEdge> edges = edgesOf(estimates);
     graph.cycleErrorRad = median(closeTriangles(photos, edges));
+    const std::vector<bool> isUnconfirmed = unconfirmed(photos, estimates, edges);
     // A pair that no triangle supports, of many, would drag its photos along in the average.
     std::erase_if(edges, [&](const GraphEdge& edge) {
-        const bool isAlone = edge.triangles >= 3 && edge.closed == 0;
+        const bool isAlone = (edge.triangles >= 3 && edge.closed == 0) ||
+                             isUnconfirmed[static_cast<std::size_t>(edge.a)] ||
+                             isUnconfirmed[static_cast<std::size_t>(edge.b)];
         if (isAlone) {
             graph.contradicted.push_back(edge.pair);
         }

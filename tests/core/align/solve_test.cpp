@@ -151,6 +151,23 @@ TEST(Solve, SurvivesARepeatedPattern) {
     EXPECT_LT(errors.yawRms, 0.03 * kDegree);
 }
 
+TEST(Solve, LeavesOutAMirrorImage) {
+    SyntheticSurvey survey = syntheticSurvey(small(21));
+    for (PhotoPair& pair : survey.pairs) {
+        for (Correspondence& match : pair.matches) {
+            if (pair.a == 4) {
+                match.inA.y() = -match.inA.y();
+            } else if (pair.b == 4) {
+                match.inB.y() = -match.inB.y();
+            }
+        }
+    }
+    const Alignment alignment = solveSurvey(survey, with(Model::Position));
+    EXPECT_FALSE(alignment.photos[4].isSolved);
+    EXPECT_FALSE(alignment.photos[4].why.empty());
+    EXPECT_LT(errorsOf(alignment, survey.roomFromPhoto).yawWorst, 0.06 * kDegree);
+}
+
 TEST(Solve, SurvivesPairsThatAreWrong) {
     const SyntheticSurvey survey = syntheticSurvey(seeded(7));
     std::vector<PairEstimate> estimates = estimatePairs(survey.pairs);
