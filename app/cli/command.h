@@ -55,6 +55,7 @@ void addNew(Commands& commands);
 void addPlan(Commands& commands);
 void addCapture(Commands& commands);
 void addImport(Commands& commands);
+void addAlign(Commands& commands);
 void addStatus(Commands& commands);
 void addCheck(Commands& commands);
 void addExport(Commands& commands);

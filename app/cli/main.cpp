@@ -20,6 +20,7 @@ void declareCommands(Commands& commands) {
     addPlan(commands);
     addCapture(commands);
     addImport(commands);
+    addAlign(commands);
     addStatus(commands);
     addCheck(commands);
     addExport(commands);

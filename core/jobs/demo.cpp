@@ -65,8 +65,8 @@ class Demo {
         m_report.folder = m_folder;
         store::SurveyStore store = newSurvey();
         photograph(store);
-        solveFromTruth(store, m_folder / "truth.jsonl");
-        ProgressStep exporting(m_progress, 0.8, 0.85);
+        align(store);
+        ProgressStep exporting(m_progress, 0.82, 0.85);
         m_report.exported = exportDataset(store, m_folder / "dataset", {}, exporting, m_stop);
         walkThrough(store.plan());
         return std::move(m_report);
@@ -109,13 +109,24 @@ class Demo {
         camera::OscClient client(endpoint, camera::OscOptions{}.scaled(kTimeScale), systemClock());
         const CaptureSurveyOptions capture = practiceCaptureOptions(kTimeScale);
         PracticeOperator people(endpoint);
-        ProgressStep capturing(m_progress, 0, 0.8);
+        ProgressStep capturing(m_progress, 0, 0.6);
         m_report.capture = captureSurvey(store, client, people, systemClock(), capture, capturing, m_stop);
         if (m_report.capture.remaining > 0) {
             throw Error(ErrorKind::Internal,
                         text("The practice camera did not deliver ", m_report.capture.remaining,
                              " of the photos; see the messages above."));
         }
+    }
+
+    void align(store::SurveyStore& store) {
+        ProgressStep aligning(m_progress, 0.6, 0.82);
+        m_report.aligned = alignSurvey(store, {}, aligning, m_stop);
+        std::vector<std::int64_t> photos;
+        for (const AlignedPhoto& photo : m_report.aligned.photos) {
+            photos.push_back(photo.photo);
+        }
+        m_report.alignmentError = jobs::alignmentError(photos, m_report.aligned.alignment.photos,
+                                                       readTruePoses(store, m_folder / "truth.jsonl"));
     }
 
     void walkThrough(const survey::Plan& plan) {
@@ -181,6 +192,8 @@ Json toJson(const DemoReport& report) {
     return {{"folder", report.folder.string()},
             {"placements", report.placements},
             {"capture", toJson(report.capture)},
+            {"align", toJson(report.aligned)},
+            {"alignment_error", toJson(report.alignmentError)},
             {"export", toJson(report.exported)},
             {"walk", toJson(report.walk)},
             {"likeness_at_photos_db", report.atPhotosDb},

@@ -3,8 +3,8 @@
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/alignment_truth.h"
 #include "spherewalk/jobs/capture_survey.h"
-#include "spherewalk/jobs/demo.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/operators.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -72,6 +72,20 @@ class PracticeEndToEnd : public testing::Test {
         return captureSurvey(*store, client, *people, systemClock(), options, noProgress(), {});
     }
 
+    /// What is left to differ is the rendering.
+    void solveFromTruth() {
+        store::NewSolution solution{"practice", "truth", "{}", {}};
+        for (const auto& [photo, pose] : readTruePoses(*store, folder / "truth.jsonl")) {
+            store::SolvedPhoto solved;
+            solved.photo = photo;
+            solved.roomFromPhoto = pose.rotation;
+            solved.positionM = pose.translation;
+            solved.status = "good";
+            solution.photos.push_back(solved);
+        }
+        store->addSolution(solution, true);
+    }
+
     test::TemporaryFolder folder;
     std::unique_ptr<practice::PracticeCamera> camera;
     std::unique_ptr<store::SurveyStore> store;
@@ -83,7 +97,7 @@ class PracticeEndToEnd : public testing::Test {
 TEST_F(PracticeEndToEnd, AViewAtAPhotosPlaceIsTheExactPictureToMoreThan35Decibels) {
     begin(5376, 1.0);
     ASSERT_EQ(capture(2).taken, 2);
-    solveFromTruth(*store, folder / "truth.jsonl");
+    solveFromTruth();
     exportDataset(*store, folder / "d", {}, noProgress(), {});
     const render::Renderer renderer(
         std::make_shared<const render::Dataset>(render::Dataset::open(folder / "d")));

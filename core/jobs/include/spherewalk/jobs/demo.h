@@ -3,6 +3,8 @@
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/jobs/alignment_truth.h"
 #include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/walk.h"
@@ -24,23 +26,20 @@ struct DemoReport {
     std::filesystem::path folder;
     int placements = 0;
     CaptureSurveyReport capture;
+    AlignReport aligned;
+    AlignmentError alignmentError; ///< against the practice camera's truth
     ExportReport exported;
     WalkReport walk;
     double atPhotosDb = 0; ///< median likeness of views at the photos' own positions to the exact pictures
     double betweenDb = 0;  ///< the same along the walk, between the photos
 };
 
-/// The whole way on the practice room: plan, photos over HTTP from a practice camera, export, a walk, and how
-/// alike the views are to pictures that are ray cast from the same poses. Everything is left in the folder,
-/// which must not exist yet. The photos' poses come from the practice camera's truth, as a solution named
-/// "practice".
+/// The whole way on the practice room: plan, photos over HTTP from a practice camera, alignment (compared
+/// with where the camera really was), export, a walk, and how alike the views are to pictures that are ray
+/// cast from the same poses. Everything is left in the folder, which must not exist yet.
 DemoReport demo(const std::filesystem::path& folder, const DemoOptions& options, ProgressSink& progress,
                 const std::stop_token& stop);
 
 Json toJson(const DemoReport& report);
-
-/// Records the truth of a practice camera as the active solution of a survey that it photographed. Returns
-/// the number of photos. Errors: those of practice::readTruth() and of the store.
-int solveFromTruth(store::SurveyStore& store, const std::filesystem::path& truthFile);
 
 } // namespace spherewalk::jobs

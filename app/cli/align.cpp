@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_trade.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct Options {
+    std::string survey;
+    std::string effort{align::name(jobs::AlignOptions().effort)};
+    std::string model = "auto";
+    std::string mask;
+    std::string truth;
+    std::string plot;
+    bool isTrade = false;
+    bool keepsActive = false;
+    bool ignoresPositions = false;
+    int threads = 0;
+};
+
+align::Model modelNamed(const std::string& wanted) {
+    using align::Model;
+    for (const Model model : {Model::Auto, Model::Yaw, Model::Tilt, Model::Placement, Model::Position}) {
+        if (align::name(model) == wanted) {
+            return model;
+        }
+    }
+    throw Error(ErrorKind::InvalidInput, text("There is no alignment model \"", printable(wanted),
+                                              "\"; take auto, yaw, tilt, placement or position."));
+}
+
+align::Effort effortNamed(const std::string& wanted) {
+    const auto effort = align::effortNamed(wanted);
+    if (!effort) {
+        throw Error(ErrorKind::InvalidInput, text("There is no effort \"", printable(wanted),
+                                                  "\"; take draft, normal, fine or exact."));
+    }
+    return *effort;
+}
+
+void checkPlot(const std::string& plot) {
+    if (!plot.empty() && std::filesystem::path(plot).extension() != ".svg") {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The plot is an SVG picture: give --plot a name that ends in .svg, not ",
+                         printable(plot), "."));
+    }
+}
+
+Result trade(const Options& options, Context& context) {
+    checkPlot(options.plot);
+    auto store = store::SurveyStore::open(options.survey, store::Access::Read);
+    jobs::AlignTradeOptions tradeOptions;
+    tradeOptions.mask = options.mask;
+    tradeOptions.threads = options.threads;
+    if (!options.truth.empty()) {
+        tradeOptions.truth = jobs::readTruePoses(store, options.truth);
+    }
+    const jobs::AlignTrade trade = jobs::alignTrade(store, tradeOptions, context.progress, context.stop);
+    Result result{jobs::toJson(trade), jobs::tradeTable(trade)};
+    if (!options.plot.empty()) {
+        writeFile(options.plot, bytesOf(jobs::tradePlot(trade, text("Alignment of ", store.info().name))));
+        result.json["plot"] = options.plot;
+        result.text += text("\nWrote ", options.plot, ".");
+    }
+    return result;
+}
+
+std::string errorText(const jobs::AlignmentError& error) {
+    return text("\nAgainst the truth of ", error.photos, " photos: yaw ", fixed(error.yawRmsDeg, 4),
+                " deg RMS, ", fixed(error.yawWorstDeg, 4), " worst (the common ",
+                fixed(error.commonYawDeg, 3), " deg taken off); tilt ", fixed(error.tiltRmsDeg, 4), " RMS, ",
+                fixed(error.tiltWorstDeg, 4), " worst; position ", fixed(1000 * error.positionRmsM, 2),
+                " mm RMS; error over sigma ", fixed(error.yawOverSigma, 2), " (yaw), ",
+                fixed(error.tiltOverSigma, 2), " (tilt), ", fixed(100 * error.within3Sigma, 1),
+                " % within three sigma.");
+}
+
+Result align(const Options& options, Context& context) {
+    auto store = store::SurveyStore::open(options.survey, store::Access::Write);
+    jobs::AlignOptions alignOptions;
+    alignOptions.effort = effortNamed(options.effort);
+    alignOptions.model = modelNamed(options.model);
+    alignOptions.mask = options.mask;
+    alignOptions.checksPositions = !options.ignoresPositions;
+    alignOptions.isActivated = !options.keepsActive;
+    alignOptions.threads = options.threads;
+    const jobs::TruePoses truth =
+        options.truth.empty() ? jobs::TruePoses() : jobs::readTruePoses(store, options.truth);
+    const jobs::AlignReport report = jobs::alignSurvey(store, alignOptions, context.progress, context.stop);
+    Result result{jobs::toJson(report), jobs::alignText(report)};
+    if (!truth.empty()) {
+        std::vector<std::int64_t> photos;
+        for (const jobs::AlignedPhoto& photo : report.photos) {
+            photos.push_back(photo.photo);
+        }
+        const jobs::AlignmentError error = jobs::alignmentError(photos, report.alignment.photos, truth);
+        result.json["error"] = jobs::toJson(error);
+        result.text += errorText(error);
+    }
+    return result;
+}
+
+} // namespace
+
+void addAlign(Commands& commands) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command =
+        commands.add("align", "Solve how each photo is turned, from what neighbours see in common",
+                     [options](Context& context) {
+                         return options->isTrade ? trade(*options, context) : align(*options, context);
+                     });
+    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command
+        .add_option("--effort", options->effort,
+                    "How much work goes into the pictures: draft, normal, fine or exact")
+        ->capture_default_str();
+    command
+        .add_option("--model", options->model,
+                    "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")
+        ->capture_default_str();
+    command.add_option("--mask", options->mask,
+                       "Picture, twice as wide as high, black where photos are not to be looked at");
+    command.add_option("--threads", options->threads, "Threads at most; 0: all that the machine has")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.add_flag("--keep-active", options->keepsActive,
+                     "Record the solution without putting it in place of the active one");
+    command.add_flag("--no-position-check", options->ignoresPositions, "Take all position tags as they are");
+    command.add_option("--truth", options->truth,
+                       "True poses to compare with: a practice camera's truth (.jsonl), or a positions file "
+                       "with rotations (.csv)");
+    command.add_flag("--trade", options->isTrade,
+                     "Measure every effort and model, and print what each costs and gains; records nothing");
+    command.add_option("--plot", options->plot, "With --trade: SVG file to draw the figures into");
+}
+
+} // namespace spherewalk::cli

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/align_survey.h"
+
+#include "align_verdict.h"
+
+#include "spherewalk/align/content_check.h"
+#include "spherewalk/align/fitting_matches.h"
+#include "spherewalk/align/neighbours.h"
+#include "spherewalk/align/photo_matching.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/photo/levelling.h"
+#include "spherewalk/photo/metadata.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <utility>
+
+namespace spherewalk::jobs {
+
+using SteadyClock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr const char* kCacheFolder = "align-cache";
+/// What cameras say of their own tilt agrees with their pictures to about a degree.
+constexpr Degrees kStatedTiltSigma{1};
+constexpr Degrees kLevelledTiltSigma{0.5};
+/// Of a photo whose position is known to be wrong, while none that fits is known.
+constexpr double kUnknownPositionSigmaM = 2;
+
+double secondsSince(SteadyClock::time_point begin) {
+    return std::chrono::duration<double>(SteadyClock::now() - begin).count();
+}
+
+/// White where photos are looked at.
+MaskImage readMask(const std::filesystem::path& file) {
+    if (file.empty()) {
+        return {};
+    }
+    const RgbImage picture = photo::readPicture(file);
+    if (picture.width() != 2 * picture.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The mask ", printable(file.string()), " has ", picture.width(), " x ",
+                         picture.height(), " pixels; it must be twice as wide as high, as the photos are."));
+    }
+    MaskImage mask(picture.width(), picture.height());
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            *mask.at(x, y) = picture.at(x, y)[1] >= 128 ? 255 : 0;
+        }
+    }
+    return mask;
+}
+
+/// One run, step by step.
+class AlignRun {
+  public:
+    AlignRun(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
+             std::stop_token stop)
+        : m_store(store), m_options(options), m_progress(progress), m_stop(std::move(stop)) {}
+
+    AlignReport run() {
+        const auto begin = SteadyClock::now();
+        m_report.effort = m_options.effort;
+        readPhotos();
+        findFeatures();
+        matchPhotos();
+        solve();
+        judge();
+        m_report.seconds = secondsSince(begin);
+        if (m_options.isRecorded) {
+            record();
+        }
+        m_progress.progress(1, "Aligned");
+        return std::move(m_report);
+    }
+
+  private:
+    void readPhotos() {
+        m_photos = m_store.chosenPhotos();
+        if (m_photos.empty()) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("There is nothing to align in ", m_store.folder().string(),
+                             ": no station has a photo yet; capture or import some first."));
+        }
+        std::map<std::int64_t, store::StationRecord> stations;
+        for (store::StationRecord& station : m_store.stations()) {
+            m_planned.push_back(
+                {station.name, station.station.positionM, station.station.placement, station.station.stop});
+            stations.emplace(station.id, std::move(station));
+        }
+        ProgressStep step(m_progress, 0, 0.02);
+        for (const store::PhotoRecord& photo : m_photos) {
+            throwIfStopped(m_stop);
+            const store::StationRecord& station = stations.at(photo.station);
+            align::PhotoPrior prior;
+            prior.name = text(photo.fileName, " (", station.name, ")");
+            prior.positionM = photo.positionM;
+            prior.placement = station.station.placement;
+            prior.stop = station.station.stop;
+            m_priors.push_back(std::move(prior));
+            AlignedPhoto aligned;
+            aligned.photo = photo.id;
+            aligned.file = photo.fileName;
+            aligned.station = station.name;
+            m_report.photos.push_back(std::move(aligned));
+            readTilt(photo, m_priors.back());
+            step.progress(static_cast<double>(m_priors.size()) / static_cast<double>(m_photos.size()),
+                          "Reading what the photos say");
+        }
+    }
+
+    /// A photo that cannot be read is named by what looks for features in it.
+    void readTilt(const store::PhotoRecord& photo, align::PhotoPrior& prior) const {
+        const std::filesystem::path file = m_store.photoFolder() / photo.fileName;
+        try {
+            const photo::PhotoMetadata metadata = photo::readMetadata(readFile(file), file.string());
+            prior.levelFromPhoto = photo::levelFromPhoto(metadata);
+            prior.tiltSigma = photo::isLevel(metadata) ? kLevelledTiltSigma : kStatedTiltSigma;
+        } catch (const Error& error) {
+            m_progress.warning(error.sentence());
+        }
+    }
+
+    void findFeatures() {
+        const auto begin = SteadyClock::now();
+        std::vector<align::PhotoFile> files;
+        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+            files.push_back(
+                {m_store.photoFolder() / m_photos[i].fileName, m_priors[i].name, m_photos[i].fileSha256});
+        }
+        align::FindOptions find;
+        find.features = m_effort.features;
+        find.mask = readMask(m_options.mask);
+        find.cacheFolder =
+            m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
+        find.threads = m_options.threads;
+        ProgressStep step(m_progress, 0.02, 0.6);
+        m_features = align::findFeatures(files, find, step, m_stop);
+        m_report.fromCache = m_features.fromCache;
+        for (const align::Features& features : m_features.photos) {
+            m_report.features += static_cast<std::size_t>(features.count());
+        }
+        m_report.featureSeconds = secondsSince(begin);
+    }
+
+    void matchPhotos() {
+        const auto begin = SteadyClock::now();
+        std::vector<Eigen::Vector3d> positions;
+        for (const align::PhotoPrior& prior : m_priors) {
+            positions.push_back(prior.positionM);
+        }
+        ProgressStep step(m_progress, 0.6, 0.82);
+        m_pairs = align::matchPairs(m_features.photos, align::neighbours(positions, m_effort.neighbours),
+                                    m_effort.match, m_options.threads, step, m_stop);
+        m_features.photos.clear();
+        m_progress.progress(0.82, "Estimating how neighbours are turned to each other");
+        align::PairOptions pairs;
+        pairs.threads = m_options.threads;
+        m_estimates = align::estimatePairs(m_pairs, pairs);
+        throwIfStopped(m_stop);
+        m_report.pairs = m_pairs.size();
+        m_report.holdingPairs = static_cast<std::size_t>(
+            std::count_if(m_estimates.begin(), m_estimates.end(), [](const align::PairEstimate& pair) {
+                return pair.verdict == align::PairVerdict::Constraint;
+            }));
+        m_report.matchSeconds = secondsSince(begin);
+    }
+
+    void solve() {
+        const auto begin = SteadyClock::now();
+        if (m_options.checksPositions) {
+            m_progress.progress(0.86, "Checking the positions");
+            correctPositions();
+        }
+        throwIfStopped(m_stop);
+        align::SolveOptions options;
+        options.model = m_options.model;
+        options.threads = m_options.threads;
+        ProgressStep step(m_progress, 0.87, 0.98);
+        m_report.alignment = align::solve(m_priors, m_pairs, m_estimates, options, step, m_stop);
+        m_report.solveSeconds = secondsSince(begin);
+    }
+
+    /// What is solved is solved with the positions that fit.
+    void correctPositions() {
+        align::PositionCheckOptions options;
+        options.threads = m_options.threads;
+        for (const align::WrongPosition& wrong :
+             align::wrongPositions(m_priors, m_estimates, m_planned, options)) {
+            align::PhotoPrior& prior = m_priors.at(static_cast<std::size_t>(wrong.photo));
+            AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(wrong.photo));
+            photo.flags.push_back(wrong.reason);
+            if (wrong.fits < 0) {
+                prior.positionSigmaM = kUnknownPositionSigmaM;
+                continue;
+            }
+            const align::PlannedPosition& fits = m_planned.at(static_cast<std::size_t>(wrong.fits));
+            photo.fits = fits.name;
+            prior.positionM = fits.positionM;
+            prior.placement = fits.placement;
+            prior.stop = fits.stop;
+        }
+    }
+
+    void judge() {
+        m_progress.progress(0.98, "Looking for what moved");
+        const std::vector<align::SolvedPose>& poses = m_report.alignment.photos;
+        std::vector<std::optional<Rigid3>> solved;
+        for (const align::SolvedPose& pose : poses) {
+            solved.push_back(pose.isSolved ? std::optional(pose.roomFromPhoto) : std::nullopt);
+        }
+        for (const align::ChangedContent& changed :
+             align::changedContent(solved, m_pairs, align::fittingMatches(solved, m_pairs))) {
+            m_report.photos.at(static_cast<std::size_t>(changed.photo)).flags.push_back(changed.reason);
+        }
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
+        }
+        for (const int photo : m_features.unreadable) {
+            AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
+            damaged.status = "failed";
+            damaged.flags = {text("The file ", damaged.file, " cannot be read; retake the photo.")};
+        }
+    }
+
+    void record() {
+        throwIfStopped(m_stop);
+        store::NewSolution solution;
+        solution.source = "align";
+        solution.model = align::name(m_report.alignment.model);
+        for (const AlignedPhoto& photo : m_report.photos) {
+            if (!photo.pose.isSolved) {
+                continue;
+            }
+            store::SolvedPhoto solved;
+            solved.photo = photo.photo;
+            solved.roomFromPhoto = photo.pose.roomFromPhoto.rotation;
+            solved.positionM = photo.pose.roomFromPhoto.translation;
+            solved.sigmaYawRad = photo.pose.sigmaYaw.value();
+            solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
+            solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+            solved.sigmaPositionM = photo.pose.sigmaPositionM;
+            solved.status = photo.status;
+            solved.flags = Json(photo.flags).dump();
+            solution.photos.push_back(std::move(solved));
+        }
+        if (solution.photos.empty()) {
+            m_progress.warning("No photo could be aligned, so no solution was recorded; see what is said of "
+                               "each photo.");
+            return;
+        }
+        solution.report = toJson(m_report).dump();
+        m_report.solution = m_store.addSolution(solution, m_options.isActivated);
+    }
+
+    store::SurveyStore& m_store;
+    const AlignOptions& m_options;
+    ProgressSink& m_progress;
+    std::stop_token m_stop;
+    align::EffortOptions m_effort = align::optionsFor(m_options.effort);
+    std::vector<store::PhotoRecord> m_photos;
+    std::vector<align::PlannedPosition> m_planned;
+    std::vector<align::PhotoPrior> m_priors; ///< one a photo, as all below
+    align::FoundFeatures m_features;
+    std::vector<align::PhotoPair> m_pairs;
+    std::vector<align::PairEstimate> m_estimates; ///< one a pair
+    AlignReport m_report;
+};
+
+} // namespace
+
+AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
+                        const std::stop_token& stop) {
+    return AlignRun(store, options, progress, stop).run();
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "align_verdict.h"
+
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+/// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
+constexpr double kMostOutliers = 0.5;
+
+std::string degreesText(Radians angle) {
+    return text(fixed(Degrees(angle).value(), 3), " deg");
+}
+
+Json sigmaJson(const align::SolvedPose& pose) {
+    return {{"yaw", Degrees(pose.sigmaYaw).value()},
+            {"pitch", Degrees(pose.sigmaPitch).value()},
+            {"roll", Degrees(pose.sigmaRoll).value()}};
+}
+
+Json toJson(const AlignedPhoto& photo) {
+    Json json = {{"file", photo.file},      {"station", photo.station}, {"status", photo.status},
+                 {"roomFromPhoto", Json()}, {"position_m", Json()},     {"sigma_deg", Json()},
+                 {"flags", photo.flags}};
+    if (photo.pose.isSolved) {
+        const Eigen::Quaterniond& q = photo.pose.roomFromPhoto.rotation;
+        const Eigen::Vector3d& p = photo.pose.roomFromPhoto.translation;
+        json["roomFromPhoto"] = {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}};
+        json["position_m"] = {p.x(), p.y(), p.z()};
+        json["sigma_deg"] = sigmaJson(photo.pose);
+        json["sigma_position_m"] = photo.pose.sigmaPositionM;
+        json["neighbours"] = photo.pose.constraints;
+        json["residual_deg"] = Degrees(Radians(photo.pose.residualRad)).value();
+    }
+    if (!photo.fits.empty()) {
+        json["fits_station"] = photo.fits;
+    }
+    return json;
+}
+
+Json trialsJson(const align::Alignment& alignment) {
+    Json trials = Json::array();
+    for (const align::ModelTrial& trial : alignment.trials) {
+        trials.push_back({{"model", name(trial.model)},
+                          {"held_out_deg", Degrees(Radians(trial.heldOutRad)).value()},
+                          {"seconds", trial.seconds},
+                          {"is_supported", trial.isSupported}});
+    }
+    return trials;
+}
+
+std::map<std::string, int> countsByStatus(const AlignReport& report) {
+    std::map<std::string, int> counts{{"good", 0}, {"doubtful", 0}, {"failed", 0}};
+    for (const AlignedPhoto& photo : report.photos) {
+        ++counts[photo.status];
+    }
+    return counts;
+}
+
+Radians worstSigma(const AlignReport& report) {
+    Radians worst;
+    for (const AlignedPhoto& photo : report.photos) {
+        worst = photo.pose.isSolved ? std::max(worst, photo.pose.sigmaYaw) : worst;
+    }
+    return worst;
+}
+
+std::string secondsText(double seconds) {
+    return text(fixed(seconds, 1), " s");
+}
+
+} // namespace
+
+void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo) {
+    photo.pose = pose;
+    if (!pose.isSolved) {
+        photo.status = "failed";
+        photo.flags.push_back(pose.why);
+        return;
+    }
+    const Radians sigma = std::max({pose.sigmaYaw, pose.sigmaPitch, pose.sigmaRoll});
+    if (sigma > kDoubtfulSigma) {
+        photo.flags.push_back(text("Its rotation is known to ", degreesText(sigma),
+                                   " only: it shares too little with its neighbours; retake it with more "
+                                   "light, or with more to see."));
+    }
+    if (pose.outlierShare > kMostOutliers) {
+        photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
+                                   " % of what it shows; look at the picture, and retake it if it is not of "
+                                   "this place."));
+    }
+    if (pose.component > 0) {
+        photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
+                                   alignment.components,
+                                   " parts): headings are right within the part, and the part's own rests on "
+                                   "its positions alone; take photos between the parts."));
+    }
+    photo.status = photo.flags.empty() ? "good" : "doubtful";
+}
+
+Json toJson(const AlignReport& report) {
+    Json photos = Json::array();
+    for (const AlignedPhoto& photo : report.photos) {
+        photos.push_back(toJson(photo));
+    }
+    const align::Alignment& alignment = report.alignment;
+    return {{"model", name(alignment.model)},
+            {"reason", alignment.reason},
+            {"effort", name(report.effort)},
+            {"seconds", report.seconds},
+            {"feature_seconds", report.featureSeconds},
+            {"match_seconds", report.matchSeconds},
+            {"solve_seconds", report.solveSeconds},
+            {"features", report.features},
+            {"photos_from_cache", report.fromCache},
+            {"pairs", report.pairs},
+            {"holding_pairs", report.holdingPairs},
+            {"components", alignment.components},
+            {"residual_deg", Degrees(Radians(alignment.residualRad)).value()},
+            {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},
+            {"sigma_common_yaw_deg", Degrees(alignment.sigmaCommonYaw).value()},
+            {"trials", trialsJson(alignment)},
+            {"warnings", alignment.warnings},
+            {"photos", photos}};
+}
+
+std::string alignText(const AlignReport& report) {
+    const std::map<std::string, int> counts = countsByStatus(report);
+    std::string words = text(
+        "Aligned ", counts.at("good") + counts.at("doubtful"), " of ", report.photos.size(), " photos in ",
+        secondsText(report.seconds), " (features ", secondsText(report.featureSeconds), ", matching ",
+        secondsText(report.matchSeconds), ", solving ", secondsText(report.solveSeconds),
+        "): ", counts.at("good"), " good, ", counts.at("doubtful"), " doubtful, ", counts.at("failed"),
+        " failed.\n", "Model ", name(report.alignment.model), ". ", report.alignment.reason,
+        "\nYaw is known to ", degreesText(worstSigma(report)), " at worst (one standard deviation); the ",
+        "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ".");
+    for (const std::string& warning : report.alignment.warnings) {
+        words += "\n" + warning;
+    }
+    for (const AlignedPhoto& photo : report.photos) {
+        for (const std::string& flag : photo.flags) {
+            words += text("\n", photo.file, " (", photo.station, "): ", flag);
+        }
+    }
+    return words;
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/jobs/align_survey.h"
+
+namespace spherewalk::jobs {
+
+/// A rotation worse than this is told: three of it are about what a robot's camera of 640 pixels can see.
+inline constexpr Radians kDoubtfulSigma = Degrees(0.15);
+
+/// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
+void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo);
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "temporary_folder.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/align_trade.h"
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/practice/photo_errors.h"
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/render/dataset.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace spherewalk::jobs {
+
+namespace fs = std::filesystem;
+using test::expectError;
+using testing::HasSubstr;
+
+namespace {
+
+constexpr int kWidth = 768;
+
+/// Six photos of the practice room, 20 cm apart, each turned by any yaw and tilted.
+class AlignSurvey : public testing::Test {
+  protected:
+    void photograph(const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
+        practice::PracticeRoomOptions options;
+        options.originM = origin;
+        const practice::PracticeRoom room(options);
+        practice::PhotoErrors errors;
+        errors.seed = 5;
+        for (int i = 0; i < 6; ++i) {
+            const Eigen::Vector3d nominal =
+                origin + Eigen::Vector3d(2.0 + 0.2 * (i % 3), 1.6 + 0.2 * (i / 3), 1.2);
+            truth.push_back(errors.truePose(nominal, i + 1));
+            places.push_back(nominal);
+            pictures.push_back(room.spherical(truth.back(), {kWidth, kWidth / 2}));
+        }
+    }
+
+    store::SurveyStore newSurvey(const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
+        survey::Room room;
+        const Eigen::Vector2d corner = origin.head<2>();
+        for (const Eigen::Vector2d& at : {Eigen::Vector2d(0, 0), {5, 0}, {5, 4}, {0, 4}}) {
+            room.outline.emplace_back(corner + at);
+        }
+        room.ceilingM = 2.6;
+        survey::PlanOptions options;
+        options.stepM = 1;
+        auto store = store::SurveyStore::create(folder / "s.spherewalk", "s", room, options,
+                                                survey::plan(room, options));
+        fs::create_directories(folder / "in");
+        std::string csv = "file,x_m,y_m,z_m\n";
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            const std::string name = text("R", i, ".JPG");
+            writeFile(folder / "in" / name, jpeg::encode(pictures[i], 92));
+            csv += text(name, ",", fixed(places[i].x(), 3), ",", fixed(places[i].y(), 3), ",",
+                        fixed(places[i].z(), 3), "\n");
+        }
+        writeFile(folder / "p.csv", bytesOf(csv));
+        importPhotos(store, {folder / "in", folder / "p.csv"}, noProgress(), {});
+        return store;
+    }
+
+    TruePoses truePoses(const store::SurveyStore& store) const {
+        TruePoses poses;
+        for (const store::PhotoRecord& photo : store.photos()) {
+            poses.emplace(photo.id, truth.at(static_cast<std::size_t>(photo.cameraFileName.at(1) - '0')));
+        }
+        return poses;
+    }
+
+    static AlignmentError errorOf(const AlignReport& report, const TruePoses& poses) {
+        std::vector<std::int64_t> photos;
+        for (const AlignedPhoto& photo : report.photos) {
+            photos.push_back(photo.photo);
+        }
+        return alignmentError(photos, report.alignment.photos, poses);
+    }
+
+    static const AlignedPhoto& photoOf(const AlignReport& report, const std::string& file) {
+        return *std::find_if(report.photos.begin(), report.photos.end(),
+                             [&](const AlignedPhoto& photo) { return photo.file == file; });
+    }
+
+    test::TemporaryFolder folder;
+    std::vector<Rigid3> truth;
+    std::vector<Eigen::Vector3d> places;
+    std::vector<RgbImage> pictures;
+};
+
+/// Asks to stop when so much is done.
+class StopAt : public ProgressSink {
+  public:
+    explicit StopAt(double fraction) : m_fraction(fraction) {}
+
+    void progress(double fraction, std::string_view /*activity*/) override {
+        if (fraction >= m_fraction) {
+            source.request_stop();
+        }
+    }
+
+    void warning(std::string_view /*sentence*/) override {}
+
+    std::stop_source source;
+
+  private:
+    double m_fraction;
+};
+
+} // namespace
+
+TEST_F(AlignSurvey, FindsHowEveryPhotoIsTurnedAndTellsTheDataset) {
+    photograph();
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    const AlignmentError error = errorOf(report, truePoses(store));
+    EXPECT_EQ(error.photos, 6);
+    EXPECT_LT(error.yawRmsDeg, 0.1);
+    EXPECT_LT(error.tiltRmsDeg, 0.2);
+    EXPECT_LT(std::abs(error.commonYawDeg), 2); // positions are off by 3 mm
+    for (const AlignedPhoto& photo : report.photos) {
+        EXPECT_EQ(photo.status, "good") << photo.file << ": " << testing::PrintToString(photo.flags);
+    }
+    ASSERT_TRUE(store.activeSolution());
+    EXPECT_EQ(store.activeSolution()->source, "align");
+    exportDataset(store, folder / "d", {}, noProgress(), {});
+    const auto dataset = render::Dataset::open(folder / "d");
+    for (const render::DatasetPhoto& photo : dataset.info().photos) {
+        EXPECT_EQ(photo.rotationSource, "aligned");
+        ASSERT_TRUE(photo.rotationSigma);
+        EXPECT_GT(photo.rotationSigma->yaw.value(), 0);
+        EXPECT_LT(photo.rotationSigma->yaw, Radians(Degrees(0.15)));
+    }
+}
+
+TEST_F(AlignSurvey, NamesPhotosThatShowNothingOrAreMirrored) {
+    photograph();
+    pictures[1] = RgbImage(kWidth, kWidth / 2);
+    RgbImage& mirrored = pictures[5];
+    for (int y = 0; y < mirrored.height(); ++y) {
+        for (int x = 0; x < kWidth / 2; ++x) {
+            std::swap_ranges(mirrored.at(x, y), mirrored.at(x, y) + 3, mirrored.at(kWidth - 1 - x, y));
+        }
+    }
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    for (const char* file : {"R1.JPG", "R5.JPG"}) {
+        const AlignedPhoto& photo = photoOf(report, file);
+        EXPECT_EQ(photo.status, "failed") << file;
+        EXPECT_FALSE(photo.pose.isSolved);
+        ASSERT_FALSE(photo.flags.empty());
+        EXPECT_THAT(photo.flags.front(), testing::EndsWith("."));
+    }
+    EXPECT_EQ(store.solvedPhotos(report.solution).size(), 4U);
+    EXPECT_LT(errorOf(report, truePoses(store)).yawRmsDeg, 0.2);
+}
+
+TEST_F(AlignSurvey, GoesOnWhereItWasStopped) {
+    photograph();
+    auto store = newSurvey();
+    StopAt stop(0.3);
+    expectError(ErrorKind::Stopped, "Stopped",
+                [&] { alignSurvey(store, {}, stop, stop.source.get_token()); });
+    EXPECT_FALSE(store.activeSolution());
+    AlignOptions once;
+    once.threads = 1;
+    const AlignReport resumed = alignSurvey(store, once, noProgress(), {});
+    EXPECT_GT(resumed.fromCache, 0);
+    EXPECT_LT(resumed.fromCache, 6);
+    const AlignReport again = alignSurvey(store, {}, noProgress(), {});
+    EXPECT_EQ(again.fromCache, 6);
+    // The same input gives the same result, with any number of threads; history is kept.
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(again.photos[i].pose.roomFromPhoto.rotation.coeffs(),
+                  resumed.photos[i].pose.roomFromPhoto.rotation.coeffs());
+    }
+    EXPECT_EQ(store.solutions().size(), 2U);
+    EXPECT_EQ(store.activeSolution()->id, again.solution);
+}
+
+TEST_F(AlignSurvey, WorksAThousandKilometresFromTheOrigin) {
+    const Eigen::Vector3d far(1e6, -1e6, 0);
+    photograph(far);
+    auto store = newSurvey(far);
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    EXPECT_LT(errorOf(report, truePoses(store)).yawRmsDeg, 0.1);
+}
+
+TEST_F(AlignSurvey, SaysWhatToDoWithoutPhotosAndWithOne) {
+    auto empty = newSurvey();
+    expectError(ErrorKind::InvalidInput, "capture or import",
+                [&] { alignSurvey(empty, {}, noProgress(), {}); });
+    fs::remove_all(folder / "in");
+    pictures.emplace_back(256, 128);
+    places.emplace_back(2, 1.6, 1.2);
+    fs::create_directories(folder / "in");
+    writeFile(folder / "in/R0.JPG", jpeg::encode(pictures.front(), 90));
+    writeFile(folder / "p.csv", bytesOf("file,x_m,y_m,z_m\nR0.JPG,2,1.6,1.2\n"));
+    importPhotos(empty, {folder / "in", folder / "p.csv"}, noProgress(), {});
+    const AlignReport report = alignSurvey(empty, {}, noProgress(), {});
+    ASSERT_EQ(report.photos.size(), 1U);
+    EXPECT_EQ(report.photos.front().status, "failed");
+    EXPECT_THAT(report.photos.front().flags.front(), testing::EndsWith("."));
+    EXPECT_EQ(report.solution, 0);
+}
+
+TEST_F(AlignSurvey, MeasuresWhatEachEffortAndModelCosts) {
+    photograph();
+    auto store = newSurvey();
+    AlignTradeOptions options;
+    options.efforts = {align::Effort::Draft};
+    options.models = {align::Model::Yaw, align::Model::Tilt};
+    options.truth = truePoses(store);
+    const AlignTrade trade = alignTrade(store, options, noProgress(), {});
+    ASSERT_EQ(trade.rows.size(), 2U);
+    EXPECT_LT(trade.rows[1].error->yawRmsDeg, trade.rows[0].error->yawRmsDeg); // the photos are tilted
+    EXPECT_TRUE(trade.rows[1].heldOutDeg);
+    EXPECT_GT(trade.rows[0].seconds(), 0);
+    EXPECT_FALSE(store.activeSolution());
+    EXPECT_THAT(tradeTable(trade), HasSubstr("draft"));
+    EXPECT_THAT(tradePlot(trade, "s"), testing::EndsWith("</svg>\n"));
+}
+
+} // namespace spherewalk::jobs
