@@ -22,6 +22,7 @@ struct Options {
     bool isTrade = false;
     bool keepsActive = false;
     bool ignoresPositions = false;
+    double positionSigmaM = jobs::AlignOptions().positionSigmaM;
     int threads = 0;
 };
 
@@ -76,10 +77,11 @@ std::string errorText(const jobs::AlignmentError& error) {
     return text("\nAgainst the truth of ", error.photos, " photos: yaw ", fixed(error.yawRmsDeg, 4),
                 " deg RMS, ", fixed(error.yawWorstDeg, 4), " worst (the common ",
                 fixed(error.commonYawDeg, 3), " deg taken off); tilt ", fixed(error.tiltRmsDeg, 4), " RMS, ",
-                fixed(error.tiltWorstDeg, 4), " worst; position ", fixed(1000 * error.positionRmsM, 2),
-                " mm RMS; error over sigma ", fixed(error.yawOverSigma, 2), " (yaw), ",
-                fixed(error.tiltOverSigma, 2), " (tilt), ", fixed(100 * error.within3Sigma, 1),
-                " % within three sigma.");
+                fixed(error.tiltWorstDeg, 4), " worst (", fixed(error.ownTiltRmsDeg, 4),
+                " RMS with the common lean of ", fixed(error.commonLeanDeg, 4), " deg taken off); position ",
+                fixed(1000 * error.positionRmsM, 2), " mm RMS; error over sigma ",
+                fixed(error.yawOverSigma, 2), " (yaw), ", fixed(error.tiltOverSigma, 2), " (tilt), ",
+                fixed(100 * error.within3Sigma, 1), " % within three sigma.");
 }
 
 Result align(const Options& options, Context& context) {
@@ -90,6 +92,7 @@ Result align(const Options& options, Context& context) {
     alignOptions.mask = options.mask;
     alignOptions.checksPositions = !options.ignoresPositions;
     alignOptions.isActivated = !options.keepsActive;
+    alignOptions.positionSigmaM = options.positionSigmaM;
     alignOptions.threads = options.threads;
     const jobs::TruePoses truth =
         options.truth.empty() ? jobs::TruePoses() : jobs::readTruePoses(store, options.truth);
@@ -127,6 +130,11 @@ void addAlign(Commands& commands) {
         ->capture_default_str();
     command.add_option("--mask", options->mask,
                        "Picture, twice as wide as high, black where photos are not to be looked at");
+    command
+        .add_option("--position-sigma", options->positionSigmaM,
+                    "How far photos stand from where they are tagged, metres, one standard deviation")
+        ->check(CLI::Range(0.0001, 1.0))
+        ->capture_default_str();
     command.add_option("--threads", options->threads, "Threads at most; 0: all that the machine has")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();

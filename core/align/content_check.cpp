@@ -21,8 +21,10 @@ namespace {
 constexpr Radians kCell = Degrees(4);
 constexpr std::array<Degrees, 4> kRadii = {Degrees(4.5), Degrees(8), Degrees(13), Degrees(20)};
 constexpr int kLeastNeighbours = 3;
-constexpr double kStillSeen = 0.1;     ///< of the chance, where the content changed
-constexpr double kLeastScore = 12;     ///< nats
+constexpr double kStillSeen = 0.1; ///< of the chance, where the content changed
+constexpr double kLeastScore = 12; ///< nats
+/// Of what is not found elsewhere in the photo either. Clean pictures of two furnished rooms reached 15.
+constexpr double kLeastVanishedScore = 19;
 constexpr double kLeastMissed = 5;     ///< things that all neighbours see
 constexpr double kLargestShare = 0.15; ///< of what is expected, that may be seen all the same
 constexpr double kOneSidedTimes = 1.3; ///< as much is asked where something might hide what is missed
@@ -175,7 +177,8 @@ std::vector<ChangedContent> changesIn(int index, const Sightings& sightings, con
         }
         fit(photo, *part);
         const std::optional<double> movedRad = moved(photo, *part);
-        if (movedRad || !mayBeHidden(photo, *part, index, sightings)) {
+        if (movedRad ||
+            (part->tally.score > kLeastVanishedScore && !mayBeHidden(photo, *part, index, sightings))) {
             const double confidence = 1 - std::exp(-part->tally.score / kLeastScore);
             changes.push_back({index, part->middle, part->radius, confidence, reason(movedRad)});
         }

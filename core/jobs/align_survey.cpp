@@ -100,6 +100,7 @@ class AlignRun {
             align::PhotoPrior prior;
             prior.name = text(photo.fileName, " (", station.name, ")");
             prior.positionM = photo.positionM;
+            prior.positionSigmaM = m_options.positionSigmaM;
             prior.placement = station.station.placement;
             prior.stop = station.station.stop;
             m_priors.push_back(std::move(prior));

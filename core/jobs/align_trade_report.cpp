@@ -72,7 +72,7 @@ std::string tradeTable(const AlignTrade& trade) {
     measure::TextTable table(2);
     std::vector<std::string> heads{"effort", "model", "s", "photos", "held out", "cycle", "stated yaw"};
     if (trade.hasTruth) {
-        heads.insert(heads.end(), {"yaw RMS", "worst", "tilt RMS", "error / stated"});
+        heads.insert(heads.end(), {"yaw RMS", "worst", "tilt RMS", "lean", "error / stated"});
     }
     table.add(heads);
     for (std::size_t i = 0; i < trade.rows.size(); ++i) {
@@ -88,13 +88,14 @@ std::string tradeTable(const AlignTrade& trade) {
             digits(row.sigmaYawDeg)};
         if (row.error) {
             cells.insert(cells.end(), {digits(row.error->yawRmsDeg), digits(row.error->yawWorstDeg),
-                                       digits(row.error->tiltRmsDeg), fixed(row.error->yawOverSigma, 2)});
+                                       digits(row.error->ownTiltRmsDeg), digits(row.error->commonLeanDeg),
+                                       fixed(row.error->yawOverSigma, 2)});
         }
         table.add(cells);
     }
     return text("Alignment of ", trade.photos,
                 " photos: effort (detector, working pixels per turn, features a "
-                "photo) and model; angles in degrees\n",
+                "photo) and model; angles in degrees, common yaw and lean taken off\n",
                 table.text());
 }
 

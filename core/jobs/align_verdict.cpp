@@ -4,7 +4,8 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace spherewalk::jobs {
@@ -77,6 +78,15 @@ std::string secondsText(double seconds) {
 
 } // namespace
 
+Radians commonLeanSigma(const align::Alignment& alignment) {
+    // What is common to all cannot be more than the best known photo has.
+    Radians least(std::numeric_limits<double>::infinity());
+    for (const align::SolvedPose& pose : alignment.photos) {
+        least = pose.isSolved ? std::min(least, std::min(pose.sigmaPitch, pose.sigmaRoll)) : least;
+    }
+    return std::isfinite(least.value()) ? least : Radians(0);
+}
+
 void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo) {
     photo.pose = pose;
     if (!pose.isSolved) {
@@ -84,7 +94,10 @@ void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignmen
         photo.flags.push_back(pose.why);
         return;
     }
-    const Radians sigma = std::max({pose.sigmaYaw, pose.sigmaPitch, pose.sigmaRoll});
+    const double lean = commonLeanSigma(alignment).value();
+    const double tilt = std::max(pose.sigmaPitch, pose.sigmaRoll).value();
+    const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
+    const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
     if (sigma > kDoubtfulSigma) {
         photo.flags.push_back(text("Its rotation is known to ", degreesText(sigma),
                                    " only: it shares too little with its neighbours; retake it with more "
@@ -125,6 +138,7 @@ Json toJson(const AlignReport& report) {
             {"residual_deg", Degrees(Radians(alignment.residualRad)).value()},
             {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},
             {"sigma_common_yaw_deg", Degrees(alignment.sigmaCommonYaw).value()},
+            {"sigma_common_lean_deg", Degrees(commonLeanSigma(alignment)).value()},
             {"trials", trialsJson(alignment)},
             {"warnings", alignment.warnings},
             {"photos", photos}};
@@ -139,7 +153,8 @@ std::string alignText(const AlignReport& report) {
         "): ", counts.at("good"), " good, ", counts.at("doubtful"), " doubtful, ", counts.at("failed"),
         " failed.\n", "Model ", name(report.alignment.model), ". ", report.alignment.reason,
         "\nYaw is known to ", degreesText(worstSigma(report)), " at worst (one standard deviation); the ",
-        "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ".");
+        "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ", its lean to ",
+        degreesText(commonLeanSigma(report.alignment)), ".");
     for (const std::string& warning : report.alignment.warnings) {
         words += "\n" + warning;
     }

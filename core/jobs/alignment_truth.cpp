@@ -109,6 +109,8 @@ AlignmentError alignmentError(std::span<const std::int64_t> photos, std::span<co
     error.commonYawDeg = degrees(common);
     double yaws = 0;
     double tilts = 0;
+    Eigen::Vector2d lean = Eigen::Vector2d::Zero();
+    double squares = 0;
     double positions = 0;
     double yawRatios = 0;
     double tiltRatios = 0;
@@ -120,6 +122,8 @@ AlignmentError alignmentError(std::span<const std::int64_t> photos, std::span<co
         // Pitch and roll turn about the photo's own level axes.
         const Vector3d inPhoto = yawRotation(-yawPitchRoll(solved[i]->roomFromPhoto.rotation).yaw) * inRoom;
         const double tilt = inPhoto.head<2>().norm();
+        lean += inRoom.head<2>() / error.photos;
+        squares += inRoom.head<2>().squaredNorm() / 2;
         yaws += inRoom.z() * inRoom.z();
         tilts += tilt * tilt / 2;
         positions += (offsets[i] - offset).squaredNorm() / 3;
@@ -136,6 +140,8 @@ AlignmentError alignmentError(std::span<const std::int64_t> photos, std::span<co
     }
     error.yawRmsDeg = degrees(rootMeanSquare(yaws, error.photos));
     error.tiltRmsDeg = degrees(rootMeanSquare(tilts, error.photos));
+    error.commonLeanDeg = degrees(lean.norm());
+    error.ownTiltRmsDeg = degrees(std::sqrt(std::max(0.0, squares / error.photos - lean.squaredNorm() / 2)));
     error.positionRmsM = rootMeanSquare(positions, error.photos);
     error.yawOverSigma = rootMeanSquare(yawRatios, error.photos);
     error.tiltOverSigma = rootMeanSquare(tiltRatios, error.photos);
@@ -150,6 +156,8 @@ Json toJson(const AlignmentError& error) {
             {"common_yaw_deg", error.commonYawDeg},
             {"tilt_rms_deg", error.tiltRmsDeg},
             {"tilt_worst_deg", error.tiltWorstDeg},
+            {"common_lean_deg", error.commonLeanDeg},
+            {"own_tilt_rms_deg", error.ownTiltRmsDeg},
             {"position_rms_m", error.positionRmsM},
             {"yaw_over_sigma", error.yawOverSigma},
             {"tilt_over_sigma", error.tiltOverSigma},

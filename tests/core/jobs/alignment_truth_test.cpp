@@ -42,6 +42,8 @@ TEST(AlignmentError, TakesTheCommonYawOffAndTellsYawFromTilt) {
     EXPECT_EQ(error.photos, 399);
     EXPECT_NEAR(error.yawRmsDeg, 0.02, 0.003);
     EXPECT_NEAR(error.tiltRmsDeg, 0.05, 0.005);
+    EXPECT_LT(error.commonLeanDeg, 0.01);
+    EXPECT_NEAR(error.ownTiltRmsDeg, error.tiltRmsDeg, 0.002);
     EXPECT_NEAR(wrapped(Radians(Degrees(error.commonYawDeg)) - common).value(), 0, 1e-4);
     EXPECT_NEAR(error.yawOverSigma, 1, 0.12);
     EXPECT_NEAR(error.tiltOverSigma, 1, 0.12);

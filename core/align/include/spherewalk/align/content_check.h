@@ -35,6 +35,9 @@ struct ContentCheckOptions {
 /// one entry a match: whether the match fits the solved poses. Matches need their features' indices: without
 /// them nothing tells that two neighbours see the same thing.
 ///
+/// What vanished or is covered is told only where it is much, as furniture that hides things looks alike;
+/// what stands elsewhere in the photo is told sooner.
+///
 /// Not judged: photos with fewer than three neighbours; parts with little to recognise; photos that differ
 /// from their neighbours in more than four parts (they are wrong as a whole); changes that some neighbours
 /// share. So if from one photo on all later ones see the chair elsewhere, nothing is reported: each photo has

@@ -21,6 +21,8 @@ struct AlignOptions {
     align::Model model = align::Model::Auto;
     /// Grey picture of any size, 2:1, black where photos are not to be looked at; empty: none.
     std::filesystem::path mask;
+    /// How far photos stand from where their tags say, one standard deviation along x and along y; above 0.
+    double positionSigmaM = 0.005;
     bool checksPositions = true; ///< look for wrong position tags; the positions that fit are solved with
     /// Where what was found in the pictures is kept; empty: in the survey's `align-cache`.
     std::filesystem::path cacheFolder;

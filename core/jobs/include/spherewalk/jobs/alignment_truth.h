@@ -27,7 +27,9 @@ struct AlignmentError {
     double yawRmsDeg = 0;
     double yawWorstDeg = 0;
     double commonYawDeg = 0;
-    double tiltRmsDeg = 0; ///< of pitch and roll
+    double tiltRmsDeg = 0;    ///< of pitch and roll
+    double commonLeanDeg = 0; ///< by which the whole leans, a part of the tilts
+    double ownTiltRmsDeg = 0; ///< the common lean taken off
     double tiltWorstDeg = 0;
     double positionRmsM = 0; ///< along each axis, the common offset taken off
     /// Root mean square of error / sigma: 1 if the stated deviations are right.
