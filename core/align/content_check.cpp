@@ -19,12 +19,12 @@ namespace spherewalk::align {
 namespace {
 
 constexpr Radians kCell = Degrees(4);
-constexpr std::array<Degrees, 4> kRadii = {Degrees(4.5), Degrees(8), Degrees(13), Degrees(20)};
+constexpr std::array<Degrees, 3> kRadii = {Degrees(4.5), Degrees(8), Degrees(13)};
 constexpr int kLeastNeighbours = 3;
 constexpr double kStillSeen = 0.1; ///< of the chance, where the content changed
 constexpr double kLeastScore = 12; ///< nats
-/// Of what is not found elsewhere in the photo either. Clean pictures of two furnished rooms reached 15.
-constexpr double kLeastVanishedScore = 19;
+/// Of what is not found elsewhere in the photo either. Clean pictures beside furniture reach about as much.
+constexpr double kLeastVanishedScore = 24;
 constexpr double kLeastMissed = 5;     ///< things that all neighbours see
 constexpr double kLargestShare = 0.15; ///< of what is expected, that may be seen all the same
 constexpr double kOneSidedTimes = 1.3; ///< as much is asked where something might hide what is missed

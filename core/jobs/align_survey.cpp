@@ -217,7 +217,11 @@ class AlignRun {
         }
         for (const align::ChangedContent& changed :
              align::changedContent(solved, m_pairs, align::fittingMatches(solved, m_pairs))) {
-            m_report.photos.at(static_cast<std::size_t>(changed.photo)).flags.push_back(changed.reason);
+            std::vector<std::string>& flags =
+                m_report.photos.at(static_cast<std::size_t>(changed.photo)).flags;
+            if (std::find(flags.begin(), flags.end(), changed.reason) == flags.end()) {
+                flags.push_back(changed.reason);
+            }
         }
         for (std::size_t i = 0; i < poses.size(); ++i) {
             giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
