@@ -12,15 +12,15 @@ namespace spherewalk::render {
 
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{2} << 20;
+/// About a row of a photo: rows of a view that leave give back one piece.
+constexpr std::size_t kLeastUnit = std::size_t{16} << 10;
 constexpr int kGuard = PlaneLayout::kGuard;
 
 } // namespace
 
 SparsePlane::SparsePlane(const EquirectSize& size) : m_layout(size) {
     const std::size_t bytes = m_layout.bytes();
-    const bool isHuge = bytes >= 4 * kHugePage;
-    m_unitBytes = isHuge ? kHugePage : static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    m_unitBytes = std::max(kLeastUnit, static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)));
     const std::size_t units = (bytes + m_unitBytes - 1) / m_unitBytes;
     m_holders.resize(units);
     m_mappedBytes = (units + 1) * m_unitBytes; // one more, to begin at a multiple of the unit
@@ -31,7 +31,8 @@ SparsePlane::SparsePlane(const EquirectSize& size) : m_layout(size) {
                     text("Could not make room for a photo of ", size.width, " x ", size.height,
                          " pixels; close other programs or lower the cache's budget."));
     }
-    ::madvise(m_mapped, m_mappedBytes, isHuge ? MADV_HUGEPAGE : MADV_NOHUGEPAGE); // a wish
+    // A first view of a photo would wait for the system to find huge pages; a wish.
+    ::madvise(m_mapped, m_mappedBytes, MADV_NOHUGEPAGE);
     const auto address = reinterpret_cast<std::uintptr_t>(m_mapped);
     const std::uintptr_t aligned = (address + m_unitBytes - 1) / m_unitBytes * m_unitBytes;
     m_values = static_cast<std::int8_t*>(m_mapped) + (aligned - address);

@@ -17,10 +17,8 @@ namespace spherewalk::render {
 /// would have the sampler find a tile for every pixel and join neighbours at every tile's edge; it was not
 /// built.)
 ///
-/// Memory is counted and given back in units, and a unit is held while any part in it is occupied. For
-/// photos of some megabytes a unit is a huge page: a view holds more than its own pixels, whole rows, but its
-/// sampler walks over a thousand rows without missing the processor's page table cache. Threads: the owner's
-/// business; writers of different pixels may run at a time.
+/// Memory is counted and given back in units of about a photo's row, and a unit is held while any part in it
+/// is occupied. Threads: the owner's business; writers of different pixels may run at a time.
 class SparsePlane {
   public:
     /// Takes address space only. Errors: Unsupported for a size that does not fit; Full, if the system gives

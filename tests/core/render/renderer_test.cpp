@@ -202,7 +202,7 @@ TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
         poses.push_back({Eigen::Quaterniond::Identity(), {static_cast<double>(i), 0, 0}});
     }
     test::writeTestDataset(folder.path(), poses, test::smoothWorld, 64);
-    const std::uint64_t photoBytes = 6 * 4096; // a plane of these photos, in pages
+    const std::uint64_t photoBytes = 2 * (16 << 10); // a plane of these photos, in units
     const Renderer renderer(opened(folder.path()), {2 * photoBytes});
     const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
     const auto decodes = [&](int photo) {
