@@ -16,6 +16,7 @@ constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kMostSuspects = 150;
 constexpr int kLeastDirections = 4; ///< a photo with fewer is not judged by itself
 constexpr int kLeastContradicted = 2;
+constexpr int kLeastPartnersDirections = 2; ///< of what may have been swapped with one that is judged
 constexpr double kAtPlannedM = 0.04;
 constexpr double kLeastFreeMoveM = 0.1; ///< less is a cart laid badly, which the alignment solves
 
@@ -64,6 +65,9 @@ class Search {
             for (std::size_t j = i + 1; j < m_suspects.size(); ++j) {
                 swap(m_suspects[i], m_suspects[j]);
             }
+            for (const int partner : m_partners) {
+                swap(m_suspects[i], partner);
+            }
             lay(m_suspects[i]);
         }
         std::ranges::stable_sort(m_found, std::greater(), &Hypothesis::gain);
@@ -76,8 +80,13 @@ class Search {
         std::vector<std::pair<int, int>> byContradicted;
         for (std::size_t i = 0; i < m_places.size(); ++i) {
             const PositionEvidence::Count count = m_evidence.count(static_cast<int>(i));
-            if (count.directions >= kLeastDirections && count.contradicted >= kLeastContradicted) {
+            if (count.contradicted < kLeastContradicted) {
+                continue;
+            }
+            if (count.directions >= kLeastDirections) {
                 byContradicted.emplace_back(-count.contradicted, static_cast<int>(i));
+            } else if (count.directions >= kLeastPartnersDirections && m_partners.size() < kMostSuspects) {
+                m_partners.push_back(static_cast<int>(i));
             }
         }
         std::ranges::sort(byContradicted);
@@ -204,6 +213,7 @@ class Search {
     const PlannedLines& m_lines;
     const Places& m_places;
     std::vector<int> m_suspects;
+    std::vector<int> m_partners; ///< contradicted too, but held by too little to be judged: a grid's corners
     std::vector<std::vector<int>> m_photosAt;
     std::vector<Hypothesis> m_found;
 };

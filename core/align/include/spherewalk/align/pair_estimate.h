@@ -44,7 +44,7 @@ struct PairEstimate {
 struct PairOptions {
     int leastInliers = 15;
     double leastShare = 0.15; ///< a mirror image reaches 0.14 by chance
-    int threads = 0; ///< 0: all that the machine has
+    int threads = 0;          ///< 0: all that the machine has
 };
 
 /// Threads: any. Cost: about a millisecond for some hundred matches. The same input gives the same result.

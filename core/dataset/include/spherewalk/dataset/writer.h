@@ -20,7 +20,8 @@ struct SourcePhoto {
     std::filesystem::path file;
     std::string sha256; ///< that the file must have
     render::DatasetPhoto entry;
-    std::optional<photo::PositionTag> tag = {}; ///< for the XMP of the dataset's copy, in place of an earlier one
+    std::optional<photo::PositionTag> tag =
+        {}; ///< for the XMP of the dataset's copy, in place of an earlier one
 };
 
 struct Contents {
