@@ -59,8 +59,8 @@ CameraIntrinsics CameraIntrinsics::pinhole(int width, int height, double horizon
     result.height = height;
     result.fx = focal;
     result.fy = focal;
-    result.cx = 0.5 * (width - 1);
-    result.cy = 0.5 * (height - 1);
+    result.cx = 0.5 * width - 0.5; // sizes are checked later: no integer may overflow here
+    result.cy = 0.5 * height - 0.5;
     return result;
 }
 
