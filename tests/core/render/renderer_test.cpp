@@ -202,8 +202,8 @@ TEST(Renderer, KeepsWithinItsBudgetAndStillServesEveryPhoto) {
         poses.push_back({Eigen::Quaterniond::Identity(), {static_cast<double>(i), 0, 0}});
     }
     test::writeTestDataset(folder.path(), poses, test::smoothWorld, 64);
-    const std::uint64_t photoBytes = 2 * (16 << 10); // a plane of these photos, in units
-    const Renderer renderer(opened(folder.path()), {2 * photoBytes});
+    const std::uint64_t unitBytes = 16 << 10; // of memory; a plane of these photos takes two
+    const Renderer renderer(opened(folder.path()), {5 * unitBytes});
     const CameraModel camera(CameraIntrinsics::pinhole(4, 4, 1));
     const auto decodes = [&](int photo) {
         return renderer.render(camera, poses[static_cast<std::size_t>(photo)]).report.decodeMs > 0;
