@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixed_random.h"
 #include "nearest.h"
 
 #include "spherewalk/align/match.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace spherewalk::align {
 
@@ -76,14 +76,10 @@ std::vector<std::pair<std::size_t, std::size_t>> trials(std::size_t count) {
         }
         return result;
     }
-    std::uint64_t state = 1;
-    const auto next = [&] { // Knuth's MMIX generator: the same everywhere
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        return static_cast<std::size_t>(state >> 33) % count;
-    };
+    FixedRandom random(1);
     while (result.size() < kMostTrials) {
-        const std::size_t i = next();
-        const std::size_t j = next();
+        const std::size_t i = random.below(count);
+        const std::size_t j = random.below(count);
         if (i != j) {
             result.emplace_back(i, j);
         }

@@ -3,6 +3,7 @@
 
 #include "even_selection.h"
 #include "keypoints.h"
+#include "option_check.h"
 #include "sphere_view.h"
 
 #include "spherewalk/base/error.h"
@@ -203,12 +204,6 @@ class FeatureFinder {
     KeypointDetector m_detector;
 };
 
-void require(bool holds, const char* option, const char* range) {
-    if (!holds) {
-        throw Error(ErrorKind::InvalidInput, text("The features' option ", option, " must be ", range, "."));
-    }
-}
-
 /// How far the picture can be reduced while decoding without being coarser than the working width, and
 /// without a part of a pixel left over, which would shift all others.
 int denominatorFor(const jpeg::Info& info, int width) {
@@ -246,11 +241,12 @@ std::string_view name(Detector detector) {
 }
 
 void FeatureOptions::validate() const {
-    require(name(detector) != "unknown", "detector", "one of the known ones");
-    require(width >= 256 && width <= 8192 && width % 32 == 0, "width", "a multiple of 32 from 256 to 8192");
-    require(most >= 1 && most <= 50000, "most", "from 1 to 50000");
-    require(leastContrast > 0 && leastContrast <= 1, "leastContrast", "above 0 and at most 1");
-    require(lowestElevation >= Radians(Degrees(-90)) && lowestElevation <= Radians(Degrees(45)),
+    require(name(detector) != "unknown", "features'", "detector", "one of the known ones");
+    require(width >= 256 && width <= 8192 && width % 32 == 0, "features'", "width",
+            "a multiple of 32 from 256 to 8192");
+    require(most >= 1 && most <= 50000, "features'", "most", "from 1 to 50000");
+    require(leastContrast > 0 && leastContrast <= 1, "features'", "leastContrast", "above 0 and at most 1");
+    require(lowestElevation >= Radians(Degrees(-90)) && lowestElevation <= Radians(Degrees(45)), "features'",
             "lowestElevation", "from -90 to 45 degrees");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/fitting_matches.h"
 
+#include "epipolar_residual.h"
+
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
@@ -14,28 +16,20 @@ namespace {
 
 constexpr double kOnePlaceM = 0.01;
 constexpr double kMostSigmas = 4;
-/// What positions solved to a few millimetres leave.
-constexpr Degrees kLeastTolerance{0.1};
+/// What positions solved to a millimetre leave.
+constexpr Degrees kPositionsSigma{0.02};
 
-/// The signed angle of the bearings' mean plane: how far b lies out of the plane of the baseline and a.
-double outOfPlane(const Vector3d& baseline, const Vector3d& a, const Vector3d& b) {
-    const Vector3d normal = baseline.cross(Vector3d(a + b));
-    const double length = normal.norm();
-    // Along the baseline any plane fits.
-    return length < 1e-9 ? 0 : baseline.dot(a.cross(b)) / length;
-}
-
-bool fits(const Vector3d& baselineM, const Vector3d& a, const Vector3d& b, double toleranceRad) {
+bool fits(const Vector3d& baselineM, const Vector3d& a, const Vector3d& b, double sigmaRad) {
     if (baselineM.norm() < kOnePlaceM) {
-        return angleBetween(a, b).value() < toleranceRad;
+        return angleBetween(a, b).value() < kMostSigmas * sigmaRad;
     }
-    if (std::abs(outOfPlane(baselineM.normalized(), a, b)) > toleranceRad) {
-        return false;
+    const Vector3d direction = baselineM.normalized();
+    // Along the baseline any plane fits.
+    const EpipolarResidual residual = epipolarResidual(a, b, direction, sigmaRad);
+    if (std::min(residual.sineA, residual.sineB) < kLeastSine) {
+        return angleBetween(a, b).value() < kLeastSine;
     }
-    // In front of both: seen from b, the thing has moved away from the direction in which b lies.
-    const Vector3d turn = a.cross(b);
-    return turn.norm() < toleranceRad ||
-           (baselineM.cross(b).dot(turn) > 0 && baselineM.cross(a).dot(turn) > 0);
+    return std::abs(residual.value) < kMostSigmas && parallaxOf(a, b, direction) > -kMostSigmas * sigmaRad;
 }
 
 } // namespace
@@ -54,9 +48,8 @@ std::vector<std::vector<bool>> fittingMatches(std::span<const std::optional<Rigi
         const Vector3d baselineM = poseB->translation - poseA->translation;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const Correspondence& match = pair.matches[i];
-            const double tolerance =
-                std::max(Radians(kLeastTolerance).value(), kMostSigmas * std::sqrt(2.0) * match.sigmaRad);
-            list[i] = fits(baselineM, poseA->rotation * match.inA, poseB->rotation * match.inB, tolerance);
+            const double sigmaRad = std::hypot(match.sigmaRad, Radians(kPositionsSigma).value());
+            list[i] = fits(baselineM, poseA->rotation * match.inA, poseB->rotation * match.inB, sigmaRad);
         }
     }
     return result;

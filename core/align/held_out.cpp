@@ -31,18 +31,13 @@ struct Losses {
 
 Losses losses(std::span<const UsedPair> pairs, std::span<const PhotoState> states, double scale) {
     Losses made;
-    MatchRow rows[2];
     for (const UsedPair& pair : pairs) {
-        for (const UsedMatch& match : pair.matches) {
-            const int count = matchRows(pair, match, states[static_cast<std::size_t>(pair.a)],
-                                        states[static_cast<std::size_t>(pair.b)], rows);
-            for (int i = 0; i < count; ++i) {
-                const double value = bounded(rows[i].residual / scale, kBound).value;
-                made.byTrack[match.track] += value * value;
-                made.sum += value * value;
-                made.count += 1;
-            }
-        }
+        forEachRow(pair, states, [&](const UsedMatch& match, const MatchRow& row) {
+            const double value = bounded(row.residual / scale, kBound).value;
+            made.byTrack[match.track] += value * value;
+            made.sum += value * value;
+            made.count += 1;
+        });
     }
     return made;
 }

@@ -2,6 +2,7 @@
 #include "spherewalk/align/match.h"
 
 #include "nearest.h"
+#include "option_check.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -10,21 +11,14 @@
 
 namespace spherewalk::align {
 
-namespace {
-
-void require(bool holds, const char* option, const char* range) {
-    if (!holds) {
-        throw Error(ErrorKind::InvalidInput, text("The matching's option ", option, " must be ", range, "."));
-    }
-}
-
-} // namespace
+namespace {} // namespace
 
 void MatchOptions::validate() const {
-    require(mostRatio > 0 && mostRatio <= 1, "mostRatio", "above 0 and at most 1");
-    require(reach >= Radians(Degrees(1)) && reach <= Radians(Degrees(180)), "reach", "from 1 to 180 degrees");
-    require(firstLook >= 50 && firstLook <= 50000, "firstLook", "from 50 to 50000");
-    require(leastVotes >= 3, "leastVotes", "3 or more");
+    require(mostRatio > 0 && mostRatio <= 1, "matching's", "mostRatio", "above 0 and at most 1");
+    require(reach >= Radians(Degrees(1)) && reach <= Radians(Degrees(180)), "matching's", "reach",
+            "from 1 to 180 degrees");
+    require(firstLook >= 50 && firstLook <= 50000, "matching's", "firstLook", "from 50 to 50000");
+    require(leastVotes >= 3, "matching's", "leastVotes", "3 or more");
 }
 
 std::vector<Correspondence> matchFeatures(const Features& a, const Features& b, const MatchOptions& options,

@@ -169,15 +169,9 @@ std::vector<UsedPair> agreeingMatches(const Candidates& candidates, const Unknow
 
 double residualScale(std::span<const UsedPair> pairs, std::span<const PhotoState> states) {
     std::vector<double> residuals;
-    MatchRow rows[2];
     for (const UsedPair& pair : pairs) {
-        for (const UsedMatch& match : pair.matches) {
-            const int count = matchRows(pair, match, states[static_cast<std::size_t>(pair.a)],
-                                        states[static_cast<std::size_t>(pair.b)], rows);
-            for (int i = 0; i < count; ++i) {
-                residuals.push_back(rows[i].residual);
-            }
-        }
+        forEachRow(pair, states,
+                   [&](const UsedMatch&, const MatchRow& row) { residuals.push_back(row.residual); });
     }
     return agreeingScale(std::move(residuals), kLargestScale);
 }

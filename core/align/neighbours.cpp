@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/neighbours.h"
 
+#include "option_check.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
@@ -28,13 +30,6 @@ struct Other {
     double distanceM = 0;
     double turn = 0; ///< its direction as a share of the full turn, [0, 1)
 };
-
-void require(bool holds, const char* option, const char* range) {
-    if (!holds) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The neighbours' option ", option, " must be ", range, "."));
-    }
-}
 
 /// From one photo to another, across the floor.
 Eigen::Vector2d across(std::span<const Eigen::Vector3d> positionsM, int from, int to) {
@@ -178,10 +173,10 @@ void connect(std::span<const Eigen::Vector3d> positionsM, Parts& parts, Pairs& p
 } // namespace
 
 void NeighbourOptions::validate() const {
-    require(directions >= 1 && directions <= 64, "directions", "from 1 to 64");
-    require(farDirections >= 0 && farDirections <= 64, "farDirections", "from 0 to 64");
-    require(mostAtOnePlace >= 1 && mostAtOnePlace <= 1000, "mostAtOnePlace", "from 1 to 1000");
-    require(mostDistanceM > 0 && std::isfinite(mostDistanceM), "mostDistanceM", "above 0");
+    require(directions >= 1 && directions <= 64, "neighbours'", "directions", "from 1 to 64");
+    require(farDirections >= 0 && farDirections <= 64, "neighbours'", "farDirections", "from 0 to 64");
+    require(mostAtOnePlace >= 1 && mostAtOnePlace <= 1000, "neighbours'", "mostAtOnePlace", "from 1 to 1000");
+    require(mostDistanceM > 0 && std::isfinite(mostDistanceM), "neighbours'", "mostDistanceM", "above 0");
 }
 
 std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> positionsM,

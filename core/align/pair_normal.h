@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <span>
+
 namespace spherewalk::align {
 
 /// What a pair's matches ask of two photos, summed up: the products of the robust residuals and their
@@ -22,6 +25,19 @@ struct MatchRow {
 /// The rows of one match; returns how many there are: none where a bearing points along the baseline.
 int matchRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
               MatchRow rows[2]);
+
+/// Calls visit(match, row) for every row of the pair's matches.
+template <class Visit>
+void forEachRow(const UsedPair& pair, std::span<const PhotoState> states, Visit&& visit) {
+    MatchRow rows[2];
+    for (const UsedMatch& match : pair.matches) {
+        const int count = matchRows(pair, match, states[static_cast<std::size_t>(pair.a)],
+                                    states[static_cast<std::size_t>(pair.b)], rows);
+        for (int i = 0; i < count; ++i) {
+            visit(match, rows[i]);
+        }
+    }
+}
 
 /// A residual under Geman and McClure's norm: r / sqrt(1 + (r / width)^2), whose square is bounded.
 struct Bounded {

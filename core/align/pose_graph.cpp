@@ -25,7 +25,8 @@ std::vector<GraphEdge> edgesOf(std::span<const PairEstimate> estimates) {
     std::vector<GraphEdge> edges;
     for (std::size_t i = 0; i < estimates.size(); ++i) {
         const PairEstimate& estimate = estimates[i];
-        if (estimate.verdict == PairVerdict::Constraint) {
+        const bool isRotation = std::abs(estimate.aFromB.norm() - 1) < 0.01; // nor NaN
+        if (estimate.verdict == PairVerdict::Constraint && isRotation && estimate.a != estimate.b) {
             edges.push_back({static_cast<int>(i), estimate.a, estimate.b, estimate.aFromB.normalized(),
                              std::min(estimate.inliers, 300) / 300.0, 0, 0});
         }
@@ -136,14 +137,14 @@ std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimate
 
 } // namespace
 
-PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int start) {
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed) {
     PoseGraph graph;
     std::vector<GraphEdge> edges = edgesOf(estimates);
     graph.cycleErrorRad = median(closeTriangles(photos, edges));
     const std::vector<bool> isUnconfirmed = unconfirmed(photos, estimates, edges);
     // A pair that no triangle supports, of many, would drag its photos along in the average.
     std::erase_if(edges, [&](const GraphEdge& edge) {
-        const bool isAlone = (edge.triangles >= 3 && edge.closed == 0) ||
+        const bool isAlone = edge.closed < leastClosed || (edge.triangles >= 3 && edge.closed == 0) ||
                              isUnconfirmed[static_cast<std::size_t>(edge.a)] ||
                              isUnconfirmed[static_cast<std::size_t>(edge.b)];
         if (isAlone) {
@@ -159,7 +160,7 @@ PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int sta
             for (std::size_t i = 0; i < component.photos.size(); ++i) {
                 indexOf[static_cast<std::size_t>(component.photos[i])] = static_cast<int>(i);
             }
-            component.rootFromPhoto = averagedRotations(component, indexOf, start);
+            component.rootFromPhoto = averagedRotations(component, indexOf);
             for (const GraphEdge& edge : component.edges) {
                 if (disagreement(edge, component.rootFromPhoto, indexOf).norm() < kContradictedRad) {
                     kept.push_back(edge);

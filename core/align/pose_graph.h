@@ -35,7 +35,8 @@ struct PoseGraph {
 };
 
 /// Where the estimated rotations put the photos to each other: averaged over all pairs, from several starts
-/// (spanning trees), pairs that contradict the others left out. start: another number gives other trees.
-PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int start = 0);
+/// (spanning trees), pairs that contradict the others left out. leastClosed: triangles that must confirm a
+/// pair before it counts. Estimates whose rotation is none are passed over.
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed = 0);
 
 } // namespace spherewalk::align

@@ -123,8 +123,7 @@ void report(const Judged& judged, std::span<const PhotoPrior> photos, const Plan
 
 std::vector<WrongPosition> wrongPositions(std::span<const PhotoPrior> photos,
                                           std::span<const PairEstimate> estimates,
-                                          std::span<const PlannedPosition> planned,
-                                          const PositionCheckOptions& /*options*/) {
+                                          std::span<const PlannedPosition> planned) {
     const RoughRotations rotations = roughRotations(static_cast<int>(photos.size()), estimates);
     const PlannedLines lines(planned);
     std::vector<WrongPosition> wrong;

@@ -135,12 +135,11 @@ Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quate
                       rootFromPhoto[at(indexOf, edge.b)].conjugate());
 }
 
-std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf,
-                                                  int start) {
+std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf) {
     Rotations best;
     double bestCost = 0;
     for (int tree = 0; tree < kTrees; ++tree) {
-        Rotations rotations = treeRotations(component, indexOf, start * kTrees + tree);
+        Rotations rotations = treeRotations(component, indexOf, tree);
         for (int round = 0; round < 8; ++round) {
             averageOnce(component, indexOf, Norm::Angles, rotations);
         }

@@ -12,7 +12,6 @@ Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quate
 /// Averages the edges' rotations over a connected component, from several spanning trees, robustly: first by
 /// the sum of angles, then by a sum that ignores what disagrees by degrees. indexOf: photo to its place in
 /// the component. Source: Chatterjee and Govindu, Efficient and Robust Large-Scale Rotation Averaging, 2013.
-std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf,
-                                                  int start);
+std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf);
 
 } // namespace spherewalk::align

@@ -57,21 +57,17 @@ SolutionQuality quality(const ComponentInput& input, const ComponentState& state
     std::vector<double> squares(made.photos.size(), 0);
     std::vector<double> counts(made.photos.size(), 0);
     std::vector<double> all;
-    MatchRow rows[2];
     for (const UsedPair& pair : state.used) {
         const auto a = static_cast<std::size_t>(pair.a);
         const auto b = static_cast<std::size_t>(pair.b);
-        for (const UsedMatch& match : pair.matches) {
-            const int count = matchRows(pair, match, states[a], states[b], rows);
-            for (int i = 0; i < count; ++i) {
-                const double angle = rows[i].residual * match.sigmaRad;
-                all.push_back(angle);
-                for (const std::size_t photo : {a, b}) {
-                    squares[photo] += angle * angle;
-                    counts[photo] += 1;
-                }
+        forEachRow(pair, states, [&](const UsedMatch& match, const MatchRow& row) {
+            const double angle = row.residual * match.sigmaRad;
+            all.push_back(angle);
+            for (const std::size_t photo : {a, b}) {
+                squares[photo] += angle * angle;
+                counts[photo] += 1;
             }
-        }
+        });
         if (pair.matches.size() >= kLeastMatches) {
             ++made.photos[a].pairs;
             ++made.photos[b].pairs;

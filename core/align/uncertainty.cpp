@@ -71,20 +71,15 @@ PairScores scoresOf(const UsedPair& pair, std::span<const PhotoState> states,
     PairScores made;
     made.scores.resize(9, static_cast<Eigen::Index>(2 * pair.matches.size()));
     Eigen::Index count = 0;
-    MatchRow rows[2];
-    for (const UsedMatch& match : pair.matches) {
-        const int found = matchRows(pair, match, states[static_cast<std::size_t>(pair.a)],
-                                    states[static_cast<std::size_t>(pair.b)], rows);
-        for (int i = 0; i < found; ++i) {
-            const double residual = rows[i].residual / options.scale;
-            const Bounded robust = bounded(residual, options.width);
-            const double ratio = residual * residual / (options.width * options.width);
-            made.curvature += (1 - 3 * ratio) / ((1 + ratio) * (1 + ratio) * (1 + ratio));
-            made.scores.col(count++) = (robust.value * robust.slope / options.scale) * rows[i].by;
-            made.matrix += rows[i].by * rows[i].by.transpose() / (options.scale * options.scale);
-            made.track.push_back(match.track);
-        }
-    }
+    forEachRow(pair, states, [&](const UsedMatch& match, const MatchRow& row) {
+        const double residual = row.residual / options.scale;
+        const Bounded robust = bounded(residual, options.width);
+        const double ratio = residual * residual / (options.width * options.width);
+        made.curvature += (1 - 3 * ratio) / ((1 + ratio) * (1 + ratio) * (1 + ratio));
+        made.scores.col(count++) = (robust.value * robust.slope / options.scale) * row.by;
+        made.matrix += row.by * row.by.transpose() / (options.scale * options.scale);
+        made.track.push_back(match.track);
+    });
     made.scores.conservativeResize(9, count);
     return made;
 }

@@ -189,10 +189,7 @@ class AlignRun {
 
     /// What is solved is solved with the positions that fit.
     void correctPositions() {
-        align::PositionCheckOptions options;
-        options.threads = m_options.threads;
-        for (const align::WrongPosition& wrong :
-             align::wrongPositions(m_priors, m_estimates, m_planned, options)) {
+        for (const align::WrongPosition& wrong : align::wrongPositions(m_priors, m_estimates, m_planned)) {
             align::PhotoPrior& prior = m_priors.at(static_cast<std::size_t>(wrong.photo));
             AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(wrong.photo));
             photo.flags.push_back(wrong.reason);

@@ -26,10 +26,6 @@ struct WrongPosition {
     std::string reason;    ///< a sentence: "Rail 3 was walked from the other end."
 };
 
-struct PositionCheckOptions {
-    int threads = 0;
-};
-
 /// Finds photos with wrong positions from how the pairs' baselines point and from the parallax: swaps, photos
 /// or runs of photos off by one stop, rails walked backwards, photos laid elsewhere. One blunder is believed
 /// after the other, the one that explains most first, as long as the baselines gain more from it than chance
@@ -43,7 +39,6 @@ struct PositionCheckOptions {
 /// tenth of a second for 400 photos in order, a second for several wrong rails.
 std::vector<WrongPosition> wrongPositions(std::span<const PhotoPrior> photos,
                                           std::span<const PairEstimate> estimates,
-                                          std::span<const PlannedPosition> planned,
-                                          const PositionCheckOptions& options = {});
+                                          std::span<const PlannedPosition> planned);
 
 } // namespace spherewalk::align
