@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
+#include "plot_option.h"
 
-#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_trade.h"
@@ -26,36 +26,10 @@ struct Options {
     int threads = 0;
 };
 
-align::Model modelNamed(const std::string& wanted) {
-    using align::Model;
-    for (const Model model : {Model::Auto, Model::Yaw, Model::Tilt, Model::Placement, Model::Position}) {
-        if (align::name(model) == wanted) {
-            return model;
-        }
-    }
-    throw Error(ErrorKind::InvalidInput, text("There is no alignment model \"", printable(wanted),
-                                              "\"; take auto, yaw, tilt, placement or position."));
-}
-
-align::Effort effortNamed(const std::string& wanted) {
-    const auto effort = align::effortNamed(wanted);
-    if (!effort) {
-        throw Error(ErrorKind::InvalidInput, text("There is no effort \"", printable(wanted),
-                                                  "\"; take draft, normal, fine or exact."));
-    }
-    return *effort;
-}
-
-void checkPlot(const std::string& plot) {
-    if (!plot.empty() && std::filesystem::path(plot).extension() != ".svg") {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The plot is an SVG picture: give --plot a name that ends in .svg, not ",
-                         printable(plot), "."));
-    }
-}
-
 Result trade(const Options& options, Context& context) {
-    checkPlot(options.plot);
+    if (!options.plot.empty()) {
+        checkPlot(options.plot);
+    }
     auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     jobs::AlignTradeOptions tradeOptions;
     tradeOptions.mask = options.mask;
@@ -87,8 +61,8 @@ std::string errorText(const jobs::AlignmentError& error) {
 Result align(const Options& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     jobs::AlignOptions alignOptions;
-    alignOptions.effort = effortNamed(options.effort);
-    alignOptions.model = modelNamed(options.model);
+    alignOptions.effort = align::effortNamed(options.effort);
+    alignOptions.model = align::modelNamed(options.model);
     alignOptions.mask = options.mask;
     alignOptions.checksPositions = !options.ignoresPositions;
     alignOptions.isActivated = !options.keepsActive;
@@ -99,11 +73,7 @@ Result align(const Options& options, Context& context) {
     const jobs::AlignReport report = jobs::alignSurvey(store, alignOptions, context.progress, context.stop);
     Result result{jobs::toJson(report), jobs::alignText(report)};
     if (!truth.empty()) {
-        std::vector<std::int64_t> photos;
-        for (const jobs::AlignedPhoto& photo : report.photos) {
-            photos.push_back(photo.photo);
-        }
-        const jobs::AlignmentError error = jobs::alignmentError(photos, report.alignment.photos, truth);
+        const jobs::AlignmentError error = jobs::alignmentError(report, truth);
         result.json["error"] = jobs::toJson(error);
         result.text += errorText(error);
     }

@@ -2,12 +2,11 @@
 #include "spherewalk/measure/bench.h"
 
 #include "command.h"
+#include "plot_option.h"
 
-#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace spherewalk::cli {
@@ -19,20 +18,6 @@ struct Options {
     std::string plot;
     measure::BenchOptions bench;
 };
-
-/// Before minutes are spent.
-void checkPlot(const std::filesystem::path& plot) {
-    if (plot.extension() != ".svg") {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The plot is an SVG picture: give --plot a name that ends in .svg, not ",
-                         printable(plot.string()), "."));
-    }
-    const std::filesystem::path folder = plot.has_parent_path() ? plot.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder)) {
-        throw Error(ErrorKind::NotFound, text("The plot cannot be written: there is no folder ",
-                                              printable(folder.string()), "; make it first."));
-    }
-}
 
 Result bench(const Options& options, Context& context) {
     if (!options.plot.empty()) {

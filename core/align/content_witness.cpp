@@ -2,6 +2,7 @@
 #include "content_witness.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -26,12 +27,6 @@ void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::si
                     text("The pair of the photos ", pair.a, " and ", pair.b, " has ", pair.matches.size(),
                          " matches, but ", isInlier.size(), " are said to be inliers or not."));
     }
-}
-
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// Turns shares among all of a neighbour's photos into the chance that this photo shows the thing.

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/effort.h"
 
+#include "spherewalk/base/enum_names.h"
+
 namespace spherewalk::align {
 
 namespace {
 
-constexpr Effort kAll[] = {Effort::Draft, Effort::Normal, Effort::Fine, Effort::Exact};
+constexpr EnumNames<Effort, 4> kNames{
+    {{Effort::Draft, "draft"}, {Effort::Normal, "normal"}, {Effort::Fine, "fine"}, {Effort::Exact, "exact"}}};
 
 } // namespace
 
 std::string_view name(Effort effort) {
-    switch (effort) {
-    case Effort::Draft:
-        return "draft";
-    case Effort::Normal:
-        return "normal";
-    case Effort::Fine:
-        return "fine";
-    case Effort::Exact:
-        return "exact";
-    }
-    return "unknown";
+    return nameOf(kNames, effort);
 }
 
-std::optional<Effort> effortNamed(std::string_view text) {
-    for (const Effort effort : kAll) {
-        if (name(effort) == text) {
-            return effort;
-        }
-    }
-    return std::nullopt;
+Effort effortNamed(std::string_view name) {
+    return valueOf(kNames, "The effort", name);
 }
 
 EffortOptions optionsFor(Effort effort) {

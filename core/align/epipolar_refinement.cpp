@@ -7,6 +7,8 @@
 #include "so3.h"
 #include "turn_refinement.h"
 
+#include "spherewalk/base/median.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>

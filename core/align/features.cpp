@@ -6,6 +6,7 @@
 #include "option_check.h"
 #include "sphere_view.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
@@ -229,15 +230,9 @@ Features found(const RgbImage& photo, int cameraWidth, const FeatureOptions& opt
 } // namespace
 
 std::string_view name(Detector detector) {
-    switch (detector) {
-    case Detector::Sift:
-        return "sift";
-    case Detector::Akaze:
-        return "akaze";
-    case Detector::Orb:
-        return "orb";
-    }
-    return "unknown";
+    constexpr EnumNames<Detector, 3> kNames{
+        {{Detector::Sift, "sift"}, {Detector::Akaze, "akaze"}, {Detector::Orb, "orb"}}};
+    return nameOf(kNames, detector);
 }
 
 void FeatureOptions::validate() const {

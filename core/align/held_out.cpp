@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "component_solver.h"
 #include "pair_normal.h"
-#include "robust_scale.h"
 
+#include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pose_graph.h"
 
-#include "robust_scale.h"
 #include "rotation_average.h"
 #include "so3.h"
 
+#include "spherewalk/base/median.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "position_evidence.h"
 
+#include "spherewalk/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,12 +19,6 @@ constexpr double kLargestResidualRad = 0.03;
 constexpr double kContradictedSigmas = 5;
 constexpr double kParallaxNoiseRad = 0.003;
 constexpr double kParallaxShare = 0.5; ///< neighbours share their scene: their parallaxes are not independent
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 bool isKnown(const PairEstimate& estimate) {
     return estimate.baselineInA && estimate.baselineInA->allFinite() && estimate.baselineInA->norm() > 0.5 &&

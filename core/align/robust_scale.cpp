@@ -44,8 +44,4 @@ double agreeingScale(std::vector<double> residuals, double largest) {
     return scale;
 }
 
-double median(std::vector<double> values) {
-    return values.empty() ? 0 : quantile(values, 0.5);
-}
-
 } // namespace spherewalk::align

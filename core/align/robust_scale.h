@@ -9,7 +9,4 @@ namespace spherewalk::align {
 /// a minority of wrong ones ignored. Range of the result: [0.3, largest]; 1 for too few to tell.
 double agreeingScale(std::vector<double> residuals, double largest);
 
-/// 0 if there are none.
-double median(std::vector<double> values);
-
 } // namespace spherewalk::align

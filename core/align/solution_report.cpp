@@ -5,6 +5,8 @@
 #include "robust_scale.h"
 #include "uncertainty.h"
 
+#include "spherewalk/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -175,22 +175,6 @@ std::string whyUnsolved(std::span<const PhotoPrior> photos, std::span<const Pair
 
 } // namespace
 
-std::string_view name(Model model) {
-    switch (model) {
-    case Model::Auto:
-        return "auto";
-    case Model::Yaw:
-        return "yaw";
-    case Model::Tilt:
-        return "tilt";
-    case Model::Placement:
-        return "placement";
-    case Model::Position:
-        return "position";
-    }
-    return "unknown";
-}
-
 Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> pairs,
                 std::span<const PairEstimate> estimates, const SolveOptions& options, ProgressSink& progress,
                 const std::stop_token& stop) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "turn_refinement.h"
 
-#include "robust_scale.h"
 #include "so3.h"
+
+#include "spherewalk/base/median.h"
 
 #include <Eigen/Cholesky>
 

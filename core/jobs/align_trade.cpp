@@ -1,36 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/align_trade.h"
 
-#include "median.h"
-
-#include "spherewalk/base/text.h"
-#include "spherewalk/base/uuid.h"
-
-#include <filesystem>
-#include <map>
+#include "spherewalk/base/median.h"
+#include "spherewalk/base/temporary_folder.h"
 
 namespace spherewalk::jobs {
 
 namespace {
-
-/// Removed with what is in it.
-class TemporaryCache {
-  public:
-    TemporaryCache() : m_path(std::filesystem::temp_directory_path() / ("spherewalk-" + randomUuid())) {}
-
-    ~TemporaryCache() {
-        std::error_code ignored; // what is left is a temporary file
-        std::filesystem::remove_all(m_path, ignored);
-    }
-
-    TemporaryCache(const TemporaryCache&) = delete;
-    TemporaryCache& operator=(const TemporaryCache&) = delete;
-
-    const std::filesystem::path& path() const { return m_path; }
-
-  private:
-    std::filesystem::path m_path;
-};
 
 double degrees(double radians) {
     return Degrees(Radians(radians)).value();
@@ -48,10 +24,8 @@ AlignTradeRow rowOf(const AlignReport& report, const AlignTradeOptions& options)
     row.matchSeconds = report.matchSeconds;
     row.solveSeconds = report.solveSeconds;
     row.cycleErrorDeg = degrees(report.alignment.cycleErrorRad);
-    std::vector<std::int64_t> photos;
     std::vector<double> sigmas;
     for (const AlignedPhoto& photo : report.photos) {
-        photos.push_back(photo.photo);
         if (photo.pose.isSolved) {
             sigmas.push_back(degrees(photo.pose.sigmaYaw.value()));
         }
@@ -59,7 +33,7 @@ AlignTradeRow rowOf(const AlignReport& report, const AlignTradeOptions& options)
     row.solved = static_cast<int>(sigmas.size());
     row.sigmaYawDeg = sigmas.empty() ? 0 : median(sigmas);
     if (!options.truth.empty()) {
-        row.error = alignmentError(photos, report.alignment.photos, options.truth);
+        row.error = alignmentError(report, options.truth);
     }
     return row;
 }
@@ -68,7 +42,7 @@ AlignTradeRow rowOf(const AlignReport& report, const AlignTradeOptions& options)
 std::vector<AlignTradeRow> rowsOf(store::SurveyStore& store, align::Effort effort,
                                   const AlignTradeOptions& options, ProgressSink& progress,
                                   const std::stop_token& stop) {
-    const TemporaryCache cache;
+    const TemporaryFolder cache("spherewalk-align");
     AlignOptions align;
     align.effort = effort;
     align.mask = options.mask;

@@ -78,22 +78,21 @@ TruePoses readTruePoses(const store::SurveyStore& store, const std::filesystem::
     return poses;
 }
 
-AlignmentError alignmentError(std::span<const std::int64_t> photos, std::span<const align::SolvedPose> poses,
-                              const TruePoses& truth) {
+AlignmentError alignmentError(const AlignReport& report, const TruePoses& truth) {
     std::vector<Eigen::Quaterniond> turns; // of the solution against the truth, in the room frame
     std::vector<const align::SolvedPose*> solved;
     Vector3d offset = Vector3d::Zero();
     std::vector<Vector3d> offsets;
     double sines = 0;
     double cosines = 0;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        const auto found = truth.find(photos[i]);
-        if (!poses[i].isSolved || found == truth.end()) {
+    for (const AlignedPhoto& photo : report.photos) {
+        const auto found = truth.find(photo.photo);
+        if (!photo.pose.isSolved || found == truth.end()) {
             continue;
         }
-        const Rigid3& pose = poses[i].roomFromPhoto;
+        const Rigid3& pose = photo.pose.roomFromPhoto;
         turns.push_back(pose.rotation * found->second.rotation.conjugate());
-        solved.push_back(&poses[i]);
+        solved.push_back(&photo.pose);
         offsets.emplace_back(pose.translation - found->second.translation);
         offset += offsets.back();
         sines += std::sin(turnAboutZ(turns.back()));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/demo.h"
 
-#include "median.h"
-
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/operators.h"
@@ -121,12 +120,8 @@ class Demo {
     void align(store::SurveyStore& store) {
         ProgressStep aligning(m_progress, 0.6, 0.82);
         m_report.aligned = alignSurvey(store, {}, aligning, m_stop);
-        std::vector<std::int64_t> photos;
-        for (const AlignedPhoto& photo : m_report.aligned.photos) {
-            photos.push_back(photo.photo);
-        }
-        m_report.alignmentError = jobs::alignmentError(photos, m_report.aligned.alignment.photos,
-                                                       readTruePoses(store, m_folder / "truth.jsonl"));
+        m_report.alignmentError =
+            jobs::alignmentError(m_report.aligned, readTruePoses(store, m_folder / "truth.jsonl"));
     }
 
     void walkThrough(const survey::Plan& plan) {

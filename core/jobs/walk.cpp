@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
-#include "median.h"
-
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/picture_file.h"
 

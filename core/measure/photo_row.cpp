@@ -5,10 +5,6 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
 namespace spherewalk::measure {
 
 namespace fs = std::filesystem;
@@ -27,22 +23,6 @@ void copyOne(const fs::path& from, const std::string& name, const fs::path& to, 
 }
 
 } // namespace
-
-PhotoRow::Folder::Folder() {
-    std::error_code failure;
-    std::string pattern = (fs::temp_directory_path(failure) / "spherewalk-bench-XXXXXX").string();
-    if (failure || ::mkdtemp(pattern.data()) == nullptr) {
-        throw Error(ErrorKind::Io, text("Could not make a temporary folder ", pattern, ": ",
-                                        failure ? failure.message() : std::string(std::strerror(errno)),
-                                        "; set TMPDIR to a folder that can be written."));
-    }
-    m_path = pattern;
-}
-
-PhotoRow::Folder::~Folder() {
-    std::error_code ignored; // what is left of a temporary folder does no harm
-    fs::remove_all(m_path, ignored);
-}
 
 PhotoRow::PhotoRow(const render::Dataset& dataset, int copies, ProgressSink& progress,
                    const std::stop_token& stop) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/progress.h"
+#include "spherewalk/base/temporary_folder.h"
 #include "spherewalk/render/dataset.h"
 
 #include <filesystem>
@@ -23,25 +24,11 @@ class PhotoRow {
     const std::shared_ptr<const render::Dataset>& dataset() const { return m_dataset; }
 
   private:
-    /// A new folder, removed with all that is in it.
-    class Folder {
-      public:
-        Folder();
-        ~Folder();
-        Folder(const Folder&) = delete;
-        Folder& operator=(const Folder&) = delete;
-
-        const std::filesystem::path& path() const { return m_path; }
-
-      private:
-        std::filesystem::path m_path;
-    };
-
     void checkRoom(std::uint64_t neededBytes) const;
     void copy(const render::Dataset& dataset, int copies, ProgressSink& progress,
               const std::stop_token& stop);
 
-    Folder m_folder;
+    TemporaryFolder m_folder{"spherewalk-bench"};
     std::shared_ptr<const render::Dataset> m_dataset;
 };
 

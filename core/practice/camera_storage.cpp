@@ -10,7 +10,6 @@
 #include "spherewalk/jpeg/jpeg.h"
 
 #include <algorithm>
-#include <stdlib.h> // mkdtemp
 #include <utility>
 
 namespace spherewalk::practice {
@@ -20,14 +19,6 @@ namespace {
 constexpr std::string_view kDcfFolder = "100RICOH";
 constexpr int kFirstNumber = 10000;
 constexpr std::uint64_t kMaxPhotoBytes = 256ULL << 20;
-
-std::filesystem::path temporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "practice-camera-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-        throw Error(ErrorKind::Io, "Could not make a temporary folder for the practice camera's photos.");
-    }
-    return pattern;
-}
 
 std::string hexDigits(std::uint64_t seed, std::size_t count) {
     Prng random(seed, 0x5704a6e);
@@ -45,9 +36,9 @@ bool isPhotoName(const std::string& name) {
 } // namespace
 
 CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
-    : m_folder(std::move(folder)), m_isTemporary(m_folder.empty()), m_id(hexDigits(seed, 30)) {
-    if (m_isTemporary) {
-        m_folder = temporaryFolder();
+    : m_folder(std::move(folder)), m_id(hexDigits(seed, 30)) {
+    if (m_folder.empty()) {
+        m_folder = m_temporary.emplace("practice-camera").path();
     }
     std::error_code failure;
     std::filesystem::create_directories(m_folder / kDcfFolder, failure);
@@ -57,13 +48,6 @@ CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
     }
     load();
     m_urlFolder = text("/files/", m_id, "/");
-}
-
-CameraStorage::~CameraStorage() {
-    if (m_isTemporary) {
-        std::error_code ignored; // a temporary folder that stays is no harm
-        std::filesystem::remove_all(m_folder, ignored);
-    }
 }
 
 void CameraStorage::load() {

@@ -4,6 +4,7 @@
 #include "camera_time.h"
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/base/temporary_folder.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,7 +28,6 @@ class CameraStorage {
   public:
     /// folder: empty for a temporary one, removed at the end. Errors: Io, Corrupt.
     CameraStorage(std::filesystem::path folder, std::uint64_t seed);
-    ~CameraStorage();
     CameraStorage(const CameraStorage&) = delete;
     CameraStorage& operator=(const CameraStorage&) = delete;
 
@@ -57,7 +57,7 @@ class CameraStorage {
     void save() const;
 
     std::filesystem::path m_folder;
-    bool m_isTemporary = false;
+    std::optional<TemporaryFolder> m_temporary;
     std::string m_id;
     std::string m_urlFolder;
     int m_nextShot = 1;

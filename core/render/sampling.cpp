@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/sampling.h"
 
-#include "enum_names.h"
+#include "spherewalk/base/enum_names.h"
 
 namespace spherewalk::render {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/view_stream.h"
 
-#include "enum_names.h"
 #include "prefetch.h"
 #include "view_engine.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+
 #include "spherewalk/align/effort.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@ TEST(Effort, HasANameThatFindsItAgain) {
     for (const Effort effort : {Effort::Draft, Effort::Normal, Effort::Fine, Effort::Exact}) {
         EXPECT_EQ(effortNamed(name(effort)), effort);
     }
-    EXPECT_FALSE(effortNamed("hard"));
+    test::expectError(ErrorKind::InvalidInput, "draft, normal, fine and exact", [] { effortNamed("hard"); });
 }
 
 TEST(Effort, OptionsAreValidAndEachRungLooksAtMore) {

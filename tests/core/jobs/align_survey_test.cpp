@@ -85,14 +85,6 @@ class AlignSurvey : public testing::Test {
         return poses;
     }
 
-    static AlignmentError errorOf(const AlignReport& report, const TruePoses& poses) {
-        std::vector<std::int64_t> photos;
-        for (const AlignedPhoto& photo : report.photos) {
-            photos.push_back(photo.photo);
-        }
-        return alignmentError(photos, report.alignment.photos, poses);
-    }
-
     static const AlignedPhoto& photoOf(const AlignReport& report, const std::string& file) {
         return *std::find_if(report.photos.begin(), report.photos.end(),
                              [&](const AlignedPhoto& photo) { return photo.file == file; });
@@ -129,7 +121,7 @@ TEST_F(AlignSurvey, FindsHowEveryPhotoIsTurnedAndTellsTheDataset) {
     photograph();
     auto store = newSurvey();
     const AlignReport report = alignSurvey(store, {}, noProgress(), {});
-    const AlignmentError error = errorOf(report, truePoses(store));
+    const AlignmentError error = alignmentError(report, truePoses(store));
     EXPECT_EQ(error.photos, 6);
     EXPECT_LT(error.yawRmsDeg, 0.1);
     EXPECT_LT(error.ownTiltRmsDeg, 0.05);
@@ -169,7 +161,7 @@ TEST_F(AlignSurvey, NamesPhotosThatShowNothingOrAreMirrored) {
         EXPECT_THAT(photo.flags.front(), testing::EndsWith("."));
     }
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 4U);
-    EXPECT_LT(errorOf(report, truePoses(store)).yawRmsDeg, 0.2);
+    EXPECT_LT(alignmentError(report, truePoses(store)).yawRmsDeg, 0.2);
 }
 
 TEST_F(AlignSurvey, GoesOnWhereItWasStopped) {
@@ -200,7 +192,7 @@ TEST_F(AlignSurvey, WorksAThousandKilometresFromTheOrigin) {
     photograph(far);
     auto store = newSurvey(far);
     const AlignReport report = alignSurvey(store, {}, noProgress(), {});
-    EXPECT_LT(errorOf(report, truePoses(store)).yawRmsDeg, 0.1);
+    EXPECT_LT(alignmentError(report, truePoses(store)).yawRmsDeg, 0.1);
 }
 
 TEST_F(AlignSurvey, SaysWhatToDoWithoutPhotosAndWithOne) {

@@ -15,8 +15,7 @@ TEST(AlignmentError, TakesTheCommonYawOffAndTellsYawFromTilt) {
     const Radians yawSigma = Degrees(0.02);
     const Radians tiltSigma = Degrees(0.05);
     TruePoses truth;
-    std::vector<std::int64_t> photos;
-    std::vector<align::SolvedPose> poses;
+    AlignReport report;
     for (int i = 0; i < 400; ++i) {
         const Eigen::Quaterniond room =
             rotation({Radians(random.uniform(-3.1, 3.1)), Radians(0.01 * random.normal()),
@@ -32,13 +31,13 @@ TEST(AlignmentError, TakesTheCommonYawOffAndTellsYawFromTilt) {
         pose.sigmaYaw = yawSigma;
         pose.sigmaPitch = tiltSigma;
         pose.sigmaRoll = tiltSigma;
-        photos.push_back(i);
-        poses.push_back(pose);
+        report.photos.emplace_back().photo = i;
+        report.photos.back().pose = pose;
     }
-    poses[7].isSolved = false;
-    photos.push_back(1000); // without a truth
-    poses.push_back(poses[0]);
-    const AlignmentError error = alignmentError(photos, poses, truth);
+    report.photos[7].pose.isSolved = false;
+    report.photos.push_back(report.photos[0]);
+    report.photos.back().photo = 1000; // without a truth
+    const AlignmentError error = alignmentError(report, truth);
     EXPECT_EQ(error.photos, 399);
     EXPECT_NEAR(error.yawRmsDeg, 0.02, 0.003);
     EXPECT_NEAR(error.tiltRmsDeg, 0.05, 0.005);
@@ -50,7 +49,7 @@ TEST(AlignmentError, TakesTheCommonYawOffAndTellsYawFromTilt) {
     EXPECT_GT(error.within3Sigma, 0.98);
     EXPECT_NEAR(error.positionRmsM, 0.002, 0.0003);
     EXPECT_GT(error.yawWorstDeg, error.yawRmsDeg);
-    EXPECT_EQ(alignmentError({}, {}, truth).photos, 0);
+    EXPECT_EQ(alignmentError(AlignReport(), truth).photos, 0);
 }
 
 } // namespace spherewalk::jobs

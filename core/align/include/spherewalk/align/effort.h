@@ -5,7 +5,6 @@
 #include "spherewalk/align/match.h"
 #include "spherewalk/align/neighbours.h"
 
-#include <optional>
 #include <string_view>
 
 namespace spherewalk::align {
@@ -21,8 +20,8 @@ enum class Effort {
 /// As options and reports spell it: "draft", "normal", "fine", "exact".
 std::string_view name(Effort effort);
 
-/// The effort of that name; nothing for any other text.
-std::optional<Effort> effortNamed(std::string_view name);
+/// Errors: InvalidInput, listing the names.
+Effort effortNamed(std::string_view name);
 
 struct EffortOptions {
     FeatureOptions features;

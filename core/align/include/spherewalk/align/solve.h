@@ -27,6 +27,9 @@ enum class Model {
 /// As options and reports spell it: "auto", "yaw", "tilt", "placement", "position".
 std::string_view name(Model model);
 
+/// Errors: InvalidInput, listing the names.
+Model modelNamed(std::string_view name);
+
 struct SolveOptions {
     Model model = Model::Auto;
     double placementSigmaM = 0.01;       ///< prior of a rail's x and y

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/align/solve.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <string>
 
 namespace spherewalk::jobs {
@@ -38,10 +38,8 @@ struct AlignmentError {
     double within3Sigma = 0; ///< share of all yaws, pitches and rolls
 };
 
-/// photos: numbers in the store, one a pose. Photos that are unsolved or have no truth do not count; all
-/// zero if none is left.
-AlignmentError alignmentError(std::span<const std::int64_t> photos, std::span<const align::SolvedPose> poses,
-                              const TruePoses& truth);
+/// Photos that are unsolved or have no truth do not count; all zero if none is left.
+AlignmentError alignmentError(const AlignReport& report, const TruePoses& truth);
 
 Json toJson(const AlignmentError& error);
 

@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-namespace spherewalk::jobs {
+namespace spherewalk {
 
 /// The middle value, the upper one of two; 0 if there are none.
 inline double median(std::vector<double> values) {
@@ -17,4 +17,4 @@ inline double median(std::vector<double> values) {
     return *middle;
 }
 
-} // namespace spherewalk::jobs
+} // namespace spherewalk

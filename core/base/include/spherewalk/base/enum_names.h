@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace spherewalk::render {
+namespace spherewalk {
 
 /// The values of an enumeration and what people call them.
 template <class Enum, std::size_t kCount>
@@ -39,4 +39,4 @@ Enum valueOf(const EnumNames<Enum, kCount>& names, std::string_view what, std::s
                 text(what, " \"", printable(name), "\" is unknown; there are ", list, "."));
 }
 
-} // namespace spherewalk::render
+} // namespace spherewalk
