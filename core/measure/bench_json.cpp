@@ -68,9 +68,10 @@ Json toJson(const std::vector<LatticeRow>& lattice) {
 }
 
 Json toJson(const WalkRow& walk) {
-    return {{"speed_m_s", walk.speedMS}, {"policy", name(walk.policy)}, {"late_share", walk.lateShare},
-            {"p99_ms", walk.p99Ms},      {"prefetch", walk.prefetch},   {"missed_share", walk.missedShare},
-            {"views", walk.views}};
+    return {{"speed_m_s", walk.speedMS},    {"policy", name(walk.policy)},
+            {"late_share", walk.lateShare}, {"p99_ms", walk.p99Ms},
+            {"prefetch", walk.prefetch},    {"missed_share", walk.missedShare},
+            {"views", walk.views},          {"late_at_start", walk.lateAtStart}};
 }
 
 template <class Row>

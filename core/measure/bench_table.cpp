@@ -203,13 +203,13 @@ std::string latticeText(const BenchReport& report) {
 
 std::string walkText(const BenchReport& report) {
     TextTable table;
-    table.add({"", "speed", "late", "99 of 100 within", "missed 1/30 s"});
+    table.add({"", "speed", "late of the first 10", "late thereafter", "99 of 100 within", "missed 1/30 s"});
     for (const bool prefetch : {true, false}) {
         for (const WalkRow& row : report.walk) {
             if (row.prefetch == prefetch) {
                 table.add({text(name(row.policy), prefetch ? ", prefetch" : ", no prefetch"),
-                           text(row.speedMS, " m/s"), text(fixed(100 * row.lateShare, 1), " %"),
-                           text(milliseconds(row.p99Ms), " ms"),
+                           text(row.speedMS, " m/s"), text(row.lateAtStart),
+                           text(fixed(100 * row.lateShare, 1), " %"), text(milliseconds(row.p99Ms), " ms"),
                            text(fixed(100 * row.missedShare, 1), " %")});
             }
         }

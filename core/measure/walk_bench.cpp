@@ -22,7 +22,7 @@ using SteadyClock = std::chrono::steady_clock;
 namespace {
 
 constexpr double kFrameS = 1.0 / 30;
-constexpr int kLeadIn = 2;
+constexpr int kLeadIn = 10;      // a third of a second: what was cold is caught up with
 constexpr double kTurnRad = 0.5; // to each side
 constexpr double kTurnRate = 0.7;
 
@@ -65,7 +65,9 @@ WalkRow walkOnce(const std::shared_ptr<const render::Dataset>& dataset, const St
         throwIfStopped(stop);
         const auto begin = SteadyClock::now();
         stream.next(poseAt(path, wanted.speedMS, timeS), timeS, {}, view);
-        if (i >= kLeadIn) {
+        if (i < kLeadIn) {
+            row.lateAtStart += view.report.isLate ? 1 : 0;
+        } else {
             timesMs.push_back(millisecondsSince(begin));
             late += view.report.isLate ? 1 : 0;
         }

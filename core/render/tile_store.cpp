@@ -21,7 +21,7 @@ double millisecondsSince(Moment begin) {
 // So much of the budget is freed at once: photos then leave whole, which is one call to the system instead of
 // one for each row.
 constexpr std::uint64_t kSlack = 16;
-// A background block of this many tile rows of a usual view takes about two milliseconds.
+// A background block of this many tile rows of a usual view takes a thread about two milliseconds.
 constexpr int kBackgroundRows = 3;
 // Other values of maxRows: as many as the threads need, and all of the photo in one block.
 constexpr int kRowsByThreads = 0;
@@ -121,14 +121,17 @@ TileLease TileStore::acquire(const PhotoLevel& level, const TileSet& tiles, Miss
 }
 
 void TileStore::prefetch(const PhotoLevel& level, const TileSet& tiles, const std::stop_token& stop) {
-    for (const TileBlock& block : blocksOf(tiles, kBackgroundRows)) {
+    // All threads work on what comes next: one alone would fall behind a camera that meets a new photo in
+    // each view, and each view that then waits leaves less time for the next.
+    const int threads = hardwareThreads();
+    for (const TileBlock& block : blocksOf(tiles, kBackgroundRows * threads)) {
         Lock lock(m_mutex);
         m_changed.wait(lock, stop, [&] { return m_views == 0; });
         if (stop.stop_requested()) {
             return;
         }
         try {
-            prefetchBlock(level, tiles, block, lock);
+            prefetchBlock(level, tiles, block, threads, lock);
         } catch (const Error&) {
             ++m_counters.prefetchErrors;
             return;
@@ -137,7 +140,7 @@ void TileStore::prefetch(const PhotoLevel& level, const TileSet& tiles, const st
 }
 
 void TileStore::prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block,
-                              Lock& lock) {
+                              int threads, Lock& lock) {
     const std::shared_ptr<Photo> entry = opened(level);
     TileSet absent(tiles.grid());
     for (int row = block.row; row < block.endRow; ++row) {
@@ -154,14 +157,17 @@ void TileStore::prefetchBlock(const PhotoLevel& level, const TileSet& tiles, con
     }
     const Moment begin = std::chrono::steady_clock::now();
     ++entry->users;
+    absent.forEach([&](int i) { ++entry->tile(i).leases; }); // a small budget must not drop them meanwhile
     std::exception_ptr failure;
     try {
-        load(*entry, absent, 1, kBackgroundRows, lock);
+        load(*entry, absent, threads, kBackgroundRows, lock);
     } catch (...) { // rethrown below, when the photo has been let go
         failure = std::current_exception();
     }
+    absent.forEach([&](int i) { --entry->tile(i).leases; });
     --entry->users;
     dropPhoto(*entry);
+    dropBeyondBudget();
     if (failure) {
         std::rethrow_exception(failure);
     }

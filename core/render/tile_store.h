@@ -62,8 +62,9 @@ class TileStore {
     /// of the source.
     TileLease acquire(const PhotoLevel& level, const TileSet& tiles, Missing missing, int threads = 0);
 
-    /// Decodes what is not there, block by block, giving way between blocks to every request that waits and
-    /// every view that is being made. Returns early when stopped. Errors: none; they are counted.
+    /// Decodes what is not there, block by block on all threads, giving way between blocks to every request
+    /// that waits and every view that is being made. Returns early when stopped. Errors: none; they are
+    /// counted.
     void prefetch(const PhotoLevel& level, const TileSet& tiles, const std::stop_token& stop);
 
     /// While one of these lives, prefetch() begins no block.
@@ -91,7 +92,8 @@ class TileStore {
     using Recency = std::list<std::pair<Photo*, int>>;
 
     std::shared_ptr<Photo> opened(const PhotoLevel& level);
-    void prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block, Lock& lock);
+    void prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block, int threads,
+                       Lock& lock);
     /// Whether all of the photo was decoded.
     bool load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock);
     void decodeBlocks(Photo& photo, const TileSet& own, int threads, int maxRows);

@@ -50,8 +50,8 @@ BenchReport someReport() {
                       {render::LatticeSearch::EveryLens, {0.006, "there", 0.3, {}, 10, true}}};
     report.walkedPast = {404, 80.6, true};
     for (const double speed : {1.0, 10.0, 20.0}) {
-        report.walk.push_back({speed, render::LatePolicy::Wait, true, 90, speed > 10 ? 0.25 : 0, 4, 0});
-        report.walk.push_back({speed, render::LatePolicy::Wait, false, 90, 0.5, 30, 0.1});
+        report.walk.push_back({speed, render::LatePolicy::Wait, true, 90, 0, speed > 10 ? 0.25 : 0, 4, 0});
+        report.walk.push_back({speed, render::LatePolicy::Wait, false, 90, 10, 0.5, 30, 0.1});
     }
     report.residence = {612'000'000, 404};
     return report;

@@ -175,6 +175,13 @@ TEST_F(Tiles, AreNotPrefetchedWhileAViewIsMade) {
     EXPECT_EQ(store.counters().prefetchedTiles, 64U);
 }
 
+TEST_F(Tiles, ArePrefetchedEvenWithNextToNoBudget) {
+    TileStore store(source, 1);
+    store.prefetch({0}, TileSet::all(grid), {});
+    EXPECT_EQ(store.counters().prefetchedTiles, static_cast<std::uint64_t>(grid.count()));
+    EXPECT_EQ(store.counters().residentBytes, 0U);
+}
+
 TEST_F(Tiles, WantedByManyThreadsAreRightInAllOfThem) {
     TileStore store(source, 700'000);
     std::vector<std::jthread> threads;

@@ -93,6 +93,7 @@ struct WalkRow {
     render::LatePolicy policy = render::LatePolicy::Wait;
     bool prefetch = true;
     int views = 0;
+    int lateAtStart = 0;    ///< of the ten views before, which begin with nothing in memory
     double lateShare = 0;   ///< of views something of which was not in memory when they were asked for
     double p99Ms = 0;       ///< from asking for a view to having it
     double missedShare = 0; ///< of views that took longer than 1/30 s
