@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/scene/depth_sweep.h"
+
+#include "guided_filter.h"
+#include "median_filter.h"
+#include "path_aggregation.h"
+#include "sweep_cost.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr float kBytesPerCost = 2.5F;
+constexpr float kLeastInverseM = 1e-3F; ///< nothing is taken to be farther than a kilometre
+constexpr int kFilterRadius = 4;
+constexpr float kFilterSmoothness = 1e-3F;
+constexpr int kOffsets = 4; ///< tried to either side of a distance when it is refined
+
+/// How far from the middle one of three costs the least of the parabola through them is, in steps.
+float leastBetween(float before, float here, float after) {
+    const float bend = before + after - 2 * here;
+    return bend > 0 ? 0.5F * (before - after) / bend : 0;
+}
+
+/// One photo's sweep. The inverse distances tried are evenly spread.
+class Sweep {
+  public:
+    Sweep(const PosedPicture& photo, std::span<const PosedPicture> neighbours, const SweepOptions& options,
+          const std::stop_token& stop)
+        : m_photo(photo),
+          m_neighbours(neighbours),
+          m_options(options),
+          m_stop(stop),
+          m_farthest(static_cast<float>(1 / options.farthestM)),
+          m_step(
+              static_cast<float>((1 / options.nearestM - 1 / options.farthestM) / (options.distances - 1))) {}
+
+    Plane run() {
+        Plane inverse = coarse();
+        float step = m_step;
+        for (int width = 2 * m_options.coarseWidth; width <= m_options.width; width *= 2) {
+            step *= 0.5F;
+            inverse = finer(inverse, width, step);
+        }
+        return inverse;
+    }
+
+  private:
+    SweepCost costsAt(int width) const {
+        throwIfStopped(m_stop);
+        return SweepCost(m_photo, m_neighbours, m_options.keptShare, width, m_options.threads);
+    }
+
+    CostVolume<std::uint8_t> volume(const SweepCost& cost) const {
+        CostVolume<std::uint8_t> volume(cost.width(), cost.height(), m_options.distances);
+        parallelFor(cost.height(), 2, m_options.threads, [&](int begin, int end) {
+            throwIfStopped(m_stop);
+            SweepCost::Scratch scratch(cost);
+            const auto width = static_cast<std::size_t>(cost.width());
+            std::vector<float> inverse(width);
+            std::vector<float> costs(width);
+            for (int y = begin; y < end; ++y) {
+                for (int d = 0; d < m_options.distances; ++d) {
+                    std::fill(inverse.begin(), inverse.end(), m_farthest + static_cast<float>(d) * m_step);
+                    cost.row(y, inverse.data(), scratch, costs.data());
+                    std::uint8_t* out = volume.at(0, y) + d;
+                    for (std::size_t x = 0; x < width; ++x) {
+                        out[x * static_cast<std::size_t>(m_options.distances)] =
+                            static_cast<std::uint8_t>(kBytesPerCost * costs[x]);
+                    }
+                }
+            }
+        });
+        return volume;
+    }
+
+    Plane coarse() const {
+        const SweepCost cost = costsAt(m_options.coarseWidth);
+        const CostVolume<std::int16_t> sums =
+            aggregatedOverPaths(volume(cost), cost.photo(), {}, m_options.threads, m_stop);
+        Plane inverse(sums.width, sums.height);
+        for (int y = 0; y < sums.height; ++y) {
+            for (int x = 0; x < sums.width; ++x) {
+                const std::int16_t* at = sums.at(x, y);
+                const auto best = std::min_element(at, at + sums.distances) - at;
+                auto place = static_cast<float>(best);
+                if (best > 0 && best + 1 < sums.distances) {
+                    place += leastBetween(at[best - 1], at[best], at[best + 1]);
+                }
+                *inverse.at(x, y) = m_farthest + place * m_step;
+            }
+        }
+        return median3x3(inverse, m_options.threads);
+    }
+
+    GuidedFilter filterFor(const SweepCost& cost) const {
+        Plane guide(cost.width(), cost.height());
+        for (int y = 0; y < guide.height(); ++y) {
+            for (int x = 0; x < guide.width(); ++x) {
+                *guide.at(x, y) = cost.photo().brightness(x, y) / 255;
+            }
+        }
+        return {std::move(guide), kFilterRadius, kFilterSmoothness, m_options.threads};
+    }
+
+    /// At each pixel the one of the coarse pixel's own, nearest and farthest distance about it that fits
+    /// best: this is where edges get their place at the finer size.
+    Plane chosen(const Plane& coarse, const SweepCost& cost, const GuidedFilter& filter) const {
+        std::array<Plane, 3> candidates;
+        candidates.fill(Plane(cost.width(), cost.height()));
+        for (int y = 0; y < cost.height(); ++y) {
+            for (int x = 0; x < cost.width(); ++x) {
+                const auto [least, most] = rangeAbout(coarse, x / 2, y / 2);
+                *candidates[0].at(x, y) = *coarse.at(x / 2, y / 2);
+                *candidates[1].at(x, y) = least;
+                *candidates[2].at(x, y) = most;
+            }
+        }
+        Plane best = filteredCosts(candidates[0], cost, filter);
+        Plane result = candidates[0];
+        for (std::size_t k = 1; k < candidates.size(); ++k) {
+            const Plane costs = filteredCosts(candidates[k], cost, filter);
+            for (std::size_t i = 0; i < costs.values().size(); ++i) {
+                if (costs.values()[i] < best.values()[i] - 1e-4F) {
+                    best.values()[i] = costs.values()[i];
+                    result.values()[i] = candidates[k].values()[i];
+                }
+            }
+        }
+        return result;
+    }
+
+    static std::pair<float, float> rangeAbout(const Plane& plane, int x, int y) {
+        float least = *plane.at(x, y);
+        float most = least;
+        for (int j = std::max(0, y - 1); j <= std::min(plane.height() - 1, y + 1); ++j) {
+            for (int i = x - 1; i <= x + 1; ++i) {
+                const float value = *plane.at((i + plane.width()) % plane.width(), j);
+                least = std::min(least, value);
+                most = std::max(most, value);
+            }
+        }
+        return {least, most};
+    }
+
+    Plane filteredCosts(const Plane& inverse, const SweepCost& cost, const GuidedFilter& filter) const {
+        Plane costs(cost.width(), cost.height());
+        cost.all(inverse, m_options.threads, m_stop, costs);
+        filter.apply(costs);
+        return costs;
+    }
+
+    Plane finer(const Plane& coarse, int width, float step) const {
+        const SweepCost cost = costsAt(width);
+        const GuidedFilter filter = filterFor(cost);
+        const Plane base = chosen(coarse, cost, filter);
+        // The least cost so far, its offset, and its neighbours' costs.
+        Plane best(width, width / 2);
+        std::fill(best.values().begin(), best.values().end(), HUGE_VALF);
+        Plane offset(width, width / 2);
+        Plane before = best;
+        Plane after = best;
+        Plane last = best;
+        for (int k = -kOffsets; k <= kOffsets; ++k) {
+            Plane tried = base;
+            for (float& value : tried.values()) {
+                value = std::max(kLeastInverseM, value + static_cast<float>(k) * step);
+            }
+            Plane costs = filteredCosts(tried, cost, filter);
+            for (std::size_t i = 0; i < costs.values().size(); ++i) {
+                const float here = costs.values()[i];
+                if (offset.values()[i] == static_cast<float>(k - 1)) {
+                    after.values()[i] = here;
+                }
+                if (here < best.values()[i]) {
+                    best.values()[i] = here;
+                    offset.values()[i] = static_cast<float>(k);
+                    before.values()[i] = last.values()[i];
+                    after.values()[i] = HUGE_VALF;
+                }
+            }
+            last = std::move(costs);
+        }
+        Plane inverse(width, width / 2);
+        for (std::size_t i = 0; i < inverse.values().size(); ++i) {
+            const float a = before.values()[i];
+            const float b = after.values()[i];
+            const float between =
+                std::isfinite(a) && std::isfinite(b) ? leastBetween(a, best.values()[i], b) : 0;
+            inverse.values()[i] =
+                std::max(kLeastInverseM, base.values()[i] + (offset.values()[i] + between) * step);
+        }
+        return median3x3(inverse, m_options.threads);
+    }
+
+    const PosedPicture& m_photo;
+    std::span<const PosedPicture> m_neighbours;
+    SweepOptions m_options;
+    std::stop_token m_stop;
+    float m_farthest; ///< inverse
+    float m_step;
+};
+
+void checkPose(const Rigid3& pose) {
+    if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite() ||
+        std::abs(pose.rotation.norm() - 1) > 1e-3) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not estimate depth: a photo's pose is not a position and a unit quaternion; align "
+                    "the survey first.");
+    }
+}
+
+void checkPicture(const PosedPicture& photo) {
+    if (photo.picture == nullptr || photo.picture->width() < 16 ||
+        photo.picture->width() != 2 * photo.picture->height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not estimate depth: a picture is empty or not twice as wide as high.");
+    }
+    checkPose(photo.roomFromPhoto);
+}
+
+bool isPowerOfTwo(int value) {
+    return value > 0 && (value & (value - 1)) == 0;
+}
+
+} // namespace
+
+void SweepOptions::validate() const {
+    const bool sizes = coarseWidth >= 64 && coarseWidth % 64 == 0 && width >= coarseWidth && width <= 8192 &&
+                       width % coarseWidth == 0 && isPowerOfTwo(width / coarseWidth);
+    const bool range = std::isfinite(farthestM) && nearestM > 0 && nearestM < farthestM;
+    if (!sizes || !range || distances < 3 || distances > 1024 || neighbours < 1 || neighbours > 64 ||
+        !(leastBaselineM >= 0) || !(keptShare > 0) || keptShare > 1) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not estimate depth: the width must be a power of two times the coarse width (a "
+                    "multiple of 64), 3 to 1024 distances may be tried from near to far, with 1 to 64 "
+                    "neighbours, of which a share above 0 and up to 1 counts.");
+    }
+}
+
+std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos, std::size_t photo,
+                                         const SweepOptions& options) {
+    const auto distance = [&](std::size_t other) {
+        return (roomFromPhotos[other].translation - roomFromPhotos[photo].translation).norm();
+    };
+    std::vector<std::size_t> order(roomFromPhotos.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::erase_if(order, [&](std::size_t other) {
+        return other == photo || !(distance(other) > options.leastBaselineM);
+    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    order.resize(std::min(order.size(), static_cast<std::size_t>(options.neighbours)));
+    return order;
+}
+
+PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> neighbours,
+                      const SweepOptions& options, const std::stop_token& stop) {
+    options.validate();
+    if (neighbours.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not estimate depth: no other photo is near enough, and one alone tells no depth.");
+    }
+    checkPicture(photo);
+    for (const PosedPicture& neighbour : neighbours) {
+        checkPicture(neighbour);
+    }
+    PhotoDepth depth{Sweep(photo, neighbours, options, stop).run(), {}};
+    depth.sure = MaskImage(depth.inverseM.width(), depth.inverseM.height());
+    return depth;
+}
+
+} // namespace spherewalk::scene
