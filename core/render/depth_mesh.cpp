@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_mesh.h"
+
+#include "spherewalk/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::render {
+
+DepthMesh::DepthMesh(const DepthMap& map) : m_width(map.width()), m_height(map.height()) {
+    if (m_width % kBlock != 0) {
+        throw Error(ErrorKind::InvalidInput, "A depth's width must be a multiple of 16 pixels.");
+    }
+    m_inverse.reserve(static_cast<std::size_t>(m_width + 1) * static_cast<std::size_t>(m_height));
+    for (int y = 0; y < m_height; ++y) {
+        const auto row = map.inverseM().row(y);
+        m_inverse.insert(m_inverse.end(), row.begin(), row.end());
+        m_inverse.push_back(row.front());
+    }
+    const double half = std::numbers::pi / m_width; // half a pixel
+    for (int i = -1; i <= 2 * m_width; ++i) {
+        m_cosAzimuth.push_back(static_cast<float>(std::cos(std::numbers::pi - half * (i + 1))));
+        m_sinAzimuth.push_back(static_cast<float>(std::sin(std::numbers::pi - half * (i + 1))));
+    }
+    for (int i = -1; i <= 2 * m_height; ++i) {
+        m_cosElevation.push_back(static_cast<float>(std::cos(std::numbers::pi / 2 - half * (i + 1))));
+        m_sinElevation.push_back(static_cast<float>(std::sin(std::numbers::pi / 2 - half * (i + 1))));
+    }
+    for (int level = 1; level < kLevels; ++level) {
+        measureLevel(level);
+    }
+    boundBlocks();
+}
+
+void DepthMesh::measureLevel(int level) {
+    Level& of = m_levels[static_cast<std::size_t>(level)];
+    const int size = 1 << level;
+    of.pitch = m_width / size;
+    for (int y = 0; y < m_height - 1; y += size) {
+        for (int x = 0; x < m_width; x += size) {
+            of.deviation.push_back(measured(x, y, x + size, std::min(y + size, m_height - 1)));
+        }
+    }
+}
+
+float DepthMesh::measured(int x, int y, int endX, int endY) const {
+    const float a = inverseM(x, y);
+    const float b = inverseM(endX, y);
+    const float c = inverseM(x, endY);
+    const float d = inverseM(endX, endY);
+    float worst = 0;
+    float most = 0;
+    for (int j = y; j <= endY; ++j) {
+        const float down = static_cast<float>(j - y) / static_cast<float>(endY - y);
+        for (int i = x; i <= endX; ++i) {
+            const float right = static_cast<float>(i - x) / static_cast<float>(endX - x);
+            const float upper = a + right * (b - a);
+            const float flat = upper + down * (c + right * (d - c) - upper);
+            worst = std::max(worst, std::abs(inverseM(i, j) - flat));
+            most = std::max(most, inverseM(i, j));
+        }
+    }
+    // On a plane 1 / distance goes with the direction's chord, not with its angles.
+    const auto angle = static_cast<float>((endX - x) * 2 * std::numbers::pi / m_width);
+    return worst + most * angle * angle / 8;
+}
+
+void DepthMesh::boundBlocks() {
+    for (int blockY = 0; blockY < blocksY(); ++blockY) {
+        for (int blockX = 0; blockX < blocksX(); ++blockX) {
+            const int endX = (blockX + 1) * kBlock;
+            const int endY = std::min((blockY + 1) * kBlock, m_height - 1);
+            Bound bound;
+            bound.centre = direction(2 * blockX * kBlock + kBlock, blockY * kBlock + endY);
+            bound.least = HUGE_VALF;
+            for (int y = blockY * kBlock; y <= endY; ++y) {
+                for (int x = blockX * kBlock; x <= endX; ++x) {
+                    const float chord =
+                        (direction(std::min(2 * x, 2 * m_width), 2 * y) - bound.centre).norm();
+                    bound.radius = std::max(bound.radius, chord);
+                    bound.least = std::min(bound.least, inverseM(x, y));
+                    bound.most = std::max(bound.most, inverseM(x, y));
+                }
+            }
+            bound.radius += static_cast<float>(2 * std::numbers::pi / m_width); // a pixel, for its corners
+            m_bounds.push_back(bound);
+        }
+    }
+}
+
+} // namespace spherewalk::render

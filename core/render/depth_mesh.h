@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spherewalk/render/depth_map.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace spherewalk::render {
+
+/// A photo's depth as a surface: a vertex for each pixel's centre, a quad between each four, and quads of up
+/// to kBlock x kBlock of these where the surface is flat. Frames: the photo's. Threads: const, any number.
+class DepthMesh {
+  public:
+    static constexpr int kLevels = 5; ///< quads of 1, 2, 4, 8 and 16 pixels
+    static constexpr int kBlock = 1 << (kLevels - 1);
+
+    explicit DepthMesh(const DepthMap& map);
+
+    int width() const { return m_width; }
+
+    int height() const { return m_height; }
+
+    int blocksX() const { return m_width / kBlock; }
+
+    int blocksY() const { return (m_height - 1 + kBlock - 1) / kBlock; }
+
+    /// Range: 0 <= x <= width (the first column again), 0 <= y < height.
+    float inverseM(int x, int y) const {
+        return m_inverse[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width + 1) +
+                         static_cast<std::size_t>(x)];
+    }
+
+    /// Unit vector. Units: half pixels, so that a pixel's corners can be had: (2 x, 2 y) is its centre.
+    /// Range: -1 <= halfX <= 2 width, likewise y.
+    Eigen::Vector3f direction(int halfX, int halfY) const {
+        const auto x = static_cast<std::size_t>(halfX + 1);
+        const auto y = static_cast<std::size_t>(halfY + 1);
+        return {m_cosElevation[y] * m_cosAzimuth[x], m_cosElevation[y] * m_sinAzimuth[x], m_sinElevation[y]};
+    }
+
+    /// By how much 1 / distance is off, at most, if the quad with its upper left vertex at (x, y) is taken to
+    /// be flat. Range: level > 0; x and y multiples of 2^level.
+    float deviation(int level, int x, int y) const {
+        const Level& of = m_levels[static_cast<std::size_t>(level)];
+        return of.deviation[static_cast<std::size_t>(y >> level) * static_cast<std::size_t>(of.pitch) +
+                            static_cast<std::size_t>(x >> level)];
+    }
+
+    /// All vertices of a block lie in it: directions within `radius` of the centre, and so many per metre.
+    struct Bound {
+        Eigen::Vector3f centre;
+        float radius = 0;
+        float least = 0;
+        float most = 0;
+    };
+
+    const Bound& bound(int blockX, int blockY) const {
+        return m_bounds[static_cast<std::size_t>(blockY) * static_cast<std::size_t>(blocksX()) +
+                        static_cast<std::size_t>(blockX)];
+    }
+
+  private:
+    struct Level {
+        int pitch = 0;
+        std::vector<float> deviation;
+    };
+
+    void measureLevel(int level);
+    float measured(int x, int y, int endX, int endY) const;
+    void boundBlocks();
+
+    int m_width;
+    int m_height;
+    std::vector<float> m_inverse;
+    std::vector<float> m_cosAzimuth;
+    std::vector<float> m_sinAzimuth;
+    std::vector<float> m_cosElevation;
+    std::vector<float> m_sinElevation;
+    std::array<Level, kLevels> m_levels;
+    std::vector<Bound> m_bounds;
+};
+
+} // namespace spherewalk::render
