@@ -33,15 +33,19 @@ void OpenCells::update(std::span<const InverseBuffer> buffers, WorkerPool& pool,
     const int width = buffers.front().width();
     const int height = buffers.front().height();
     pool.run(m_height, threads, [&](int row, int) {
+        std::vector<float> covered(static_cast<std::size_t>(m_width * kCell), 1.0F);
+        int* cells = open.data() + static_cast<std::ptrdiff_t>(row) * m_width;
         for (int y = row * kCell; y < std::min(height, (row + 1) * kCell); ++y) {
-            for (int column = 0; column < m_width; ++column) {
-                for (int x = column * kCell; x < std::min(width, (column + 1) * kCell); ++x) {
-                    bool covered = false;
-                    for (const InverseBuffer& buffer : buffers) {
-                        covered = covered || *buffer.at(x, y) > 0;
-                    }
-                    open[static_cast<std::size_t>(row * m_width + column)] |= covered ? 0 : 1;
+            std::copy_n(buffers.front().at(0, y), width, covered.data());
+            for (const InverseBuffer& buffer : buffers.subspan(1)) {
+                const float* values = buffer.at(0, y);
+                for (int x = 0; x < width; ++x) {
+                    covered[static_cast<std::size_t>(x)] += values[x];
                 }
+            }
+            for (int column = 0; column < m_width; ++column) {
+                const float* values = covered.data() + static_cast<std::ptrdiff_t>(column) * kCell;
+                cells[column] |= *std::min_element(values, values + kCell) > 0 ? 0 : 1;
             }
         }
     });

@@ -76,16 +76,17 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
 
     std::array<Box, 2> boxes;
     for (int y = at.y; y < at.endY; ++y) {
+        const std::uint8_t* of = m_places.source.at(0, y);
+        const std::int32_t* u = m_places.u.at(0, y);
+        const std::int32_t* v = m_places.v.at(0, y);
         for (int x = at.x; x < at.endX; ++x) {
-            const std::uint8_t of = *m_places.source.at(x, y);
-            if (of != source) {
-                continue;
+            if (of[x] == source) {
+                Box& box = boxes[u[x] < middle ? 0 : 1];
+                box.left = std::min(box.left, u[x]);
+                box.right = std::max(box.right, u[x]);
+                box.top = std::min(box.top, v[x]);
+                box.bottom = std::max(box.bottom, v[x]);
             }
-            const std::int32_t u = *m_places.u.at(x, y);
-            const std::int32_t v = *m_places.v.at(x, y);
-            Box& box = boxes[u < middle ? 0 : 1];
-            box = {std::min(box.left, u), std::max(box.right, u), std::min(box.top, v),
-                   std::max(box.bottom, v)};
         }
     }
     if (boxes[0].right > 0 && boxes[1].right > 0 && boxes[1].left - boxes[0].right < middle / 2) {

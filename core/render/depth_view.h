@@ -29,7 +29,7 @@ struct DepthPhoto {
 class DepthView {
   public:
     /// By how much flat parts may be displaced, in pixels of the view.
-    static constexpr double kTolerancePx = 0.2;
+    static constexpr double kTolerancePx = 0.5;
 
     /// photos: in the order in which they are asked, at most 8, at least one. usualDistanceM: of what nobody
     /// sees. Returns the tiles of each photo that sample() reads.
