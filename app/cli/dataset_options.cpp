@@ -14,8 +14,10 @@ void DatasetOptions::declare(CLI::App& command) {
                     "Frame that the poses are of: optical (z forward) or body (x forward)")
         ->check(CLI::IsMember({"optical", "body"}))
         ->capture_default_str();
-    command.add_option("--scene", m_scene, "Scene model for places between photos: none, sphere, or auto")
-        ->check(CLI::IsMember({"none", "sphere", "auto"}))
+    command
+        .add_option("--scene", m_scene,
+                    "Scene model for places between photos: none, sphere, room, depth, or auto")
+        ->check(CLI::IsMember({"none", "sphere", "room", "depth", "auto"}))
         ->capture_default_str();
     command
         .add_option(

@@ -38,8 +38,10 @@ constexpr Numbers<LensModel, 4> kLenses{{{SPHEREWALK_LENS_PINHOLE, LensModel::Pi
                                          {SPHEREWALK_LENS_RATIONAL_POLYNOMIAL, LensModel::RationalPolynomial},
                                          {SPHEREWALK_LENS_EQUIDISTANT, LensModel::Equidistant}}};
 
-constexpr Numbers<SceneKind, 2> kScenes{
-    {{SPHEREWALK_SCENE_NONE, SceneKind::None}, {SPHEREWALK_SCENE_SPHERE, SceneKind::Sphere}}};
+constexpr Numbers<SceneKind, 4> kScenes{{{SPHEREWALK_SCENE_NONE, SceneKind::None},
+                                         {SPHEREWALK_SCENE_SPHERE, SceneKind::Sphere},
+                                         {SPHEREWALK_SCENE_ROOM, SceneKind::Room},
+                                         {SPHEREWALK_SCENE_DEPTH, SceneKind::Depth}}};
 
 constexpr Numbers<Sampling, 6> kSamplings{{{SPHEREWALK_SAMPLING_NEAREST, Sampling::Nearest},
                                            {SPHEREWALK_SAMPLING_BILINEAR, Sampling::Bilinear},

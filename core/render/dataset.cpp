@@ -74,7 +74,7 @@ void Dataset::checkSizes() const {
             refuseChanged(m_folder, photo,
                           text("has ", size, " bytes, not the ", photo.sizeBytes, " it should have"));
         }
-        for (const std::string& name : {photo.restartIndex, photo.thumbnail}) {
+        for (const std::string& name : {photo.restartIndex, photo.thumbnail, photo.depth}) {
             if (!name.empty()) {
                 sizeOf(m_folder, name);
             }

@@ -95,6 +95,7 @@ Json photoJson(const DatasetPhoto& photo) {
             {"height", photo.height},
             {"restart_index", optionalText(photo.restartIndex)},
             {"thumbnail", optionalText(photo.thumbnail)},
+            {"depth", optionalText(photo.depth)},
             {"station", photo.station},
             {"position_m", listOf(photo.roomFromPhoto.translation)},
             {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
@@ -143,6 +144,7 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     }
     photo.restartIndex = fileName(reader, "restart_index", "index/");
     photo.thumbnail = fileName(reader, "thumbnail", "thumbnails/");
+    photo.depth = fileName(reader, "depth", "depth/");
     photo.station = reader.isAbsent("station") ? "" : reader.string("station");
     photo.roomFromPhoto = {rotationOf(reader),
                            vectorOf(reader.member("position_m"), -kFarthestM, kFarthestM)};
@@ -222,16 +224,41 @@ void readRoom(const JsonReader& room, DatasetInfo& info) {
     info.ceilingM = boundedNumber(room.member("ceiling_m"), 0, kFarthestM);
 }
 
+RoomShape roomShapeOf(const JsonReader& model) {
+    const RoomShape shape{polygonOf(model.member("outline_m")),
+                          boundedNumber(model.member("floor_m"), -kFarthestM, kFarthestM),
+                          boundedNumber(model.member("ceiling_m"), -kFarthestM, kFarthestM)};
+    try {
+        shape.validate();
+    } catch (const Error& error) {
+        model.fail(error.sentence());
+    }
+    return shape;
+}
+
 void readSceneModels(const JsonReader& models, DatasetInfo& info) {
     for (std::size_t i = 0; i < models.arraySize(100); ++i) {
         const JsonReader model = models.element(i);
-        if (model.string("kind") == "sphere") { // kinds of later versions are left out
+        const std::string kind = model.string("kind"); // kinds of later versions are left out
+        if (kind == "sphere") {
             info.sphereRadiusM = boundedNumber(model.member("radius_m"), 1e-3, kFarthestM);
+        } else if (kind == "room") {
+            info.roomShape = roomShapeOf(model);
         }
     }
 }
 
 } // namespace
+
+SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
+    if (!info.photos[photo].depth.empty()) {
+        return SceneKind::Depth;
+    }
+    if (info.roomShape) {
+        return SceneKind::Room;
+    }
+    return info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
+}
 
 Json toJson(const DatasetInfo& info) {
     Json obstacles = Json::array();
@@ -242,6 +269,17 @@ Json toJson(const DatasetInfo& info) {
     if (info.sphereRadiusM) {
         models.push_back(
             {{"kind", "sphere"}, {"radius_m", *info.sphereRadiusM}, {"measured_error_px", nullptr}});
+    }
+    if (info.roomShape) {
+        models.push_back({{"kind", "room"},
+                          {"outline_m", listOf(info.roomShape->outline)},
+                          {"floor_m", info.roomShape->floorM},
+                          {"ceiling_m", info.roomShape->ceilingM},
+                          {"measured_error_px", nullptr}});
+    }
+    if (std::any_of(info.photos.begin(), info.photos.end(),
+                    [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
+        models.push_back({{"kind", "depth"}, {"measured_error_px", nullptr}});
     }
     Json cameras = Json::array();
     for (const SuggestedCamera& camera : info.cameras) {

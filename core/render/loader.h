@@ -62,6 +62,13 @@ class ViewLoader {
     /// prefetcher's plan, or they never come. Errors: those of the photos.
     Served serve(const TileNeed& need, LatePolicy policy, const NeedOf& needOf, int threads = 0);
 
+    /// A view that was made without this loader, and waited if it was late.
+    void countSurfaceView(bool isLate) {
+        ++m_counters.views;
+        m_counters.late += isLate ? 1 : 0;
+        m_counters.waited += isLate ? 1 : 0;
+    }
+
     const StreamCounters& counters() const { return m_counters; }
 
   private:

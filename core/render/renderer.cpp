@@ -22,6 +22,11 @@ void Renderer::render(const CameraModel& camera, const Rigid3& roomFromCamera, c
                       View& view) const {
     const ViewRequest request = m_engine->checked(camera, roomFromCamera, options);
     const ViewPlan plan = m_engine->plan(request, m_engine->nearestPhoto(request));
+    if (plan.surface) {
+        const TileStore::ViewInProgress inProgress(m_engine->store());
+        m_engine->makeFromSurfaces(request, plan, view);
+        return;
+    }
     const TileNeed need = m_engine->need(request, plan);
     const TileStore::ViewInProgress inProgress(m_engine->store());
     Served served;

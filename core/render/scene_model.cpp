@@ -7,7 +7,10 @@ namespace spherewalk::render {
 
 namespace {
 
-constexpr EnumNames<SceneKind, 2> kNames{{{SceneKind::None, "none"}, {SceneKind::Sphere, "sphere"}}};
+constexpr EnumNames<SceneKind, 4> kNames{{{SceneKind::None, "none"},
+                                          {SceneKind::Sphere, "sphere"},
+                                          {SceneKind::Room, "room"},
+                                          {SceneKind::Depth, "depth"}}};
 
 } // namespace
 

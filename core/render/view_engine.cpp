@@ -18,11 +18,15 @@ namespace spherewalk::render {
 namespace {
 
 constexpr double kUsualDistanceM = 2;
+/// Of 1 / distance, where depths are not measured against anything.
+constexpr double kDepthResidual = 0.02;
 
 /// See ViewReport::parallaxPx: offset times the error of the inverse distance times the focal length.
 double parallax(const ViewPlan& plan, double offsetM, const CameraModel& camera) {
-    const double inverseDistanceError =
-        plan.scene == SceneKind::None ? 1 / plan.radiusM : 1 / (0.5 * plan.radiusM) - 1 / plan.radiusM;
+    const double inverseDistanceError = plan.surface == SceneKind::Depth ? kDepthResidual / plan.radiusM
+                                        : plan.scene == SceneKind::None
+                                            ? 1 / plan.radiusM
+                                            : 1 / (0.5 * plan.radiusM) - 1 / plan.radiusM;
     return std::max(camera.intrinsics().fx, camera.intrinsics().fy) * offsetM * inverseDistanceError;
 }
 
@@ -42,7 +46,8 @@ ViewEngine::ViewEngine(std::shared_ptr<const Dataset> dataset, const RendererOpt
     : m_dataset(std::move(dataset)),
       m_photos(std::make_shared<LoaderPhotos>(m_dataset, options.verify)),
       m_store(m_photos, options.cacheBytes),
-      m_thumbnails(std::make_shared<Thumbnails>(m_dataset)) {
+      m_thumbnails(std::make_shared<Thumbnails>(m_dataset)),
+      m_surfaces(m_dataset) {
 }
 
 ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFromCamera,
@@ -57,6 +62,12 @@ ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFro
         throw Error(ErrorKind::InvalidInput,
                     text("The dataset ", m_dataset->folder().string(),
                          " has no sphere scene model; use none, or export it again."));
+    }
+    if (options.scene && hasSurfaces(*options.scene) &&
+        m_surfaces.photosFor(*options.scene, roomFromCamera.translation).empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
+                         " scene model; use another, or export it again with one."));
     }
     return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options};
 }
@@ -74,7 +85,11 @@ ViewPlan ViewEngine::plan(const ViewRequest& request, std::size_t photo) {
     const DatasetInfo& info = m_dataset->info();
     ViewPlan plan;
     plan.level = {photo, 1};
-    plan.scene = request.options.scene.value_or(info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None);
+    plan.scene = request.options.scene.value_or(bestScene(info, photo));
+    if (hasSurfaces(plan.scene)) {
+        plan.surface = plan.scene;
+        plan.scene = info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
+    }
     plan.radiusM = info.sphereRadiusM.value_or(kUsualDistanceM);
     const double ratio = minification(request.camera, info.photos[photo].width);
     plan.sampling = request.options.exact
@@ -129,7 +144,7 @@ void ViewEngine::report(const ViewRequest& request, const ViewPlan& plan, const 
     const DatasetPhoto& photo = m_dataset->info().photos[plan.level.photo];
     report.photo = plan.level.photo;
     report.file = photo.file;
-    report.scene = plan.scene;
+    report.scene = plan.surface.value_or(plan.scene);
     report.sampling = plan.sampling;
     report.origin = served.origin;
     report.isLate = served.isLate;
@@ -155,7 +170,7 @@ void ViewEngine::draw(const ViewRequest& request, const ViewPlan& plan, const Pl
         renderView(*plan.rays, request.roomFromCamera, source, plan.sampling, pool, threads, workspace,
                    view.picture);
     }
-    addLayers(request, plan, photo, pool, threads, view);
+    addLayers(request, plan, photo, pool, threads, {}, view);
 }
 
 void ViewEngine::drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
@@ -168,9 +183,9 @@ void ViewEngine::drawExactly(const ViewRequest& request, const ViewPlan& plan, c
     pool.run(picture.height(), threads, [&](int y, int) { exactRow(projection, photo, y, picture); });
 }
 
-/// Depth, overlays and trust, as far as they are wanted.
+/// Depth, overlays and trust, as far as they are wanted. depth: of the view, if it is known already.
 void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
-                           WorkerPool& pool, int threads, View& view) {
+                           WorkerPool& pool, int threads, DepthImage depth, View& view) {
     const ViewOptions& options = request.options;
     view.depth = {};
     view.trust = {};
@@ -185,7 +200,7 @@ void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, con
         *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
         plan.radiusM};
     if (options.wantsDepth || !options.overlays.empty()) {
-        view.depth = viewDepth(geometry, pool, threads);
+        view.depth = plan.surface ? std::move(depth) : viewDepth(geometry, pool, threads);
     }
     if (!options.overlays.empty()) {
         ComposeOptions compose = options.compose;
@@ -196,6 +211,7 @@ void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, con
     if (options.wantsTrust) {
         TrustOptions trust;
         trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
+        trust.distanceResidual = plan.surface == SceneKind::Depth ? kDepthResidual : 1;
         trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
         view.trust = pixelTrust(geometry, trust, pool, threads);
     }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "depth_view.h"
 #include "fast_view.h"
 #include "loader.h"
 #include "loader_photos.h"
 #include "recently_used.h"
+#include "surfaces.h"
 #include "tile_footprint.h"
 
 #include "spherewalk/render/renderer.h"
@@ -24,7 +26,8 @@ struct ViewRequest {
 /// How one photo answers a request.
 struct ViewPlan {
     PhotoLevel level;
-    SceneKind scene = SceneKind::None;
+    SceneKind scene = SceneKind::None; ///< with surfaces, what stands in for them where one photo is asked
+    std::optional<SceneKind> surface;  ///< a scene model that has surfaces
     double radiusM = 0;
     Sampling sampling = Sampling::Footprint; ///< not Auto
     std::shared_ptr<const RayTable> rays;
@@ -52,6 +55,10 @@ class ViewEngine {
     /// Makes all of the view from what was served.
     void make(const ViewRequest& request, const ViewPlan& plan, const Served& served, View& view);
 
+    /// Makes all of a view whose plan has surfaces, from the photos nearest to the camera; waits for what is
+    /// not decoded. Errors: those of the photos and of their depths.
+    void makeFromSurfaces(const ViewRequest& request, const ViewPlan& plan, View& view);
+
     const Dataset& dataset() const { return *m_dataset; }
 
     TileStore& store() { return m_store; }
@@ -74,7 +81,9 @@ class ViewEngine {
     void drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
                      WorkerPool& pool, int threads, RgbImage& picture) const;
     void addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, WorkerPool& pool,
-                   int threads, View& view);
+                   int threads, DepthImage depth, View& view);
+    void drawSurfaces(const ViewRequest& request, const ViewPlan& plan, WorkerPool& pool, int threads,
+                      DepthView& depthView, Served& served, View& view);
 
     std::shared_ptr<const Dataset> m_dataset;
     std::shared_ptr<LoaderPhotos> m_photos;
@@ -83,10 +92,12 @@ class ViewEngine {
     RecentlyUsed<std::pair<CameraIntrinsics, int>, RayTable> m_rays{kCamerasKept}; ///< by samples per axis
     RecentlyUsed<CameraIntrinsics, ViewFootprint> m_footprints{kCamerasKept};
     RecentlyUsed<CameraIntrinsics, PixelRays> m_pixelRays{kCamerasKept};
+    Surfaces m_surfaces;
     Composer m_composer;
     std::mutex m_drawing; ///< of pool and workspace
     WorkerPool m_pool;
     Workspace m_workspace;
+    DepthView m_depthView;
 };
 
 } // namespace spherewalk::render

@@ -108,20 +108,25 @@ void ViewStream::next(const Rigid3& roomFromCamera, double timeS, const ViewOpti
     TileNeed need = engine.need(request, plan);
     {
         const TileStore::ViewInProgress inProgress(engine.store());
-        const Served served = state.loader.serve(
-            need, state.options.late,
-            [&](std::size_t photo) { return engine.need(request, engine.plan(request, photo)); },
-            options.threads);
-        switch (served.origin) {
-        case ViewOrigin::Photo:
-            engine.make(request, plan, served, view);
-            break;
-        case ViewOrigin::Thumbnail:
-            engine.make(request, engine.coarse(request, plan), served, view);
-            break;
-        case ViewOrigin::PreviousPhoto:
-            engine.make(request, engine.plan(request, served.photo), served, view);
-            break;
+        if (plan.surface) { // whatever the policy: there is no coarse picture of several photos
+            engine.makeFromSurfaces(request, plan, view);
+            state.loader.countSurfaceView(view.report.isLate);
+        } else {
+            const Served served = state.loader.serve(
+                need, state.options.late,
+                [&](std::size_t photo) { return engine.need(request, engine.plan(request, photo)); },
+                options.threads);
+            switch (served.origin) {
+            case ViewOrigin::Photo:
+                engine.make(request, plan, served, view);
+                break;
+            case ViewOrigin::Thumbnail:
+                engine.make(request, engine.coarse(request, plan), served, view);
+                break;
+            case ViewOrigin::PreviousPhoto:
+                engine.make(request, engine.plan(request, served.photo), served, view);
+                break;
+            }
         }
     }
     state.prefetch(request, timeS, std::move(need));

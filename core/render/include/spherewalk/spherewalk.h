@@ -213,9 +213,11 @@ SPHEREWALK_API void spherewalk_renderer_destroy(spherewalk_renderer* renderer);
 
 /// What an in-between position is computed with.
 enum {
-    SPHEREWALK_SCENE_BEST = 0,  ///< the best one that the dataset has
-    SPHEREWALK_SCENE_NONE = 1,  ///< everything is infinitely far: the nearest photo is only turned
-    SPHEREWALK_SCENE_SPHERE = 2 ///< everything lies on a sphere about the photo
+    SPHEREWALK_SCENE_BEST = 0,   ///< the best one that the dataset has
+    SPHEREWALK_SCENE_NONE = 1,   ///< everything is infinitely far: the nearest photo is only turned
+    SPHEREWALK_SCENE_SPHERE = 2, ///< everything lies on a sphere about the photo
+    SPHEREWALK_SCENE_ROOM = 3,   ///< there are walls, a floor and a ceiling, and nothing else
+    SPHEREWALK_SCENE_DEPTH = 4   ///< how far away each of the photo's pixels is was measured
 };
 
 /// How a pixel is made from the photo's, cheap to exact: see the documentation of the C++ interface.

@@ -6,6 +6,8 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/room_shape.h"
+#include "spherewalk/render/scene_model.h"
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +39,7 @@ struct DatasetPhoto {
     int height = 0;
     std::string restartIndex; ///< relative; "" if the photo has no restart markers
     std::string thumbnail;    ///< relative; "" if there is none
+    std::string depth;        ///< relative; "" if there is none
     std::string station;      ///< what people call its place
     Rigid3 roomFromPhoto;
     std::string rotationSource; ///< "imported", "aligned", "metadata", or "unknown" (identity)
@@ -60,9 +63,13 @@ struct DatasetInfo {
     double ceilingM = 0;
     double stepM = 0;                    ///< of the planned grid; 0 if there was none
     std::optional<double> sphereRadiusM; ///< of the sphere scene model, if the dataset has one
+    std::optional<RoomShape> roomShape;  ///< of the room scene model, if the dataset has one
     std::vector<SuggestedCamera> cameras;
     std::vector<DatasetPhoto> photos;
 };
+
+/// The best scene model that the dataset has for a photo.
+SceneKind bestScene(const DatasetInfo& info, std::size_t photo);
 
 Json toJson(const DatasetInfo& info);
 

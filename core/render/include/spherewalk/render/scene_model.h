@@ -12,7 +12,14 @@ namespace spherewalk::render {
 enum class SceneKind {
     None,   ///< everything is infinitely far: the nearest photo is only turned
     Sphere, ///< everything lies on a sphere about the photo (the displaced camera of Chachula and Stefanczyk)
+    Room,   ///< there are walls, a floor and a ceiling, and nothing else
+    Depth,  ///< how far away each of the photo's pixels is was measured
 };
+
+/// Whether a model of this kind gives each photo a surface, so that things hide each other.
+constexpr bool hasSurfaces(SceneKind kind) {
+    return kind == SceneKind::Room || kind == SceneKind::Depth;
+}
 
 std::string_view name(SceneKind kind);
 

@@ -50,6 +50,8 @@ struct ViewReport {
     /// at worst, in pixels at the picture's centre; with SceneKind::None, a thing at the dataset's usual
     /// distance (its sphere's radius, or 2 m if it has none).
     double parallaxPx = 0;
+    double filledShare =
+        0;                ///< of the pixels, that had to come from another photo; scene models with surfaces
     double blurPx = 0;    ///< of a thumbnail: how far its pixels reach beyond one of the view's
     double trust = 0;     ///< 1 / (1 + parallaxPx + blurPx): 1 at a photo's own place, 0.5 with 1 px in doubt
     double decodeMs = 0;  ///< waiting for the photo to be decoded, 0 if it was in memory
