@@ -13,13 +13,20 @@ namespace {
 struct Options {
     std::string survey;
     std::string dataset;
-    dataset::WriteOptions write;
+    jobs::ExportOptions write;
+    std::string scene = "sphere";
 };
+
+jobs::ExportOptions exportOptions(const Options& options) {
+    jobs::ExportOptions wanted = options.write;
+    wanted.scene = render::sceneKind(options.scene);
+    return wanted;
+}
 
 Result exportSurvey(const Options& options, Context& context) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     const jobs::ExportReport report =
-        jobs::exportDataset(store, options.dataset, options.write, context.progress, context.stop);
+        jobs::exportDataset(store, options.dataset, exportOptions(options), context.progress, context.stop);
     Json json = jobs::toJson(report);
     json["dataset"] = options.dataset;
     const dataset::WriteReport& written = report.written;
@@ -44,10 +51,15 @@ void addExport(Commands& commands) {
     command.add_option("survey", options->survey, "Folder of the survey")->required();
     command.add_option("dataset", options->dataset, "Folder to make")->required();
     command
-        .add_option("--restart-every", options->write.mcusPerInterval,
+        .add_option("--restart-every", options->write.write.mcusPerInterval,
                     "JPEG blocks (MCUs) between restart markers; the nearest number that divides a row is "
                     "taken")
         ->check(CLI::Range(1, 65535))
+        ->capture_default_str();
+    command
+        .add_option("--scene", options->scene,
+                    "Richest scene model to export: sphere, room, or depth; the cheaper ones come with it")
+        ->check(CLI::IsMember({"sphere", "room", "depth"}))
         ->capture_default_str();
 }
 

@@ -31,7 +31,7 @@ class UnfinishedFolder {
         m_path = m_finalPlace;
         m_path += text(".", ::getpid(), ".part");
         fs::remove_all(m_path);
-        for (const char* name : {"photos", "index", "thumbnails"}) {
+        for (const char* name : {"photos", "index", "thumbnails", "depth"}) {
             fs::create_directories(m_path / name);
         }
     }
@@ -48,7 +48,7 @@ class UnfinishedFolder {
     const fs::path& path() const { return m_path; }
 
     void moveIntoPlace() {
-        for (const char* name : {"photos", "index", "thumbnails", "."}) {
+        for (const char* name : {"photos", "index", "thumbnails", "depth", "."}) {
             syncFolder(m_path / name);
         }
         fs::rename(m_path, m_finalPlace);
@@ -140,8 +140,12 @@ void write(const Contents& contents, UnfinishedFolder& folder, const WriteOption
             source = photo::withPositionTag(source, *photo.tag, photo.file.string());
         }
         render::DatasetPhoto entry = photo.entry;
-        const std::uint64_t others =
+        std::uint64_t others =
             writePhoto(source, folder.path(), names[k], photo.file.string(), options, entry);
+        if (!photo.depthFile.empty()) {
+            entry.depth = text("depth/", names[k], ".pgm");
+            others += writeNew(folder.path() / entry.depth, readFile(photo.depthFile));
+        }
         const std::scoped_lock lock(mutex);
         info.photos[k] = entry;
         ++report.photos;

@@ -6,6 +6,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/base/uuid.h"
 #include "spherewalk/photo/levelling.h"
+#include "spherewalk/scene/room_fit.h"
 #include "spherewalk/scene/sphere.h"
 
 #include <map>
@@ -98,10 +99,34 @@ std::optional<double> radiusFor(const survey::Room& room, const std::vector<data
     return scene::sphereRadius(room, positions);
 }
 
+/// Radius, room and depths from what the photos show.
+void addScene(const store::SurveyStore& store, const ExportOptions& options, dataset::Contents& contents,
+              ExportReport& report, ProgressSink& progress, const std::stop_token& stop) {
+    std::vector<DepthInput> inputs;
+    for (const dataset::SourcePhoto& photo : contents.photos) {
+        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto});
+    }
+    DepthOptions depth = options.depth;
+    if (depth.cacheFolder.empty()) {
+        depth.cacheFolder = store.folder() / kDepthCacheFolder;
+    }
+    const SurveyDepth found = surveyDepth(inputs, depth, progress, stop);
+    report.depth = found.report;
+    if (found.radiusM) {
+        contents.info.sphereRadiusM = found.radiusM;
+    }
+    const auto room = fittedRoom(inputs, found, store.room().outline);
+    contents.info.roomShape = room;
+    report.roomShape = room;
+    for (std::size_t i = 0; i < inputs.size() && options.scene == render::SceneKind::Depth; ++i) {
+        contents.photos[i].depthFile = found.files[i];
+    }
+}
+
 } // namespace
 
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
-                           const dataset::WriteOptions& options, ProgressSink& progress,
+                           const ExportOptions& options, ProgressSink& progress,
                            const std::stop_token& stop) {
     const Poses poses(store);
     dataset::Contents contents{infoOf(store), {}};
@@ -121,6 +146,11 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
         contents.photos.push_back(std::move(source));
     }
     contents.info.sphereRadiusM = radiusFor(store.room(), contents.photos);
+    ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
+    if (render::hasSurfaces(options.scene)) {
+        ProgressStep finding(progress, 0, 0.9);
+        addScene(store, options, contents, report, finding, stop);
+    }
     report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     report.withoutPhoto = static_cast<int>(store.stationsWithoutPhoto().size());
     if (report.withoutRotation > 0) {
@@ -128,7 +158,7 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
             text("The heading of ", report.withoutRotation, " of ", contents.photos.size(),
                  " photos is not known; they are exported as if each looked along the room's x axis."));
     }
-    report.written = dataset::writeDataset(contents, folder, options, progress, stop);
+    report.written = dataset::writeDataset(contents, folder, options.write, writing, stop);
     return report;
 }
 
@@ -137,6 +167,9 @@ Json toJson(const ExportReport& report) {
             {"stations_without_photo", report.withoutPhoto},
             {"photos_without_rotation", report.withoutRotation},
             {"sphere_radius_m", report.sphereRadiusM},
+            {"photos_with_depth", report.depth.photos},
+            {"depths_reused", report.depth.reused},
+            {"depth_seconds", report.depth.seconds},
             {"source_bytes", report.written.sourceBytes},
             {"photo_bytes", report.written.photoBytes},
             {"total_bytes", report.written.totalBytes},

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/scene/room_fit.h"
+
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/equirect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace spherewalk::scene {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kBinM = 0.02;
+constexpr double kPeakShare = 0.4;  ///< of the highest peak, from which another one counts
+constexpr double kNearPeakM = 0.05; ///< what is taken for the surface
+constexpr double kReachM = 0.5;     ///< of a wall from where it was drawn
+constexpr double kOutsideM = 0.3;   ///< beyond a wall's ends
+constexpr std::size_t kFewest = 200;
+
+/// A point that was seen, and the area that its pixel covers, across the ray.
+struct Seen {
+    Vector3d atM;
+    double areaM2 = 0;
+};
+
+struct Value {
+    double value = 0;
+    double weight = 0;
+};
+
+std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
+    constexpr int kEvery = 4;
+    std::vector<Seen> points;
+    for (const PosedDepth& posed : depths) {
+        const PhotoDepth& depth = *posed.depth;
+        const EquirectSize size{depth.inverseM.width(), depth.inverseM.height()};
+        const double side = kEvery * 2 * std::numbers::pi / size.width;
+        for (int y = kEvery / 2; y < size.height; y += kEvery) {
+            for (int x = kEvery / 2; x < size.width; x += kEvery) {
+                if (*depth.sure.at(x, y) == 0) {
+                    continue;
+                }
+                const Vector3d ray = direction(size, Vector2d(x, y));
+                const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
+                points.push_back({posed.roomFromPhoto * (distance * ray),
+                                  std::pow(side * distance, 2) * ray.head<2>().norm()});
+            }
+        }
+    }
+    return points;
+}
+
+/// Where values heap up: of the peaks that are high enough the first one; -1 for the order looks from the
+/// greatest value down. Nothing if there are too few.
+std::optional<double> firstPeak(const std::vector<Value>& values, int order) {
+    if (values.size() < kFewest) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::minmax_element(
+        values.begin(), values.end(), [](const Value& a, const Value& b) { return a.value < b.value; });
+    const double begin = least->value;
+    std::vector<double> bins(static_cast<std::size_t>((most->value - begin) / kBinM) + 3);
+    for (const Value& value : values) {
+        bins[static_cast<std::size_t>((value.value - begin) / kBinM) + 1] += value.weight;
+    }
+    std::vector<double> smooth(bins.size());
+    for (std::size_t i = 1; i + 1 < bins.size(); ++i) {
+        smooth[i] = bins[i - 1] + bins[i] + bins[i + 1];
+    }
+    const double highest = *std::max_element(smooth.begin(), smooth.end());
+    const auto isPeak = [&](std::size_t i) {
+        return smooth[i] >= kPeakShare * highest && smooth[i] >= smooth[i - 1] && smooth[i] >= smooth[i + 1];
+    };
+    std::size_t peak = 0;
+    for (std::size_t k = 1; k + 1 < smooth.size() && peak == 0; ++k) {
+        const std::size_t i = order > 0 ? k : smooth.size() - 1 - k;
+        peak = isPeak(i) ? i : 0;
+    }
+    const double middle = begin + (static_cast<double>(peak) - 0.5) * kBinM;
+    double sum = 0;
+    double weight = 0;
+    for (const Value& value : values) {
+        if (std::abs(value.value - middle) < kNearPeakM) {
+            sum += value.weight * value.value;
+            weight += value.weight;
+        }
+    }
+    return weight > 0 ? sum / weight : middle;
+}
+
+/// The height of floor (order 1) or ceiling (-1), below or above where the photos stand.
+std::optional<double> level(const std::vector<Seen>& points, double standM, int order) {
+    std::vector<Value> heights;
+    for (const Seen& point : points) {
+        if (order * (standM - point.atM.z()) > 0.3) {
+            heights.push_back({point.atM.z(), point.areaM2});
+        }
+    }
+    return firstPeak(heights, order);
+}
+
+/// How much what stands upright heaps up along two directions at right angles.
+double heaping(const std::vector<Seen>& walls, double heading) {
+    double sum = 0;
+    for (const double turn : {0.0, std::numbers::pi / 2}) {
+        const Vector2d normal(std::cos(heading + turn), std::sin(heading + turn));
+        std::vector<double> bins(4096);
+        for (const Seen& point : walls) {
+            const double bin = normal.dot(point.atM.head<2>() - walls.front().atM.head<2>()) / (2 * kBinM);
+            bins[static_cast<std::size_t>(std::clamp(bin + 2048, 0.0, 4095.0))] += point.areaM2;
+        }
+        for (const double bin : bins) {
+            sum += bin * bin;
+        }
+    }
+    return sum;
+}
+
+/// A rectangle about most of what stands upright.
+Polygon rectangleAbout(const std::vector<Seen>& walls) {
+    double best = 0;
+    double heading = 0;
+    for (int degree = 0; degree < 90; ++degree) {
+        const double tried = Radians(Degrees(degree)).value();
+        const double heaped = heaping(walls, tried);
+        heading = heaped > best ? tried : heading;
+        best = std::max(best, heaped);
+    }
+    const Vector2d along(std::cos(heading), std::sin(heading));
+    const Vector2d across(-along.y(), along.x());
+    const auto range = [&](const Vector2d& axis) {
+        std::vector<double> values;
+        for (const Seen& point : walls) {
+            values.push_back(axis.dot(point.atM.head<2>()));
+        }
+        std::sort(values.begin(), values.end());
+        return Vector2d(values[values.size() / 100], values[values.size() - 1 - values.size() / 100]);
+    };
+    const Vector2d x = range(along);
+    const Vector2d y = range(across);
+    return {x[0] * along + y[0] * across, x[1] * along + y[0] * across, x[1] * along + y[1] * across,
+            x[0] * along + y[1] * across};
+}
+
+double signedArea(const Polygon& polygon) {
+    double sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector2d& a = polygon[i];
+        const Vector2d& b = polygon[(i + 1) % polygon.size()];
+        sum += a.x() * b.y() - a.y() * b.x();
+    }
+    return sum / 2;
+}
+
+/// How far to move a wall inwards; nothing if too little of it is seen.
+std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
+                            const Vector2d& inwards) {
+    const Vector2d along = (b - a).normalized();
+    std::vector<Value> offsets;
+    for (const Seen& point : walls) {
+        const Vector2d fromA = point.atM.head<2>() - a;
+        const double place = along.dot(fromA);
+        const double offset = inwards.dot(fromA);
+        if (place > -kOutsideM && place < (b - a).norm() + kOutsideM && std::abs(offset) < kReachM) {
+            offsets.push_back({offset, point.areaM2});
+        }
+    }
+    return firstPeak(offsets, 1);
+}
+
+/// Where two walls meet, each given by a point and a direction; the second point if they hardly do.
+Vector2d meeting(const Vector2d& a, const Vector2d& alongA, const Vector2d& b, const Vector2d& alongB) {
+    const double across = alongA.x() * alongB.y() - alongA.y() * alongB.x();
+    if (std::abs(across) < 0.1) {
+        return b;
+    }
+    const Vector2d apart = b - a;
+    return a + (apart.x() * alongB.y() - apart.y() * alongB.x()) / across * alongA;
+}
+
+} // namespace
+
+std::optional<double> sphereRadius(std::span<const PosedDepth> depths) {
+    constexpr double kHorizon = std::numbers::pi / 6;
+    std::vector<float> inverse;
+    for (const PosedDepth& posed : depths) {
+        const Image<float, 1>& of = posed.depth->inverseM;
+        const int band = static_cast<int>(kHorizon / std::numbers::pi * of.height());
+        for (int y = of.height() / 2 - band; y < of.height() / 2 + band; y += 4) {
+            for (int x = 0; x < of.width(); x += 4) {
+                inverse.push_back(*of.at(x, y));
+            }
+        }
+    }
+    if (inverse.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = inverse.begin() + static_cast<std::ptrdiff_t>(inverse.size() / 2);
+    std::nth_element(inverse.begin(), middle, inverse.end());
+    return 1 / static_cast<double>(*middle);
+}
+
+std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const Polygon& drawnOutline) {
+    const std::vector<Seen> points = pointsOf(depths);
+    double standM = 0;
+    for (const PosedDepth& posed : depths) {
+        standM += posed.roomFromPhoto.translation.z() / static_cast<double>(depths.size());
+    }
+    const auto floorM = level(points, standM, 1);
+    const auto ceilingM = level(points, standM, -1);
+    std::vector<Seen> walls;
+    if (floorM && ceilingM) {
+        std::copy_if(points.begin(), points.end(), std::back_inserter(walls), [&](const Seen& point) {
+            return point.atM.z() > *floorM + 0.3 && point.atM.z() < *ceilingM - 0.1;
+        });
+    }
+    if (walls.size() < kFewest) {
+        return std::nullopt;
+    }
+    const Polygon drawn = drawnOutline.size() < 3 ? rectangleAbout(walls) : drawnOutline;
+    const double turn = signedArea(drawn) > 0 ? 1 : -1;
+    Polygon moved;
+    std::vector<Vector2d> directions;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Vector2d& b = drawn[(i + 1) % drawn.size()];
+        const Vector2d along = (b - drawn[i]).normalized();
+        const Vector2d inwards = turn * Vector2d(-along.y(), along.x());
+        moved.push_back(drawn[i] + shift(walls, drawn[i], b, inwards).value_or(0) * inwards);
+        directions.push_back(along);
+    }
+    render::RoomShape shape{{}, *floorM, *ceilingM};
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const std::size_t before = (i + drawn.size() - 1) % drawn.size();
+        shape.outline.push_back(meeting(moved[before], directions[before], moved[i], directions[i]));
+    }
+    return shape;
+}
+
+} // namespace spherewalk::scene
