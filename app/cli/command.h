@@ -61,6 +61,7 @@ void addCheck(Commands& commands);
 void addExport(Commands& commands);
 void addView(Commands& commands);
 void addWalk(Commands& commands);
+void addMeasure(Commands& commands);
 void addBench(Commands& commands);
 void addCamera(Commands& commands);
 void addPracticeCamera(Commands& commands);

@@ -26,6 +26,7 @@ void declareCommands(Commands& commands) {
     addExport(commands);
     addView(commands);
     addWalk(commands);
+    addMeasure(commands);
     addBench(commands);
     addCamera(commands);
     addPracticeCamera(commands);

@@ -11,6 +11,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+
 namespace spherewalk::photo {
 
 namespace {
@@ -57,7 +59,31 @@ RgbImage decodePng(const Bytes& png, const std::string& name) {
     });
 }
 
+DepthImage decodeDepthPng(const Bytes& png, const std::string& name) {
+    checkPngSize(png, name);
+    return translated(text("read ", name), [&] {
+        const cv::Mat millimetres = cv::imdecode(png, cv::IMREAD_UNCHANGED);
+        if (millimetres.empty() || millimetres.type() != CV_16UC1) {
+            throw Error(ErrorKind::Unsupported,
+                        text("Could not read ", name, ": it is no PNG of 16 bits with distances."));
+        }
+        DepthImage depth(millimetres.cols, millimetres.rows);
+        for (int y = 0; y < depth.height(); ++y) {
+            for (int x = 0; x < depth.width(); ++x) {
+                const auto value = millimetres.at<std::uint16_t>(y, x);
+                *depth.at(x, y) = value == 0 ? HUGE_VALF : static_cast<float>(value) / 1000;
+            }
+        }
+        return depth;
+    });
+}
+
 } // namespace
+
+DepthImage readDepthPng(const std::filesystem::path& file) {
+    const Bytes bytes = readFile(file, kMaxBytes);
+    return decodeDepthPng(bytes, file.string());
+}
 
 RgbImage readPicture(const std::filesystem::path& file) {
     const Bytes bytes = readFile(file, kMaxBytes);

@@ -28,7 +28,8 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const ViewPlan& plan, 
     const auto rays = m_pixelRays.get(request.camera.intrinsics(),
                                       [&] { return PixelRays(request.camera, pool, threads); });
     std::vector<DepthPhoto> photos;
-    for (const std::size_t photo : m_surfaces.photosFor(*plan.surface, request.roomFromCamera.translation)) {
+    for (const std::size_t photo :
+         m_surfaces.photosFor(*plan.surface, request.roomFromCamera.translation, request.options.without)) {
         const PhotoLevel level{photo, plan.level.denominator};
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});

@@ -37,11 +37,12 @@ std::shared_ptr<const DepthMesh> Surfaces::get(SceneKind kind, std::size_t photo
     return m_meshes.get({kind, photo}, [&] { return made(kind, photo); });
 }
 
-std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom) const {
+std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
+                                             std::optional<std::size_t> without) const {
     const std::vector<DatasetPhoto>& photos = m_dataset->info().photos;
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < photos.size(); ++i) {
-        if (has(kind, i)) {
+        if (i != without && has(kind, i)) {
             order.push_back(i);
         }
     }

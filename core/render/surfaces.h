@@ -8,6 +8,7 @@
 #include "spherewalk/render/scene_model.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,9 @@ class Surfaces {
     std::shared_ptr<const DepthMesh> get(SceneKind kind, std::size_t photo);
 
     /// The photos to ask for a view from there, the nearest first; empty if none has a surface.
-    std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom) const;
+    /// without: a photo that is left out.
+    std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
+                                       std::optional<std::size_t> without = std::nullopt) const;
 
   private:
     static constexpr std::size_t kKept = 24; ///< of about 4 MB each

@@ -64,7 +64,7 @@ ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFro
                          " has no sphere scene model; use none, or export it again."));
     }
     if (options.scene && hasSurfaces(*options.scene) &&
-        m_surfaces.photosFor(*options.scene, roomFromCamera.translation).empty()) {
+        m_surfaces.photosFor(*options.scene, roomFromCamera.translation, options.without).empty()) {
         throw Error(ErrorKind::InvalidInput,
                     text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
                          " scene model; use another, or export it again with one."));
@@ -78,7 +78,7 @@ std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, in
 }
 
 std::size_t ViewEngine::nearestPhoto(const ViewRequest& request) const {
-    return m_dataset->nearestPhoto(request.roomFromCamera.translation);
+    return m_dataset->nearestPhoto(request.roomFromCamera.translation, request.options.without);
 }
 
 ViewPlan ViewEngine::plan(const ViewRequest& request, std::size_t photo) {

@@ -20,10 +20,10 @@ struct SourcePhoto {
     std::filesystem::path file;
     std::string sha256; ///< that the file must have
     render::DatasetPhoto entry;
-    std::optional<photo::PositionTag> tag = {
-        std::filesystem::path depthFile = {}; ///< its depth, to be copied; empty for none
-}; ///< for the XMP of the dataset's copy, in place of an earlier one
-}; // namespace spherewalk::dataset
+    /// For the XMP of the dataset's copy, in place of an earlier one.
+    std::optional<photo::PositionTag> tag = {};
+    std::filesystem::path depthFile = {}; ///< its depth, to be copied; empty for none
+};
 
 struct Contents {
     render::DatasetInfo info; ///< all but the photos

@@ -14,6 +14,10 @@ namespace spherewalk::photo {
 /// than 2^28 pixels.
 RgbImage readPicture(const std::filesystem::path& file);
 
+/// The distances in a PNG of 16 bits that holds millimetres, in metres; +infinity where it holds 0. Errors:
+/// as readPicture(); Unsupported if it has not one channel of 16 bits.
+DepthImage readDepthPng(const std::filesystem::path& file);
+
 /// Writes a PNG, durably; a file of that name is replaced. Errors: InvalidInput for an empty picture; Io,
 /// Full.
 void writePng(const std::filesystem::path& file, const RgbImage& picture);

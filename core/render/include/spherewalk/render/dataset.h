@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 
 namespace spherewalk::render {
@@ -31,7 +32,9 @@ class Dataset {
     const std::filesystem::path& folder() const { return m_folder; }
 
     /// The photo whose position is nearest; of several, the first. Range: any finite point.
-    std::size_t nearestPhoto(const Eigen::Vector3d& pInRoom) const;
+    /// without: a photo that is left out, if there is another.
+    std::size_t nearestPhoto(const Eigen::Vector3d& pInRoom,
+                             std::optional<std::size_t> without = std::nullopt) const;
 
     /// The photo's JPEG. Errors: NotFound, Io; Corrupt if its size or hash is not the one of dataset.json.
     Bytes readPhoto(std::size_t photo) const;

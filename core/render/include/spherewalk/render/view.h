@@ -23,6 +23,8 @@ struct ViewOptions {
     bool exact = false;
     bool wantsDepth = false; ///< View::depth
     bool wantsTrust = false; ///< View::trust
+    /// Not to be used for this view: leave one out, and compare. Ignored if it is the only photo.
+    std::optional<std::size_t> without = {};
     /// Laid into the picture. Owner: they must live until the view is made.
     std::span<const Overlay> overlays = {};
     ComposeOptions compose = {}; ///< how; its threads are those above

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/measure/displacement.h"
+
+#include "spherewalk/base/error.h"
+
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::measure {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kFeatures = 1500;
+constexpr float kByFar = 0.75F; ///< of the second best distance
+constexpr std::size_t kBeside = 6;
+constexpr int kWitnesses = 2;
+
+struct Features {
+    std::vector<cv::KeyPoint> points;
+    cv::Mat descriptors;
+};
+
+Features featuresOf(const RgbImage& picture) {
+    const cv::Mat rgb(picture.height(), picture.width(), CV_8UC3,
+                      const_cast<std::uint8_t*>(picture.values().data()));
+    cv::Mat grey;
+    cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    Features features;
+    cv::SIFT::create(kFeatures)->detectAndCompute(grey, cv::noArray(), features.points, features.descriptors);
+    return features;
+}
+
+struct Moved {
+    Vector2d from;
+    Vector2d by;
+};
+
+std::vector<Moved> bestOfEachOther(const Features& a, const Features& b) {
+    std::vector<Moved> result;
+    if (a.points.size() < 2 || b.points.size() < 2) {
+        return result;
+    }
+    const cv::BFMatcher matcher(cv::NORM_L2);
+    std::vector<std::vector<cv::DMatch>> there;
+    std::vector<cv::DMatch> back;
+    matcher.knnMatch(a.descriptors, b.descriptors, there, 2);
+    matcher.match(b.descriptors, a.descriptors, back);
+    for (const std::vector<cv::DMatch>& match : there) {
+        if (match.size() == 2 && match[0].distance < kByFar * match[1].distance &&
+            back[static_cast<std::size_t>(match[0].trainIdx)].trainIdx == match[0].queryIdx) {
+            const cv::Point2f from = a.points[static_cast<std::size_t>(match[0].queryIdx)].pt;
+            const cv::Point2f to = b.points[static_cast<std::size_t>(match[0].trainIdx)].pt;
+            result.push_back({{from.x, from.y}, {to.x - from.x, to.y - from.y}});
+        }
+    }
+    return result;
+}
+
+/// Whether neighbours moved alike.
+bool hasWitnesses(const std::vector<Moved>& all, std::size_t of) {
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i != of) {
+            near.emplace_back((all[i].from - all[of].from).squaredNorm(), i);
+        }
+    }
+    const std::size_t count = std::min(near.size(), kBeside);
+    std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+    const double tolerance = 2 + 0.25 * all[of].by.norm();
+    return std::count_if(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [&](const auto& n) {
+               return (all[n.second].by - all[of].by).norm() < tolerance;
+           }) >= kWitnesses;
+}
+
+} // namespace
+
+std::vector<Displacement> matchedDisplacements(const RgbImage& truth, const RgbImage& computed) {
+    if (truth.width() != computed.width() || truth.height() != computed.height()) {
+        throw Error(ErrorKind::InvalidInput, "Pictures of different sizes cannot be compared.");
+    }
+    try {
+        const std::vector<Moved> all = bestOfEachOther(featuresOf(truth), featuresOf(computed));
+        std::vector<Displacement> result;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (hasWitnesses(all, i)) {
+                result.push_back({all[i].from, all[i].by.norm()});
+            }
+        }
+        return result;
+    } catch (const cv::Exception& error) {
+        throw Error(ErrorKind::Internal, "Could not match pictures: OpenCV refused them; please report this.",
+                    error.what());
+    }
+}
+
+std::vector<Displacement> exactDisplacements(const CameraModel& camera, const Rigid3& roomFromCamera,
+                                             const Vector3d& photoInRoom, const DepthImage& trueZ,
+                                             const DepthImage& takenZ, int every) {
+    const bool isFar = takenZ.empty();
+    if (trueZ.width() != camera.width() || trueZ.height() != camera.height() || every < 1 ||
+        (!isFar && (takenZ.width() != trueZ.width() || takenZ.height() != trueZ.height()))) {
+        throw Error(ErrorKind::InvalidInput, "A depth and its view have different sizes.");
+    }
+    const Vector3d photo = roomFromCamera.inverse() * photoInRoom; // in the camera's frame
+    std::vector<Displacement> result;
+    for (int y = 0; y < trueZ.height(); y += every) {
+        for (int x = 0; x < trueZ.width(); x += every) {
+            const Vector2d at(x, y);
+            const auto ray = camera.ray(at);
+            const double z = *trueZ.at(x, y);
+            if (!ray || !(z > 0) || !std::isfinite(z) || !(ray->z() > 0)) {
+                continue;
+            }
+            const Vector3d thing = z / ray->z() * *ray;
+            const double taken = isFar ? HUGE_VAL : *takenZ.at(x, y);
+            const Vector3d seen = std::isfinite(taken) ? Vector3d(taken / ray->z() * *ray - photo) : *ray;
+            const auto shown = camera.project(photo + (thing - photo).norm() * seen.normalized());
+            if (shown) {
+                result.push_back({at, (*shown - at).norm()});
+            }
+        }
+    }
+    return result;
+}
+
+double quantile(const std::vector<Displacement>& displacements, double share) {
+    if (displacements.empty()) {
+        return 0;
+    }
+    std::vector<double> errors;
+    for (const Displacement& displacement : displacements) {
+        errors.push_back(displacement.errorPx);
+    }
+    const auto place =
+        std::min(errors.size() - 1, static_cast<std::size_t>(share * static_cast<double>(errors.size())));
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(place), errors.end());
+    return errors[place];
+}
+
+} // namespace spherewalk::measure
