@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_smoothing.h"
+
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/scene/depth_sweep.h"
@@ -134,6 +136,7 @@ PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
             }
         }
     });
+    result.inverseM = smoothedSurfaces(result.inverseM, threads);
     return result;
 }
 

@@ -188,22 +188,19 @@ Vector2d meeting(const Vector2d& a, const Vector2d& alongA, const Vector2d& b, c
 
 std::optional<double> sphereRadius(std::span<const PosedDepth> depths) {
     constexpr double kHorizon = std::numbers::pi / 6;
-    std::vector<float> inverse;
+    double sum = 0;
+    std::size_t count = 0;
     for (const PosedDepth& posed : depths) {
         const Image<float, 1>& of = posed.depth->inverseM;
         const int band = static_cast<int>(kHorizon / std::numbers::pi * of.height());
-        for (int y = of.height() / 2 - band; y < of.height() / 2 + band; y += 4) {
-            for (int x = 0; x < of.width(); x += 4) {
-                inverse.push_back(*of.at(x, y));
+        for (int y = of.height() / 2 - band; y < of.height() / 2 + band; ++y) {
+            for (int x = 0; x < of.width(); ++x) {
+                sum += static_cast<double>(*of.at(x, y));
+                ++count;
             }
         }
     }
-    if (inverse.empty()) {
-        return std::nullopt;
-    }
-    const auto middle = inverse.begin() + static_cast<std::ptrdiff_t>(inverse.size() / 2);
-    std::nth_element(inverse.begin(), middle, inverse.end());
-    return 1 / static_cast<double>(*middle);
+    return count == 0 ? std::nullopt : std::optional(static_cast<double>(count) / sum);
 }
 
 std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const Polygon& drawnOutline) {

@@ -90,7 +90,7 @@ TEST(SphereModel, StaysFiniteOutsideOfTheSphere) {
 }
 
 TEST(SceneKind, IsSpeltOneWay) {
-    for (const SceneKind kind : {SceneKind::None, SceneKind::Sphere}) {
+    for (const SceneKind kind : {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth}) {
         EXPECT_EQ(sceneKind(name(kind)), kind);
     }
     test::expectError(ErrorKind::InvalidInput, "\"cube\" is unknown", [] { sceneKind("cube"); });

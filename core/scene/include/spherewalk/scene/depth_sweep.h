@@ -60,6 +60,7 @@ struct PosedDepth {
 /// The depth with `sure` set where at least one neighbour's depth says the same within a tolerance (a share
 /// of 1 / distance, plus what a pixel of parallax is), and with the other pixels taken over from sure ones
 /// beside them that look alike; of two candidates the farther, since what one photo alone sees lies behind.
+/// Surfaces are smoothed at the end.
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads = 0);
 

@@ -10,7 +10,7 @@
 namespace spherewalk::scene {
 
 /// The radius of the sphere that stands best for what photos see within 30 degrees of the horizon: 1 / the
-/// median of 1 / distance there, since parallax goes with the inverse distance. Units: metres. Nothing
+/// mean of 1 / distance there, since parallax goes with the inverse distance. Units: metres. Nothing
 /// without depths.
 std::optional<double> sphereRadius(std::span<const PosedDepth> depths);
 

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/scene/depth_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr int kWidth = 256;
+
+SweepOptions quick() {
+    SweepOptions options;
+    options.width = kWidth;
+    options.coarseWidth = 128;
+    options.distances = 64;
+    options.neighbours = 4;
+    return options;
+}
+
+/// Photos of the practice room, each turned another way, made once.
+struct Survey {
+    std::vector<Rigid3> poses;
+    std::vector<RgbImage> pictures;
+    DepthImage range; ///< of the first
+
+    static const Survey& made() {
+        static const Survey survey = [] {
+            const practice::PracticeRoom room;
+            Survey made;
+            double yaw = 0;
+            for (const auto& [x, y] : {std::pair{2.5, 2.0}, {2.7, 2.0}, {2.3, 2.0}, {2.5, 2.2}, {2.5, 1.8}}) {
+                made.poses.push_back(
+                    {Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {x, y, 1.2}});
+                made.pictures.push_back(room.spherical(made.poses.back(), {2 * kWidth, kWidth}));
+                yaw += 0.9;
+            }
+            made.range = room.sphericalRange(made.poses[0], {kWidth, kWidth / 2});
+            return made;
+        }();
+        return survey;
+    }
+
+    PosedPicture photo(std::size_t i) const { return {&pictures[i], poses[i]}; }
+
+    std::vector<PosedPicture> others(std::size_t than) const {
+        std::vector<PosedPicture> result;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            if (i != than) {
+                result.push_back(photo(i));
+            }
+        }
+        return result;
+    }
+};
+
+bool isUsable(const PhotoDepth& depth) {
+    return std::all_of(depth.inverseM.values().begin(), depth.inverseM.values().end(),
+                       [](float value) { return std::isfinite(value) && value > 0; });
+}
+
+/// The share of the pixels, poles left out, whose 1 / distance is off by less than so much per metre.
+double rightShare(const PhotoDepth& depth, const DepthImage& range, double tolerance) {
+    int right = 0;
+    int all = 0;
+    for (int y = range.height() / 8; y < range.height() * 7 / 8; ++y) {
+        for (int x = 0; x < range.width(); ++x) {
+            right += std::abs(*depth.inverseM.at(x, y) - 1 / *range.at(x, y)) < tolerance ? 1 : 0;
+            ++all;
+        }
+    }
+    return static_cast<double>(right) / all;
+}
+
+} // namespace
+
+TEST(DepthSweep, FindsTheDepthOfThePracticeRoom) {
+    const Survey& survey = Survey::made();
+    const PhotoDepth depth = sweptDepth(survey.photo(0), survey.others(0), quick());
+    EXPECT_GT(rightShare(depth, survey.range, 0.05), 0.85);
+}
+
+TEST(DepthSweep, IsTheSameForAnyNumberOfThreads) {
+    const Survey& survey = Survey::made();
+    SweepOptions options = quick();
+    options.threads = 1;
+    const PhotoDepth one = sweptDepth(survey.photo(0), survey.others(0), options);
+    options.threads = 3;
+    EXPECT_EQ(sweptDepth(survey.photo(0), survey.others(0), options).inverseM, one.inverseM);
+}
+
+TEST(DepthSweep, GivesADepthWhereNothingHasTexture) {
+    RgbImage grey(2 * kWidth, kWidth);
+    std::fill(grey.values().begin(), grey.values().end(), std::uint8_t{128});
+    const std::vector<PosedPicture> other{{&grey, {Eigen::Quaterniond::Identity(), {0.2, 0, 0}}}};
+    EXPECT_TRUE(isUsable(sweptDepth({&grey, {}}, other, quick())));
+}
+
+TEST(DepthSweep, LeavesOutPhotosOfTheSamePlace) {
+    const std::vector<Rigid3> poses{{}, {}, {Eigen::Quaterniond::Identity(), {0.2, 0, 0}}};
+    EXPECT_EQ(sweepNeighbours(poses, 0, quick()), std::vector<std::size_t>{2});
+}
+
+TEST(DepthSweep, SurvivesABaselineOfZero) {
+    const Survey& survey = Survey::made();
+    const std::vector<PosedPicture> same{survey.photo(0)};
+    EXPECT_TRUE(isUsable(sweptDepth(survey.photo(0), same, quick())));
+}
+
+TEST(DepthSweep, RefusesAPhotoAlone) {
+    const Survey& survey = Survey::made();
+    test::expectError(ErrorKind::InvalidInput, "one alone tells no depth",
+                      [&] { sweptDepth(survey.photo(0), {}, quick()); });
+}
+
+TEST(DepthSweep, RefusesAPoseThatIsNone) {
+    const Survey& survey = Survey::made();
+    std::vector<PosedPicture> others = survey.others(0);
+    others[0].roomFromPhoto.translation.x() = NAN;
+    test::expectError(ErrorKind::InvalidInput, "align the survey",
+                      [&] { sweptDepth(survey.photo(0), others, quick()); });
+}
+
+TEST(DepthSweep, StopsWhenAsked) {
+    const Survey& survey = Survey::made();
+    std::stop_source stop;
+    stop.request_stop();
+    test::expectError(ErrorKind::Stopped, "",
+                      [&] { sweptDepth(survey.photo(0), survey.others(0), quick(), stop.get_token()); });
+}
+
+namespace {
+
+/// Two photos of the inside of a sphere about the first.
+struct TwoDepths {
+    PhotoDepth first{Image<float, 1>(kWidth, kWidth / 2), MaskImage(kWidth, kWidth / 2)};
+    PhotoDepth second = first;
+    RgbImage picture{kWidth, kWidth / 2};
+
+    TwoDepths() {
+        std::fill(first.inverseM.values().begin(), first.inverseM.values().end(), 0.5F);
+        second = first;
+    }
+
+    PhotoDepth agreed() const {
+        const std::vector<PosedDepth> other{{&second, {Eigen::Quaterniond::Identity(), {0.01, 0, 0}}}};
+        return agreeingDepth({&first, {}}, picture, other);
+    }
+};
+
+} // namespace
+
+TEST(DepthAgreement, IsSureOfWhatANeighbourSaysToo) {
+    const PhotoDepth depth = TwoDepths().agreed();
+    EXPECT_TRUE(std::all_of(depth.sure.values().begin(), depth.sure.values().end(),
+                            [](std::uint8_t sure) { return sure != 0; }));
+}
+
+TEST(DepthAgreement, TakesOverWhatLiesBesideWhereNobodyAgrees) {
+    TwoDepths depths;
+    *depths.first.inverseM.at(100, 64) = 2;
+    const PhotoDepth depth = depths.agreed();
+    EXPECT_EQ(*depth.sure.at(100, 64), 0);
+    EXPECT_NEAR(*depth.inverseM.at(100, 64), 0.5F, 1e-4F);
+}
+
+} // namespace spherewalk::scene
