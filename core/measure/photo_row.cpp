@@ -50,7 +50,9 @@ void PhotoRow::checkRoom(std::uint64_t neededBytes) const {
 void PhotoRow::copy(const render::Dataset& dataset, int copies, ProgressSink& progress,
                     const std::stop_token& stop) {
     render::DatasetInfo info = dataset.info();
-    const render::DatasetPhoto original = info.photos.front();
+    render::DatasetPhoto original = info.photos.front();
+    original.depth.clear(); // the row is for loading photos
+    info.roomShape.reset();
     info.photos.clear();
     info.outline.clear();
     info.obstacles.clear();

@@ -37,6 +37,11 @@ class Subject {
     /// Of the sphere scene model, if the dataset has one.
     std::optional<double> radiusM() const { return dataset().info().sphereRadiusM; }
 
+    /// The one that views are timed with, and OpenCV's too.
+    render::SceneKind scene() const {
+        return radiusM() ? render::SceneKind::Sphere : render::SceneKind::None;
+    }
+
     /// How far a camera can be from the photo and still see no other one; infinity if there is no other.
     double freeM() const { return m_freeM; }
 

@@ -55,6 +55,7 @@ class ViewBench {
 
     const RgbImage& ours(Sampling sampling, int threads, int run) {
         render::ViewOptions options;
+        options.scene = m_subject.scene();
         options.sampling = sampling;
         options.threads = threads;
         m_subject.renderer().render(m_camera, m_subject.roomFromCamera(poseOf(run)), options, m_view);
@@ -90,6 +91,7 @@ class ViewBench {
     void verify(const std::stop_token& stop) {
         constexpr int kRun = 3;
         render::ViewOptions exact;
+        exact.scene = m_subject.scene();
         exact.exact = true;
         const render::View expected =
             m_subject.renderer().render(m_camera, m_subject.roomFromCamera(poseOf(kRun)), exact);
