@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
+#include "temporary_folder.h"
 #include "test_dataset.h"
 
-#include "spherewalk/base/temporary_folder.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/depth_map.h"
 #include "spherewalk/render/renderer.h"
@@ -44,7 +44,7 @@ class DepthDataset {
     }
 
   private:
-    TemporaryFolder m_folder;
+    test::TemporaryFolder m_folder;
     DatasetInfo m_info;
 };
 
@@ -96,7 +96,7 @@ TEST(Surfaces, ServeStreamsAndCountTheirViews) {
 }
 
 TEST(Surfaces, AreRefusedWhereADatasetHasNone) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 64);
     const Renderer renderer(std::make_shared<const Dataset>(Dataset::open(folder.path())));
     for (const SceneKind kind : {SceneKind::Room, SceneKind::Depth}) {
