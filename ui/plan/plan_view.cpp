@@ -2,111 +2,188 @@
 #include "ui/plan/plan_view.h"
 
 #include <QHelpEvent>
-#include <QPainter>
+#include <QKeyEvent>
 #include <QToolTip>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace spherewalk::ui {
 
 namespace {
 
-constexpr double kMarginPx = 24;
-
-QPolygonF polygonOf(const Polygon& polygon, const QTransform& widgetFromRoom) {
-    QPolygonF result;
-    for (const Eigen::Vector2d& vertex : polygon) {
-        result << widgetFromRoom.map(QPointF(vertex.x(), vertex.y()));
+/// Of neighbours along the walk, the least distance: the step of the grid.
+double spacing(const std::vector<StationMark>& marks) {
+    constexpr double kSamePlaceM = 1e-3;
+    double least = INFINITY;
+    for (std::size_t i = 1; i < marks.size(); ++i) {
+        const double distance = (marks[i].positionM - marks[i - 1].positionM).norm();
+        least = distance > kSamePlaceM ? std::min(least, distance) : least;
     }
-    return result;
+    return std::isfinite(least) ? least : 1;
 }
 
 } // namespace
 
-PlanView::PlanView(QWidget* parent) : QWidget(parent) {
+PlanView::PlanView(QWidget* parent) : PlanCanvas(parent) {
     setAccessibleName(tr("Plan of the room"));
-    setMinimumSize(320, 240);
+    connect(this, &PlanCanvas::pressedAt, this, [this](const QPointF& pInRoom) {
+        if (const StationMark* mark = markAt(widgetFromRoom().map(pInRoom))) {
+            emit stationClicked(mark->id);
+        }
+    });
 }
 
 void PlanView::setRoom(const survey::Room& room) {
     m_room = room;
+    if (!room.outline.empty()) {
+        setExtent(bounds(room.outline));
+    }
     update();
 }
 
 void PlanView::setStations(std::vector<StationMark> stations) {
     m_stations = std::move(stations);
+    m_spacingM = spacing(m_stations);
     update();
 }
 
-QSize PlanView::sizeHint() const {
-    return {800, 600};
+void PlanView::setCurrent(std::optional<std::int64_t> station) {
+    m_current = station;
+    update();
 }
 
-QTransform PlanView::widgetFromRoom() const {
-    if (m_room.outline.empty()) {
-        return {};
+QColor PlanView::heatColour(double heat) {
+    // Between three colours whose lightness falls steadily: light yellow, orange, dark violet.
+    constexpr std::array<std::array<double, 3>, 3> kStops = {
+        {{0.99, 0.91, 0.55}, {0.93, 0.46, 0.22}, {0.31, 0.07, 0.36}}};
+    const double at = std::clamp(heat, 0.0, 1.0) * 2;
+    const std::size_t from = at < 1 ? 0 : 1;
+    const double share = at - static_cast<double>(from);
+    const auto mix = [&](std::size_t channel) {
+        return static_cast<float>((1 - share) * kStops[from][channel] + share * kStops[from + 1][channel]);
+    };
+    return QColor::fromRgbF(mix(0), mix(1), mix(2));
+}
+
+bool PlanView::showsGrid() const {
+    return !m_room.outline.empty();
+}
+
+double PlanView::stationRadiusPx() const {
+    constexpr double kShareOfSpacing = 0.3;
+    return std::clamp(kShareOfSpacing * m_spacingM * pixelsPerMetre(), 2.0, 12.0);
+}
+
+const StationMark* PlanView::markAt(const QPointF& at) const {
+    const QTransform transform = widgetFromRoom();
+    const StationMark* nearest = nullptr;
+    double least = 2 * stationRadiusPx();
+    for (const StationMark& mark : m_stations) {
+        const QPointF place = transform.map(QPointF(mark.positionM.x(), mark.positionM.y()));
+        const double distance = QLineF(place, at).length();
+        if (distance <= least) {
+            nearest = &mark;
+            least = distance;
+        }
     }
-    const Bounds2 room = bounds(m_room.outline);
-    const Eigen::Vector2d size = room.greatest - room.least;
-    const double scale =
-        std::min((width() - 2 * kMarginPx) / size.x(), (height() - 2 * kMarginPx) / size.y());
-    const Eigen::Vector2d centre = 0.5 * (room.least + room.greatest);
-    QTransform transform;
-    transform.translate(0.5 * width(), 0.5 * height());
-    transform.scale(scale, -scale);
-    transform.translate(-centre.x(), -centre.y());
-    return transform;
+    return nearest;
 }
 
-double PlanView::stationRadiusPx(const QTransform& widgetFromRoom) const {
-    constexpr double kRadiusM = 0.06;
-    return std::clamp(kRadiusM * widgetFromRoom.m11(), 2.0, 12.0);
-}
-
-void PlanView::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
+void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
     if (m_room.outline.empty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect(), Qt::AlignCenter, tr("No survey is open"));
         return;
     }
-    const QTransform transform = widgetFromRoom();
     painter.setPen(QPen(palette().color(QPalette::WindowText), 3));
     painter.setBrush(palette().base());
-    painter.drawPolygon(polygonOf(m_room.outline, transform));
+    painter.drawPolygon(mapped(m_room.outline, widgetFromRoom));
     painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
     painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
     for (const Polygon& obstacle : m_room.obstacles) {
-        painter.drawPolygon(polygonOf(obstacle, transform));
+        painter.drawPolygon(mapped(obstacle, widgetFromRoom));
     }
-    const double radius = stationRadiusPx(transform);
-    const QColor colour = palette().color(QPalette::Highlight);
-    for (const StationMark& station : m_stations) {
-        painter.setPen(QPen(colour, 2));
-        painter.setBrush(station.hasPhoto ? QBrush(colour) : QBrush(Qt::NoBrush));
-        painter.drawEllipse(transform.map(QPointF(station.positionM.x(), station.positionM.y())), radius,
-                            radius);
+    for (const StationMark& mark : m_stations) {
+        const QPointF at = widgetFromRoom.map(QPointF(mark.positionM.x(), mark.positionM.y()));
+        paintMark(painter, mark, at);
+        if (mark.id == m_current) {
+            painter.setPen(QPen(palette().color(QPalette::WindowText), 2.5));
+            painter.setBrush(Qt::NoBrush);
+            const double radius = stationRadiusPx() + 4;
+            painter.drawEllipse(at, radius, radius);
+        }
+    }
+}
+
+void PlanView::paintMark(QPainter& painter, const StationMark& mark, const QPointF& at) const {
+    // Blue, orange and vermilion of the palette by Okabe and Ito.
+    static const QColor kDoubtful(230, 159, 0);
+    static const QColor kFailed(213, 94, 0);
+    using State = StationMark::State;
+    const double r = stationRadiusPx();
+    const QColor base = mark.state == State::Doubtful ? kDoubtful
+                        : mark.state == State::Failed ? kFailed
+                                                      : palette().color(QPalette::Highlight);
+    const QColor colour = mark.heat ? heatColour(*mark.heat) : base;
+    painter.setPen(QPen(colour, r > 4 ? 2 : 1.2));
+    painter.setBrush(colour);
+    switch (mark.state) {
+    case State::Missing:
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, r, r);
+        break;
+    case State::Taken:
+        painter.drawEllipse(at, r, r);
+        break;
+    case State::Doubtful:
+        painter.drawPolygon(QPolygonF(
+            {at + QPointF(0, -1.2 * r), at + QPointF(1.1 * r, 0.8 * r), at + QPointF(-1.1 * r, 0.8 * r)}));
+        break;
+    case State::Failed:
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
+        painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
+        painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+        break;
+    case State::Rejected:
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(at, r, r);
+        painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
+        break;
     }
 }
 
 bool PlanView::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) {
-        return QWidget::event(event);
+        return PlanCanvas::event(event);
     }
     const auto* help = static_cast<QHelpEvent*>(event);
-    const QTransform transform = widgetFromRoom();
-    const double reach = 2 * stationRadiusPx(transform);
-    const auto found = std::find_if(m_stations.begin(), m_stations.end(), [&](const StationMark& station) {
-        const QPointF at = transform.map(QPointF(station.positionM.x(), station.positionM.y()));
-        return QLineF(at, help->pos()).length() <= reach;
-    });
-    if (found == m_stations.end()) {
-        QToolTip::hideText();
+    if (const StationMark* mark = markAt(help->pos())) {
+        QToolTip::showText(help->globalPos(),
+                           mark->note.isEmpty() ? mark->name : mark->name + "\n" + mark->note, this);
     } else {
-        QToolTip::showText(help->globalPos(), found->name, this);
+        QToolTip::hideText();
     }
     return true;
+}
+
+void PlanView::keyPressEvent(QKeyEvent* event) {
+    const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
+                     : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
+                                                                                   : 0;
+    if (step == 0 || m_stations.empty()) {
+        return PlanCanvas::keyPressEvent(event);
+    }
+    const auto found = std::find_if(m_stations.begin(), m_stations.end(),
+                                    [&](const StationMark& mark) { return mark.id == m_current; });
+    const auto last = static_cast<std::ptrdiff_t>(m_stations.size()) - 1;
+    const std::ptrdiff_t next = found == m_stations.end()
+                                    ? 0
+                                    : std::clamp<std::ptrdiff_t>(found - m_stations.begin() + step, 0, last);
+    emit stationClicked(m_stations[static_cast<std::size_t>(next)].id);
 }
 
 } // namespace spherewalk::ui

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plan/plan_canvas.h"
+
 #include "spherewalk/survey/room.h"
 
-#include <QTransform>
-#include <QWidget>
-
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace spherewalk::ui {
 
 /// A station as the plan shows it.
 struct StationMark {
+    enum class State { Missing, Taken, Doubtful, Failed, Rejected };
+
+    std::int64_t id = 0;
     Eigen::Vector2d positionM = Eigen::Vector2d::Zero();
     QString name;
-    bool hasPhoto = false;
+    State state = State::Missing;
+    std::optional<double> heat = {}; ///< in [0, 1], 1 the worst: shown as colour in place of the state's
+    QString note = {};               ///< second line of the tool tip
 };
 
-/// The room seen from above with its stations: filled where there is a photo, a ring where there is none, so
-/// that the difference does not hang on colour. Always scaled to fit. Units: metres, room frame, y up.
-class PlanView : public QWidget {
+/// The room seen from above with its stations. Each state has its own form, so that nothing hangs on colour:
+/// a ring (missing), a disc (taken), a triangle (doubtful), a square with a cross (failed), a ring struck
+/// through (rejected).
+class PlanView : public PlanCanvas {
     Q_OBJECT
 
   public:
@@ -28,19 +35,33 @@ class PlanView : public QWidget {
     void setRoom(const survey::Room& room);
     void setStations(std::vector<StationMark> stations);
 
-    QSize sizeHint() const override;
+    const std::vector<StationMark>& stations() const { return m_stations; }
+
+    /// Shown with a ring around it; nothing: none.
+    void setCurrent(std::optional<std::int64_t> station);
+
+    /// The colour of a heat in [0, 1]: a scale that the colour-blind can read.
+    static QColor heatColour(double heat);
+
+  signals:
+    void stationClicked(std::int64_t station);
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
+    bool showsGrid() const override;
     bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    /// Takes room coordinates to the widget's.
-    QTransform widgetFromRoom() const;
-    double stationRadiusPx(const QTransform& widgetFromRoom) const;
+    double stationRadiusPx() const;
+    /// The one at this point of the widget.
+    const StationMark* markAt(const QPointF& at) const;
+    void paintMark(QPainter& painter, const StationMark& mark, const QPointF& at) const;
 
     survey::Room m_room;
     std::vector<StationMark> m_stations;
+    std::optional<std::int64_t> m_current;
+    double m_spacingM = 0; ///< between neighbouring stations
 };
 
 } // namespace spherewalk::ui

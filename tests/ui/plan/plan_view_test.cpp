@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qt_application.h"
+#include "ui/plan/plan_view.h"
+
+#include <QApplication>
+#include <QHelpEvent>
+#include <QToolTip>
+#include <gtest/gtest.h>
+
+namespace spherewalk::ui {
+
+namespace {
+
+survey::Room squareRoom() {
+    survey::Room room;
+    room.outline = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    return room;
+}
+
+StationMark mark(StationMark::State state) {
+    StationMark result;
+    result.id = 7;
+    result.positionM = {1, 1};
+    result.name = "rail 1, stop 2";
+    result.state = state;
+    return result;
+}
+
+} // namespace
+
+TEST(PlanView, NamesTheStationUnderThePointer) {
+    PlanView view;
+    view.setRoom(squareRoom());
+    view.setStations({mark(StationMark::State::Taken)});
+    view.resize(400, 400);
+    view.show();
+    QHelpEvent overStation(QEvent::ToolTip, {200, 200}, view.mapToGlobal(QPoint(200, 200)));
+    QApplication::sendEvent(&view, &overStation);
+    EXPECT_EQ(QToolTip::text(), "rail 1, stop 2");
+}
+
+TEST(PlanView, TellsStatesByMoreThanColour) {
+    PlanView view;
+    view.setRoom(squareRoom());
+    view.resize(400, 400);
+    using State = StationMark::State;
+    std::vector<QImage> forms;
+    for (const State state :
+         {State::Missing, State::Taken, State::Doubtful, State::Failed, State::Rejected}) {
+        view.setStations({mark(state)});
+        const QImage shown = view.grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+        QImage form = shown.copy(180, 180, 40, 40).convertToFormat(QImage::Format_Grayscale8);
+        for (int y = 0; y < form.height(); ++y) { // only where something is drawn counts, not how light it is
+            for (int x = 0; x < form.width(); ++x) {
+                form.scanLine(y)[x] = form.constScanLine(y)[x] > 235 ? 255 : 0;
+            }
+        }
+        for (const QImage& other : forms) {
+            EXPECT_NE(form, other) << static_cast<int>(state);
+        }
+        forms.push_back(form);
+    }
+}
+
+TEST(PlanView, PutsEachPointOfTheFloorBackWhereItWasAfterZooming) {
+    PlanView view;
+    view.setRoom(squareRoom());
+    view.resize(400, 300);
+    view.zoom(1.7, {120, 80});
+    const QPointF inRoom = view.roomFromWidget({33, 44});
+    const QPointF back = view.widgetFromRoom().map(inRoom);
+    EXPECT_NEAR(back.x(), 33, 1e-9);
+    EXPECT_NEAR(back.y(), 44, 1e-9);
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "made_survey.h"
+#include "qt_application.h"
+#include "temporary_folder.h"
+#include "ui/session/survey_session.h"
+
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+namespace spherewalk::ui {
+
+namespace {
+
+QString surveyIn(const test::TemporaryFolder& folder) {
+    return QString::fromStdString(test::makeSurvey(folder / "room.spherewalk").string());
+}
+
+} // namespace
+
+TEST(SurveySession, ShowsItsOwnWritesToReaders) {
+    const test::TemporaryFolder folder;
+    const auto session = SurveySession::open(surveyIn(folder));
+    const int before = session->store().counts().stations;
+    session->write(SurveySession::Plan, [](store::SurveyStore& store) { store.addStation({1, 1, 1.2}); });
+    EXPECT_EQ(session->store().counts().stations, before + 1);
+}
+
+TEST(SurveySession, TellsWhatChanged) {
+    const test::TemporaryFolder folder;
+    const auto session = SurveySession::open(surveyIn(folder));
+    QSignalSpy changes(session.get(), &SurveySession::changed);
+    session->write(SurveySession::Plan, [](store::SurveyStore& store) { store.addStation({1, 1, 1.2}); });
+    ASSERT_EQ(changes.size(), 1);
+    EXPECT_EQ(changes[0][0].value<SurveySession::Changes>(), SurveySession::Plan);
+}
+
+TEST(SurveySession, CanBeReadWhileAnotherWrites) {
+    const test::TemporaryFolder folder;
+    const QString survey = surveyIn(folder);
+    const auto writer = store::SurveyStore::open(survey.toStdString(), store::Access::Write);
+    const auto session = SurveySession::open(survey);
+    EXPECT_TRUE(session->isReadOnly());
+    EXPECT_EQ(session->name(), "room");
+    test::expectError(ErrorKind::Busy, "", [&] { session->write(SurveySession::Plan, [](auto&) {}); });
+}
+
+TEST(SurveySession, TellsNothingIfAChangeFails) {
+    const test::TemporaryFolder folder;
+    const auto session = SurveySession::open(surveyIn(folder));
+    QSignalSpy changes(session.get(), &SurveySession::changed);
+    test::expectError(ErrorKind::NotFound, "", [&] {
+        session->write(SurveySession::Photos, [](store::SurveyStore& store) { store.choosePhoto(99); });
+    });
+    EXPECT_TRUE(changes.isEmpty());
+}
+
+} // namespace spherewalk::ui

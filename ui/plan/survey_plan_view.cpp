@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plan/survey_plan_view.h"
+
+#include <set>
+
+namespace spherewalk::ui {
+
+SurveyPlanView::SurveyPlanView(QWidget* parent) : PlanView(parent) {
+    connect(this, &PlanView::stationClicked, this, [this](std::int64_t station) {
+        if (m_session) {
+            m_session->selection()->setCurrent(station);
+        }
+    });
+}
+
+void SurveyPlanView::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+        m_session->selection()->disconnect(this);
+    }
+    m_session = session;
+    if (session != nullptr) {
+        connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
+            if (what.testFlag(SurveySession::Plan)) {
+                showRoom();
+            }
+            refresh();
+        });
+        connect(session->selection(), &StationSelection::currentChanged, this, &PlanView::setCurrent);
+    }
+    setCurrent(session != nullptr ? session->selection()->current() : std::nullopt);
+    showRoom();
+    refresh();
+}
+
+void SurveyPlanView::showRoom() {
+    setRoom(m_session ? m_session->store().room() : survey::Room());
+    fit();
+}
+
+void SurveyPlanView::refresh() {
+    setStations(m_session ? marks(m_session->store()) : std::vector<StationMark>());
+}
+
+std::vector<StationMark> SurveyPlanView::marks(const store::SurveyStore& store) const {
+    std::set<std::int64_t> missing;
+    for (const store::StationRecord& station : store.stationsWithoutPhoto()) {
+        missing.insert(station.id);
+    }
+    std::vector<StationMark> result;
+    for (const store::StationRecord& station : store.stations()) {
+        const bool isMissing = missing.contains(station.id);
+        StationMark mark;
+        mark.id = station.id;
+        mark.positionM = station.station.positionM.head<2>();
+        mark.name = QString::fromStdString(station.name);
+        mark.state = isMissing ? StationMark::State::Missing : StationMark::State::Taken;
+        mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
+        result.push_back(mark);
+    }
+    return result;
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/survey_session.h"
+
+#include "spherewalk/base/error.h"
+
+namespace spherewalk::ui {
+
+using store::Access;
+
+namespace {
+
+/// Whether the survey can be written now; brings it up to date on the way.
+bool canWrite(const std::filesystem::path& folder) {
+    try {
+        store::SurveyStore::open(folder, Access::Write);
+        return true;
+    } catch (const Error&) { // reading may work, and says best what is wrong if it does not
+        return false;
+    }
+}
+
+} // namespace
+
+std::unique_ptr<SurveySession> SurveySession::open(const QString& folder) {
+    const std::filesystem::path path = folder.toStdString();
+    const bool isReadOnly = !canWrite(path);
+    // The constructor is private, so that a session cannot be without a store.
+    return std::unique_ptr<SurveySession>(
+        new SurveySession(folder, store::SurveyStore::open(path, Access::Read), isReadOnly));
+}
+
+SurveySession::SurveySession(QString folder, store::SurveyStore store, bool isReadOnly)
+    : m_folder(std::move(folder)),
+      m_store(std::move(store)),
+      m_name(QString::fromStdString(m_store.info().name)),
+      m_isReadOnly(isReadOnly) {
+}
+
+store::SurveyStore SurveySession::openForWriting() {
+    try {
+        store::SurveyStore writer = store::SurveyStore::open(path(), Access::Write);
+        setReadOnly(false);
+        return writer;
+    } catch (const Error&) {
+        setReadOnly(true);
+        throw;
+    }
+}
+
+void SurveySession::noteChanged(Changes what) {
+    emit changed(what);
+}
+
+void SurveySession::setReadOnly(bool isReadOnly) {
+    if (isReadOnly != m_isReadOnly) {
+        m_isReadOnly = isReadOnly;
+        emit readOnlyChanged(isReadOnly);
+    }
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/station_selection.h"
+
+#include "spherewalk/store/survey_store.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+namespace spherewalk::ui {
+
+/// One open survey: where it is, a store for reading, and the way to write. Nobody holds the writer's lock
+/// for longer than a change takes, except a task that writes; so the command line can capture while the
+/// window looks on. Views refresh by what changed. Threads: the GUI thread; a task opens a store of its own
+/// by path().
+class SurveySession : public QObject {
+    Q_OBJECT
+
+  public:
+    enum Change { Plan = 1, Photos = 2, Reviews = 4, Solutions = 8, Everything = 15 };
+    Q_DECLARE_FLAGS(Changes, Change)
+
+    /// Brings an older survey up to date, unless somebody else writes. Errors: those of
+    /// store::SurveyStore::open().
+    static std::unique_ptr<SurveySession> open(const QString& folder);
+
+    QString folder() const { return m_folder; }
+
+    std::filesystem::path path() const { return m_store.folder(); }
+
+    QString name() const { return m_name; }
+
+    /// Whether another program wrote the survey, or the disk allowed no writing, when it was last looked at:
+    /// on opening and at each write().
+    bool isReadOnly() const { return m_isReadOnly; }
+
+    /// For reading.
+    const store::SurveyStore& store() const { return m_store; }
+
+    /// Calls change(store::SurveyStore&) with a store that may write, and tells what changed. Errors: those
+    /// of the change; Busy if another program, or a task of this one, writes.
+    template <class Apply>
+    void write(Changes what, Apply&& change) {
+        {
+            store::SurveyStore writer = openForWriting();
+            std::forward<Apply>(change)(writer);
+        }
+        noteChanged(what);
+    }
+
+    /// To be called after somebody else wrote: a task, or another program.
+    void noteChanged(Changes what);
+
+    /// Of edits that are not, or not only, in the store.
+    QUndoStack* undoStack() { return &m_undoStack; }
+
+    StationSelection* selection() { return &m_selection; }
+
+  signals:
+    void changed(spherewalk::ui::SurveySession::Changes what);
+    void readOnlyChanged(bool isReadOnly);
+
+  private:
+    SurveySession(QString folder, store::SurveyStore store, bool isReadOnly);
+
+    store::SurveyStore openForWriting();
+    void setReadOnly(bool isReadOnly);
+
+    QString m_folder;
+    store::SurveyStore m_store;
+    QString m_name;
+    bool m_isReadOnly;
+    QUndoStack m_undoStack;
+    StationSelection m_selection;
+};
+
+Q_DECLARE_OPERATORS_FOR_FLAGS(SurveySession::Changes)
+
+} // namespace spherewalk::ui

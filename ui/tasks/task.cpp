@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tasks/task.h"
+
+#include "spherewalk/base/error.h"
+
+#include <utility>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLookInterval{50};
+
+} // namespace
+
+/// How the job's thread ended.
+struct Task::Ending {
+    State state = State::Failed;
+    QString sentence;
+    Deliver deliver;
+};
+
+struct Task::Shared : ProgressSink {
+    std::mutex mutex;
+    double fraction = 0;
+    QString step;
+    QStringList warnings; ///< not yet seen by the window
+    std::optional<Ending> ending;
+
+    void progress(double done, std::string_view activity) override {
+        const std::scoped_lock lock(mutex);
+        fraction = done;
+        step = QString::fromUtf8(activity.data(), static_cast<qsizetype>(activity.size()));
+    }
+
+    void warning(std::string_view sentence) override {
+        const std::scoped_lock lock(mutex);
+        warnings << QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
+    }
+};
+
+Task::Task(QString title, Work work, QObject* parent)
+    : QObject(parent),
+      m_title(std::move(title)),
+      m_timeLeft(std::chrono::steady_clock::now()),
+      m_shared(std::make_unique<Shared>()),
+      m_thread([this, job = std::move(work)](const std::stop_token& stop) { run(job, stop); }) {
+    connect(&m_timer, &QTimer::timeout, this, &Task::look);
+    m_timer.start(kLookInterval);
+}
+
+Task::~Task() {
+    stopAndWait();
+}
+
+void Task::stop() {
+    m_thread.request_stop();
+}
+
+void Task::stopAndWait() {
+    m_thread.request_stop();
+    if (m_thread.joinable()) {
+        m_thread.join();
+    }
+    const std::scoped_lock lock(m_shared->mutex);
+    if (m_shared->ending) {
+        m_shared->ending->deliver = nullptr;
+    }
+}
+
+void Task::run(const Work& work, const std::stop_token& stop) {
+    Ending ending;
+    try {
+        ending.deliver = work(*m_shared, stop);
+        ending.state = State::Done;
+    } catch (const Error& error) {
+        ending.state = error.kind() == ErrorKind::Stopped ? State::Stopped : State::Failed;
+        ending.sentence = QString::fromStdString(error.sentence());
+    } catch (const std::exception& defect) { // whatever no module translated
+        ending.sentence = tr("Spherewalk met a defect of its own: %1.").arg(QString::fromUtf8(defect.what()));
+    }
+    {
+        const std::scoped_lock lock(m_shared->mutex);
+        m_shared->ending = std::move(ending);
+    }
+    QMetaObject::invokeMethod(this, &Task::finish, Qt::QueuedConnection);
+}
+
+void Task::look() {
+    QStringList warnings;
+    {
+        const std::scoped_lock lock(m_shared->mutex);
+        if (m_shared->fraction == m_fraction && m_shared->step == m_step && m_shared->warnings.isEmpty()) {
+            return;
+        }
+        m_fraction = m_shared->fraction;
+        m_step = m_shared->step;
+        warnings.swap(m_shared->warnings);
+    }
+    const auto left = m_timeLeft.at(std::chrono::steady_clock::now(), m_fraction);
+    m_left = left ? std::optional(std::chrono::round<std::chrono::seconds>(*left)) : std::nullopt;
+    m_warnings << warnings;
+    for (const QString& warning : warnings) {
+        emit warned(warning);
+    }
+    emit progressed();
+}
+
+void Task::finish() {
+    look();
+    m_timer.stop();
+    Ending ending;
+    {
+        const std::scoped_lock lock(m_shared->mutex);
+        ending = std::exchange(m_shared->ending, Ending{}).value();
+    }
+    m_state = ending.state;
+    m_left.reset();
+    m_sentence = m_state == State::Failed ? ending.sentence : QString();
+    m_fraction = m_state == State::Done ? 1 : m_fraction;
+    if (ending.deliver) {
+        ending.deliver();
+    }
+    emit progressed();
+    emit ended();
+}
+
+} // namespace spherewalk::ui
