@@ -2,8 +2,10 @@
 #include "command.h"
 #include "plan_text.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/angle.h"
+#include "spherewalk/sheet/marking_sheet.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <memory>
@@ -15,6 +17,7 @@ namespace {
 struct Options {
     std::string survey;
     bool list = false;
+    std::string sheet;
 };
 
 std::string railLine(std::size_t number, const survey::RailPlacement& rail) {
@@ -48,6 +51,11 @@ Result show(const Options& options) {
             {{"id", station.id}, {"name", station.name}, {"position_m", {p.x(), p.y(), p.z()}}});
     }
     json["station_list"] = stations;
+    if (!options.sheet.empty()) {
+        writeFile(options.sheet, sheet::markingSheet(store.info().name, store.room(), planOptions, plan));
+        json["sheet"] = options.sheet;
+        words += text("\nWrote ", options.sheet, ": the plan to scale, and the tape distances of each rail.");
+    }
     return {json, words};
 }
 
@@ -58,6 +66,8 @@ void addPlan(Commands& commands) {
     CLI::App& command = commands.add("plan", "Show a survey's plan",
                                      [options](Context& /*context*/) { return show(*options); });
     command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command.add_option("--sheet", options->sheet,
+                       "PDF to write: the plan to scale, with tape distances for laying the rails");
     command.add_flag("--list", options->list, "List the rail placements in walking order");
 }
 

@@ -17,6 +17,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QUndoGroup>
 
 namespace spherewalk::ui {
 
@@ -26,6 +27,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_start(new StartPage(this)),
       m_bar(new QToolBar(tr("Modes"), this)),
       m_modeActions(new QActionGroup(this)),
+      m_undo(new QUndoGroup(this)),
       m_plan(new SurveyPlanView(this)),
       m_planDock(new QDockWidget(tr("Plan of the room"), this)),
       m_counts(new QLabel(this)) {
@@ -79,7 +81,18 @@ void MainWindow::addMenus() {
     quit->setShortcut(QKeySequence::Quit);
 }
 
+/// What Ctrl+Z means now: the mode's own stack, else the survey's.
+void MainWindow::chooseUndo(Mode* mode) {
+    QUndoStack* own = mode != nullptr ? mode->undoStack() : nullptr;
+    QUndoStack* stack = own != nullptr ? own : m_session ? m_session->undoStack() : nullptr;
+    if (stack != nullptr) {
+        m_undo->addStack(stack);
+    }
+    m_undo->setActiveStack(stack);
+}
+
 void MainWindow::showMode(Mode* mode) {
+    chooseUndo(mode);
     m_pages->setCurrentWidget(mode != nullptr ? static_cast<QWidget*>(mode) : m_start);
     const QList<QAction*> actions = m_modeActions->actions();
     for (qsizetype i = 0; i < m_modes.size(); ++i) {

@@ -13,6 +13,7 @@ class QActionGroup;
 class QLabel;
 class QStackedWidget;
 class QToolBar;
+class QUndoGroup;
 
 namespace spherewalk::ui {
 
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow {
   private:
     void addModes();
     void addMenus();
+    void chooseUndo(Mode* mode);
     void chooseSurvey();
     void showCounts();
     void say(const QString& sentence);
@@ -60,6 +62,7 @@ class MainWindow : public QMainWindow {
     StartPage* m_start;
     QToolBar* m_bar;
     QActionGroup* m_modeActions;
+    QUndoGroup* m_undo;
     SurveyPlanView* m_plan;
     QDockWidget* m_planDock;
     QLabel* m_counts;

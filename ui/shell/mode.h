@@ -5,6 +5,8 @@
 #include <QString>
 #include <QWidget>
 
+class QUndoStack;
+
 namespace spherewalk::ui {
 
 class SurveySession;
@@ -29,6 +31,12 @@ class Mode : public QWidget {
 
     /// Called each time the page comes into sight.
     virtual void activated() {}
+
+    /// What can be undone here; null: what the survey's own stack can undo.
+    virtual QUndoStack* undoStack() { return nullptr; }
+
+    /// Whether there is something to do here while no survey is open.
+    virtual bool worksWithoutSurvey() const { return false; }
 
     /// Whether the room's plan beside the page would only repeat what the page shows.
     virtual bool showsPlan() const { return false; }

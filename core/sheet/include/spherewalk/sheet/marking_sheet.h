@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/bytes.h"
+#include "spherewalk/survey/plan.h"
+
+#include <string>
+
+namespace spherewalk::sheet {
+
+/// The sheet's words, so that a window can give them in its own language. "%1" and so on stand for values.
+struct SheetWords {
+    std::string title = "Marking out: %1";
+    std::string summary = "%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m";
+    std::string scale = "Scale 1:%1. Print at 100 %: this bar is 10 cm long.";
+    std::string tableTitle = "Where the rails lie: tape distances in metres from the corners of the room";
+    std::string rail = "Rail";
+    std::string stops = "Stops";
+    std::string firstStop = "First stop (ring)";
+    std::string lastStop = "Last stop (arrow)";
+    std::string error = "Error";
+    std::string noTapes = "no two corners in sight: x %1, y %2";
+    std::string page = "Page %1";
+};
+
+/// Lays rails out on the floor: a page with the plan to scale, then a table of tape distances, as PDF (A4).
+/// name: of the survey. The same input gives the same bytes. Errors: those of Room::validate(); Internal if
+/// the PDF cannot be made.
+Bytes markingSheet(const std::string& name, const survey::Room& room, const survey::PlanOptions& options,
+                   const survey::Plan& plan, const SheetWords& words = {});
+
+} // namespace spherewalk::sheet

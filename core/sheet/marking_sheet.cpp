@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/sheet/marking_sheet.h"
+
+#include "pdf_page.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/survey/marking.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::sheet {
+
+using Eigen::Vector2d;
+using survey::MarkedPoint;
+using survey::RailMark;
+
+namespace {
+
+constexpr double kSmallMm = 3;
+constexpr double kNormalMm = 3.6;
+constexpr double kLargeMm = 6;
+
+/// The pattern with %1, %2 ... replaced.
+std::string filled(std::string pattern, const std::vector<std::string>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string place = text("%", i + 1);
+        if (const std::size_t at = pattern.find(place); at != std::string::npos) {
+            pattern.replace(at, place.size(), values[i]);
+        }
+    }
+    return pattern;
+}
+
+/// One sheet being drawn.
+class MarkingSheet {
+  public:
+    MarkingSheet(const std::string& name, const survey::Room& room, const survey::PlanOptions& options,
+                 const survey::Plan& plan, const SheetWords& words)
+        : m_name(name),
+          m_room(room),
+          m_options(options),
+          m_plan(plan),
+          m_words(words),
+          m_layout(layoutOf(room.outline)),
+          m_pages(m_layout.paper) {}
+
+    Bytes draw() {
+        drawTitle();
+        drawRoom();
+        for (std::size_t i = 0; i < m_plan.placements.size(); ++i) {
+            drawRail(m_plan.placements[i], i);
+        }
+        drawScale();
+        drawTable(survey::railMarks(m_room, m_plan));
+        return m_pages.finish();
+    }
+
+  private:
+    Polygon onPaper(const Polygon& inRoom) const {
+        Polygon result;
+        for (const Vector2d& corner : inRoom) {
+            result.push_back(m_layout.paperFromRoom(corner));
+        }
+        return result;
+    }
+
+    void drawTitle() {
+        m_pages.setGrey(0);
+        m_pages.words({kMarginMm, kMarginMm + kLargeMm}, filled(m_words.title, {m_name}), kLargeMm,
+                      Align::Left, true);
+        const double railM = (m_options.railStops - 1) * m_options.stepM;
+        m_pages.words(
+            {kMarginMm, kMarginMm + 13},
+            filled(m_words.summary,
+                   {std::to_string(m_plan.stations.size()), std::to_string(m_plan.placements.size()),
+                    text(100 * m_options.stepM), std::to_string(m_options.railStops), fixed(railM, 2)}),
+            kNormalMm);
+    }
+
+    void drawRoom() {
+        m_pages.setGrey(0.6);
+        m_pages.setLine(0.15);
+        for (const Polygon& obstacle : m_room.obstacles) {
+            m_pages.hatched(onPaper(obstacle));
+        }
+        m_pages.setGrey(0);
+        m_pages.setLine(0.7);
+        const Polygon walls = onPaper(m_room.outline);
+        m_pages.outline(walls);
+        const double sign = signedArea(m_room.outline) > 0 ? 1 : -1;
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            drawWall(walls, i, sign);
+        }
+    }
+
+    /// The name of the wall's first corner and the wall's length, both outside of the room.
+    void drawWall(const Polygon& walls, std::size_t i, double sign) {
+        const std::size_t n = walls.size();
+        const Vector2d& corner = walls[i];
+        const Vector2d along = (walls[(i + 1) % n] - corner).normalized();
+        const Vector2d before = (corner - walls[(i + n - 1) % n]).normalized();
+        const auto outside = [sign](const Vector2d& direction) { // y points down on paper
+            return Vector2d(-sign * direction.y(), sign * direction.x());
+        };
+        const Vector2d corners = (outside(along) + outside(before)).normalized();
+        m_pages.words(corner + 4 * corners + Vector2d(0, 1.3), survey::cornerName(static_cast<int>(i)),
+                      kNormalMm, Align::Centre, true);
+        const double metres = (m_room.outline[(i + 1) % n] - m_room.outline[i]).norm();
+        const Vector2d middle = 0.5 * (corner + walls[(i + 1) % n]);
+        if ((walls[(i + 1) % n] - corner).norm() > 14) {
+            m_pages.words(middle + 4.5 * outside(along) + Vector2d(0, 1), text(fixed(metres, 2), " m"),
+                          kSmallMm, Align::Centre);
+        }
+    }
+
+    void drawRail(const survey::RailPlacement& rail, std::size_t index) {
+        const Vector2d first = m_layout.paperFromRoom(rail.stop(0));
+        const Vector2d last = m_layout.paperFromRoom(rail.stop(rail.stops - 1));
+        m_pages.setGrey(0);
+        m_pages.setLine(0.25);
+        m_pages.ring(first, 1.2);
+        for (int k = 1; k < rail.stops; ++k) {
+            m_pages.disc(m_layout.paperFromRoom(rail.stop(k)), 0.45);
+        }
+        if (rail.stops > 1) {
+            drawArrow(first, last);
+        }
+        m_pages.words(first + Vector2d(1.6, -1.3), std::to_string(index + 1), kSmallMm, Align::Left, true);
+    }
+
+    void drawArrow(const Vector2d& first, const Vector2d& last) {
+        const Vector2d along = (last - first).normalized();
+        const Vector2d across(-along.y(), along.x());
+        m_pages.line(first + 1.2 * along, last);
+        m_pages.line(last, last - 2.2 * along + 1.1 * across);
+        m_pages.line(last, last - 2.2 * along - 1.1 * across);
+    }
+
+    void drawScale() {
+        const double y = m_layout.paper.heightMm - kMarginMm;
+        constexpr double kBarMm = 100;
+        m_pages.setGrey(0);
+        m_pages.setLine(0.4);
+        m_pages.line({kMarginMm, y - 6}, {kMarginMm + kBarMm, y - 6});
+        for (int cm = 0; cm <= 10; ++cm) {
+            m_pages.line({kMarginMm + 10.0 * cm, y - 6},
+                         {kMarginMm + 10.0 * cm, y - (cm % 5 == 0 ? 9 : 7.5)});
+        }
+        m_pages.words({kMarginMm, y - 1}, filled(m_words.scale, {std::to_string(m_layout.scale)}), kSmallMm);
+    }
+
+    void drawTable(const std::vector<RailMark>& marks) {
+        constexpr double kRowMm = 6.5;
+        const Paper paper{210, 297};
+        const double bottom = paper.heightMm - kMarginMm - kRowMm;
+        double y = bottom;
+        int page = 1;
+        for (const RailMark& mark : marks) {
+            if (y + kRowMm > bottom) {
+                m_pages.nextPage(paper);
+                m_pages.words({paper.widthMm - kMarginMm, paper.heightMm - kMarginMm},
+                              filled(m_words.page, {std::to_string(++page)}), kSmallMm, Align::Right);
+                y = drawTableHead() + kRowMm;
+            }
+            drawRow(mark, y);
+            y += kRowMm;
+        }
+    }
+
+    double drawTableHead() {
+        const double y = kMarginMm + 14;
+        m_pages.setGrey(0);
+        m_pages.words({kMarginMm, kMarginMm + 4}, m_words.tableTitle, kNormalMm, Align::Left, true);
+        const std::array<std::pair<double, std::string_view>, 5> columns = {
+            {{kMarginMm, m_words.rail},
+             {kMarginMm + 14, m_words.stops},
+             {kMarginMm + 30, m_words.firstStop},
+             {kMarginMm + 92, m_words.lastStop},
+             {kMarginMm + 158, m_words.error}}};
+        for (const auto& [x, title] : columns) {
+            m_pages.words({x, y}, std::string(title), kSmallMm, Align::Left, true);
+        }
+        m_pages.setLine(0.3);
+        m_pages.line({kMarginMm, y + 2}, {210 - kMarginMm, y + 2});
+        return y;
+    }
+
+    void drawRow(const RailMark& mark, double y) {
+        const auto& rail = m_plan.placements[static_cast<std::size_t>(mark.placement)];
+        m_pages.words({kMarginMm, y}, std::to_string(mark.placement + 1), kNormalMm, Align::Left, true);
+        m_pages.words({kMarginMm + 14, y}, std::to_string(rail.stops), kNormalMm);
+        m_pages.words({kMarginMm + 30, y}, tapesText(mark.first), kNormalMm);
+        m_pages.words({kMarginMm + 92, y}, rail.stops > 1 ? tapesText(mark.last) : "", kNormalMm);
+        if (mark.first.sigmaM && mark.last.sigmaM) {
+            const double worst = std::max(*mark.first.sigmaM, *mark.last.sigmaM);
+            m_pages.words({kMarginMm + 158, y}, text(fixed(1000 * worst, 0), " mm"), kNormalMm);
+        }
+        m_pages.setGrey(0.8);
+        m_pages.setLine(0.1);
+        m_pages.line({kMarginMm, y + 2}, {210 - kMarginMm, y + 2});
+        m_pages.setGrey(0);
+    }
+
+    std::string tapesText(const MarkedPoint& point) const {
+        if (point.tapes.empty()) {
+            return filled(m_words.noTapes, {fixed(point.point.x(), 3), fixed(point.point.y(), 3)});
+        }
+        std::string result;
+        for (const survey::TapeDistance& tape : point.tapes) {
+            result += text(result.empty() ? "" : "     ", survey::cornerName(tape.corner), "  ",
+                           fixed(tape.metres, 3));
+        }
+        return result;
+    }
+
+    const std::string& m_name;
+    const survey::Room& m_room;
+    const survey::PlanOptions& m_options;
+    const survey::Plan& m_plan;
+    const SheetWords& m_words;
+    PageLayout m_layout;
+    PdfPages m_pages;
+};
+
+} // namespace
+
+Bytes markingSheet(const std::string& name, const survey::Room& room, const survey::PlanOptions& options,
+                   const survey::Plan& plan, const SheetWords& words) {
+    room.validate();
+    return MarkingSheet(name, room, options, plan, words).draw();
+}
+
+} // namespace spherewalk::sheet

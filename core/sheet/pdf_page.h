@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/bytes.h"
+#include "spherewalk/geometry/polygon.h"
+#include "spherewalk/sheet/page_layout.h"
+
+#include <Eigen/Core>
+
+#include <cairo.h>
+#include <memory>
+#include <string>
+
+namespace spherewalk::sheet {
+
+enum class Align { Left, Centre, Right };
+
+/// A PDF being drawn, page after page. Units: millimetres from the upper left corner, y down. Errors of all:
+/// Internal.
+class PdfPages {
+  public:
+    explicit PdfPages(const Paper& paper);
+    ~PdfPages();
+    PdfPages(const PdfPages&) = delete;
+    PdfPages& operator=(const PdfPages&) = delete;
+
+    const Paper& paper() const { return m_paper; }
+
+    /// Ends the present page; the next may have another size.
+    void nextPage(const Paper& paper);
+    /// Ends the document.
+    Bytes finish();
+
+    void setGrey(double lightness);
+    void setLine(double widthMm);
+    void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void outline(const Polygon& corners);
+    /// Hatched, with its edge.
+    void hatched(const Polygon& corners);
+    void ring(const Eigen::Vector2d& centre, double radiusMm);
+    void disc(const Eigen::Vector2d& centre, double radiusMm);
+    /// at: on the base line.
+    void words(const Eigen::Vector2d& at, const std::string& text, double heightMm, Align align = Align::Left,
+               bool isBold = false);
+
+  private:
+    void path(const Polygon& corners);
+    void check() const;
+
+    Paper m_paper;
+    Bytes m_bytes;
+    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> m_surface;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> m_cairo;
+};
+
+} // namespace spherewalk::sheet

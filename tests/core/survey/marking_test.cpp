@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/survey/marking.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spherewalk::survey {
+
+using Eigen::Vector2d;
+
+namespace {
+
+Room concaveRoom() {
+    Room room;
+    room.outline = {{0, 0}, {6, 0}, {6, 2.5}, {3, 2.5}, {3, 5}, {0, 5}};
+    room.obstacles = {{{1, 1}, {1.8, 1}, {1.8, 1.6}, {1, 1.6}}};
+    room.ceilingM = 2.6;
+    return room;
+}
+
+Plan planOf(const Room& room) {
+    PlanOptions options;
+    options.stepM = 0.4;
+    return plan(room, options);
+}
+
+/// Where two tapes meet, both ways.
+std::array<Vector2d, 2> meetings(const Vector2d& a, double fromA, const Vector2d& b, double fromB) {
+    const double apart = (b - a).norm();
+    const Vector2d along = (b - a) / apart;
+    const double x = (fromA * fromA - fromB * fromB + apart * apart) / (2 * apart);
+    const double y = std::sqrt(std::max(0.0, fromA * fromA - x * x));
+    const Vector2d across(-along.y(), along.x());
+    return {a + x * along + y * across, a + x * along - y * across};
+}
+
+std::vector<MarkedPoint> allPoints(const Room& room) {
+    std::vector<MarkedPoint> result;
+    for (const RailMark& mark : railMarks(room, planOf(room))) {
+        result.push_back(mark.first);
+        result.push_back(mark.last);
+    }
+    return result;
+}
+
+} // namespace
+
+TEST(Marking, TapesMeetInThePointAndNowhereElseInTheRoom) {
+    const Room room = concaveRoom();
+    for (const MarkedPoint& mark : allPoints(room)) {
+        ASSERT_EQ(mark.tapes.size(), 2U);
+        const Vector2d& a = room.outline[static_cast<std::size_t>(mark.tapes[0].corner)];
+        const Vector2d& b = room.outline[static_cast<std::size_t>(mark.tapes[1].corner)];
+        int inRoom = 0;
+        double nearest = INFINITY;
+        for (const Vector2d& meeting : meetings(a, mark.tapes[0].metres, b, mark.tapes[1].metres)) {
+            inRoom += contains(room.outline, meeting) ? 1 : 0;
+            nearest = std::min(nearest, (meeting - mark.point).norm());
+        }
+        EXPECT_EQ(inRoom, 1);
+        EXPECT_LT(nearest, 1e-6);
+    }
+}
+
+TEST(Marking, TapesRunOverFreeFloor) {
+    const Room room = concaveRoom();
+    for (const MarkedPoint& mark : allPoints(room)) {
+        for (const TapeDistance& tape : mark.tapes) {
+            const Vector2d& corner = room.outline[static_cast<std::size_t>(tape.corner)];
+            const Vector2d begin = corner + 0.02 * (mark.point - corner).normalized();
+            EXPECT_GT(distanceToEdge(room.obstacles[0], begin, mark.point), 0);
+            EXPECT_GT(distanceToEdge(room.outline, begin, mark.point), 0);
+        }
+    }
+}
+
+TEST(Marking, ARoomFarFromTheOriginGetsTheSameTapes) {
+    Room far = concaveRoom();
+    const Vector2d shift(1e6, -2e6);
+    const auto move = [&](Polygon& polygon) {
+        for (Vector2d& corner : polygon) {
+            corner += shift;
+        }
+    };
+    move(far.outline);
+    move(far.obstacles[0]);
+    const auto here = allPoints(concaveRoom());
+    const auto there = allPoints(far);
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        ASSERT_EQ(here[i].tapes.size(), there[i].tapes.size());
+        for (std::size_t k = 0; k < here[i].tapes.size(); ++k) {
+            EXPECT_EQ(here[i].tapes[k].corner, there[i].tapes[k].corner);
+            EXPECT_NEAR(here[i].tapes[k].metres, there[i].tapes[k].metres, 1e-6);
+        }
+    }
+}
+
+TEST(Marking, APointBehindFurnitureGetsNoTape) {
+    Room room;
+    room.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    room.ceilingM = 2.5;
+    // Four cupboards, one in each corner's line of sight.
+    for (const Vector2d& at : {Vector2d(1, 1), Vector2d(3, 1), Vector2d(3, 3), Vector2d(1, 3)}) {
+        room.obstacles.push_back(
+            {at + Vector2d(-.3, -.3), at + Vector2d(.3, -.3), at + Vector2d(.3, .3), at + Vector2d(-.3, .3)});
+    }
+    Plan one;
+    one.placements = {{{2, 2}, Radians(0), 1, 0.4}};
+    const auto marks = railMarks(room, one);
+    ASSERT_EQ(marks.size(), 1U);
+    EXPECT_TRUE(marks[0].first.tapes.empty());
+    EXPECT_FALSE(marks[0].first.sigmaM);
+}
+
+TEST(Marking, NamesCornersAsSheetsDo) {
+    EXPECT_EQ(cornerName(0), "A");
+    EXPECT_EQ(cornerName(25), "Z");
+    EXPECT_EQ(cornerName(26), "AA");
+    EXPECT_EQ(cornerName(27), "AB");
+}
+
+} // namespace spherewalk::survey

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made_survey.h"
+#include "qt_application.h"
+#include "temporary_folder.h"
+#include "ui/plan/new_survey_form.h"
+#include "ui/plan/plan_mode.h"
+
+#include "spherewalk/base/file.h"
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace spherewalk::ui {
+
+using Eigen::Vector2d;
+
+namespace {
+
+struct Fixture : testing::Test {
+    Fixture() : mode(tasks) {
+        mode.resize(1100, 700);
+        mode.show();
+        mode.view().fitRoom();
+        settle();
+    }
+
+    void settle() {
+        QSignalSpy outcomes(&mode.editor(), &PlanEditor::outcomeChanged);
+        while (!mode.editor().isSettled()) {
+            ASSERT_TRUE(outcomes.wait(10'000));
+        }
+    }
+
+    QPoint at(const Vector2d& pInRoom) {
+        return mode.view().widgetFromRoom().map(QPointF(pInRoom.x(), pInRoom.y())).toPoint();
+    }
+
+    void click(const Vector2d& pInRoom) {
+        QTest::mouseMove(&mode.view(), at(pInRoom));
+        QTest::mouseClick(&mode.view(), Qt::LeftButton, {}, at(pInRoom));
+    }
+
+    test::TemporaryFolder folder;
+    TaskList tasks;
+    PlanMode mode;
+};
+
+using PlanModeTest = Fixture;
+
+} // namespace
+
+TEST_F(PlanModeTest, ARoomIsDrawnWithThePointerAndTheKeyboard) {
+    mode.view().setTool(PlanEditorView::Tool::Outline);
+    click({0.5, 0.5});
+    click({4.5, 0.5});
+    QTest::mouseMove(&mode.view(), at({4.5, 2}));
+    QTest::keyClicks(&mode.view(), "3.5");
+    QTest::keyClick(&mode.view(), Qt::Key_Return);
+    click({0.5, 4});
+    click({0.5, 0.5});
+    EXPECT_EQ(mode.editor().draft().room.outline, Polygon({{0.5, 0.5}, {4.5, 0.5}, {4.5, 4}, {0.5, 4}}));
+    EXPECT_EQ(mode.view().tool(), PlanEditorView::Tool::Select);
+}
+
+TEST_F(PlanModeTest, ADraggedCornerSnapsAndThePlanFollows) {
+    const QString before = mode.findChild<QLabel*>("planCounts")->text();
+    QTest::mousePress(&mode.view(), Qt::LeftButton, {}, at({5, 4}));
+    QTest::mouseMove(&mode.view(), at({4.5, 3.9}));
+    QTest::mouseMove(&mode.view(), at({3.52, 3.02}));
+    QTest::mouseRelease(&mode.view(), Qt::LeftButton, {}, at({3.52, 3.02}));
+    EXPECT_LT((mode.editor().draft().room.outline[2] - Vector2d(3.5, 3)).norm(), 1e-9);
+    settle();
+    EXPECT_NE(mode.findChild<QLabel*>("planCounts")->text(), before);
+}
+
+TEST_F(PlanModeTest, MakesTheSameSurveyAsTheCommandLine) {
+    mode.findChild<QDoubleSpinBox*>("step")->setValue(0.5);
+    mode.findChild<QDoubleSpinBox*>("clearance")->setValue(0.4);
+    mode.findChild<QLineEdit*>("heights")->setText(QLocale().toString(0.6) + "; " + QLocale().toString(1.2));
+    QTest::keyClick(mode.findChild<QLineEdit*>("heights"), Qt::Key_Return);
+    QSignalSpy opens(&mode, &Mode::openRequested);
+    const QString survey = QString::fromStdString((folder / "lab.spherewalk").string());
+    mode.storage().create(survey);
+    ASSERT_EQ(opens.size(), 1);
+    EXPECT_EQ(opens[0][0].toString(), survey);
+    const auto store = store::SurveyStore::open(survey.toStdString(), store::Access::Read);
+    const survey::PlanOptions options = store.planOptions();
+    EXPECT_EQ(options.stepM, 0.5);
+    EXPECT_EQ(options.clearanceM, 0.4);
+    EXPECT_EQ(options.heightsM, std::vector<double>({0.6, 1.2}));
+    EXPECT_EQ(store.stations().size(), survey::plan(store.room(), options).stations.size());
+}
+
+TEST_F(PlanModeTest, StoresEditsOfAnOpenSurveyByItself) {
+    const auto path = test::makeSurvey(folder / "room.spherewalk");
+    const auto session = SurveySession::open(QString::fromStdString(path.string()));
+    mode.setSession(session.get());
+    QSignalSpy changes(session.get(), &SurveySession::changed);
+    mode.editor().addObstacle({{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}});
+    ASSERT_TRUE(changes.wait(10'000));
+    EXPECT_EQ(session->store().room().obstacles.size(), 2U);
+    EXPECT_EQ(mode.storage().state(), PlanStorage::State::Stored);
+    mode.setSession(nullptr);
+}
+
+TEST_F(PlanModeTest, AnEditIsNotLostWhenTheSurveyIsClosedAtOnce) {
+    const auto path = test::makeSurvey(folder / "room.spherewalk");
+    auto session = SurveySession::open(QString::fromStdString(path.string()));
+    mode.setSession(session.get());
+    mode.editor().addObstacle({{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}});
+    mode.setSession(nullptr);
+    session.reset();
+    EXPECT_EQ(store::SurveyStore::open(path, store::Access::Read).room().obstacles.size(), 2U);
+}
+
+TEST_F(PlanModeTest, APlanWithPhotosIsLocked) {
+    const auto path = test::makeSurvey(folder / "room.spherewalk");
+    const auto session = SurveySession::open(QString::fromStdString(path.string()));
+    mode.setSession(session.get());
+    session->write(SurveySession::Photos, [](store::SurveyStore& store) {
+        store.beginShot(store.stations().front().id, "serial", "", 0);
+    });
+    EXPECT_EQ(mode.storage().state(), PlanStorage::State::Locked);
+    EXPECT_FALSE(mode.findChild<QDoubleSpinBox*>("step")->isEnabled());
+    mode.setSession(nullptr);
+}
+
+TEST_F(PlanModeTest, WritesTheMarkingOutSheet) {
+    const auto file = folder / "sheet.pdf";
+    QSignalSpy ended(&tasks, &TaskList::ended);
+    mode.writeSheet(QString::fromStdString(file.string()));
+    ASSERT_TRUE(ended.wait(10'000));
+    EXPECT_EQ(readTextFile(file).substr(0, 5), "%PDF-");
+}
+
+TEST_F(PlanModeTest, RefusesANameThatIsTaken) {
+    auto* form = mode.findChild<NewSurveyForm*>();
+    auto* create = mode.findChild<QPushButton*>("createSurvey");
+    EXPECT_TRUE(create->isEnabled());
+    std::filesystem::create_directories(form->folder().toStdString());
+    mode.findChild<QLineEdit*>("surveyName")->setText(mode.findChild<QLineEdit*>("surveyName")->text() + " ");
+    EXPECT_FALSE(create->isEnabled());
+    std::filesystem::remove(form->folder().toStdString());
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/icon.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QPixmap>
+#include <QSvgRenderer>
+
+/// The linker keeps the resources of a static library only if they are asked for; in no namespace, as Qt
+/// wants it.
+static void keepIcons() {
+    Q_INIT_RESOURCE(icons);
+}
+
+namespace spherewalk::ui {
+
+namespace {
+
+/// Draws "currentColor" of an SVG in the palette's colour, anew each time, so that dark and light can change.
+class LineIcon : public QIconEngine {
+  public:
+    explicit LineIcon(QByteArray svg) : m_svg(std::move(svg)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        const QPalette palette = QGuiApplication::palette();
+        const QColor colour = mode == QIcon::Disabled
+                                  ? palette.color(QPalette::Disabled, QPalette::WindowText)
+                              : mode == QIcon::Selected ? palette.color(QPalette::HighlightedText)
+                              : state == QIcon::On      ? palette.color(QPalette::Highlight)
+                                                        : palette.color(QPalette::WindowText);
+        QByteArray svg = m_svg;
+        svg.replace("currentColor", colour.name().toLatin1());
+        QSvgRenderer(svg).render(painter, rect);
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap result(size);
+        result.fill(Qt::transparent);
+        QPainter painter(&result);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return result;
+    }
+
+    QIconEngine* clone() const override { return new LineIcon(m_svg); }
+
+  private:
+    QByteArray m_svg;
+};
+
+} // namespace
+
+QIcon icon(const QString& name) {
+    keepIcons();
+    QFile file(":/icons/" + name + ".svg");
+    return file.open(QIODevice::ReadOnly) ? QIcon(new LineIcon(file.readAll())) : QIcon();
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+namespace spherewalk::ui {
+
+/// The icon of this name in resources/icons, drawn at any size in the colours of the moment: text for what
+/// can be used, greyed for what cannot, highlight for what is switched on. Empty if there is none.
+QIcon icon(const QString& name);
+
+} // namespace spherewalk::ui

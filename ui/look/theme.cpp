@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace spherewalk::ui {
+
+namespace {
+
+/// The colours of one theme.
+struct Colours {
+    QColor window;
+    QColor base;
+    QColor raised;
+    QColor text;
+    QColor faint;
+    QColor line;
+    QColor highlight;
+    QColor highlightedText;
+};
+
+QPalette paletteOf(const Colours& colours) {
+    QPalette palette(colours.raised, colours.window);
+    palette.setColor(QPalette::Window, colours.window);
+    palette.setColor(QPalette::WindowText, colours.text);
+    palette.setColor(QPalette::Base, colours.base);
+    palette.setColor(QPalette::AlternateBase, colours.raised);
+    palette.setColor(QPalette::Text, colours.text);
+    palette.setColor(QPalette::Button, colours.raised);
+    palette.setColor(QPalette::ButtonText, colours.text);
+    palette.setColor(QPalette::BrightText, colours.highlightedText);
+    palette.setColor(QPalette::ToolTipBase, colours.raised);
+    palette.setColor(QPalette::ToolTipText, colours.text);
+    palette.setColor(QPalette::PlaceholderText, colours.faint);
+    palette.setColor(QPalette::Mid, colours.line);
+    palette.setColor(QPalette::Highlight, colours.highlight);
+    palette.setColor(QPalette::HighlightedText, colours.highlightedText);
+    palette.setColor(QPalette::Link, colours.highlight);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, colours.faint);
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, colours.line);
+    return palette;
+}
+
+QPalette lightPalette() {
+    return paletteOf({.window = "#f3f4f6",
+                      .base = "#ffffff",
+                      .raised = "#e9ebef",
+                      .text = "#1c2430",
+                      .faint = "#7c8594",
+                      .line = "#b4bac4",
+                      .highlight = "#0b62b3",
+                      .highlightedText = "#ffffff"});
+}
+
+QPalette darkPalette() {
+    return paletteOf({.window = "#1e2329",
+                      .base = "#151a1f",
+                      .raised = "#2b323a",
+                      .text = "#e6eaf0",
+                      .faint = "#8a94a2",
+                      .line = "#59626e",
+                      .highlight = "#56a8ea",
+                      .highlightedText = "#0c1116"});
+}
+
+bool desktopIsDark() {
+    static const bool isDark =
+        QApplication::palette().color(QPalette::Window).lightness() < 128; // before ours
+    return isDark;
+}
+
+} // namespace
+
+void applyTheme(Theme theme) {
+    const bool isDark = theme == Theme::Dark || (theme == Theme::System && desktopIsDark());
+    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setPalette(isDark ? darkPalette() : lightPalette());
+}
+
+QColor goodColour() {
+    return {0, 158, 115};
+}
+
+QColor doubtfulColour() {
+    return {230, 159, 0};
+}
+
+QColor failedColour() {
+    return {213, 94, 0};
+}
+
+} // namespace spherewalk::ui

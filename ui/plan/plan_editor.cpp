@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plan/plan_editor.h"
+
+#include <QUndoCommand>
+
+#include <utility>
+
+namespace spherewalk::ui {
+
+using Eigen::Vector2d;
+
+namespace {
+
+enum RunKey { kNoRun = 0, kMoveCorner = 1000, kMovePolygon = 1001 };
+
+template <class Draft>
+auto& polygonOf(Draft& draft, int index) {
+    return index == PlanPart::kOutline ? draft.room.outline
+                                       : draft.room.obstacles[static_cast<std::size_t>(index - 1)];
+}
+
+} // namespace
+
+/// From one draft to another.
+class PlanEditor::Step : public QUndoCommand {
+  public:
+    Step(PlanEditor& editor, const QString& text, PlanDraft before, PlanDraft after, int key)
+        : QUndoCommand(text),
+          m_editor(editor),
+          m_before(std::move(before)),
+          m_after(std::move(after)),
+          m_key(key) {}
+
+    void undo() override { m_editor.setDraft(m_before); }
+
+    void redo() override { m_editor.setDraft(m_after); }
+
+    int id() const override { return m_key == kNoRun ? -1 : m_key; }
+
+    bool mergeWith(const QUndoCommand* other) override {
+        m_after = static_cast<const Step*>(other)->m_after;
+        return true;
+    }
+
+    void endRun() { m_key = kNoRun; }
+
+  private:
+    PlanEditor& m_editor;
+    PlanDraft m_before;
+    PlanDraft m_after;
+    int m_key;
+};
+
+PlanEditor::PlanEditor(QObject* parent)
+    : QObject(parent),
+      m_worker(
+          this, [](const PlanDraft& draft, const std::stop_token& /*stop*/) { return outcomeOf(draft); },
+          [this](PlanOutcome outcome) { take(std::move(outcome)); }) {
+}
+
+void PlanEditor::begin(PlanDraft draft) {
+    m_undoStack.clear();
+    select({});
+    setDraft(std::move(draft));
+}
+
+void PlanEditor::setDraft(PlanDraft draft) {
+    m_draft = std::move(draft);
+    m_isPreview = false;
+    const bool isGone = m_selected.polygon > static_cast<int>(m_draft.room.obstacles.size()) ||
+                        (m_selected.polygon >= 0 &&
+                         m_selected.corner >= static_cast<int>(polygon(m_selected.polygon).size()));
+    if (isGone) {
+        select({});
+    }
+    m_worker.post(m_draft);
+    emit draftChanged();
+}
+
+void PlanEditor::take(PlanOutcome outcome) {
+    m_outcome = std::move(outcome);
+    emit outcomeChanged();
+}
+
+void PlanEditor::select(PlanPart part) {
+    if (part != m_selected) {
+        m_selected = part;
+        emit selectionChanged();
+    }
+}
+
+const Polygon& PlanEditor::polygon(int index) const {
+    return polygonOf(m_draft, index);
+}
+
+void PlanEditor::change(const QString& text, const std::function<void(PlanDraft&)>& apply, int key) {
+    if (m_isLocked) {
+        return;
+    }
+    PlanDraft after = m_draft;
+    apply(after);
+    m_undoStack.push(new Step(*this, text, m_draft, std::move(after), key));
+}
+
+void PlanEditor::endRun() {
+    if (m_undoStack.index() > 0 && !m_undoStack.canRedo()) {
+        // The stack hands out its commands as const; the last one's key is this class's own business.
+        auto* last = const_cast<QUndoCommand*>(m_undoStack.command(m_undoStack.index() - 1));
+        static_cast<Step*>(last)->endRun();
+    }
+}
+
+void PlanEditor::moveCorner(PlanPart part, const Vector2d& to) {
+    change(
+        tr("Move corner"),
+        [&](PlanDraft& draft) { polygonOf(draft, part.polygon)[static_cast<std::size_t>(part.corner)] = to; },
+        kMoveCorner);
+}
+
+void PlanEditor::movePolygon(int polygon, const Vector2d& by) {
+    change(
+        polygon == PlanPart::kOutline ? tr("Move outline") : tr("Move obstacle"),
+        [&](PlanDraft& draft) {
+            for (Vector2d& corner : polygonOf(draft, polygon)) {
+                corner += by;
+            }
+        },
+        kMovePolygon);
+}
+
+void PlanEditor::insertCorner(PlanPart after, const Vector2d& at) {
+    if (m_isLocked) {
+        return;
+    }
+    change(tr("Add corner"), [&](PlanDraft& draft) {
+        Polygon& corners = polygonOf(draft, after.polygon);
+        corners.insert(corners.begin() + after.corner + 1, at);
+    });
+    select({after.polygon, after.corner + 1});
+}
+
+void PlanEditor::removeSelected() {
+    const PlanPart part = m_selected;
+    if (m_isLocked || part.polygon == PlanPart::kNone) {
+        return;
+    }
+    if (part.corner != PlanPart::kNone && polygon(part.polygon).size() > 3) {
+        change(tr("Remove corner"), [&](PlanDraft& draft) {
+            Polygon& corners = polygonOf(draft, part.polygon);
+            corners.erase(corners.begin() + part.corner);
+        });
+        select({part.polygon, PlanPart::kNone});
+    } else if (part.polygon != PlanPart::kOutline) {
+        select({});
+        change(tr("Remove obstacle"), [&](PlanDraft& draft) {
+            draft.room.obstacles.erase(draft.room.obstacles.begin() + part.polygon - 1);
+        });
+    }
+}
+
+void PlanEditor::setOutline(const Polygon& outline) {
+    change(tr("Draw outline"), [&](PlanDraft& draft) { draft.room.outline = outline; });
+    select({PlanPart::kOutline, PlanPart::kNone});
+}
+
+void PlanEditor::addObstacle(const Polygon& obstacle) {
+    if (m_isLocked) {
+        return;
+    }
+    change(tr("Add obstacle"), [&](PlanDraft& draft) { draft.room.obstacles.push_back(obstacle); });
+    select({static_cast<int>(m_draft.room.obstacles.size()), PlanPart::kNone});
+}
+
+void PlanEditor::preview(const Polygon& outline) {
+    PlanDraft shown = m_draft;
+    m_isPreview = !outline.empty();
+    if (m_isPreview) {
+        shown.room.outline = outline;
+    }
+    m_worker.post(std::move(shown));
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plan/plan_editor_view.h"
+
+#include <algorithm>
+
+namespace spherewalk::ui {
+
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr double kHandlePx = 5;
+
+QPointF pointOf(const Vector2d& vector) {
+    return {vector.x(), vector.y()};
+}
+
+} // namespace
+
+void PlanEditorView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
+    paintPicture(painter, widgetFromRoom);
+    paintRoom(painter, widgetFromRoom);
+    paintPlan(painter, widgetFromRoom);
+    paintUncovered(painter, widgetFromRoom);
+    paintSelection(painter, widgetFromRoom);
+    paintPen(painter, widgetFromRoom);
+}
+
+void PlanEditorView::paintPicture(QPainter& painter, const QTransform& widgetFromRoom) const {
+    if (m_picture.isEmpty()) {
+        return;
+    }
+    painter.save();
+    painter.setOpacity(0.5);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(widgetFromRoom.mapRect(m_picture.extent()), m_picture.image());
+    painter.restore();
+}
+
+void PlanEditorView::paintRoom(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const survey::Room& room = m_editor.draft().room;
+    QColor floor = palette().color(QPalette::Base);
+    floor.setAlphaF(m_picture.isEmpty() ? 1.0F : 0.3F);
+    painter.setPen(
+        QPen(palette().color(QPalette::WindowText), 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(floor);
+    painter.drawPolygon(mapped(room.outline, widgetFromRoom));
+    painter.setPen(QPen(palette().color(QPalette::WindowText), 1.2));
+    painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
+    for (const Polygon& obstacle : room.obstacles) {
+        painter.drawPolygon(mapped(obstacle, widgetFromRoom));
+    }
+}
+
+void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const survey::Plan& plan = m_editor.outcome().plan;
+    QColor colour = palette().color(QPalette::Highlight);
+    colour.setAlphaF(m_editor.isSettled() ? 1.0F : 0.5F);
+    const double spacingPx = m_editor.draft().options.stepM * pixelsPerMetre();
+    const double radius = std::clamp(0.14 * spacingPx, 1.2, 5.0);
+    painter.setBrush(colour);
+    for (const survey::RailPlacement& rail : plan.placements) {
+        const QPointF first = widgetFromRoom.map(pointOf(rail.stop(0)));
+        const QPointF last = widgetFromRoom.map(pointOf(rail.stop(rail.stops - 1)));
+        painter.setPen(QPen(colour, std::clamp(0.05 * spacingPx, 0.8, 2.0)));
+        painter.drawLine(first, last);
+        painter.setPen(Qt::NoPen);
+        for (int k = 0; k < rail.stops; ++k) {
+            painter.drawEllipse(widgetFromRoom.map(pointOf(rail.stop(k))), radius, radius);
+        }
+        painter.setPen(QPen(colour, 1.5));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(first, radius + 2.5, radius + 2.5); // where the operator begins
+        painter.setBrush(colour);
+    }
+    constexpr double kLeastForNumbersPx = 16;
+    if (spacingPx < kLeastForNumbersPx) {
+        return;
+    }
+    painter.setPen(palette().color(QPalette::WindowText));
+    for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+        const QPointF at = widgetFromRoom.map(pointOf(plan.placements[i].origin));
+        painter.drawText(at + QPointF(radius + 4, -radius - 2), QString::number(i + 1));
+    }
+}
+
+void PlanEditorView::paintUncovered(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const double leastM2 = 0.5 * m_editor.draft().options.stepM * m_editor.draft().options.stepM;
+    for (const survey::UncoveredArea& area : m_editor.outcome().report.uncovered) {
+        if (area.areaM2 < leastM2 || area.reason == survey::UncoveredReason::Clearance) {
+            continue; // along every wall lies a strip that the clearance leaves out
+        }
+        const QPointF at = widgetFromRoom.map(pointOf(area.point));
+        const QColor colour(213, 94, 0);
+        painter.setPen(QPen(colour, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5));
+        painter.drawLine(at + QPointF(-5, 5), at + QPointF(5, -5));
+        painter.drawText(at + QPointF(9, 4), tr("%1 m² not covered").arg(area.areaM2, 0, 'f', 2));
+    }
+}
+
+void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetFromRoom) const {
+    if (m_editor.isLocked() || m_pen.isDrawing()) {
+        return;
+    }
+    const QColor colour = palette().color(QPalette::WindowText);
+    const PlanPart selected = m_editor.selected();
+    const int count = static_cast<int>(m_editor.draft().room.obstacles.size()) + 1;
+    for (int i = 0; i < count; ++i) {
+        const Polygon& polygon = m_editor.polygon(i);
+        const bool isSelected = selected.polygon == i;
+        if (isSelected || (i == PlanPart::kOutline && selected.polygon == PlanPart::kNone)) {
+            paintLengths(painter, polygon, widgetFromRoom, true);
+        }
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const QPointF at = widgetFromRoom.map(pointOf(polygon[k]));
+            const bool isCorner = isSelected && static_cast<int>(k) == selected.corner;
+            painter.setPen(QPen(colour, isSelected ? 2 : 1));
+            painter.setBrush(isCorner ? palette().color(QPalette::Highlight)
+                                      : palette().color(QPalette::Base));
+            const double half = isCorner ? kHandlePx + 1.5 : kHandlePx - (isSelected ? 0 : 1.5);
+            painter.drawRect(QRectF(at.x() - half, at.y() - half, 2 * half, 2 * half));
+        }
+    }
+}
+
+void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
+                                  bool isClosed) const {
+    const std::size_t walls = isClosed ? polygon.size() : polygon.size() - 1;
+    for (std::size_t i = 0; i < walls; ++i) {
+        const Vector2d& begin = polygon[i];
+        const Vector2d& end = polygon[(i + 1) % polygon.size()];
+        const QLineF wall(widgetFromRoom.map(pointOf(begin)), widgetFromRoom.map(pointOf(end)));
+        const QString words = tr("%L1 m").arg((end - begin).norm(), 0, 'f', 2);
+        QRectF box = painter.fontMetrics().boundingRect(words);
+        if (wall.length() < box.width() + 12) {
+            continue;
+        }
+        box.moveCenter(wall.center());
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette().color(QPalette::Window));
+        painter.drawRoundedRect(box.adjusted(-4, -1, 4, 1), 4, 4);
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.drawText(box, Qt::AlignCenter, words);
+    }
+}
+
+void PlanEditorView::paintPen(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const QColor colour = palette().color(QPalette::Highlight);
+    if (m_scaleLine) {
+        painter.setPen(QPen(colour, 2, Qt::DashLine));
+        painter.drawLine(widgetFromRoom.map(*m_scaleLine));
+    }
+    if (!m_pen.isDrawing()) {
+        return;
+    }
+    const Polygon preview = m_pen.preview();
+    painter.setPen(QPen(colour, 2, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(mapped(preview, widgetFromRoom));
+    paintLengths(painter, preview, widgetFromRoom, false);
+    for (const Vector2d& corner : m_pen.corners()) {
+        const QPointF at = widgetFromRoom.map(pointOf(corner));
+        painter.setPen(QPen(colour, 2));
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.drawRect(QRectF(at.x() - kHandlePx, at.y() - kHandlePx, 2 * kHandlePx, 2 * kHandlePx));
+    }
+    if (!m_pen.typed().isEmpty()) {
+        const QPointF at = widgetFromRoom.map(pointOf(m_pen.tip())) + QPointF(14, -10);
+        const QString words = tr("%1 m, then Return").arg(m_pen.typed());
+        const QRectF box =
+            QRectF(painter.fontMetrics().boundingRect(words)).translated(at).adjusted(-5, -3, 5, 3);
+        painter.setPen(QPen(colour, 1));
+        painter.setBrush(palette().color(QPalette::Base));
+        painter.drawRoundedRect(box, 4, 4);
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.drawText(box, Qt::AlignCenter, words);
+    }
+}
+
+} // namespace spherewalk::ui

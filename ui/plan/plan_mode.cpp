@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plan/plan_mode.h"
+
+#include "ui/look/icon.h"
+#include "ui/plan/new_survey_form.h"
+#include "ui/plan/plan_panel.h"
+#include "ui/plan/plan_words.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+
+#include <QActionGroup>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace spherewalk::ui {
+
+PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
+    : Mode(parent), m_tasks(tasks), m_storage(m_editor), m_view(new PlanEditorView(m_editor, this)) {
+    auto* side = new QWidget(this);
+    auto* sideLayout = new QVBoxLayout(side);
+    sideLayout->setContentsMargins(6, 6, 6, 6);
+    m_form = new NewSurveyForm(side);
+    m_locked =
+        new QLabel(tr("Photos stand on this plan, so it cannot change any more. A new survey can begin "
+                      "with the same room."),
+                   side);
+    m_locked->setWordWrap(true);
+    m_stored = new QLabel(side);
+    m_stored->setObjectName("planStored");
+    sideLayout->addWidget(m_locked);
+    sideLayout->addWidget(new PlanPanel(m_editor, side), 1);
+    sideLayout->addWidget(m_form);
+    sideLayout->addWidget(m_stored);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(side);
+    scroll->setMinimumWidth(290);
+    m_hint = new QLabel(this);
+    m_hint->setWordWrap(true);
+    m_hint->setContentsMargins(8, 2, 8, 4);
+    auto* drawing = new QWidget(this);
+    auto* drawingLayout = new QVBoxLayout(drawing);
+    drawingLayout->setContentsMargins(0, 0, 0, 0);
+    drawingLayout->setSpacing(0);
+    drawingLayout->addWidget(makeToolBar());
+    drawingLayout->addWidget(m_view, 1);
+    drawingLayout->addWidget(makeScaleForm());
+    drawingLayout->addWidget(m_hint);
+    auto* splitter = new QSplitter(this);
+    splitter->addWidget(drawing);
+    splitter->addWidget(scroll);
+    splitter->setStretchFactor(0, 1);
+    splitter->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(splitter);
+    connect(m_form, &NewSurveyForm::createRequested, this, &PlanMode::create);
+    connect(m_view, &PlanEditorView::hint, m_hint, &QLabel::setText);
+    connect(m_view, &PlanEditorView::scaleDrawn, this, &PlanMode::askLength);
+    connect(&m_storage, &PlanStorage::stateChanged, this, &PlanMode::showState);
+    connect(&m_storage, &PlanStorage::problem, this, &Mode::message);
+    connect(&m_storage, &PlanStorage::created, this, &Mode::openRequested);
+    connect(&m_editor, &PlanEditor::outcomeChanged, this, &PlanMode::showState);
+    connect(m_editor.undoStack(), &QUndoStack::cleanChanged, m_view, qOverload<>(&QWidget::update));
+    m_form->propose();
+    m_storage.beginNew(false);
+    m_view->fitRoom();
+    showState();
+}
+
+QString PlanMode::title() const {
+    return tr("Plan");
+}
+
+QIcon PlanMode::icon() const {
+    return ui::icon("plan");
+}
+
+QString PlanMode::hint() const {
+    return tr("Draw the room and lay out where photos are to be taken.");
+}
+
+void PlanMode::addTool(QToolBar* bar, PlanEditorView::Tool tool, const QString& iconName, const QString& text,
+                       const QString& hint, const QKeySequence& key) {
+    QAction* action = bar->addAction(ui::icon(iconName), text);
+    action->setCheckable(true);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(tr("%1 (%2)").arg(hint, key.toString(QKeySequence::NativeText)));
+    action->setData(static_cast<int>(tool));
+    addAction(action);
+    m_tools->addAction(action);
+    connect(action, &QAction::triggered, this, [this, tool] {
+        m_view->setTool(tool);
+        m_view->setFocus();
+    });
+}
+
+QToolBar* PlanMode::makeToolBar() {
+    auto* bar = new QToolBar(tr("Drawing"), this);
+    bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    bar->setIconSize({20, 20});
+    m_tools = new QActionGroup(this);
+    using Tool = PlanEditorView::Tool;
+    addTool(bar, Tool::Select, "select", tr("Move"), tr("Move corners and obstacles"), Qt::Key_V);
+    addTool(bar, Tool::Outline, "outline", tr("Outline"), tr("Draw the outline of the room anew"), Qt::Key_O);
+    addTool(bar, Tool::Obstacle, "obstacle", tr("Obstacle"), tr("Draw something that stands on the floor"),
+            Qt::Key_B);
+    addTool(bar, Tool::Scale, "ruler", tr("Scale"), tr("Draw a known length on the picture"), Qt::Key_S);
+    connect(m_view, &PlanEditorView::toolChanged, this, [this](Tool tool) {
+        for (QAction* action : m_tools->actions()) {
+            action->setChecked(action->data().toInt() == static_cast<int>(tool));
+        }
+    });
+    m_tools->actions().constFirst()->setChecked(true);
+    const auto addAction = [&](const QString& iconName, const QString& text, const QString& hint, auto slot) {
+        QAction* action = bar->addAction(ui::icon(iconName), text, this, slot);
+        action->setToolTip(hint);
+        return action;
+    };
+    m_edits << m_tools->actions()[1] << m_tools->actions()[2];
+    m_edits << addAction("delete", tr("Remove"), tr("Remove the selected corner or obstacle (Delete)"),
+                         [this] { m_editor.removeSelected(); });
+    bar->addSeparator();
+    QAction* undo = m_editor.undoStack()->createUndoAction(this, tr("Undo"));
+    undo->setIcon(ui::icon("undo"));
+    undo->setIconText(tr("Undo"));
+    QAction* redo = m_editor.undoStack()->createRedoAction(this, tr("Redo"));
+    redo->setIcon(ui::icon("redo"));
+    redo->setIconText(tr("Redo"));
+    bar->addActions({undo, redo});
+    bar->addSeparator();
+    addAction("fit", tr("Fit"), tr("Bring the whole room into sight (0)"), [this] { m_view->fitRoom(); });
+    addAction("picture", tr("Picture"), tr("Lay a floor plan under the drawing, or take it away"),
+              [this] { m_view->picture().isEmpty() ? choosePicture() : removePicture(); });
+    addAction("sheet", tr("Sheet"),
+              tr("Write the marking-out sheet: the plan to scale with tape distances, as PDF"),
+              [this] { chooseSheet(); });
+    return bar;
+}
+
+QWidget* PlanMode::makeScaleForm() {
+    m_scaleForm = new QWidget(this);
+    auto* row = new QHBoxLayout(m_scaleForm);
+    row->addWidget(new QLabel(tr("The line is this long:"), m_scaleForm));
+    m_length = new QDoubleSpinBox(m_scaleForm);
+    m_length->setObjectName("scaleLength");
+    m_length->setAccessibleName(tr("Length of the line"));
+    m_length->setRange(0.01, 2000);
+    m_length->setSuffix(" " + tr("m"));
+    row->addWidget(m_length);
+    auto* apply = new QPushButton(tr("Set the scale"), m_scaleForm);
+    apply->setObjectName("setScale");
+    row->addWidget(apply);
+    row->addStretch();
+    connect(apply, &QPushButton::clicked, this, &PlanMode::applyLength);
+    m_scaleForm->hide();
+    return m_scaleForm;
+}
+
+void PlanMode::setSession(SurveySession* session) {
+    keepPicture();
+    m_storage.setSession(session);
+    m_surveyId = session != nullptr ? QString::fromStdString(session->store().info().uuid) : QString();
+    m_surveyName = session != nullptr ? session->name() : QString();
+    if (session != nullptr) {
+        m_view->picture() = FloorPicture::kept(m_surveyId);
+    } else {
+        m_view->picture().clear();
+        m_form->propose();
+    }
+    m_view->fitRoom();
+    showState();
+}
+
+void PlanMode::keepPicture() const {
+    if (!m_surveyId.isEmpty()) {
+        m_view->picture().keep(m_surveyId);
+    }
+}
+
+void PlanMode::showState() {
+    using State = PlanStorage::State;
+    const State state = m_storage.state();
+    m_form->setVisible(state == State::New);
+    m_form->setPossible(m_editor.outcome().problem.isEmpty());
+    m_locked->setVisible(state == State::Locked);
+    m_stored->setVisible(state == State::Stored || state == State::Edited);
+    m_stored->setText(state == State::Stored ? tr("Stored.") : tr("Storing..."));
+    for (QAction* action : std::as_const(m_edits)) {
+        action->setEnabled(state != State::Locked);
+    }
+}
+
+void PlanMode::create(const QString& folder) {
+    try {
+        const FloorPicture picture = m_view->picture();
+        m_storage.create(folder); // opens it
+        if (!picture.isEmpty()) {
+            m_view->picture() = picture;
+            keepPicture();
+        }
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+    }
+}
+
+void PlanMode::choosePicture() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Floor plan"), {},
+                                                      tr("Pictures (*.png *.jpg *.jpeg *.svg *.bmp)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    if (!m_view->picture().load(file)) {
+        return emit message(tr("%1 is no picture that can be read.").arg(file));
+    }
+    m_view->setTool(PlanEditorView::Tool::Scale);
+    m_view->fitRoom();
+}
+
+void PlanMode::removePicture() {
+    m_view->picture().clear();
+    m_view->fitRoom();
+}
+
+void PlanMode::askLength(const QLineF& inRoom) {
+    m_scaleLine = inRoom;
+    m_length->setValue(inRoom.length());
+    m_scaleForm->show();
+    m_length->setFocus();
+    m_length->selectAll();
+}
+
+void PlanMode::applyLength() {
+    if (!m_view->picture().isEmpty()) {
+        m_view->picture().setLength(m_scaleLine, m_length->value());
+    } else {
+        emit message(tr("There is no picture to scale; choose one first."));
+    }
+    m_scaleForm->hide();
+    m_view->setTool(PlanEditorView::Tool::Select);
+    m_view->fitRoom();
+}
+
+void PlanMode::chooseSheet() {
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Marking-out sheet"), tr("marking-out.pdf"), tr("PDF (*.pdf)"));
+    if (!file.isEmpty()) {
+        writeSheet(file);
+    }
+}
+
+void PlanMode::writeSheet(const QString& file) {
+    const QString name =
+        m_surveyName.isEmpty() ? QFileInfo(m_form->folder()).completeBaseName() : m_surveyName;
+    m_tasks.start(
+        tr("Marking-out sheet"), this,
+        [file, name = name.toStdString(), draft = m_editor.draft(),
+         words = sheetWords()](ProgressSink& /*progress*/, const std::stop_token& /*stop*/) {
+            const survey::Plan plan = survey::plan(draft.room, draft.options);
+            writeFile(file.toStdString(), sheet::markingSheet(name, draft.room, draft.options, plan, words));
+        },
+        [this, file] { emit message(tr("Wrote %1.").arg(file)); });
+}
+
+} // namespace spherewalk::ui

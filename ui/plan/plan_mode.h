@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plan/plan_editor.h"
+#include "ui/plan/plan_editor_view.h"
+#include "ui/plan/plan_storage.h"
+#include "ui/shell/mode.h"
+#include "ui/tasks/task_list.h"
+
+class QAction;
+class QActionGroup;
+class QDoubleSpinBox;
+class QLabel;
+class QToolBar;
+
+namespace spherewalk::ui {
+
+class NewSurveyForm;
+
+/// Draws the room and lays out its stations.
+class PlanMode : public Mode {
+    Q_OBJECT
+
+  public:
+    explicit PlanMode(TaskList& tasks, QWidget* parent = nullptr);
+
+    QString title() const override;
+    QIcon icon() const override;
+    QString hint() const override;
+    void setSession(SurveySession* session) override;
+
+    QUndoStack* undoStack() override { return m_editor.undoStack(); }
+
+    bool showsPlan() const override { return true; }
+
+    bool worksWithoutSurvey() const override { return true; }
+
+    PlanEditor& editor() { return m_editor; }
+
+    PlanStorage& storage() { return m_storage; }
+
+    PlanEditorView& view() { return *m_view; }
+
+    /// Writes the marking-out sheet in the background.
+    void writeSheet(const QString& file);
+
+  private:
+    QToolBar* makeToolBar();
+    void addTool(QToolBar* bar, PlanEditorView::Tool tool, const QString& iconName, const QString& text,
+                 const QString& hint, const QKeySequence& key);
+    QWidget* makeScaleForm();
+    void choosePicture();
+    void removePicture();
+    void askLength(const QLineF& inRoom);
+    void applyLength();
+    void chooseSheet();
+    void create(const QString& folder);
+    void showState();
+    void keepPicture() const;
+
+    TaskList& m_tasks;
+    PlanEditor m_editor;
+    PlanStorage m_storage;
+    PlanEditorView* m_view;
+    NewSurveyForm* m_form = nullptr;
+    QLabel* m_locked = nullptr;
+    QLabel* m_stored = nullptr;
+    QLabel* m_hint = nullptr;
+    QWidget* m_scaleForm = nullptr;
+    QDoubleSpinBox* m_length = nullptr;
+    QLineF m_scaleLine;
+    QActionGroup* m_tools = nullptr;
+    QList<QAction*> m_edits; ///< nothing to do with a locked plan
+    QString m_surveyId;
+    QString m_surveyName;
+};
+
+} // namespace spherewalk::ui
