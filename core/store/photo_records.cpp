@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "photo_checks.h"
 #include "store_parts.h"
 
 #include "spherewalk/base/error.h"
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t kWidestPhoto = 1 << 20;
+constexpr std::string_view kNoHash = "its SHA-256 is not given as 64 lower-case hexadecimal digits";
 constexpr const char* kSelectPhoto =
     "SELECT id, station, file_name, camera_file_name, camera_serial, file_url, camera_sha256, file_sha256, "
     "size_bytes, width, height, taken_utc, added_utc, x_m, y_m, z_m, is_chosen, note FROM photo ";
@@ -27,41 +29,23 @@ bool isHash(std::string_view hash) {
     return hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
+[[noreturn]] void refuse(const std::string& fileName, std::string_view why) {
+    throw Error(ErrorKind::InvalidInput,
+                text("The photo ", printable(fileName), " cannot be recorded: ", why, "."));
+}
+
 void checkPhoto(const NewPhoto& photo) {
-    const auto refuse = [&](std::string_view why) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The photo ", printable(photo.fileName), " cannot be recorded: ", why, "."));
-    };
-    if (!isFileName(photo.fileName)) {
-        refuse("its name is no file's name");
-    }
-    if (!isHash(photo.cameraSha256) || !isHash(photo.fileSha256)) {
-        refuse("its SHA-256 is not given as 64 lower-case hexadecimal digits");
+    checkPhotoName(photo.fileName, photo.fileSha256, photo.positionM);
+    if (!isHash(photo.cameraSha256)) {
+        refuse(photo.fileName, kNoHash);
     }
     if (photo.width < 1 || photo.height < 1 || photo.width > kWidestPhoto || photo.height > kWidestPhoto) {
-        refuse(text("it cannot have ", photo.width, " x ", photo.height, " pixels"));
-    }
-    if (!photo.positionM.allFinite()) {
-        refuse("its position is not a number");
+        refuse(photo.fileName, text("it cannot have ", photo.width, " x ", photo.height, " pixels"));
     }
     checkText("camera's file name", photo.cameraFileName);
     checkText("camera's serial number", photo.cameraSerial);
     checkText("photo's address on the camera", photo.fileUrl, 4000);
     checkText("photo's note", photo.note, 4000);
-}
-
-void checkFile(const fs::path& file, std::uint64_t sizeBytes) {
-    std::error_code failure;
-    const auto size = fs::file_size(file, failure);
-    if (failure) {
-        throw Error(ErrorKind::NotFound,
-                    text("The photo ", file.string(), " cannot be recorded: there is no such file."));
-    }
-    if (size != sizeBytes || size == 0) {
-        throw Error(ErrorKind::Corrupt,
-                    text("The photo ", file.string(), " cannot be recorded: it has ", humanBytes(size),
-                         ", and should have ", humanBytes(sizeBytes), "."));
-    }
 }
 
 /// Before the rules of the tables refuse it without saying why.
@@ -121,11 +105,44 @@ bool hasTheseBytes(const fs::path& file, const std::string& sha256) {
 
 } // namespace
 
+void checkPhotoName(const std::string& fileName, const std::string& sha256,
+                    const Eigen::Vector3d& positionM) {
+    if (!isFileName(fileName)) {
+        refuse(fileName, "its name is no file's name");
+    }
+    if (!isHash(sha256)) {
+        refuse(fileName, kNoHash);
+    }
+    if (!positionM.allFinite()) {
+        refuse(fileName, "its position is not a number");
+    }
+}
+
+void checkPhotoFile(const fs::path& file, std::uint64_t sizeBytes) {
+    std::error_code failure;
+    const auto size = fs::file_size(file, failure);
+    if (failure) {
+        throw Error(ErrorKind::NotFound,
+                    text("The photo ", file.string(), " cannot be recorded: there is no such file."));
+    }
+    if (size != sizeBytes || size == 0) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The photo ", file.string(), " cannot be recorded: it has ", humanBytes(size),
+                         ", and should have ", humanBytes(sizeBytes), "."));
+    }
+}
+
+void SurveyStore::Parts::requirePhoto(std::int64_t photo) const {
+    if (!db().query("SELECT 1 FROM photo WHERE id = ?", photo).step()) {
+        failNotFound("photo", photo);
+    }
+}
+
 std::int64_t SurveyStore::Parts::insertPhoto(const NewPhoto& photo) const {
     checkPhoto(photo);
     requireStation(photo.station);
     checkIsNew(db(), photo);
-    checkFile(folder / "photos" / photo.fileName, photo.sizeBytes);
+    checkPhotoFile(folder / "photos" / photo.fileName, photo.sizeBytes);
     const bool isFirst = !db().query("SELECT 1 FROM photo WHERE station = ?", photo.station).step();
     const bool isChosen = photo.choose || isFirst;
     if (isChosen) {
@@ -166,6 +183,11 @@ std::vector<PhotoRecord> SurveyStore::photosAt(std::int64_t station) const {
 std::vector<PhotoRecord> SurveyStore::chosenPhotos() const {
     return allPhotos(m_parts->db(),
                      m_parts->db().query(text(kSelectPhoto, "WHERE is_chosen = 1 ORDER BY station")));
+}
+
+std::vector<PhotoRecord> SurveyStore::keptPhotos() const {
+    return allPhotos(m_parts->db(),
+                     m_parts->db().query(text(kSelectPhoto, "WHERE ", kIsKept, " ORDER BY station")));
 }
 
 std::optional<PhotoRecord> SurveyStore::chosenPhoto(std::int64_t station) const {

@@ -131,7 +131,17 @@ CREATE TABLE solution_photo (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array kMigrations{Migration{1, kVersion1}};
+/// What people decided; a photo without a row is open.
+constexpr const char* kVersion2 = R"sql(
+CREATE TABLE review (
+    photo INTEGER PRIMARY KEY REFERENCES photo (id),
+    decision TEXT NOT NULL CHECK (decision IN ('open', 'accepted', 'rejected')),
+    note TEXT NOT NULL,
+    changed_utc TEXT NOT NULL
+) STRICT;
+)sql";
+
+constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}};
 
 void apply(const Database& database, const Migration& migration) {
     Transaction transaction(database);

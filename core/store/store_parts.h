@@ -23,12 +23,20 @@ struct SurveyStore::Parts {
     const Database& writable() const;
     /// Errors: NotFound.
     void requireStation(std::int64_t station) const;
+    /// Errors: NotFound.
+    void requirePhoto(std::int64_t photo) const;
     [[noreturn]] void failNotFound(std::string_view what, std::int64_t id) const;
     /// The moment that a column spells.
     Moment moment(const Statement& row, int column) const;
     /// Inside the caller's transaction.
     std::int64_t insertPhoto(const NewPhoto& photo) const;
+    /// Inside the caller's transaction.
+    void movePhoto(const MovedPhoto& moved) const;
 };
+
+/// The SQL condition on a row of `photo` that it is chosen and was not rejected.
+inline constexpr const char* kIsKept =
+    "is_chosen = 1 AND id NOT IN (SELECT photo FROM review WHERE decision = 'rejected')";
 
 /// Now, as the database keeps it.
 std::string nowUtc();

@@ -263,13 +263,19 @@ SurveyInfo SurveyStore::info() const {
     return {row.text(0), row.text(1), m_parts->moment(row, 2)};
 }
 
+std::int64_t SurveyStore::dataVersion() const {
+    return m_parts->db().integer("PRAGMA data_version");
+}
+
 Counts SurveyStore::counts() const {
     const auto count = [&](const char* sql) {
         return static_cast<int>(std::min<std::int64_t>(m_parts->db().integer(sql), INT32_MAX));
     };
     return {.stations = count("SELECT count(*) FROM station"),
-            .stationsWithPhoto = count("SELECT count(DISTINCT station) FROM photo"),
+            .stationsWithPhoto = count(text("SELECT count(*) FROM photo WHERE ", kIsKept).c_str()),
             .photos = count("SELECT count(*) FROM photo"),
+            .rejectedPhotos =
+                count(text("SELECT count(*) FROM photo WHERE is_chosen = 1 AND NOT (", kIsKept, ")").c_str()),
             .openShots = count("SELECT count(*) FROM shot WHERE step IN ('intended', 'started', 'taken')"),
             .unclearShots = count("SELECT count(*) FROM shot WHERE step = 'unclear'"),
             .solutions = count("SELECT count(*) FROM solution")};

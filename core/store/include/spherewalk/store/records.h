@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::store {
@@ -51,6 +52,34 @@ struct NewPhoto {
 struct PhotoRecord : NewPhoto { // choose says whether it is the station's chosen photo
     std::int64_t id = 0;
     Moment addedAt;
+};
+
+/// What a person decided on a photo, in place of what the checks say.
+enum class Decision { Open, Accepted, Rejected };
+
+/// As options and reports spell it: "open", "accepted", "rejected".
+std::string_view name(Decision decision);
+
+/// Errors: InvalidInput, listing the names.
+Decision decisionNamed(std::string_view name);
+
+struct Review {
+    std::int64_t photo = 0;
+    Decision decision = Decision::Open;
+    std::string note; ///< one line
+
+    bool operator==(const Review&) const = default;
+};
+
+/// A photo that is to belong to another station, with the file that says so.
+struct MovedPhoto {
+    std::int64_t photo = 0;
+    std::int64_t station = 0;
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< of the lens, room frame
+    std::string fileName;                                ///< complete in the photo folder
+    std::string fileSha256;
+    std::uint64_t sizeBytes = 0;
+    bool choose = true; ///< in place of the photo that the station has chosen
 };
 
 /// How far one shot has come; the same steps as the capture workflow's.
@@ -101,9 +130,10 @@ struct SolutionRecord {
 
 struct Counts {
     int stations = 0;
-    int stationsWithPhoto = 0;
+    int stationsWithPhoto = 0; ///< that is chosen and not rejected
     int photos = 0;
-    int openShots = 0; ///< Intended, Started or Taken
+    int rejectedPhotos = 0; ///< of the chosen ones
+    int openShots = 0;      ///< Intended, Started or Taken
     int unclearShots = 0;
     int solutions = 0;
 };

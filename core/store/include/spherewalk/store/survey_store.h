@@ -58,6 +58,10 @@ class SurveyStore {
     /// For what is not complete yet; in the photos' file system.
     std::filesystem::path downloadFolder() const;
 
+    /// Another number once another connection has changed the survey: for views that keep up with a program
+    /// that writes. Cost: some microseconds.
+    std::int64_t dataVersion() const;
+
     SurveyInfo info() const;
     Counts counts() const;
 
@@ -72,6 +76,7 @@ class SurveyStore {
     std::vector<StationRecord> stations() const;
     /// Errors: NotFound.
     StationRecord station(std::int64_t id) const;
+    /// That have no photo, or whose chosen photo was rejected: where photos are still to be taken.
     std::vector<StationRecord> stationsWithoutPhoto() const;
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
@@ -81,6 +86,8 @@ class SurveyStore {
     std::vector<PhotoRecord> photosAt(std::int64_t station) const;
     /// One photo per station that has any.
     std::vector<PhotoRecord> chosenPhotos() const;
+    /// The chosen photos but for those that were rejected: what becomes part of a dataset.
+    std::vector<PhotoRecord> keptPhotos() const;
     std::optional<PhotoRecord> chosenPhoto(std::int64_t station) const;
     /// The photo whose bytes came from the camera with this SHA-256.
     std::optional<PhotoRecord> findPhoto(const std::string& cameraSha256) const;
@@ -90,6 +97,9 @@ class SurveyStore {
     /// or a file that is not in the photo folder; InvalidInput for values that cannot be.
     std::int64_t addPhoto(const NewPhoto& photo);
     void choosePhoto(std::int64_t photoId);
+    /// All or none. A station that loses its chosen photo chooses its newest. Errors: NotFound; those of
+    /// addPhoto() for names and files.
+    void movePhotos(const std::vector<MovedPhoto>& photos);
     /// A name in the photo folder that no photo has: the camera's own if free, else with the first digits of
     /// the hash. A file by that name that has exactly these bytes may be there (left when the program was
     /// killed before its row was recorded), and is to be overwritten.
@@ -113,6 +123,13 @@ class SurveyStore {
     std::vector<ShotRecord> unclearShots() const;
     /// Errors: NotFound.
     ShotRecord shot(std::int64_t id) const;
+
+    /// In place of what was decided before. Errors: NotFound; InvalidInput for a note that is not one line.
+    void setReview(const Review& review);
+    /// Of photos on which there is a decision or a note, by photo.
+    std::vector<Review> reviews() const;
+    /// Errors: NotFound.
+    Review review(std::int64_t photo) const;
 
     /// isActive: in place of the one that is; the first solution is active in any case. Errors: NotFound for
     /// an unknown photo; InvalidInput for numbers that are not finite, a rotation that is none, or a photo

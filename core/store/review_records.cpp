@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "store_parts.h"
+
+#include "spherewalk/base/enum_names.h"
+#include "spherewalk/base/error.h"
+
+namespace spherewalk::store {
+
+namespace {
+
+constexpr EnumNames<Decision, 3> kNames{
+    {{Decision::Open, "open"}, {Decision::Accepted, "accepted"}, {Decision::Rejected, "rejected"}}};
+
+Review reviewOf(const Database& database, const Statement& row) {
+    try {
+        return {row.integer(0), decisionNamed(row.text(1)), row.text(2)};
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::InvalidInput) {
+            database.failCorrupt("a decision in it is none");
+        }
+        throw;
+    }
+}
+
+} // namespace
+
+std::string_view name(Decision decision) {
+    return nameOf(kNames, decision);
+}
+
+Decision decisionNamed(std::string_view name) {
+    return valueOf(kNames, "The decision", name);
+}
+
+void SurveyStore::setReview(const Review& review) {
+    checkText("note on the photo", review.note, 4000);
+    const Database& database = m_parts->writable();
+    Transaction transaction(database);
+    m_parts->requirePhoto(review.photo);
+    if (review.decision == Decision::Open && review.note.empty()) {
+        database.run("DELETE FROM review WHERE photo = ?", review.photo);
+    } else {
+        database.run("INSERT OR REPLACE INTO review VALUES (?, ?, ?, ?)", review.photo,
+                     std::string(name(review.decision)), review.note, nowUtc());
+    }
+    transaction.commit();
+}
+
+std::vector<Review> SurveyStore::reviews() const {
+    const Database& database = m_parts->db();
+    Statement rows = database.query("SELECT photo, decision, note FROM review ORDER BY photo");
+    std::vector<Review> result;
+    while (rows.step()) {
+        result.push_back(reviewOf(database, rows));
+    }
+    return result;
+}
+
+Review SurveyStore::review(std::int64_t photo) const {
+    const Database& database = m_parts->db();
+    m_parts->requirePhoto(photo);
+    Statement row = database.query("SELECT photo, decision, note FROM review WHERE photo = ?", photo);
+    return row.step() ? reviewOf(database, row) : Review{photo, Decision::Open, {}};
+}
+
+} // namespace spherewalk::store
