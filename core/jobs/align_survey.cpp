@@ -193,6 +193,7 @@ class AlignRun {
             align::PhotoPrior& prior = m_priors.at(static_cast<std::size_t>(wrong.photo));
             AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(wrong.photo));
             photo.flags.push_back(wrong.reason);
+            photo.cure = wrong.fits < 0 ? Cure::Retake : Cure::Retag;
             if (wrong.fits < 0) {
                 prior.positionSigmaM = kUnknownPositionSigmaM;
                 continue;
@@ -214,11 +215,11 @@ class AlignRun {
         }
         for (const align::ChangedContent& changed :
              align::changedContent(solved, m_pairs, align::fittingMatches(solved, m_pairs))) {
-            std::vector<std::string>& flags =
-                m_report.photos.at(static_cast<std::size_t>(changed.photo)).flags;
-            if (std::find(flags.begin(), flags.end(), changed.reason) == flags.end()) {
-                flags.push_back(changed.reason);
+            AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(changed.photo));
+            if (std::find(photo.flags.begin(), photo.flags.end(), changed.reason) == photo.flags.end()) {
+                photo.flags.push_back(changed.reason);
             }
+            propose(Cure::Retake, photo);
         }
         for (std::size_t i = 0; i < poses.size(); ++i) {
             giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
@@ -226,6 +227,7 @@ class AlignRun {
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
             damaged.status = "failed";
+            damaged.cure = Cure::Retake;
             damaged.flags = {text("The file ", damaged.file, " cannot be read; retake the photo.")};
         }
     }

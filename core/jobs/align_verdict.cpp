@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "align_verdict.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 /// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
 constexpr double kMostOutliers = 0.5;
 
+constexpr EnumNames<Cure, 4> kCures{
+    {{Cure::None, "none"}, {Cure::Retag, "retag"}, {Cure::Retake, "retake"}, {Cure::Mask, "mask"}}};
+
 std::string degreesText(Radians angle) {
     return text(fixed(Degrees(angle).value(), 3), " deg");
 }
@@ -26,9 +30,9 @@ Json sigmaJson(const align::SolvedPose& pose) {
 }
 
 Json toJson(const AlignedPhoto& photo) {
-    Json json = {{"file", photo.file},      {"station", photo.station}, {"status", photo.status},
-                 {"roomFromPhoto", Json()}, {"position_m", Json()},     {"sigma_deg", Json()},
-                 {"flags", photo.flags}};
+    Json json = {{"photo", photo.photo},   {"file", photo.file},      {"station", photo.station},
+                 {"status", photo.status}, {"roomFromPhoto", Json()}, {"position_m", Json()},
+                 {"sigma_deg", Json()},    {"flags", photo.flags},    {"cure", name(photo.cure)}};
     if (photo.pose.isSolved) {
         const Eigen::Quaterniond& q = photo.pose.roomFromPhoto.rotation;
         const Eigen::Vector3d& p = photo.pose.roomFromPhoto.translation;
@@ -78,6 +82,20 @@ std::string secondsText(double seconds) {
 
 } // namespace
 
+std::string_view name(Cure cure) {
+    return nameOf(kCures, cure);
+}
+
+Cure cureNamed(std::string_view name) {
+    return valueOf(kCures, "The cure", name);
+}
+
+void propose(Cure cure, AlignedPhoto& photo) {
+    if (photo.cure == Cure::None || cure < photo.cure) { // in the order of the list
+        photo.cure = cure;
+    }
+}
+
 Radians commonLeanSigma(const align::Alignment& alignment) {
     // What is common to all cannot be more than the best known photo has.
     Radians least(std::numeric_limits<double>::infinity());
@@ -92,6 +110,7 @@ void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignmen
     if (!pose.isSolved) {
         photo.status = "failed";
         photo.flags.push_back(pose.why);
+        propose(Cure::Retake, photo);
         return;
     }
     const double lean = commonLeanSigma(alignment).value();
@@ -99,11 +118,13 @@ void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignmen
     const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
     const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
     if (sigma > kDoubtfulSigma) {
+        propose(Cure::Retake, photo);
         photo.flags.push_back(text("Its rotation is known to ", degreesText(sigma),
                                    " only: it shares too little with its neighbours; retake it with more "
                                    "light, or with more to see."));
     }
     if (pose.outlierShare > kMostOutliers) {
+        propose(Cure::Mask, photo);
         photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
                                    " % of what it shows; look at the picture, and retake it if it is not of "
                                    "this place."));

@@ -11,6 +11,9 @@ inline constexpr Radians kDoubtfulSigma = Degrees(0.15);
 /// The part of the photos' tilts' uncertainty that they have in common: how far the whole may lean.
 Radians commonLeanSigma(const align::Alignment& alignment);
 
+/// Notes what helps the photo, unless something that should be tried first is noted already.
+void propose(Cure cure, AlignedPhoto& photo);
+
 /// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
 void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_dataset.h"
 
+#include "export_one.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
@@ -123,16 +125,13 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, dat
     }
 }
 
-} // namespace
-
-ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
-                           const ExportOptions& options, ProgressSink& progress,
-                           const std::stop_token& stop) {
+/// What is written for these photos, and the report as far as it is known before.
+dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<store::PhotoRecord>& photos,
+                             ExportReport& report) {
     const Poses poses(store);
     dataset::Contents contents{infoOf(store), {}};
     const std::string surveyId = store.info().uuid;
-    ExportReport report;
-    for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+    for (const store::PhotoRecord& photo : photos) {
         dataset::SourcePhoto source{store.photoFolder() / photo.fileName, photo.fileSha256, {}};
         source.entry.station = store.station(photo.station).name;
         const bool isSolved = poses.fill(photo, source.entry);
@@ -146,13 +145,25 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
         contents.photos.push_back(std::move(source));
     }
     contents.info.sphereRadiusM = radiusFor(store.room(), contents.photos);
+    report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
+    report.rejected = store.counts().rejectedPhotos;
+    report.withoutPhoto = static_cast<int>(store.stationsWithoutPhoto().size()) - report.rejected;
+    return contents;
+}
+
+} // namespace
+
+ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
+                           const ExportOptions& options, ProgressSink& progress,
+                           const std::stop_token& stop) {
+    ExportReport report;
+    dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {
         ProgressStep finding(progress, 0, 0.9);
         addScene(store, options, contents, report, finding, stop);
+        report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     }
-    report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
-    report.withoutPhoto = static_cast<int>(store.stationsWithoutPhoto().size());
     if (report.withoutRotation > 0) {
         progress.warning(
             text("The heading of ", report.withoutRotation, " of ", contents.photos.size(),
@@ -162,9 +173,17 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
     return report;
 }
 
+dataset::WriteReport exportOne(const store::SurveyStore& store, const store::PhotoRecord& photo,
+                               const std::filesystem::path& folder, const dataset::WriteOptions& options,
+                               const std::stop_token& stop) {
+    ExportReport report;
+    return dataset::writeDataset(contentsOf(store, {photo}, report), folder, options, noProgress(), stop);
+}
+
 Json toJson(const ExportReport& report) {
     return {{"photos", report.written.photos},
             {"stations_without_photo", report.withoutPhoto},
+            {"rejected_photos", report.rejected},
             {"photos_without_rotation", report.withoutRotation},
             {"sphere_radius_m", report.sphereRadiusM},
             {"photos_with_depth", report.depth.photos},

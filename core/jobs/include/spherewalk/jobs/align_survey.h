@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::jobs {
@@ -31,6 +32,20 @@ struct AlignOptions {
     int threads = 0;         ///< 0: all that the machine has
 };
 
+/// What helps a photo that is doubtful or failed.
+enum class Cure {
+    None,
+    Retag,  ///< it belongs to another station, AlignedPhoto::fits
+    Retake, ///< another photo at its station
+    Mask,   ///< leave out what misleads: mirrors, screens, what moves
+};
+
+/// As reports spell it: "none", "retag", "retake", "mask".
+std::string_view name(Cure cure);
+
+/// Errors: InvalidInput, listing the names.
+Cure cureNamed(std::string_view name);
+
 /// What people read of a photo.
 struct AlignedPhoto {
     std::int64_t photo = 0;
@@ -40,6 +55,7 @@ struct AlignedPhoto {
     align::SolvedPose pose;
     std::vector<std::string> flags; ///< sentences
     std::string fits;               ///< the station that its position tag should name; "" for its own
+    Cure cure = Cure::None;
 };
 
 struct AlignReport {

@@ -8,8 +8,11 @@
 #include "spherewalk/render/scene_model.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 namespace spherewalk::jobs {
 
@@ -24,18 +27,38 @@ struct ExportOptions {
 struct ExportReport {
     dataset::WriteReport written;
     int withoutPhoto = 0;     ///< stations that the dataset lacks
+    int rejected = 0;         ///< photos that a person rejected, and that are left out
     int withoutRotation = 0;  ///< photos whose heading is not known
     double sphereRadiusM = 0; ///< 0 if no photo stands inside of the outline
     std::optional<render::RoomShape> roomShape;
     DepthReport depth;
 };
 
-/// Exports the chosen photo of every station with the active solution's poses. A photo that the solution
-/// lacks gets the tilt that it states itself and the heading 0, and says so. Errors: those of
-/// dataset::writeDataset().
+/// Exports the chosen photo of every station, unless it was rejected, with the active solution's poses. A
+/// photo that the solution lacks gets the tilt that it states itself and the heading 0, and says so. Errors:
+/// those of dataset::writeDataset().
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
+/// What an export would make, and what is to be known before.
+struct ExportCheck {
+    std::size_t photos = 0;
+    std::uint64_t totalBytes = 0; ///< about; those of the photos and what one of them was found to grow by
+    std::uint64_t freeBytes = 0;  ///< where it is to be written
+    double seconds = 0;           ///< about; what one photo took, on all threads
+    std::vector<std::string> obstacles; ///< sentences: why it cannot be done
+    std::vector<std::string> doubts;    ///< sentences: what the dataset would lack
+
+    bool isPossible() const { return obstacles.empty(); }
+};
+
+/// Looks before an export. Exports one photo to a temporary folder, to know what the photos of this survey
+/// cost on this machine. Errors: those of reading that photo; Stopped.
+ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
+                        const dataset::WriteOptions& options, ProgressSink& progress,
+                        const std::stop_token& stop);
+
 Json toJson(const ExportReport& report);
+Json toJson(const ExportCheck& check);
 
 } // namespace spherewalk::jobs

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+
+#include "spherewalk/jobs/export_dataset.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk::jobs {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+namespace {
+
+class ExportCheckTest : public testing::Test {
+  protected:
+    ExportCheck check(const std::filesystem::path& folder) const {
+        return checkExport(survey.open(), folder, {}, noProgress(), {});
+    }
+
+    test::PhotographedSurvey survey{3};
+};
+
+} // namespace
+
+TEST_F(ExportCheckTest, TellsTheSizeThatTheDatasetThenHas) {
+    const ExportCheck found = check(survey / "d");
+    const ExportReport made = exportDataset(survey.open(), survey / "d", {}, noProgress(), {});
+    EXPECT_EQ(found.photos, 3U);
+    EXPECT_NEAR(static_cast<double>(found.totalBytes) / static_cast<double>(made.written.totalBytes), 1, 0.1);
+    EXPECT_GT(found.seconds, 0);
+    EXPECT_GT(found.freeBytes, 0U);
+    EXPECT_TRUE(found.isPossible());
+}
+
+TEST_F(ExportCheckTest, SaysWhatTheDatasetWouldLack) {
+    auto store = survey.open(store::Access::Write);
+    store.setReview({store.photos().at(0).id, store::Decision::Rejected, ""});
+    const ExportCheck found = check(survey / "d");
+    EXPECT_EQ(found.photos, 2U);
+    EXPECT_THAT(found.doubts, Contains(HasSubstr("have no photo")));
+    EXPECT_THAT(found.doubts, Contains(HasSubstr("1 photo was rejected")));
+}
+
+TEST_F(ExportCheckTest, SaysWhyItCannotBeDone) {
+    EXPECT_THAT(check(survey.path()).obstacles, Contains(HasSubstr("already")));
+    auto store = survey.open(store::Access::Write);
+    for (const store::PhotoRecord& photo : store.photos()) {
+        store.setReview({photo.id, store::Decision::Rejected, ""});
+    }
+    EXPECT_THAT(check(survey / "d").obstacles, Contains(HasSubstr("No photo is left")));
+}
+
+TEST_F(ExportCheckTest, LeavesRejectedPhotosOutOfTheDataset) {
+    auto store = survey.open(store::Access::Write);
+    store.setReview({store.photos().at(0).id, store::Decision::Rejected, ""});
+    const ExportReport made = exportDataset(store, survey / "d", {}, noProgress(), {});
+    EXPECT_EQ(made.written.photos, 2U);
+    EXPECT_EQ(made.rejected, 1);
+}
+
+} // namespace spherewalk::jobs

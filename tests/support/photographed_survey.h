@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "temporary_folder.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace spherewalk::test {
+
+/// A survey in a folder of its own whose first stations have photos with known rotations: an endlessly far
+/// world that differs in every direction, a little brighter in each photo.
+class PhotographedSurvey {
+  public:
+    explicit PhotographedSurvey(int photos = 4, int width = 512) : m_path(m_folder / "room.spherewalk") {
+        survey::Room room;
+        room.outline = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+        room.ceilingM = 2.5;
+        survey::PlanOptions options;
+        options.stepM = 1;
+        auto store = store::SurveyStore::create(m_path, "room", room, options, survey::plan(room, options));
+        const std::vector<store::StationRecord> stations = store.stations();
+        std::filesystem::create_directories(m_folder / "in");
+        std::string csv = "file,x_m,y_m,z_m,yaw_deg\n";
+        for (int i = 0; i < photos; ++i) {
+            const std::string name = text("R", 1001 + i, ".JPG");
+            const Eigen::Vector3d& at = stations.at(static_cast<std::size_t>(i)).station.positionM;
+            writeFile(m_folder / "in" / name, jpeg::encode(world(width, 4 * i), 90));
+            csv += text(name, ",", fixed(at.x(), 4), ",", fixed(at.y(), 4), ",", fixed(at.z(), 4), ",0\n");
+        }
+        writeFile(m_folder / "p.csv", bytesOf(csv));
+        jobs::importPhotos(store, {m_folder / "in", m_folder / "p.csv"}, noProgress(), {});
+    }
+
+    const std::filesystem::path& path() const { return m_path; }
+
+    std::filesystem::path operator/(const std::filesystem::path& name) const { return m_folder / name; }
+
+    store::SurveyStore open(store::Access access = store::Access::Read) const {
+        return store::SurveyStore::open(m_path, access);
+    }
+
+  private:
+    static RgbImage world(int width, int brighter) {
+        RgbImage picture(width, width / 2);
+        const EquirectSize size{width, width / 2};
+        for (int v = 0; v < size.height; ++v) {
+            for (int u = 0; u < size.width; ++u) {
+                const Eigen::Vector3d d = direction(size, Eigen::Vector2d(u, v));
+                const Eigen::Vector3d colour(120 + 80 * d.x(), 120 + 60 * d.y() + 20 * std::sin(9 * d.z()),
+                                             120 + 60 * d.z() + 20 * std::cos(8 * d.x() + d.y()));
+                for (int c = 0; c < 3; ++c) {
+                    picture.at(u, v)[c] =
+                        static_cast<std::uint8_t>(std::clamp(colour[c] + brighter, 0.0, 255.0));
+                }
+            }
+        }
+        return picture;
+    }
+
+    TemporaryFolder m_folder;
+    std::filesystem::path m_path;
+};
+
+} // namespace spherewalk::test
