@@ -56,6 +56,8 @@ void addPlan(Commands& commands);
 void addCapture(Commands& commands);
 void addImport(Commands& commands);
 void addAlign(Commands& commands);
+void addRetag(Commands& commands);
+void addReview(Commands& commands);
 void addStatus(Commands& commands);
 void addCheck(Commands& commands);
 void addExport(Commands& commands);

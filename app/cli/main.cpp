@@ -21,6 +21,8 @@ void declareCommands(Commands& commands) {
     addCapture(commands);
     addImport(commands);
     addAlign(commands);
+    addRetag(commands);
+    addReview(commands);
     addStatus(commands);
     addCheck(commands);
     addExport(commands);

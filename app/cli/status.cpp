@@ -18,6 +18,9 @@ Result status(const std::string& survey) {
     std::string words = text(store.info().name, ": ", counts.stationsWithPhoto, " of ", counts.stations,
                              " stations have a photo (", counts.photos, " photos).");
     words += missing.empty() ? "" : text("\nNext: ", missing.front().name, ".");
+    words += counts.rejectedPhotos == 0
+                 ? ""
+                 : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
     words += counts.openShots == 0
                  ? ""
                  : text("\n", counts.openShots, " shots were interrupted; capture settles them first.");
@@ -36,6 +39,7 @@ Result status(const std::string& survey) {
              {"stations", counts.stations},
              {"stations_with_photo", counts.stationsWithPhoto},
              {"photos", counts.photos},
+             {"rejected_photos", counts.rejectedPhotos},
              {"next", missing.empty() ? Json() : Json(missing.front().name)},
              {"open_shots", counts.openShots},
              {"unclear_shots", unclear},

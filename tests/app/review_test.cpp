@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_run.h"
+#include "photographed_survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk {
+
+using test::CliResult;
+using test::runCli;
+using testing::HasSubstr;
+
+TEST(ReviewCommand, RejectsPhotosAndSaysWhatIsStillToTake) {
+    const test::PhotographedSurvey survey(2);
+    const std::string path = survey.path().string();
+    const int before = runCli({"review", path, "--json"}).json()["to_take"];
+    const CliResult rejected =
+        runCli({"review", path, "--reject", "R1001.JPG", "--note", "someone in it", "--json"});
+    ASSERT_EQ(rejected.status, 0) << rejected.errors;
+    EXPECT_EQ(rejected.json()["photos"][0]["decision"], "rejected");
+    EXPECT_EQ(rejected.json()["photos"][0]["note"], "someone in it");
+    EXPECT_EQ(rejected.json()["to_take"], before + 1);
+    EXPECT_EQ(runCli({"status", path, "--json"}).json()["rejected_photos"], 1);
+    EXPECT_THAT(runCli({"review", path, "--reopen", "R1001.JPG"}).output, HasSubstr("0 rejected, 2 open"));
+    EXPECT_EQ(runCli({"review", path, "--accept", "nothing.JPG"}).status, 1);
+}
+
+TEST(RetagCommand, MovesAPhotoToTheStationThatIsNamed) {
+    const test::PhotographedSurvey survey(2);
+    const std::string path = survey.path().string();
+    const CliResult moved =
+        runCli({"retag", path, "--photo", "R1001.JPG", "--station", "rail 1, stop 3", "--json"});
+    ASSERT_EQ(moved.status, 0) << moved.errors;
+    EXPECT_EQ(moved.json()["moved"][0]["station"], "rail 1, stop 3");
+    EXPECT_EQ(survey.open().chosenPhoto(survey.open().stations().at(2).id)->cameraFileName, "R1001.JPG");
+    EXPECT_EQ(runCli({"retag", path, "--photo", "R1002.JPG"}).status, 1);
+}
+
+TEST(ExportCommand, OnlyLooksWhenAsked) {
+    const test::PhotographedSurvey survey(2);
+    const CliResult checked =
+        runCli({"export", survey.path().string(), (survey / "d").string(), "--check", "--json"});
+    EXPECT_EQ(checked.status, 0) << checked.errors;
+    EXPECT_EQ(checked.json()["photos"], 2);
+    EXPECT_FALSE(std::filesystem::exists(survey / "d"));
+}
+
+} // namespace spherewalk
