@@ -8,7 +8,9 @@
 #include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/operators.h"
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace spherewalk::cli {
 
@@ -19,6 +21,7 @@ struct Options {
     CameraOptions camera;
     bool practice = false;
     int most = 0;
+    std::vector<std::string> again;
 };
 
 /// A person at the terminal, who brings the camera to the station and presses Enter.
@@ -59,15 +62,34 @@ std::unique_ptr<jobs::Operator> operatorFor(const Options& options, Context& con
     return std::make_unique<PersonAtTerminal>(context.progress);
 }
 
+/// Errors: NotFound for a name that no station has.
+std::vector<std::int64_t> stationsNamed(const store::SurveyStore& store,
+                                        const std::vector<std::string>& names) {
+    const std::vector<store::StationRecord> stations = store.stations();
+    std::vector<std::int64_t> ids;
+    for (const std::string& name : names) {
+        const auto found =
+            std::find_if(stations.begin(), stations.end(),
+                         [&](const store::StationRecord& station) { return station.name == name; });
+        if (found == stations.end()) {
+            throw Error(ErrorKind::NotFound, text("The survey has no station \"", printable(name),
+                                                  "\"; plan --json lists their names."));
+        }
+        ids.push_back(found->id);
+    }
+    return ids;
+}
+
 Result capture(const Options& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     const auto client = options.camera.client();
     const auto people = operatorFor(options, context);
-    jobs::CaptureSurveyOptions captureOptions{options.camera.captureOptions(), 0};
+    jobs::CaptureSurveyOptions captureOptions{options.camera.captureOptions()};
     if (options.practice) {
         captureOptions = jobs::practiceCaptureOptions(options.camera.timeScale());
     }
     captureOptions.most = options.most;
+    captureOptions.again = stationsNamed(store, options.again);
     const jobs::CaptureSurveyReport report = jobs::captureSurvey(
         store, *client, *people, systemClock(), captureOptions, context.progress, context.stop);
     return {jobs::toJson(report),
@@ -90,6 +112,9 @@ void addCapture(Commands& commands) {
     command.add_option("--most", options->most, "Photos to take at most; 0: all that are missing")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    command.add_option(
+        "--again", options->again,
+        "Station to take besides, although it has a photo: \"rail 3, stop 5\"; can be repeated");
 }
 
 } // namespace spherewalk::cli

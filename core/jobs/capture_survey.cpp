@@ -8,6 +8,7 @@
 #include "spherewalk/photo/integrity.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace spherewalk::jobs {
@@ -30,15 +31,18 @@ class Run {
           m_stop(stop),
           m_journal(store),
           m_capture(client, m_journal, clock, options.camera),
-          m_most(options.most) {}
+          m_most(options.most),
+          m_again(options.again) {}
 
     CaptureSurveyReport run() {
         const Clock::TimePoint begin = m_clock.now();
-        m_capture.connect(m_stop);
+        const camera::CameraInfo camera = m_capture.connect(m_stop);
         settle();
-        if (!m_store.stationsWithoutPhoto().empty()) {
-            warn(m_capture.prepare(m_stop).warnings);
-            takeMissing();
+        if (const auto stations = stationsToTake(); !stations.empty()) {
+            const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
+            warn(readiness.warnings);
+            m_people.cameraReady(camera, readiness);
+            take(stations);
             settle(); // what was taken but could not be downloaded at once
             m_capture.disconnect(m_stop);
         }
@@ -64,16 +68,30 @@ class Run {
         }
     }
 
-    void takeMissing() {
-        std::vector<store::StationRecord> missing = m_store.stationsWithoutPhoto();
-        if (m_most > 0 && missing.size() > static_cast<std::size_t>(m_most)) {
-            missing.resize(static_cast<std::size_t>(m_most));
+    /// In walking order.
+    std::vector<store::StationRecord> stationsToTake() const {
+        std::set<std::int64_t> wanted;
+        for (const std::int64_t id : m_again) {
+            wanted.insert(m_store.station(id).id);
         }
+        for (const store::StationRecord& missing : m_store.stationsWithoutPhoto()) {
+            wanted.insert(missing.id);
+        }
+        std::vector<store::StationRecord> result = m_store.stations();
+        std::erase_if(result,
+                      [&](const store::StationRecord& station) { return !wanted.contains(station.id); });
+        if (m_most > 0 && result.size() > static_cast<std::size_t>(m_most)) {
+            result.resize(static_cast<std::size_t>(m_most));
+        }
+        return result;
+    }
+
+    void take(const std::vector<store::StationRecord>& stations) {
         std::size_t done = 0;
-        for (const store::StationRecord& station : missing) {
+        for (const store::StationRecord& station : stations) {
             throwIfStopped(m_stop);
-            m_progress.progress(static_cast<double>(done) / static_cast<double>(missing.size()),
-                                text("Photo ", done + 1, " of ", missing.size(), ", ", station.name));
+            m_progress.progress(static_cast<double>(done) / static_cast<double>(stations.size()),
+                                text("Photo ", done + 1, " of ", stations.size(), ", ", station.name));
             ++done;
             const Clock::TimePoint before = m_clock.now();
             m_people.moveTo(station, m_stop);
@@ -95,6 +113,7 @@ class Run {
     }
 
     void account(const store::StationRecord& station, const camera::ShotOutcome& outcome) {
+        m_people.shotEnded(station, outcome);
         m_report.secondsExposing += seconds(outcome.exposing);
         m_report.secondsFetching += seconds(outcome.fetching);
         auto& missed = m_report.missed;
@@ -115,6 +134,7 @@ class Run {
     StoreJournal m_journal;
     camera::Capture m_capture;
     int m_most;
+    std::vector<std::int64_t> m_again;
     CaptureSurveyReport m_report;
 };
 

@@ -84,15 +84,9 @@ class Demo {
     }
 
     store::SurveyStore newSurvey() {
-        const practice::RoomPlan drawn = m_practiceRoom.plan();
-        const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
-        survey::PlanOptions options;
-        options.stepM = m_options.stepM;
-        options.heightsM = {kLensHeightM};
-        const survey::Plan plan = survey::plan(room, options);
-        m_report.placements = static_cast<int>(plan.placements.size());
-        return store::SurveyStore::create(m_folder / "practice-room.spherewalk", "practice room", room,
-                                          options, plan);
+        store::SurveyStore store = newPracticeSurvey(m_folder / "practice-room.spherewalk", m_options.stepM);
+        m_report.placements = static_cast<int>(store.plan().placements.size());
+        return store;
     }
 
     void photograph(store::SurveyStore& store) {
@@ -177,6 +171,15 @@ class Demo {
 };
 
 } // namespace
+
+store::SurveyStore newPracticeSurvey(const fs::path& folder, double stepM) {
+    const practice::RoomPlan drawn = practice::PracticeRoom().plan();
+    const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
+    survey::PlanOptions options;
+    options.stepM = stepM;
+    options.heightsM = {kLensHeightM};
+    return store::SurveyStore::create(folder, "practice room", room, options, survey::plan(room, options));
+}
 
 DemoReport demo(const fs::path& folder, const DemoOptions& options, ProgressSink& progress,
                 const std::stop_token& stop) {

@@ -29,7 +29,7 @@ bool PracticeOperator::tryAgain(const store::StationRecord& /*station*/,
 
 CaptureSurveyOptions practiceCaptureOptions(double timeScale) {
     using namespace std::chrono_literals;
-    CaptureSurveyOptions options{camera::CaptureOptions{}.scaled(timeScale), 0};
+    CaptureSurveyOptions options{camera::CaptureOptions{}.scaled(timeScale)};
     options.camera.allowance.base = std::max<std::chrono::milliseconds>(options.camera.allowance.base, 10s);
     options.camera.idleTime = std::max<std::chrono::milliseconds>(options.camera.idleTime, 60s);
     return options;

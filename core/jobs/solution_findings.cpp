@@ -96,17 +96,19 @@ class Reading {
     }
 
     void addReported(const JsonReader& reported) {
-        if (reported.isAbsent("photo")) {
-            return; // of a version that did not say which
-        }
-        const auto found = m_byId.find(reported.integer("photo"));
-        if (found == m_byId.end()) {
+        const auto found =
+            std::find_if(m_findings.photos.begin(), m_findings.photos.end(), [&](const PhotoFinding& photo) {
+                // Earlier versions named the file only.
+                return reported.isAbsent("photo") ? reported.string("file") == photo.file
+                                                  : reported.integer("photo") == photo.photo;
+            });
+        if (found == m_findings.photos.end()) {
             return;
         }
-        PhotoFinding& photo = m_findings.photos[found->second];
+        PhotoFinding& photo = *found;
         photo.status = reported.string("status");
         photo.flags = strings(reported.member("flags"));
-        photo.cure = cureNamed(reported.string("cure"));
+        photo.cure = reported.isAbsent("cure") ? Cure::None : cureNamed(reported.string("cure"));
         if (!reported.isAbsent("residual_deg")) {
             photo.residual = degreesIn(reported, "residual_deg");
             photo.neighbours = static_cast<int>(reported.integer("neighbours", 0, INT32_MAX));

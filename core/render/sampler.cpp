@@ -76,7 +76,7 @@ HWY_INLINE V16 multiplyPairs(V8 weights, V8 pixels) {
 /// Eight bytes at each of two places.
 HWY_INLINE hn::Vec<hn::CappedTag<std::uint8_t, kBlockBytes>> twoPairs(const std::int8_t* base,
                                                                       const std::int32_t* places) {
-#if HWY_ARCH_X86
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
     const auto* first = reinterpret_cast<const __m128i*>(base + places[0]);
     const auto* second = reinterpret_cast<const __m64*>(base + places[1]);
     return {_mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(first)), second))};

@@ -22,6 +22,7 @@ namespace {
 constexpr double kSmallMm = 3;
 constexpr double kNormalMm = 3.6;
 constexpr double kLargeMm = 6;
+constexpr double kLeastForLengthMm = 14; ///< a shorter wall has no room for its length
 
 /// The pattern with %1, %2 ... replaced.
 std::string filled(std::string pattern, const std::vector<std::string>& values) {
@@ -108,12 +109,21 @@ class MarkingSheet {
         const Vector2d corners = (outside(along) + outside(before)).normalized();
         m_pages.words(corner + 4 * corners + Vector2d(0, 1.3), survey::cornerName(static_cast<int>(i)),
                       kNormalMm, Align::Centre, true);
-        const double metres = (m_room.outline[(i + 1) % n] - m_room.outline[i]).norm();
-        const Vector2d middle = 0.5 * (corner + walls[(i + 1) % n]);
-        if ((walls[(i + 1) % n] - corner).norm() > 14) {
-            m_pages.words(middle + 4.5 * outside(along) + Vector2d(0, 1), text(fixed(metres, 2), " m"),
-                          kSmallMm, Align::Centre);
+        if ((walls[(i + 1) % n] - corner).norm() > kLeastForLengthMm) {
+            drawLength(0.5 * (corner + walls[(i + 1) % n]), outside(along),
+                       (m_room.outline[(i + 1) % n] - m_room.outline[i]).norm());
         }
+    }
+
+    /// Beside the wall: above or below a level one, to the side of an upright one.
+    void drawLength(const Vector2d& middle, const Vector2d& outside, double metres) {
+        constexpr double kApartMm = 2.5;
+        constexpr double kMostlySideways = 0.5;
+        const Align align = outside.x() > kMostlySideways    ? Align::Left
+                            : outside.x() < -kMostlySideways ? Align::Right
+                                                             : Align::Centre;
+        const Vector2d at = middle + (align == Align::Centre ? 1.6 : 1.0) * kApartMm * outside;
+        m_pages.words(at + Vector2d(0, 1), text(fixed(metres, 2), " m"), kSmallMm, align);
     }
 
     void drawRail(const survey::RailPlacement& rail, std::size_t index) {

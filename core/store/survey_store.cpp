@@ -87,11 +87,19 @@ void checkIdentity(const fs::path& folder, const Identity& found, Access access)
                          "); update Spherewalk to open it."));
     }
     if (found.version < newest && access == Access::Read) {
-        throw Error(ErrorKind::Unsupported,
-                    text("The survey ", folder.string(), " was written by an older Spherewalk (format ",
-                         static_cast<long long>(found.version),
-                         "); open it once for writing, which brings it to ", "format ", newest, "."));
+        throw Error(
+            ErrorKind::Unsupported,
+            text("The survey ", folder.string(), " was written by an older Spherewalk (format ",
+                 static_cast<long long>(found.version), ") and cannot be brought to format ", newest,
+                 " here; close other programs that have it open, and see that it may be written to."));
     }
+}
+
+/// Whether a survey, if it is one, has an older format.
+bool isOlder(const fs::path& folder, const StoreOptions& options) {
+    checkIsSurveyFolder(folder);
+    const Identity found = identity(openForReading(folder, options));
+    return found.applicationId == kApplicationId && found.version < newestVersion(migrations());
 }
 
 void checkIntegrity(const Database& database) {
@@ -209,6 +217,15 @@ SurveyStore SurveyStore::create(const fs::path& folder, const std::string& name,
 }
 
 SurveyStore SurveyStore::open(const fs::path& folder, Access access, const StoreOptions& options) {
+    if (access == Access::Read && isOlder(tidied(folder), options)) {
+        try {
+            open(folder, Access::Write, options); // which brings it to the newest format
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Busy && error.kind() != ErrorKind::Io) {
+                throw;
+            }
+        } // said below
+    }
     auto parts = std::make_unique<Parts>();
     parts->folder = tidied(folder);
     checkIsSurveyFolder(parts->folder);

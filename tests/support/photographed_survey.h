@@ -17,7 +17,8 @@
 namespace spherewalk::test {
 
 /// A survey in a folder of its own whose first stations have photos with known rotations: an endlessly far
-/// world that differs in every direction, a little brighter in each photo.
+/// world that differs in every direction, a little brighter in each photo: red grows along x, green along y,
+/// blue upwards.
 class PhotographedSurvey {
   public:
     explicit PhotographedSurvey(int photos = 4, int width = 512) : m_path(m_folder / "room.spherewalk") {
@@ -55,15 +56,23 @@ class PhotographedSurvey {
         for (int v = 0; v < size.height; ++v) {
             for (int u = 0; u < size.width; ++u) {
                 const Eigen::Vector3d d = direction(size, Eigen::Vector2d(u, v));
-                const Eigen::Vector3d colour(120 + 80 * d.x(), 120 + 60 * d.y() + 20 * std::sin(9 * d.z()),
-                                             120 + 60 * d.z() + 20 * std::cos(8 * d.x() + d.y()));
+                const Eigen::Vector3d colour = Eigen::Vector3d(110, 110, 110) + 60 * d;
                 for (int c = 0; c < 3; ++c) {
                     picture.at(u, v)[c] =
-                        static_cast<std::uint8_t>(std::clamp(colour[c] + brighter, 0.0, 255.0));
+                        static_cast<std::uint8_t>(std::clamp(colour[c] + speckle(d) + brighter, 0.0, 255.0));
                 }
             }
         }
         return picture;
+    }
+
+    /// Patches of about 4 degrees with a grey of their own: corners that an alignment recognises.
+    static double speckle(const Eigen::Vector3d& direction) {
+        std::uint32_t hash = 2166136261U;
+        for (const double coordinate : direction) {
+            hash = (hash ^ static_cast<std::uint32_t>(std::lround(14 * coordinate) + 100)) * 16777619U;
+        }
+        return static_cast<double>((hash >> 16U) % 60U);
     }
 
     TemporaryFolder m_folder;

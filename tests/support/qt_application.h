@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "temporary_folder.h"
+
 #include <QApplication>
 #include <gtest/gtest.h>
 
@@ -16,12 +18,18 @@ class QtApplication : public testing::Environment {
         if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
+        // Settings, caches and documents of the tests are not those of the person who runs them.
+        for (const char* place : {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+            qputenv(place, m_home.path().c_str());
+        }
+        QApplication::setOrganizationName("spherewalk-test");
         m_application = std::make_unique<QApplication>(m_argc, m_argv);
     }
 
     void TearDown() override { m_application.reset(); }
 
   private:
+    TemporaryFolder m_home;
     int m_argc = 1;
     char m_name[5] = "test";
     char* m_argv[2] = {m_name, nullptr};

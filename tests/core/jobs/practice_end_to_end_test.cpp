@@ -38,8 +38,19 @@ class CountingOperator : public Operator {
         return false;
     }
 
+    void cameraReady(const camera::CameraInfo& /*camera*/,
+                     const camera::CameraReadiness& /*readiness*/) override {
+        ++readies;
+    }
+
+    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& /*outcome*/) override {
+        ended.push_back(station.id);
+    }
+
     int moves = 0;
     int questions = 0;
+    int readies = 0;
+    std::vector<std::int64_t> ended;
 
   private:
     PracticeOperator m_cart;
@@ -63,12 +74,13 @@ class PracticeEndToEnd : public testing::Test {
         people = std::make_unique<CountingOperator>(camera::Endpoint{"127.0.0.1", camera->port()});
     }
 
-    CaptureSurveyReport capture(int most) {
+    CaptureSurveyReport capture(int most, std::vector<std::int64_t> again = {}) {
         constexpr double kTimeScale = 0.02;
         camera::OscClient client({"127.0.0.1", camera->port()}, camera::OscOptions{}.scaled(kTimeScale),
                                  systemClock());
         CaptureSurveyOptions options = practiceCaptureOptions(kTimeScale);
         options.most = most;
+        options.again = std::move(again);
         return captureSurvey(*store, client, *people, systemClock(), options, noProgress(), {});
     }
 
@@ -155,6 +167,19 @@ TEST_F(PracticeEndToEnd, AClosedConnectionLeadsToOneTriggerAnAction) {
     EXPECT_EQ(people->moves, 2);
     EXPECT_EQ(camera->stats().commands["camera.takePicture"], 2);
     EXPECT_EQ(camera->stats().exposures, 1);
+}
+
+TEST_F(PracticeEndToEnd, TakesStationsAgainInWalkingOrderWithTheMissingOnes) {
+    begin(1024, 1.5);
+    capture(3);
+    const std::vector<store::StationRecord> stations = store->stations();
+    ASSERT_GE(stations.size(), 4U);
+    people->ended.clear();
+    const CaptureSurveyReport report = capture(2, {stations[1].id});
+    EXPECT_EQ(report.taken, 2);
+    EXPECT_EQ(people->ended, std::vector<std::int64_t>({stations[1].id, stations[3].id}));
+    EXPECT_EQ(people->readies, 2);
+    EXPECT_EQ(store->photosAt(stations[1].id).size(), 2U);
 }
 
 TEST_F(PracticeEndToEnd, ACutDownloadIsRepeatedAndTheShotIsNot) {

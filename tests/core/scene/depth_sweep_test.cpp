@@ -149,7 +149,7 @@ struct TwoDepths {
     }
 
     PhotoDepth agreed() const {
-        const std::vector<PosedDepth> other{{&second, {Eigen::Quaterniond::Identity(), {0.01, 0, 0}}}};
+        const std::vector<PosedDepth> other{{&second, {Eigen::Quaterniond::Identity(), {0.1, 0, 0}}}};
         return agreeingDepth({&first, {}}, picture, other);
     }
 };

@@ -25,12 +25,16 @@ Bytes sheetAt(double stepM) {
     return markingSheet("lab", room(), options, survey::plan(room(), options));
 }
 
-int pages(const Bytes& pdf) {
-    int count = 0;
-    for (std::size_t at = 0; (at = textOf(pdf).find("/Type /Page\n", at)) != std::string_view::npos; ++at) {
-        ++count;
+int count(std::string_view text, std::string_view part) {
+    int found = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string_view::npos; ++at) {
+        ++found;
     }
-    return count;
+    return found;
+}
+
+int pages(const Bytes& pdf) {
+    return count(textOf(pdf), "/Type /Page") - count(textOf(pdf), "/Type /Pages"); // the latter is their list
 }
 
 } // namespace

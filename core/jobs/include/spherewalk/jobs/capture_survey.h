@@ -8,6 +8,7 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <chrono>
+#include <cstdint>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -19,17 +20,26 @@ class Operator {
   public:
     virtual ~Operator() = default;
 
+    /// Once, when the camera can take pictures.
+    virtual void cameraReady(const camera::CameraInfo& /*camera*/,
+                             const camera::CameraReadiness& /*readiness*/) {}
+
     /// Returns when the camera stands at the station. Errors: Stopped.
     virtual void moveTo(const store::StationRecord& station, const std::stop_token& stop) = 0;
 
     /// After a shot of which it is certain that no picture was taken: true to trigger again, once.
     virtual bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
                           const std::stop_token& stop) = 0;
+
+    /// After each shot, and each that an earlier run had left open: its photo is in the survey, or the
+    /// outcome says why not.
+    virtual void shotEnded(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/) {}
 };
 
 struct CaptureSurveyOptions {
-    camera::CaptureOptions camera; ///< its download check is set by the job
-    int most = 0;                  ///< photos to take at most; 0: all that are missing
+    camera::CaptureOptions camera;        ///< its download check is set by the job
+    int most = 0;                         ///< photos to take at most; 0: all that are missing
+    std::vector<std::int64_t> again = {}; ///< stations to take besides, although they have a photo
 };
 
 /// A station whose photo is not in the survey after all, and why.
@@ -51,9 +61,10 @@ struct CaptureSurveyReport {
     double secondsFetching = 0; ///< downloads and checks
 };
 
-/// Takes the missing photos of the survey in walking order, after settling what an earlier run left open. It
-/// can be killed at any instant and called again. Errors: those of camera::Capture and of the store; Stopped,
-/// with all that is complete kept.
+/// Takes the missing photos of the survey, and those asked for again, in walking order, after settling what
+/// an earlier run left open. It can be killed at any instant and called again. Errors: NotFound for an
+/// unknown station to take again; those of camera::Capture and of the store; Stopped, with all that is
+/// complete kept.
 CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& client, Operator& people,
                                   Clock& clock, CaptureSurveyOptions options, ProgressSink& progress,
                                   const std::stop_token& stop);

@@ -34,6 +34,10 @@ struct DemoReport {
     double betweenDb = 0;  ///< the same along the walk, between the photos
 };
 
+/// A new survey of the practice room, as an operator would have drawn it, planned at this step. Errors: those
+/// of store::SurveyStore::create().
+store::SurveyStore newPracticeSurvey(const std::filesystem::path& folder, double stepM);
+
 /// The whole way on the practice room: plan, photos over HTTP from a practice camera, alignment (compared
 /// with where the camera really was), export, a walk, and how alike the views are to pictures that are ray
 /// cast from the same poses. Everything is left in the folder, which must not exist yet.

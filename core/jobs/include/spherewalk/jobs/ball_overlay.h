@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/overlay.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace spherewalk::jobs {
+
+/// A ball, to try what an object that a simulator renders would look like in a view.
+struct Ball {
+    Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< room frame
+    double radiusM = 0.2;
+    std::array<std::uint8_t, 3> colour = {215, 60, 30};
+
+    /// Errors: InvalidInput for numbers that are not finite or a radius that is not above zero.
+    void validate() const;
+};
+
+/// The ball that "x y z radius" spells, metres. Errors: InvalidInput.
+Ball parseBall(std::string_view text);
+
+/// The ball as a simulator would render it from the view's own pose, lit from above. Empty pictures where the
+/// camera stands in the ball or does not see it. Errors: those of Ball::validate(). Cost: about 0.1
+/// microseconds for each pixel of the box around it.
+render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera);
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+
+namespace spherewalk::test {
+
+/// Measures how long the event loop of this thread is not served: the longest time between two beats of a
+/// timer that asks for one at every chance. The time for which the thread was ready and the processor gave it
+/// no turn is left out, as that is the machine's load and not the program's doing.
+class EventLoopGap {
+  public:
+    EventLoopGap() {
+        m_timer.setTimerType(Qt::PreciseTimer);
+        start();
+        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
+            const double waitedMs = static_cast<double>(waitedNs() - m_waitedNs) / 1e6;
+            m_longestMs = std::max(m_longestMs, static_cast<double>(m_clock.nsecsElapsed()) / 1e6 - waitedMs);
+            ++m_beats;
+            start();
+        });
+        m_timer.start(1);
+    }
+
+    double longestMs() const { return m_longestMs; }
+
+    int beats() const { return m_beats; }
+
+  private:
+    void start() {
+        m_waitedNs = waitedNs();
+        m_clock.start();
+    }
+
+    /// By this thread for a processor, as Linux counts it; 0 where it does not.
+    static std::int64_t waitedNs() {
+        std::ifstream counts("/proc/thread-self/schedstat");
+        std::int64_t ran = 0;
+        std::int64_t waited = 0;
+        return counts >> ran >> waited ? waited : 0;
+    }
+
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    std::int64_t m_waitedNs = 0;
+    double m_longestMs = 0;
+    int m_beats = 0;
+};
+
+} // namespace spherewalk::test
