@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture_fixture.h"
+#include "event_loop_gap.h"
+
+#include "spherewalk/practice/fault.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace spherewalk::ui {
+
+using State = CaptureDesk::State;
+
+namespace {
+
+/// Takes connections and never answers.
+class StalledServer {
+  public:
+    StalledServer() : m_socket(::socket(AF_INET, SOCK_STREAM, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        auto* any = reinterpret_cast<sockaddr*>(&address);
+        if (::bind(m_socket, any, size) != 0 || ::listen(m_socket, 8) != 0 ||
+            ::getsockname(m_socket, any, &size) != 0) {
+            throw std::runtime_error("no socket");
+        }
+        m_address = QString("127.0.0.1:%1").arg(ntohs(address.sin_port));
+    }
+
+    ~StalledServer() { ::close(m_socket); }
+
+    StalledServer(const StalledServer&) = delete;
+    StalledServer& operator=(const StalledServer&) = delete;
+
+    const QString& address() const { return m_address; }
+
+  private:
+    int m_socket;
+    QString m_address;
+};
+
+} // namespace
+
+using CaptureDeskTest = CaptureFixture;
+
+TEST_F(CaptureDeskTest, SaysHowTheCameraIs) {
+    connectPractice();
+    ASSERT_TRUE(desk().camera());
+    EXPECT_FALSE(desk().camera()->model.isEmpty());
+    EXPECT_TRUE(desk().camera()->batteryFraction);
+    EXPECT_TRUE(desk().camera()->remainingPhotos);
+}
+
+TEST_F(CaptureDeskTest, SaysWhyAnAddressIsNone) {
+    desk().connectTo("https://camera");
+    EXPECT_EQ(desk().state(), State::NoCamera);
+    EXPECT_EQ(desk().verdict(), Verdict::Failed);
+    EXPECT_FALSE(desk().sentence().isEmpty());
+}
+
+TEST_F(CaptureDeskTest, WaitsForTheKeyAtEachStation) {
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    EXPECT_EQ(desk().next()->station.stop, 0);
+    EXPECT_EQ(desk().practice()->camera().stats().exposures, 0);
+    desk().trigger();
+    waitUntil(
+        [&] { return desk().state() == State::AtStation && desk().stationsLeft() == desk().stations() - 1; });
+    EXPECT_EQ(desk().practice()->camera().stats().exposures, 1);
+    EXPECT_EQ(played, std::vector<Verdict>{Verdict::Good});
+}
+
+TEST_F(CaptureDeskTest, ResumesAtTheExactStation) {
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::AtStation && !played.empty(); });
+    const std::int64_t next = desk().next()->id;
+    desk().stop();
+    waitFor(State::Ready);
+    EXPECT_EQ(desk().next()->id, next);
+    desk().trigger();
+    waitFor(State::AtStation);
+    EXPECT_EQ(desk().next()->id, next);
+}
+
+TEST_F(CaptureDeskTest, TriesAgainWhenNoPictureWasTaken) {
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().practice()->camera().arm(
+        {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
+    desk().trigger();
+    waitFor(State::AskAgain);
+    EXPECT_EQ(desk().verdict(), Verdict::Failed);
+    EXPECT_FALSE(desk().sentence().isEmpty());
+    desk().practice()->camera().arm({practice::FaultKind::ServiceUnavailable, "/nothing", 0, 1, 0});
+}
+
+TEST_F(CaptureDeskTest, TakesAStationAgainThatHasAPhoto) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    const std::int64_t station = session->store().stations().front().id;
+    const std::int64_t before = session->store().chosenPhoto(station)->id;
+    desk().setAgain(station, true);
+    ASSERT_EQ(desk().again().size(), 1U);
+    EXPECT_EQ(desk().next()->id, station);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    EXPECT_EQ(session->store().photosAt(station).size(), 2U);
+    EXPECT_NE(session->store().chosenPhoto(station)->id, before);
+}
+
+TEST_F(CaptureDeskTest, AKeyDuringTheCountdownEndsIt) {
+    connectPractice();
+    desk().setHideSeconds(30);
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    EXPECT_EQ(desk().state(), State::Hiding);
+    EXPECT_EQ(desk().countdown(), 30);
+    desk().trigger();
+    EXPECT_EQ(desk().state(), State::AtStation);
+    EXPECT_EQ(desk().practice()->camera().stats().exposures, 0);
+}
+
+TEST_F(CaptureDeskTest, AStalledCameraDoesNotHoldTheWindow) {
+    const StalledServer server;
+    desk().connectTo(server.address());
+    ASSERT_EQ(desk().state(), State::Connecting);
+    const test::EventLoopGap gap;
+    waitUntil([&] { return gap.beats() > 500; });
+    EXPECT_EQ(desk().state(), State::Connecting); // it does hang
+    EXPECT_LT(gap.longestMs(), 50);
+    RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
+    desk().stop();
+    waitFor(State::NoCamera);
+}
+
+TEST_F(CaptureDeskTest, AWholeRunDoesNotHoldTheWindow) {
+    connectPractice();
+    desk().setAutomatic(true);
+    const test::EventLoopGap gap;
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    EXPECT_LT(gap.longestMs(), 50);
+    RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
+}
+
+TEST(Pace, IsThePlansUntilItsOwnIsKnown) {
+    using namespace std::chrono_literals;
+    survey::PlanOptions plan;
+    plan.secondsPerPhoto = 10;
+    plan.secondsPerPlacement = 100;
+    const Clock::TimePoint begin{};
+    Pace pace;
+    pace.begin(begin);
+    EXPECT_EQ(pace.left(6, 2, plan), 260s);
+    EXPECT_FALSE(pace.photosAMinute());
+    for (int i = 1; i <= 4; ++i) {
+        pace.photo(begin + i * 30s);
+    }
+    EXPECT_DOUBLE_EQ(*pace.photosAMinute(), 2);
+    EXPECT_EQ(pace.left(6, 2, plan), 180s);
+}
+
+} // namespace spherewalk::ui

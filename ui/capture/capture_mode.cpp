@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/capture/capture_mode.h"
+
+#include "ui/capture/big_text.h"
+#include "ui/capture/camera_panel.h"
+#include "ui/capture/capture_plan_view.h"
+#include "ui/capture/station_words.h"
+#include "ui/look/duration_text.h"
+#include "ui/look/icon.h"
+#include "ui/look/primary_button.h"
+#include "ui/look/section.h"
+#include "ui/look/theme.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace spherewalk::ui {
+
+using State = CaptureDesk::State;
+
+namespace {
+
+/// Keys that a hand finds without looking, and those that presenters send.
+bool isShutterKey(int key) {
+    return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_PageDown ||
+           key == Qt::Key_Right || key == Qt::Key_F5;
+}
+
+} // namespace
+
+CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
+    : Mode(parent),
+      m_desk(tasks),
+      m_sounds(std::make_unique<BellSounds>()),
+      m_plan(new CapturePlanView(m_desk, this)),
+      m_camera(new CameraPanel(m_desk, this)) {
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(16, 12, 16, 12);
+    column->setSpacing(10);
+    column->addWidget(m_camera);
+    column->addWidget(makeTarget(), 3);
+    column->addWidget(makeVerdict());
+    column->addWidget(makeFigures(), 1);
+    column->addWidget(makeAgain());
+    auto* splitter = new QSplitter(this);
+    splitter->addWidget(m_plan);
+    splitter->addWidget(side);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({900, 1100});
+    splitter->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(splitter);
+    setFocusPolicy(Qt::StrongFocus);
+    m_plan->installEventFilter(this);
+    connect(&m_desk, &CaptureDesk::changed, this, &CaptureMode::showAll);
+    connect(&m_desk, &CaptureDesk::verdictGiven, this, [this](Verdict verdict) { m_sounds->play(verdict); });
+    connect(&m_desk, &CaptureDesk::countdownTicked, this, [this](int /*left*/) { m_sounds->tick(); });
+    connect(&m_desk, &CaptureDesk::runEnded, this, [this](bool isComplete) {
+        emit message(isComplete ? tr("Every station has its photo.")
+                                : tr("Capturing has ended; it goes on where it stopped."));
+    });
+    showAll();
+}
+
+CaptureMode::~CaptureMode() = default;
+
+QString CaptureMode::title() const {
+    return tr("Capture");
+}
+
+QIcon CaptureMode::icon() const {
+    return ui::icon("capture");
+}
+
+QString CaptureMode::hint() const {
+    return tr("Take the photos, station by station.");
+}
+
+void CaptureMode::setSession(SurveySession* session) {
+    m_desk.setSession(session);
+    m_plan->setSession(session);
+    if (session != nullptr) {
+        connect(session->selection(), &StationSelection::currentChanged, this, &CaptureMode::showAgain);
+    }
+    showAll();
+}
+
+void CaptureMode::activated() {
+    setFocus();
+}
+
+QWidget* CaptureMode::makeTarget() {
+    auto* target = new QWidget(this);
+    auto* column = new QVBoxLayout(target);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_state = new QLabel(target);
+    m_state->setObjectName("captureState");
+    m_next = new BigText(target);
+    m_next->setObjectName("nextStation");
+    m_way = new QLabel(target);
+    m_way->setObjectName("way");
+    m_way->setWordWrap(true);
+    QFont wayFont = m_way->font();
+    wayFont.setPointSizeF(1.35 * wayFont.pointSizeF());
+    m_way->setFont(wayFont);
+    m_key = new QPushButton(target);
+    m_key->setObjectName("shutter");
+    m_key->setToolTip(tr("Space, Return, Page Down, or a presenter's button."));
+    m_key->setMinimumHeight(64);
+    makePrimary(m_key);
+    QFont keyFont = m_key->font();
+    keyFont.setPointSizeF(1.8 * keyFont.pointSizeF());
+    m_key->setFont(keyFont);
+    m_state->setFont(wayFont);
+    m_key->setFocusPolicy(Qt::NoFocus); // its keys are the page's
+    m_stop = new QPushButton(ui::icon("stop"), tr("&Stop"), target);
+    m_stop->setObjectName("stopCapture");
+    m_stop->setMinimumHeight(64);
+    m_stop->setFocusPolicy(Qt::NoFocus);
+    m_stop->setToolTip(tr("Ends after what is stored already; capturing goes on from there later (Escape)."));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_key, 1);
+    row->addWidget(m_stop);
+    column->addWidget(m_state);
+    column->addWidget(m_next, 1);
+    column->addWidget(m_way);
+    column->addLayout(row);
+    connect(m_key, &QPushButton::clicked, &m_desk, &CaptureDesk::trigger);
+    connect(m_stop, &QPushButton::clicked, &m_desk, &CaptureDesk::stop);
+    return target;
+}
+
+QWidget* CaptureMode::makeVerdict() {
+    auto* verdict = new QWidget(this);
+    auto* row = new QHBoxLayout(verdict);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_verdictIcon = new QLabel(verdict);
+    m_verdict = new QLabel(verdict);
+    m_verdict->setObjectName("verdict");
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QFont font = m_verdict->font();
+    font.setPointSizeF(1.35 * font.pointSizeF());
+    m_verdict->setFont(font);
+    row->addWidget(m_verdictIcon, 0, Qt::AlignTop);
+    row->addWidget(m_verdict, 1);
+    return verdict;
+}
+
+QWidget* CaptureMode::makeFigures() {
+    auto* figures = new QWidget(this);
+    auto* grid = new QGridLayout(figures);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(20);
+    int column = 0;
+    const auto add = [&](const QString& name, const QString& objectName) {
+        auto* figure = new BigText(figures);
+        figure->setObjectName(objectName);
+        figure->setMaximumHeight(80);
+        grid->addWidget(figure, 0, column);
+        grid->addWidget(new QLabel(name, figures), 1, column);
+        grid->setColumnStretch(column, 1);
+        ++column;
+        return figure;
+    };
+    m_photosLeft = add(tr("photos left"), "photosLeft");
+    m_timeLeft = add(tr("time left"), "timeLeft");
+    m_pace = add(tr("photos a minute"), "pace");
+    return figures;
+}
+
+QWidget* CaptureMode::makeAgain() {
+    auto* section = new Section(tr("To be taken again"), this);
+    m_againTitle = section->title();
+    m_again = new QListWidget(section);
+    m_again->setObjectName("retakes");
+    m_again->setAccessibleName(tr("To be taken again"));
+    m_again->setMaximumHeight(84);
+    section->layout()->addWidget(m_again);
+    m_takeAgain = new QPushButton(ui::icon("retake"), QString(), section);
+    m_takeAgain->setObjectName("takeAgain");
+    m_takeAgain->setToolTip(
+        tr("Puts the station that is selected on the plan on the list, or takes it off."));
+    section->layout()->addWidget(m_takeAgain);
+    connect(m_takeAgain, &QPushButton::clicked, this, &CaptureMode::toggleAgain);
+    connect(m_again, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        m_desk.setAgain(item->data(Qt::UserRole).toLongLong(), false);
+        m_plan->refresh();
+    });
+    return section;
+}
+
+void CaptureMode::toggleAgain() {
+    if (m_desk.session() == nullptr) {
+        return;
+    }
+    if (const auto station = m_desk.session()->selection()->current()) {
+        m_desk.setAgain(*station, !m_desk.isAgain(*station));
+        m_plan->refresh();
+    }
+}
+
+QString CaptureMode::stateText() const {
+    switch (m_desk.state()) {
+    case State::NoCamera:
+        return tr("Connect a camera, or try the practice camera.");
+    case State::Connecting:
+        return tr("Connecting...");
+    case State::Ready:
+        return m_desk.next() ? tr("The next station:") : tr("Every station has its photo.");
+    case State::Preparing:
+        return tr("Preparing the camera...");
+    case State::AtStation:
+        return tr("Bring the camera to");
+    case State::AskAgain:
+        return tr("No picture was taken at");
+    case State::Hiding:
+        return tr("Hide! The picture is taken at");
+    case State::Shooting:
+        return tr("Taking the picture at");
+    }
+    return {};
+}
+
+QString CaptureMode::keyText() const {
+    switch (m_desk.state()) {
+    case State::AtStation:
+        return tr("Shoot");
+    case State::AskAgain:
+        return tr("Try again");
+    case State::Hiding:
+        return tr("%1 ... (press to wait)").arg(m_desk.countdown());
+    case State::Preparing:
+    case State::Shooting:
+        return tr("Please wait");
+    default:
+        return m_desk.stationsLeft() == m_desk.stations() ? tr("Start") : tr("Go on");
+    }
+}
+
+void CaptureMode::showAll() {
+    const State state = m_desk.state();
+    const bool canPress = state == State::AtStation || state == State::AskAgain || state == State::Hiding ||
+                          (state == State::Ready && m_desk.next());
+    m_state->setText(stateText());
+    m_next->setText(m_desk.nextText());
+    m_way->setText(m_desk.wayText());
+    m_key->setText(keyText());
+    m_key->setEnabled(canPress);
+    m_stop->setVisible(m_desk.isRunning());
+    m_photosLeft->setText(QString::number(m_desk.stationsLeft()));
+    m_timeLeft->setText(durationText(m_desk.timeLeft()));
+    const auto pace = m_desk.photosAMinute();
+    m_pace->setText(pace ? QLocale().toString(*pace, 'f', 1) : QString::fromUtf8("–"));
+    showVerdict();
+    showAgain();
+    takeFocus();
+    if (m_startsWhenReady && state == State::Ready) {
+        m_startsWhenReady = false;
+        m_desk.start();
+    }
+}
+
+/// Whenever the key has something to do, it is the page's: Space must not press the button that was clicked
+/// last.
+void CaptureMode::takeFocus() {
+    const State state = m_desk.state();
+    const bool isNew = std::exchange(m_shownState, state) != state;
+    if (isNew && isVisible() &&
+        (state == State::Ready || state == State::AtStation || state == State::AskAgain)) {
+        setFocus();
+    }
+}
+
+void CaptureMode::showVerdict() {
+    const Verdict verdict = m_desk.verdict();
+    const QString name = verdict == Verdict::Good       ? "good"
+                         : verdict == Verdict::Doubtful ? "doubtful"
+                         : verdict == Verdict::Failed   ? "failed"
+                                                        : "";
+    if (verdict != m_shownVerdict) {
+        constexpr int kIconPx = 36;
+        const QColor colour = verdict == Verdict::Good       ? goodColour()
+                              : verdict == Verdict::Doubtful ? doubtfulColour()
+                                                             : failedColour();
+        m_verdictIcon->setPixmap(name.isEmpty() ? QPixmap() : colouredIcon(name, colour, kIconPx));
+        m_shownVerdict = verdict;
+    }
+    const QString sentence = m_desk.sentence();
+    m_verdict->setText(verdict == Verdict::Good && sentence.isEmpty() ? tr("The photo is stored.")
+                                                                      : sentence);
+}
+
+void CaptureMode::showAgain() {
+    const auto stations = m_desk.again();
+    m_again->clear();
+    for (const store::StationRecord& station : stations) {
+        auto* item =
+            new QListWidgetItem(stationWords(station, m_desk.session()->store().planOptions()), m_again);
+        item->setData(Qt::UserRole, static_cast<qlonglong>(station.id));
+    }
+    m_again->setVisible(!stations.empty());
+    const auto selected =
+        m_desk.session() != nullptr ? m_desk.session()->selection()->current() : std::nullopt;
+    m_takeAgain->setEnabled(selected && !m_desk.isRunning());
+    m_takeAgain->setText(selected && m_desk.isAgain(*selected) ? tr("Do not take it again")
+                                                               : tr("Take the selected station again"));
+}
+
+void CaptureMode::runPractice() {
+    findChild<QCheckBox*>("automatic")->setChecked(true);
+    m_startsWhenReady = true;
+    m_desk.connectToPractice();
+}
+
+void CaptureMode::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        return m_desk.stop();
+    }
+    if (!isShutterKey(event->key())) {
+        return Mode::keyPressEvent(event);
+    }
+    if (!event->isAutoRepeat()) { // a key held down is one shot
+        m_desk.trigger();
+    }
+}
+
+bool CaptureMode::eventFilter(QObject* watched, QEvent* event) {
+    // The plan has the focus after a click; the key must work all the same.
+    if (watched == m_plan && event->type() == QEvent::KeyPress) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (isShutterKey(key->key()) && key->key() != Qt::Key_Right) {
+            keyPressEvent(key);
+            return true;
+        }
+    }
+    return Mode::eventFilter(watched, event);
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/capture/capture_plan_view.h"
+
+#include "ui/capture/capture_desk.h"
+#include "ui/look/theme.h"
+
+#include <algorithm>
+
+namespace spherewalk::ui {
+
+CapturePlanView::CapturePlanView(const CaptureDesk& desk, QWidget* parent)
+    : SurveyPlanView(parent), m_desk(desk) {
+    connect(&desk, &CaptureDesk::changed, this, qOverload<>(&QWidget::update));
+}
+
+std::vector<StationMark> CapturePlanView::marks(const store::SurveyStore& store) const {
+    std::vector<StationMark> result = SurveyPlanView::marks(store);
+    for (StationMark& mark : result) {
+        if (m_desk.isAgain(mark.id)) {
+            mark.state = StationMark::State::Doubtful;
+            mark.note = tr("to be taken again");
+        }
+    }
+    return result;
+}
+
+void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
+    SurveyPlanView::paintFloor(painter, widgetFromRoom);
+    if (session() == nullptr) {
+        return;
+    }
+    paintCorners(painter, widgetFromRoom);
+    if (!m_desk.next()) {
+        return;
+    }
+    const Eigen::Vector3d& p = m_desk.next()->station.positionM;
+    const QPointF at = widgetFromRoom.map(QPointF(p.x(), p.y()));
+    const double radius = std::clamp(0.02 * std::min(width(), height()) + 12, 14.0, 34.0);
+    QPen pen(doubtfulColour(), 5);
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, radius, radius);
+    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        painter.drawLine(at + 0.55 * radius * way, at + 1.5 * radius * way);
+    }
+}
+
+/// The corners' letters, which tape distances name.
+void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const Polygon& outline = room().outline;
+    const QPointF centre =
+        widgetFromRoom.map(QPointF(bounds(outline).least.x() + bounds(outline).greatest.x(),
+                                   bounds(outline).least.y() + bounds(outline).greatest.y()) /
+                           2);
+    QFont font = painter.font();
+    font.setBold(true);
+    painter.setFont(font);
+    painter.setPen(palette().color(QPalette::WindowText));
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const QPointF at = widgetFromRoom.map(QPointF(outline[i].x(), outline[i].y()));
+        const QLineF outwards(centre, at);
+        const QPointF label = outwards.length() > 0 ? at + 14 * (at - centre) / outwards.length() : at;
+        const QRectF box(label.x() - 12, label.y() - 9, 24, 18);
+        painter.drawText(box, Qt::AlignCenter,
+                         QString::fromStdString(survey::cornerName(static_cast<int>(i))));
+    }
+}
+
+} // namespace spherewalk::ui
