@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+#include "qt_application.h"
+#include "ui/export/export_mode.h"
+#include "ui/export/export_presenter.h"
+
+#include "spherewalk/render/dataset.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QUrl>
+
+namespace spherewalk::ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class ExportTest : public testing::Test {
+  protected:
+    ExportTest() {
+        mode.setOpener([this](const QUrl& url) {
+            opened << url.toLocalFile();
+            return true;
+        });
+        mode.setSession(session.get());
+        mode.resize(900, 700);
+        mode.show();
+    }
+
+    ~ExportTest() override { mode.setSession(nullptr); }
+
+    template <class Widget>
+    Widget& widget(const char* name) {
+        return *mode.findChild<Widget*>(name);
+    }
+
+    /// Looks, and waits for what was found.
+    void check() {
+        mode.activated();
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return !tasks.hasRunning() && widget<QPushButton>("check").isEnabled(); }, 30'000));
+    }
+
+    void exportNow() {
+        QTest::mouseClick(&widget<QPushButton>("export"), Qt::LeftButton);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        QCoreApplication::processEvents();
+    }
+
+    test::PhotographedSurvey survey{3};
+    TaskList tasks;
+    std::unique_ptr<SurveySession> session =
+        SurveySession::open(QString::fromStdString(survey.path().string()));
+    QStringList opened;
+    ExportMode mode{tasks};
+    fs::path usual = survey / "room.dataset";
+};
+
+} // namespace
+
+TEST_F(ExportTest, ChecksBeforeAndThenExports) {
+    EXPECT_EQ(widget<QLineEdit>("folder").text().toStdString(), usual.string());
+    EXPECT_FALSE(widget<QPushButton>("export").isEnabled());
+    check();
+    EXPECT_TRUE(widget<QLabel>("amount").text().startsWith("3 photo"));
+    EXPECT_TRUE(widget<QLabel>("findings").text().contains("have no photo"));
+    exportNow();
+    EXPECT_EQ(render::Dataset::open(usual).info().photos.size(), 3U);
+    EXPECT_EQ(opened, QStringList{QString::fromStdString(usual.string())});
+    EXPECT_TRUE(widget<QLabel>("result").isVisible());
+}
+
+TEST_F(ExportTest, DoesNotOpenTheFolderUnlessWanted) {
+    widget<QCheckBox>("opens").setChecked(false);
+    check();
+    exportNow();
+    EXPECT_TRUE(opened.isEmpty());
+    QTest::mouseClick(&widget<QPushButton>("open"), Qt::LeftButton);
+    EXPECT_EQ(opened.size(), 1);
+}
+
+TEST_F(ExportTest, DoesNotExportOverWhatIsThere) {
+    fs::create_directories(usual);
+    check();
+    EXPECT_FALSE(widget<QPushButton>("export").isEnabled());
+    EXPECT_TRUE(widget<QLabel>("findings").text().contains("already"));
+    auto& folder = widget<QLineEdit>("folder");
+    folder.setFocus();
+    QTest::keyClicks(&folder, "2");
+    QTest::keyClick(&folder, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("export").isEnabled(); }, 30'000));
+    exportNow();
+    EXPECT_TRUE(fs::exists(usual.string() + "2"));
+}
+
+TEST_F(ExportTest, ForgetsWhatItFoundWhenTheSurveyChanges) {
+    check();
+    session->write(SurveySession::Reviews, [](store::SurveyStore& store) {
+        store.setReview({store.photos().front().id, store::Decision::Rejected, ""});
+    });
+    EXPECT_FALSE(widget<QPushButton>("export").isEnabled());
+    check();
+    EXPECT_TRUE(widget<QLabel>("findings").text().contains("1 photo was rejected"));
+}
+
+TEST_F(ExportTest, StopsAndLeavesNothing) {
+    check();
+    QTest::mouseClick(&widget<QPushButton>("export"), Qt::LeftButton);
+    QTest::mouseClick(&widget<QPushButton>("stop"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+    const bool isDone = tasks.tasks().last()->state() == Task::State::Done; // it was quicker
+    EXPECT_EQ(fs::exists(usual), isDone);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("stop").isHidden(); }));
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+#include "qt_application.h"
+#include "ui/plan/plan_view.h"
+#include "ui/preview/camera_presets.h"
+#include "ui/preview/drive_view.h"
+#include "ui/preview/preview_mode.h"
+#include "ui/preview/preview_presenter.h"
+
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/render/camera_info.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace spherewalk::ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class PreviewTest : public testing::Test {
+  protected:
+    PreviewTest() {
+        mode.resize(1100, 700);
+        mode.setSession(session.get());
+        mode.show();
+        QApplication::setActiveWindow(&mode);
+        mode.activated();
+    }
+
+    ~PreviewTest() override { mode.setSession(nullptr); }
+
+    PreviewPresenter& presenter() { return mode.presenter(); }
+
+    template <class Widget>
+    Widget& widget(const char* name) {
+        return *mode.findChild<Widget*>(name);
+    }
+
+    /// Makes a dataset of the survey and waits for a view of it.
+    void preview() {
+        QTest::mouseClick(&widget<QPushButton>("make"), Qt::LeftButton);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 30'000));
+    }
+
+    bool hasSharpViews(std::size_t count) {
+        const auto& views = presenter().views();
+        return views.size() == count && std::all_of(views.begin(), views.end(), [](const MadeView& view) {
+                   return view.report.origin == render::ViewOrigin::Photo;
+               });
+    }
+
+    /// Waits for a view that was made after this call.
+    void waitForView() {
+        QSignalSpy views(&presenter(), &PreviewPresenter::viewsChanged);
+        presenter().setRobot(presenter().robot());
+        ASSERT_TRUE(views.wait());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(presenter().views().size()); }));
+    }
+
+    test::PhotographedSurvey survey{4};
+    TaskList tasks;
+    std::unique_ptr<SurveySession> session =
+        SurveySession::open(QString::fromStdString(survey.path().string()));
+    PreviewMode mode{tasks};
+};
+
+} // namespace
+
+TEST(CameraPresets, AreCamerasThatCanBe) {
+    for (const CameraPreset& preset : cameraPresets()) {
+        EXPECT_NO_THROW(preset.intrinsics.validate()) << preset.name.toStdString();
+    }
+}
+
+TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
+    preview();
+    const MadeView& view = presenter().views().front();
+    EXPECT_EQ(view.picture.size(), QSize(640, 480));
+    EXPECT_GT(view.report.trust, 0.9); // it begins at a photo
+    EXPECT_TRUE(DriveView::reportText(view.report).contains("trust 1.00"));
+    EXPECT_TRUE(widget<QLabel>("what").text().contains("4 photo"));
+    EXPECT_EQ(widget<PlanView>("map").stations().size(), 4U);
+    // Ahead is the room's x axis, where the world is red.
+    const QColor ahead = view.picture.pixelColor(320, 240);
+    EXPECT_GT(ahead.red(), ahead.blue() + 30);
+}
+
+TEST_F(PreviewTest, OpensADatasetThatWasExportedBefore) {
+    jobs::exportDataset(session->store(), survey / "d", {}, noProgress(), {});
+    mode.setSession(nullptr);
+    presenter().openDataset(QString::fromStdString((survey / "d").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 30'000));
+    EXPECT_EQ(presenter().dataset()->info().photos.size(), 4U);
+}
+
+TEST_F(PreviewTest, DrivesWithTheKeys) {
+    preview();
+    auto& view = widget<DriveView>("view");
+    view.setFocus();
+    const RobotPlace begin = presenter().robot();
+    QTest::keyPress(&view, Qt::Key_A);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().robot().yaw > begin.yaw; }));
+    QTest::keyRelease(&view, Qt::Key_A);
+    const RobotPlace turned = presenter().robot();
+    QTest::keyPress(&view, Qt::Key_W);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().robot().pInRoom != turned.pInRoom; }));
+    QTest::keyRelease(&view, Qt::Key_W);
+    EXPECT_EQ(presenter().robot().yaw.value(), turned.yaw.value());
+    QTest::keyPress(&view, Qt::Key_Up);
+    EXPECT_TRUE(presenter().isDriving());
+    widget<QPushButton>("make").setFocus(); // where the key's release goes
+    EXPECT_FALSE(presenter().isDriving());
+}
+
+TEST_F(PreviewTest, PutsAndTurnsTheRobotOnThePlan) {
+    preview();
+    auto& map = widget<PlanView>("map");
+    const QPointF at = map.widgetFromRoom().map(QPointF(2.5, 1.5));
+    const QPointF towards = map.widgetFromRoom().map(QPointF(2.5, 2.5));
+    QTest::mousePress(&map, Qt::LeftButton, {}, at.toPoint());
+    QTest::mouseMove(&map, towards.toPoint());
+    QTest::mouseRelease(&map, Qt::LeftButton, {}, towards.toPoint());
+    EXPECT_NEAR((presenter().robot().pInRoom - Eigen::Vector2d(2.5, 1.5)).norm(), 0, 0.02);
+    EXPECT_NEAR(Degrees(presenter().robot().yaw).value(), 90, 3);
+}
+
+TEST_F(PreviewTest, ComparesTwoWaysBesideEachOther) {
+    preview();
+    widget<QCheckBox>("split").setChecked(true);
+    auto& sampling = widget<QComboBox>("samplingB");
+    sampling.setCurrentIndex(sampling.findData(static_cast<int>(render::Sampling::Nearest)));
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        const auto& views = presenter().views();
+        return views.size() == 2 && views[1].report.sampling == render::Sampling::Nearest;
+    }));
+    EXPECT_EQ(presenter().views()[0].report.sampling, render::Sampling::Footprint);
+    EXPECT_EQ(presenter().views()[0].report.scene, render::SceneKind::Sphere);
+    EXPECT_EQ(presenter().views()[1].report.scene, render::SceneKind::None);
+    EXPECT_NE(presenter().views()[0].picture, presenter().views()[1].picture);
+}
+
+TEST_F(PreviewTest, ChangesTheCameraAndHowItIsCarried) {
+    preview();
+    auto& camera = widget<QComboBox>("camera");
+    camera.setCurrentIndex(0);
+    emit camera.activated(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        return !presenter().views().empty() && presenter().views()[0].picture.size() == QSize(1280, 720);
+    }));
+    widget<QDoubleSpinBox>("height").setValue(0.5);
+    widget<QDoubleSpinBox>("pitch").setValue(20);
+    EXPECT_EQ(presenter().mount().heightM, 0.5);
+    EXPECT_NEAR(Degrees(presenter().mount().down).value(), 20, 1e-9);
+}
+
+TEST_F(PreviewTest, ReadsACameraFromARosFile) {
+    CameraIntrinsics own = CameraIntrinsics::pinhole(320, 200, 1);
+    writeFile(survey / "own.yaml", bytesOf(render::cameraInfoYaml(own, "own")));
+    EXPECT_TRUE(presenter().readCamera(QString::fromStdString((survey / "own.yaml").string())));
+    EXPECT_EQ(presenter().camera().width, 320);
+    QSignalSpy message(&mode, &Mode::message);
+    EXPECT_FALSE(presenter().readCamera("nothing.yaml"));
+    EXPECT_TRUE(message.first().first().toString().contains("nothing.yaml"));
+}
+
+TEST_F(PreviewTest, LaysABallIntoTheView) {
+    preview();
+    presenter().setMount({0.2, Radians(0)});
+    presenter().setSides({{render::SceneKind::None, render::Sampling::Bilinear}}); // nothing hides it
+    waitForView();
+    const QImage before = presenter().views()[0].picture.copy();
+    widget<QCheckBox>("ball").setChecked(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views()[0].picture != before; }));
+    EXPECT_NEAR((presenter().ball()->centreM.head<2>() - presenter().robot().pInRoom).norm(), 1.2, 1e-9);
+}
+
+TEST_F(PreviewTest, RecordsAPathAndSavesItsFrames) {
+    preview();
+    QTest::mouseClick(&widget<QPushButton>("record"), Qt::LeftButton);
+    EXPECT_TRUE(presenter().isRecording());
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        RobotPlace robot = presenter().robot();
+        robot.yaw = robot.yaw + Degrees(1);
+        presenter().setRobot(robot);
+        return presenter().path().size() >= 3;
+    }));
+    QTest::mouseClick(&widget<QPushButton>("record"), Qt::LeftButton);
+    EXPECT_TRUE(widget<QPushButton>("save").isEnabled());
+    presenter().saveFrames(QString::fromStdString((survey / "walk").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+    for (const char* file : {"000000.png", "000002.png", "index.csv", "path.tum", "robot.yaml"}) {
+        EXPECT_TRUE(fs::exists(survey / "walk" / file)) << file;
+    }
+    EXPECT_EQ(readTum(survey / "walk" / "path.tum").size(), presenter().path().size());
+}
+
+TEST_F(PreviewTest, SaysThatTheSurveyHasChangedSince) {
+    preview();
+    session->write(SurveySession::Reviews, [](store::SurveyStore& store) {
+        store.setReview({store.photos().front().id, store::Decision::Rejected, ""});
+    });
+    EXPECT_TRUE(presenter().isOutdated());
+    EXPECT_TRUE(widget<QLabel>("what").text().contains("changed since"));
+}
+
+TEST_F(PreviewTest, ForgetsTheDatasetOfASurveyThatIsClosed) {
+    preview();
+    const fs::path folder = presenter().dataset()->folder();
+    EXPECT_TRUE(fs::exists(folder));
+    mode.setSession(nullptr);
+    EXPECT_EQ(presenter().dataset(), nullptr);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !fs::exists(folder); }));
+}
+
+} // namespace spherewalk::ui

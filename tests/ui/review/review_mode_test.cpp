@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+#include "qt_application.h"
+#include "ui/panorama/panorama_presenter.h"
+#include "ui/panorama/panorama_view.h"
+#include "ui/review/coverage_view.h"
+#include "ui/review/review_mode.h"
+#include "ui/review/review_model.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+namespace spherewalk::ui {
+
+namespace {
+
+/// Through the widgets that people use.
+class ReviewModeTest : public testing::Test {
+  protected:
+    ReviewModeTest() {
+        mode.resize(1100, 700);
+        mode.setSession(session.get());
+        mode.show();
+        QApplication::setActiveWindow(&mode);
+        mode.activated();
+    }
+
+    ~ReviewModeTest() override { mode.setSession(nullptr); }
+
+    template <class Widget>
+    Widget& widget(const char* name) {
+        return *mode.findChild<Widget*>(name);
+    }
+
+    store::Review review(std::size_t station) const {
+        const store::SurveyStore& store = session->store();
+        return store.review(store.chosenPhoto(store.stations().at(station).id)->id);
+    }
+
+    void press(Qt::Key key) { QTest::keyClick(&widget<QListView>("stations"), key); }
+
+    test::PhotographedSurvey survey{3};
+    std::unique_ptr<SurveySession> session =
+        SurveySession::open(QString::fromStdString(survey.path().string()));
+    ReviewMode mode{survey / "cache", nullptr};
+};
+
+} // namespace
+
+TEST_F(ReviewModeTest, AcceptsAndRejectsWithKeys) {
+    press(Qt::Key_A);
+    press(Qt::Key_R);
+    EXPECT_EQ(review(0).decision, store::Decision::Accepted);
+    EXPECT_EQ(review(1).decision, store::Decision::Rejected);
+    press(Qt::Key_K);
+    press(Qt::Key_O);
+    EXPECT_EQ(review(1).decision, store::Decision::Open);
+}
+
+TEST_F(ReviewModeTest, AcceptsWithTheButton) {
+    QTest::mouseClick(&widget<QToolButton>("accept"), Qt::LeftButton);
+    EXPECT_EQ(review(0).decision, store::Decision::Accepted);
+}
+
+TEST_F(ReviewModeTest, KeepsTheNoteWithThePhotoThatItWasWrittenFor) {
+    press(Qt::Key_M);
+    auto& note = widget<QLineEdit>("note");
+    QTest::keyClicks(&note, "a raised arm"); // whose letters decide nothing
+    QTest::mouseClick(&widget<QToolButton>("reject"), Qt::LeftButton);
+    EXPECT_EQ(review(0).note, "a raised arm");
+    EXPECT_EQ(review(0).decision, store::Decision::Rejected);
+    EXPECT_EQ(review(1).note, "");
+    EXPECT_EQ(note.text(), "");
+}
+
+TEST_F(ReviewModeTest, ListsWhatTheFilterAndTheSearchLeave) {
+    auto& filter = widget<QComboBox>("filter");
+    filter.setCurrentIndex(filter.findData(static_cast<int>(ReviewFilter::ToReview)));
+    EXPECT_EQ(widget<QListView>("stations").model()->rowCount(), 3);
+    QTest::keyClicks(&widget<QLineEdit>("search"), "stop 2");
+    EXPECT_EQ(widget<QListView>("stations").model()->rowCount(), 1);
+}
+
+TEST_F(ReviewModeTest, ShowsTheStationThatIsChosenElsewhere) {
+    const std::int64_t third = session->store().stations().at(2).id;
+    session->selection()->setCurrent(third);
+    EXPECT_EQ(widget<QListView>("stations").currentIndex().data(ReviewModel::StationRole).toLongLong(),
+              third);
+    auto* view = mode.findChild<PanoramaView*>();
+    EXPECT_TRUE(view->presenter().photo()->name.contains("stop 3"));
+}
+
+TEST_F(ReviewModeTest, TellsTheOtherViewsWhatIsChosenInTheList) {
+    widget<QListView>("stations").setCurrentIndex(widget<QListView>("stations").model()->index(1, 0));
+    EXPECT_EQ(session->selection()->current(), session->store().stations().at(1).id);
+}
+
+TEST_F(ReviewModeTest, ComparesWithTheNeighbourThatIsChosen) {
+    auto* view = mode.findChild<PanoramaView*>();
+    press(Qt::Key_C);
+    EXPECT_EQ(view->presenter().comparison(), Comparison::Blink);
+    press(Qt::Key_C);
+    EXPECT_EQ(view->presenter().comparison(), Comparison::Slider);
+    const QString nearest = view->presenter().other()->name;
+    press(Qt::Key_N);
+    EXPECT_NE(view->presenter().other()->name, nearest);
+    press(Qt::Key_C);
+    EXPECT_FALSE(view->presenter().other().has_value());
+}
+
+TEST_F(ReviewModeTest, ShowsOnThePlanWhatWasDecided) {
+    press(Qt::Key_R);
+    const auto& marks = widget<CoverageView>("coverage").stations();
+    EXPECT_EQ(marks.at(0).state, StationMark::State::Rejected);
+    EXPECT_EQ(marks.at(1).state, StationMark::State::Taken);
+    EXPECT_EQ(marks.at(3).state, StationMark::State::Missing);
+}
+
+TEST_F(ReviewModeTest, ShowsResidualsAsHeat) {
+    jobs::AlignReport report;
+    store::NewSolution solution{"align", "yaw", "{}", {}};
+    for (const store::PhotoRecord& record : session->store().chosenPhotos()) {
+        jobs::AlignedPhoto photo;
+        photo.photo = record.id;
+        photo.status = "good";
+        photo.pose.isSolved = true;
+        photo.pose.residualRad = 0.01 * static_cast<double>(report.photos.size() + 1);
+        report.photos.push_back(photo);
+    }
+    solution.report = jobs::toJson(report).dump();
+    session->write(SurveySession::Solutions,
+                   [&](store::SurveyStore& store) { store.addSolution(solution, true); });
+    widget<QComboBox>("measure").setCurrentIndex(1);
+    const auto& marks = widget<CoverageView>("coverage").stations();
+    EXPECT_NEAR(marks.at(0).heat.value(), 1.0 / 3, 1e-9);
+    EXPECT_NEAR(marks.at(2).heat.value(), 1, 1e-9);
+    EXPECT_FALSE(marks.at(3).heat.has_value());
+}
+
+TEST_F(ReviewModeTest, OnlyLooksOnWhileAnotherProgramWrites) {
+    mode.setSession(nullptr);
+    const auto capturing = survey.open(store::Access::Write);
+    session = SurveySession::open(QString::fromStdString(survey.path().string()));
+    mode.setSession(session.get());
+    session->selection()->setCurrent(session->store().stations().at(0).id);
+    EXPECT_FALSE(widget<QToolButton>("accept").isEnabled());
+    EXPECT_FALSE(widget<QLineEdit>("note").isEnabled());
+    EXPECT_TRUE(mode.findChild<PanoramaView*>()->presenter().photo().has_value());
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/align/align_mode.h"
+
+#include "ui/align/align_presenter.h"
+#include "ui/look/icon.h"
+#include "ui/review/coverage_view.h"
+
+#include "spherewalk/base/error.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableView>
+
+namespace spherewalk::ui {
+
+AlignMode::AlignMode(TaskList& tasks, QWidget* parent)
+    : Mode(parent), m_presenter(new AlignPresenter(tasks, this)) {
+    setObjectName("align");
+    m_presenter->setShown(false);
+    auto* columns = new QSplitter(this);
+    columns->addWidget(makeTable());
+    columns->addWidget(makePlan());
+    columns->setStretchFactor(0, 3);
+    columns->setStretchFactor(1, 2);
+    columns->setSizes({720, 480});
+    columns->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(makeBar());
+    layout->addWidget(columns, 1);
+    connect(m_presenter, &AlignPresenter::findingsChanged, this, &AlignMode::showFindings);
+    connect(m_presenter, &AlignPresenter::taskChanged, this, &AlignMode::showTask);
+    connect(m_presenter, &AlignPresenter::message, this, &Mode::message);
+    showFindings();
+    showTask();
+}
+
+AlignMode::~AlignMode() {
+    m_plan->removeLayer(&m_headings);
+}
+
+QIcon AlignMode::icon() const {
+    return ui::icon("align");
+}
+
+void AlignMode::setSession(SurveySession* session) {
+    if (m_session != nullptr) {
+        m_session->selection()->disconnect(this);
+    }
+    m_session = session;
+    m_plan->setSession(session);
+    m_presenter->setSession(session);
+    setMask({});
+    if (session != nullptr) {
+        connect(session->selection(), &StationSelection::currentChanged, this, &AlignMode::selectStation);
+    }
+    showTask();
+}
+
+void AlignMode::activated() {
+    selectStation();
+    (m_run->isEnabled() && !m_presenter->findings() ? static_cast<QWidget*>(m_run) : m_table)->setFocus();
+}
+
+void AlignMode::showEvent(QShowEvent* event) {
+    m_presenter->setShown(true);
+    Mode::showEvent(event);
+}
+
+void AlignMode::hideEvent(QHideEvent* event) {
+    m_presenter->setShown(false);
+    Mode::hideEvent(event);
+}
+
+QWidget* AlignMode::makeBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    const auto addLabelled = [&](const QString& text, QWidget* widget) {
+        auto* label = new QLabel(text, bar);
+        label->setBuddy(widget);
+        layout->addWidget(label);
+        layout->addWidget(widget);
+    };
+    m_effort = new QComboBox(bar);
+    m_effort->setObjectName("effort");
+    m_effort->addItem(tr("Draft"), static_cast<int>(align::Effort::Draft));
+    m_effort->addItem(tr("Normal"), static_cast<int>(align::Effort::Normal));
+    m_effort->addItem(tr("Fine"), static_cast<int>(align::Effort::Fine));
+    m_effort->addItem(tr("Exact"), static_cast<int>(align::Effort::Exact));
+    m_effort->setCurrentIndex(1);
+    m_effort->setToolTip(
+        tr("How much work goes into the pictures: about 0.1, 0.5, 1.5 or 3.5 s a photo on one core"));
+    addLabelled(tr("&Effort"), m_effort);
+    m_model = new QComboBox(bar);
+    m_model->setObjectName("model");
+    m_model->addItem(tr("What the photos support"), static_cast<int>(align::Model::Auto));
+    m_model->addItem(tr("Yaw"), static_cast<int>(align::Model::Yaw));
+    m_model->addItem(tr("Yaw and tilt"), static_cast<int>(align::Model::Tilt));
+    m_model->addItem(tr("And rail placements"), static_cast<int>(align::Model::Placement));
+    m_model->addItem(tr("And positions"), static_cast<int>(align::Model::Position));
+    m_model->setToolTip(tr("What is solved, each with all that the ones above it solve"));
+    addLabelled(tr("&Model"), m_model);
+    m_positionSigma = new QDoubleSpinBox(bar);
+    m_positionSigma->setObjectName("positionSigma");
+    m_positionSigma->setRange(0.1, 1000);
+    m_positionSigma->setDecimals(1);
+    m_positionSigma->setSuffix(tr(" mm"));
+    m_positionSigma->setValue(1000 * jobs::AlignOptions().positionSigmaM);
+    m_positionSigma->setToolTip(
+        tr("How far photos stand from where they are tagged, one standard deviation"));
+    addLabelled(tr("&Positions to"), m_positionSigma);
+    m_maskButton = new QPushButton(bar);
+    m_maskButton->setObjectName("mask");
+    m_maskButton->setToolTip(
+        tr("A picture, twice as wide as high, black where photos are not to be looked at: cart, operator"));
+    connect(m_maskButton, &QPushButton::clicked, this, &AlignMode::chooseMask);
+    layout->addWidget(m_maskButton);
+    m_run = new QPushButton(tr("&Align"), bar);
+    m_run->setObjectName("run");
+    m_run->setDefault(true);
+    m_run->setToolTip(tr("Solve how each photo is turned"));
+    connect(m_run, &QPushButton::clicked, this, &AlignMode::run);
+    layout->addWidget(m_run);
+    m_stop = new QPushButton(tr("&Stop"), bar);
+    m_stop->setObjectName("stop");
+    m_stop->setToolTip(tr("Stop; what was found in the pictures is kept for the next run"));
+    connect(m_stop, &QPushButton::clicked, m_presenter, &AlignPresenter::stop);
+    layout->addWidget(m_stop);
+    m_progress = new QProgressBar(bar);
+    m_progress->setObjectName("progress");
+    m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress of the alignment"));
+    layout->addWidget(m_progress, 1);
+    layout->addStretch(0);
+    setMask({});
+    return bar;
+}
+
+QWidget* AlignMode::makeTable() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_summary = new QLabel(column);
+    m_summary->setObjectName("summary");
+    m_summary->setWordWrap(true);
+    auto* onlyFlagged = new QCheckBox(tr("Only photos with a &flag"), column);
+    onlyFlagged->setObjectName("onlyFlagged");
+    connect(onlyFlagged, &QCheckBox::toggled, &m_presenter->table(), &AlignProxy::setOnlyFlagged);
+    m_table = new QTableView(column);
+    m_table->setObjectName("photos");
+    m_table->setAccessibleName(tr("Photos and what the alignment says of them"));
+    m_table->setModel(&m_presenter->table());
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(AlignModel::Station, Qt::AscendingOrder);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setAlternatingRowColors(true);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 8);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &AlignMode::showProposals);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& index) {
+                if (m_session != nullptr && index.isValid()) {
+                    m_session->selection()->setCurrent(index.data(AlignModel::StationRole).toLongLong());
+                }
+            });
+    m_reason = new QLabel(column);
+    m_reason->setObjectName("reason");
+    m_reason->setWordWrap(true);
+    auto* buttons = new QHBoxLayout;
+    const auto add = [&](const QString& text, const QString& name, const QString& toolTip) {
+        auto* button = new QPushButton(text, column);
+        button->setObjectName(name);
+        button->setToolTip(toolTip);
+        buttons->addWidget(button);
+        return button;
+    };
+    m_retag = add(tr("Re&tag"), "retag", tr("Move the chosen photos to the stations that fit them"));
+    m_retagAll =
+        add(tr("Retag a&ll proposed"), "retagAll", tr("Move every photo that fits another station there"));
+    m_retake =
+        add(tr("Ret&ake"), "retake", tr("Reject the chosen photos, so that their stations are taken again"));
+    m_maskChosen = add(tr("Mas&k..."), "maskChosen",
+                       tr("Choose a picture that tells what is to be left out, and align again with it"));
+    connect(m_retag, &QPushButton::clicked, this, [this] { m_presenter->retag(chosen()); });
+    connect(m_retagAll, &QPushButton::clicked, m_presenter, &AlignPresenter::retagAll);
+    connect(m_retake, &QPushButton::clicked, this, [this] { m_presenter->retake(chosen()); });
+    connect(m_maskChosen, &QPushButton::clicked, this, &AlignMode::chooseMask);
+    buttons->addStretch(1);
+    layout->addWidget(m_summary);
+    layout->addWidget(onlyFlagged);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_reason);
+    layout->addLayout(buttons);
+    return column;
+}
+
+QWidget* AlignMode::makePlan() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_plan = new CoverageView(column);
+    m_plan->setObjectName("headings");
+    m_plan->setAccessibleName(tr("Headings of the photos"));
+    m_plan->setMeasure(CoverageMeasure::Sigma);
+    m_plan->addLayer(&m_headings);
+    m_legend = new CoverageLegend(column);
+    auto* words =
+        new QLabel(tr("Lines: how photos are turned. Fans: three standard deviations, %1 times as wide. "
+                      "Colour: standard deviation of the yaw.")
+                       .arg(HeadingLayer::kMagnified),
+                   column);
+    words->setWordWrap(true);
+    layout->addWidget(m_plan, 1);
+    layout->addWidget(m_legend);
+    layout->addWidget(words);
+    return column;
+}
+
+void AlignMode::run() {
+    jobs::AlignOptions options;
+    options.effort = static_cast<align::Effort>(m_effort->currentData().toInt());
+    options.model = static_cast<align::Model>(m_model->currentData().toInt());
+    options.positionSigmaM = 0.001 * m_positionSigma->value();
+    options.mask = m_mask;
+    m_presenter->run(options);
+}
+
+void AlignMode::chooseMask() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Picture that tells what is left out"), {},
+                                                      tr("Pictures (*.png *.jpg *.jpeg)"));
+    setMask(file.toStdString());
+}
+
+void AlignMode::setMask(const std::filesystem::path& mask) {
+    m_mask = mask;
+    m_maskButton->setText(mask.empty()
+                              ? tr("No mas&k...")
+                              : tr("Mas&k: %1").arg(QString::fromStdString(mask.filename().string())));
+}
+
+void AlignMode::showFindings() {
+    const auto& findings = m_presenter->findings();
+    m_summary->setText(m_presenter->summary());
+    m_headings.setPhotos(findings ? findings->photos : std::vector<jobs::PhotoFinding>());
+    m_headings.setColour(palette().color(QPalette::WindowText));
+    try {
+        m_plan->setRows(m_session != nullptr ? reviewRows(m_session->store(), findings)
+                                             : std::vector<ReviewRow>());
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+    }
+    m_legend->setHottest(m_plan->hottest());
+    sizeColumns();
+    selectStation();
+    showProposals();
+}
+
+void AlignMode::showTask() {
+    Task* task = m_presenter->task();
+    m_run->setEnabled(m_presenter->canRun());
+    m_stop->setEnabled(task != nullptr);
+    m_progress->setVisible(task != nullptr);
+    if (task != nullptr) {
+        connect(task, &Task::progressed, this, &AlignMode::showProgress);
+        showProgress();
+    }
+    showProposals();
+}
+
+void AlignMode::showProgress() {
+    const Task* task = m_presenter->task();
+    if (task == nullptr) {
+        return;
+    }
+    m_progress->setValue(static_cast<int>(1000 * task->fraction()));
+    const auto left = task->left();
+    m_progress->setFormat(left ? tr("%1, %2 s left").arg(task->step()).arg(left->count()) : task->step());
+}
+
+/// Once, when there is something in them: later the user may have sized them.
+void AlignMode::sizeColumns() {
+    if (m_areColumnsSized || m_presenter->model().rowCount() == 0) {
+        return;
+    }
+    m_areColumnsSized = true;
+    for (const int column :
+         {AlignModel::Station, AlignModel::Verdict, AlignModel::Yaw, AlignModel::SigmaYaw,
+          AlignModel::SigmaTilt, AlignModel::Residual, AlignModel::Neighbours, AlignModel::Proposal}) {
+        m_table->resizeColumnToContents(column);
+    }
+}
+
+std::vector<std::int64_t> AlignMode::chosen() const {
+    std::vector<std::int64_t> photos;
+    for (const QModelIndex& row : m_table->selectionModel()->selectedRows()) {
+        photos.push_back(row.data(AlignModel::PhotoRole).toLongLong());
+    }
+    return photos;
+}
+
+void AlignMode::showProposals() {
+    const std::vector<std::int64_t> photos = chosen();
+    bool hasRetag = false;
+    QStringList reasons;
+    for (const std::int64_t id : photos) {
+        const jobs::PhotoFinding* photo = m_presenter->model().photo(id);
+        hasRetag = hasRetag || (photo != nullptr && photo->fits);
+        for (const std::string& flag : photo != nullptr ? photo->flags : std::vector<std::string>()) {
+            reasons << QString::fromStdString(flag);
+        }
+    }
+    reasons.removeDuplicates();
+    m_reason->setText(reasons.mid(0, 4).join(QLatin1Char('\n')));
+    const bool isFree = m_presenter->canRun();
+    const auto& findings = m_presenter->findings();
+    m_retag->setEnabled(isFree && hasRetag);
+    m_retagAll->setEnabled(isFree && findings && !findings->retags().empty());
+    m_retake->setEnabled(isFree && !photos.empty());
+    m_maskChosen->setEnabled(isFree);
+}
+
+void AlignMode::selectStation() {
+    const auto station = m_session != nullptr ? m_session->selection()->current() : std::nullopt;
+    if (!station || m_presenter->table().rowCount() == 0) {
+        return;
+    }
+    const QModelIndexList found =
+        m_presenter->table().match(m_presenter->table().index(0, 0), AlignModel::StationRole,
+                                   QVariant::fromValue<qlonglong>(*station), 1, Qt::MatchExactly);
+    if (!found.isEmpty() && found.first().row() != m_table->currentIndex().row()) {
+        m_table->setCurrentIndex(found.first());
+    }
+}
+
+bool AlignMode::event(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && m_plan != nullptr) {
+        m_headings.setColour(palette().color(QPalette::WindowText));
+        m_plan->update();
+    }
+    return Mode::event(event);
+}
+
+} // namespace spherewalk::ui

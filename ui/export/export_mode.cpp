@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/export_mode.h"
+
+#include "ui/export/export_presenter.h"
+#include "ui/look/icon.h"
+
+#include "spherewalk/base/text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QUrl>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr int kWidestPage = 760; ///< lines longer than that are hard to read
+
+QString bytesText(std::uint64_t bytes) {
+    return QString::fromStdString(humanBytes(bytes));
+}
+
+QString durationText(double seconds) {
+    return QString::fromStdString(humanDuration(std::chrono::duration<double>(seconds)));
+}
+
+QLabel* wrapped(QWidget* parent, const char* name) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+} // namespace
+
+ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
+    : Mode(parent),
+      m_presenter(new ExportPresenter(tasks, this)),
+      m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
+    setObjectName("export");
+    auto* page = new QWidget(this);
+    page->setMaximumWidth(kWidestPage);
+    auto* column = new QVBoxLayout(page);
+    column->addWidget(makeWhere());
+    column->addWidget(makeBefore());
+    column->addWidget(makeAfter());
+    column->addStretch(1);
+    auto* layout = new QHBoxLayout(this);
+    layout->addWidget(page, 1);
+    layout->setAlignment(page, Qt::AlignTop);
+    connect(m_presenter, &ExportPresenter::changed, this, &ExportMode::showAll);
+    connect(m_presenter, &ExportPresenter::message, this, &Mode::message);
+    showAll();
+}
+
+QIcon ExportMode::icon() const {
+    return ui::icon("export");
+}
+
+void ExportMode::setSession(SurveySession* session) {
+    m_presenter->setSession(session);
+    m_folder->setText(m_presenter->folder());
+}
+
+void ExportMode::activated() {
+    m_presenter->check();
+    m_folder->setFocus();
+}
+
+QWidget* ExportMode::makeWhere() {
+    auto* box = new QGroupBox(tr("What and where"), this);
+    auto* form = new QFormLayout(box);
+    m_folder = new QLineEdit(box);
+    m_folder->setObjectName("folder");
+    m_folder->setToolTip(tr("A folder that does not exist yet"));
+    connect(m_folder, &QLineEdit::textEdited, m_presenter, &ExportPresenter::setFolder);
+    connect(m_folder, &QLineEdit::editingFinished, m_presenter, &ExportPresenter::check);
+    auto* choose = new QPushButton(tr("C&hoose..."), box);
+    connect(choose, &QPushButton::clicked, this, &ExportMode::chooseFolder);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_folder, 1);
+    row->addWidget(choose);
+    auto* label = new QLabel(tr("&Folder"), box);
+    label->setBuddy(m_folder);
+    form->addRow(label, row);
+    m_markers = new QComboBox(box);
+    m_markers->setObjectName("markers");
+    m_markers->addItem(tr("Fastest views (photos grow by about 2 %)"),
+                       dataset::WriteOptions().mcusPerInterval);
+    m_markers->addItem(tr("Smaller (0.6 %), views of new places take longer"), 21);
+    m_markers->setToolTip(tr("How far apart the marks are that let a part of a photo be decoded by itself"));
+    connect(m_markers, &QComboBox::currentIndexChanged, this, &ExportMode::applyOptions);
+    form->addRow(tr("&Optimised for"), m_markers);
+    m_opens = new QCheckBox(tr("Open the folder &when it is done"), box);
+    m_opens->setObjectName("opens");
+    m_opens->setChecked(true);
+    form->addRow(QString(), m_opens);
+    return box;
+}
+
+QWidget* ExportMode::makeBefore() {
+    auto* box = new QGroupBox(tr("Before"), this);
+    auto* layout = new QVBoxLayout(box);
+    m_amount = wrapped(box, "amount");
+    m_findings = wrapped(box, "findings");
+    m_check = new QPushButton(tr("Chec&k again"), box);
+    m_check->setObjectName("check");
+    m_check->setToolTip(tr("Look again at what the dataset would have and lack"));
+    connect(m_check, &QPushButton::clicked, m_presenter, &ExportPresenter::check);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_amount, 1);
+    row->addWidget(m_check);
+    layout->addLayout(row);
+    layout->addWidget(m_findings);
+    return box;
+}
+
+QWidget* ExportMode::makeAfter() {
+    auto* box = new QWidget(this);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
+    m_export = new QPushButton(tr("&Export"), box);
+    m_export->setObjectName("export");
+    m_export->setMinimumHeight(36);
+    m_export->setDefault(true);
+    connect(m_export, &QPushButton::clicked, m_presenter, &ExportPresenter::exportNow);
+    m_progress = new QProgressBar(box);
+    m_progress->setObjectName("progress");
+    m_progress->setRange(0, 1000);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_stop = new QPushButton(tr("&Stop"), box);
+    m_stop->setObjectName("stop");
+    connect(m_stop, &QPushButton::clicked, m_presenter, &ExportPresenter::stop);
+    row->addWidget(m_export);
+    row->addWidget(m_progress, 1);
+    row->addWidget(m_stop);
+    row->addStretch(0);
+    m_result = wrapped(box, "result");
+    m_openButton = new QPushButton(tr("Open the fol&der"), box);
+    m_openButton->setObjectName("open");
+    connect(m_openButton, &QPushButton::clicked, this, &ExportMode::openFolder);
+    auto* after = new QHBoxLayout;
+    after->addWidget(m_result, 1);
+    after->addWidget(m_openButton);
+    layout->addLayout(row);
+    layout->addLayout(after);
+    return box;
+}
+
+void ExportMode::chooseFolder() {
+    const QString folder = QFileDialog::getSaveFileName(this, tr("Folder of the dataset"), m_folder->text(),
+                                                        {}, nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!folder.isEmpty()) {
+        m_folder->setText(folder);
+        m_presenter->setFolder(folder);
+        m_presenter->check();
+    }
+}
+
+void ExportMode::applyOptions() {
+    dataset::WriteOptions options;
+    options.mcusPerInterval = m_markers->currentData().toInt();
+    m_presenter->setOptions(options);
+    m_presenter->check();
+}
+
+void ExportMode::openFolder() {
+    if (!m_open(QUrl::fromLocalFile(m_presenter->exported()))) {
+        emit message(tr("No program could open the folder %1.").arg(m_presenter->exported()));
+    }
+}
+
+void ExportMode::showAll() {
+    showFound();
+    showTask();
+    const QString exported = m_presenter->exported();
+    m_openButton->setVisible(!exported.isEmpty());
+    m_result->setVisible(!exported.isEmpty());
+    if (exported.isEmpty()) {
+        m_opened.clear();
+        return;
+    }
+    const jobs::ExportReport& report = m_presenter->report();
+    m_result->setText(
+        tr("✓ %1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
+            .arg(exported, bytesText(report.written.totalBytes), durationText(report.written.seconds)));
+    if (m_opens->isChecked() && m_opened != exported) {
+        m_opened = exported;
+        openFolder();
+    }
+}
+
+void ExportMode::showFound() {
+    const auto& found = m_presenter->found();
+    m_check->setEnabled(m_presenter->session() != nullptr && !m_presenter->isChecking());
+    if (!found) {
+        m_amount->setText(m_presenter->session() == nullptr ? tr("No survey is open.")
+                          : m_presenter->isChecking()       ? tr("Trying one photo...")
+                                                            : tr("Not checked yet."));
+        m_findings->clear();
+        return;
+    }
+    m_amount->setText(
+        tr("%n photo(s), about %1 and %2; %3 are free.", nullptr, static_cast<int>(found->photos))
+            .arg(bytesText(found->totalBytes), durationText(found->seconds), bytesText(found->freeBytes)));
+    QStringList sentences;
+    for (const std::string& obstacle : found->obstacles) {
+        sentences << QStringLiteral("⊠ ") + QString::fromStdString(obstacle);
+    }
+    for (const std::string& doubt : found->doubts) {
+        sentences << QStringLiteral("▲ ") + QString::fromStdString(doubt);
+    }
+    if (sentences.isEmpty()) {
+        sentences << tr("✓ Nothing is missing or doubtful.");
+    }
+    m_findings->setText(sentences.join(QLatin1Char('\n')));
+}
+
+void ExportMode::showTask() {
+    const Task* task = m_presenter->task();
+    m_export->setEnabled(m_presenter->canExport());
+    m_stop->setVisible(task != nullptr);
+    m_progress->setVisible(task != nullptr);
+    if (task != nullptr) {
+        m_progress->setValue(static_cast<int>(1000 * task->fraction()));
+        const auto left = task->left();
+        m_progress->setFormat(left ? tr("%1, %2 s left").arg(task->step()).arg(left->count()) : task->step());
+    }
+}
+
+} // namespace spherewalk::ui

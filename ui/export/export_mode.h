@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/shell/mode.h"
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QUrl;
+
+namespace spherewalk::ui {
+
+class ExportPresenter;
+class TaskList;
+
+/// The survey becomes a dataset.
+class ExportMode : public Mode {
+    Q_OBJECT
+
+  public:
+    explicit ExportMode(TaskList& tasks, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Export"); }
+
+    QIcon icon() const override;
+
+    QString hint() const override { return tr("Make a dataset for simulators"); }
+
+    void setSession(SurveySession* session) override;
+    void activated() override;
+
+    /// In place of the desktop's file manager; for tests.
+    void setOpener(std::function<bool(const QUrl&)> opener) { m_open = std::move(opener); }
+
+  private:
+    QWidget* makeWhere();
+    QWidget* makeBefore();
+    QWidget* makeAfter();
+    void chooseFolder();
+    void applyOptions();
+    void openFolder();
+    void showAll();
+    void showFound();
+    void showTask();
+
+    ExportPresenter* m_presenter;
+    std::function<bool(const QUrl&)> m_open;
+    QLineEdit* m_folder = nullptr;
+    QComboBox* m_markers = nullptr;
+    QCheckBox* m_opens = nullptr;
+    QLabel* m_amount = nullptr;
+    QLabel* m_findings = nullptr;
+    QPushButton* m_check = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_stop = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_result = nullptr;
+    QPushButton* m_openButton = nullptr;
+    QString m_opened; ///< that was shown by itself already
+};
+
+} // namespace spherewalk::ui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panorama/panorama_presenter.h"
+
+#include "ui/panorama/picture.h"
+
+#include "spherewalk/base/error.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBlinkInterval{600};
+constexpr std::chrono::milliseconds kSettleTime{160};
+constexpr qint64 kMostPixels = 8'000'000;
+
+} // namespace
+
+PanoramaPresenter::PanoramaPresenter(QObject* parent) : QObject(parent) {
+    m_blinking.setInterval(kBlinkInterval);
+    connect(&m_blinking, &QTimer::timeout, this, &PanoramaPresenter::blink);
+    m_settling.setInterval(kSettleTime);
+    m_settling.setSingleShot(true);
+    connect(&m_settling, &QTimer::timeout, this, &PanoramaPresenter::changed);
+    connect(&m_decoder, &PhotoDecoder::decoded, this, &PanoramaPresenter::changed);
+}
+
+void PanoramaPresenter::show(const std::optional<ShownPhoto>& photo) {
+    if (photo != m_photo) {
+        m_photo = photo;
+        want();
+    }
+}
+
+void PanoramaPresenter::setOther(const std::optional<ShownPhoto>& photo) {
+    if (photo != m_other) {
+        m_other = photo;
+        want();
+    }
+}
+
+void PanoramaPresenter::setSphereRadius(std::optional<double> radiusM) {
+    m_sphereRadiusM = radiusM;
+    emit changed();
+}
+
+void PanoramaPresenter::want() {
+    std::vector<PhotoDecoder::File> files;
+    if (m_photo) {
+        files.push_back(m_photo->file);
+    }
+    if (m_other && m_comparison != Comparison::Off) {
+        files.push_back(m_other->file);
+    }
+    m_decoder.want(files);
+    emit changed();
+}
+
+void PanoramaPresenter::setComparison(Comparison comparison) {
+    if (comparison == m_comparison) {
+        return;
+    }
+    m_comparison = comparison;
+    m_isOtherShown = false;
+    if (comparison == Comparison::Blink) {
+        m_blinking.start();
+    } else {
+        m_blinking.stop();
+    }
+    emit comparisonChanged();
+    want();
+}
+
+void PanoramaPresenter::setShare(double share) {
+    m_share = std::clamp(share, 0.0, 1.0);
+    emit changed();
+}
+
+void PanoramaPresenter::blink() {
+    m_isOtherShown = !m_isOtherShown;
+    emit changed();
+}
+
+void PanoramaPresenter::setLook(const Look& look) {
+    m_look = look;
+    emit changed();
+}
+
+void PanoramaPresenter::turn(Radians left, Radians higher) {
+    m_look.turn(left, higher);
+    move();
+}
+
+void PanoramaPresenter::zoom(double factor) {
+    m_look.zoom(factor);
+    move();
+}
+
+void PanoramaPresenter::lookLevel() {
+    m_look.up = Radians(0);
+    m_look.fov = Degrees(90);
+    move();
+}
+
+void PanoramaPresenter::move() {
+    m_settling.start();
+    emit changed();
+}
+
+QImage PanoramaPresenter::picture(const QSize& sizePx) {
+    if (sizePx.isEmpty() || qint64{sizePx.width()} * sizePx.height() > kMostPixels) {
+        return {};
+    }
+    const bool isComparing = m_comparison != Comparison::Off && m_other.has_value();
+    if (!m_photo) {
+        QImage nothing(sizePx, QImage::Format_RGB32);
+        nothing.fill(Qt::black);
+        return nothing;
+    }
+    if (isComparing && m_comparison == Comparison::Blink && m_isOtherShown) {
+        return render(*m_other, sizePx);
+    }
+    QImage first = render(*m_photo, sizePx);
+    if (isComparing && m_comparison == Comparison::Slider) {
+        const int line = static_cast<int>(m_share * sizePx.width());
+        const QRect right(line, 0, sizePx.width() - line, sizePx.height());
+        QPainter(&first).drawImage(right.topLeft(), render(*m_other, sizePx), right);
+    }
+    return first;
+}
+
+QImage PanoramaPresenter::render(const ShownPhoto& photo, const QSize& sizePx) {
+    const auto decoded = m_decoder.find(photo.file);
+    if (!decoded) {
+        QImage nothing(sizePx, QImage::Format_RGB32);
+        nothing.fill(Qt::black);
+        return nothing;
+    }
+    const Eigen::Vector3d& from = m_photo->roomFromPhoto.translation;
+    const render::Sampling sampling =
+        m_settling.isActive() ? render::Sampling::Bilinear : render::Sampling::Footprint;
+    m_renderer.render(decoded->panorama, {photo.roomFromPhoto, m_sphereRadiusM},
+                      CameraModel(m_look.camera(sizePx.width(), sizePx.height())),
+                      m_look.roomFromCamera(from), sampling, m_pixels);
+    return qtImage(m_pixels);
+}
+
+QString PanoramaPresenter::remark() const {
+    if (!m_photo) {
+        return tr("No photo is chosen.");
+    }
+    for (const std::optional<ShownPhoto>& photo : {m_photo, m_other}) {
+        const bool isNeeded = photo && (photo == m_photo || m_comparison != Comparison::Off);
+        if (isNeeded && !m_decoder.sentence(photo->file).isEmpty()) {
+            return m_decoder.sentence(photo->file);
+        }
+        if (isNeeded && !m_decoder.find(photo->file)) {
+            return tr("Decoding %1...").arg(photo->name);
+        }
+    }
+    return {};
+}
+
+} // namespace spherewalk::ui

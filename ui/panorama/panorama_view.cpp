@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panorama/panorama_view.h"
+
+#include "ui/panorama/panorama_presenter.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr double kLineReachPx = 10;
+constexpr double kKeyShare = 1.0 / 12; ///< of the field of view, that a key turns by
+constexpr double kZoomStep = 1.15;
+constexpr double kShareStep = 0.02;
+
+/// Text on a plate, readable on any picture.
+void paintPlate(QPainter& painter, const QRectF& within, Qt::Alignment alignment, const QString& text) {
+    const QRectF inside = within.adjusted(16, 10, -16, -10);
+    if (text.isEmpty() || inside.width() < 40) {
+        return;
+    }
+    const int flags = static_cast<int>(alignment) | Qt::TextWordWrap;
+    const QRectF box = painter.boundingRect(inside, flags, text);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 170));
+    painter.drawRoundedRect(box.adjusted(-8, -4, 8, 4), 5, 5);
+    painter.setPen(Qt::white);
+    painter.drawText(box, flags, text);
+}
+
+} // namespace
+
+PanoramaView::PanoramaView(QWidget* parent) : QWidget(parent), m_presenter(new PanoramaPresenter(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(240, 160);
+    setCursor(Qt::OpenHandCursor);
+    setAccessibleName(tr("Photo to look around in"));
+    setToolTip(tr("Drag or use the arrow keys to look around; wheel, + and - change the field of view; 0 "
+                  "looks level"));
+    connect(m_presenter, &PanoramaPresenter::changed, this, qOverload<>(&QWidget::update));
+}
+
+void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QImage picture = m_presenter->picture(size() * devicePixelRatioF());
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    painter.drawImage(0, 0, picture);
+    paintPlate(painter, rect(), Qt::AlignCenter, m_presenter->remark());
+    if (m_presenter->photo()) {
+        paintLine(painter);
+        paintNames(painter);
+        paintLook(painter);
+    }
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+}
+
+void PanoramaView::paintLine(QPainter& painter) const {
+    if (m_presenter->comparison() != Comparison::Slider || !m_presenter->other()) {
+        return;
+    }
+    const double x = m_presenter->share() * width();
+    painter.setPen(QPen(QColor(0, 0, 0, 120), 4));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    painter.setPen(QPen(Qt::white, 2));
+    painter.drawLine(QPointF(x, 0), QPointF(x, height()));
+    const QPointF middle(x, 0.5 * height());
+    painter.setBrush(Qt::white);
+    painter.setPen(QPen(QColor(0, 0, 0, 120), 1));
+    painter.drawEllipse(middle, 13, 13);
+    QPainterPath arrows;
+    for (const int side : {-1, 1}) {
+        arrows.moveTo(middle + QPointF(side * 3, -5));
+        arrows.lineTo(middle + QPointF(side * 8, 0));
+        arrows.lineTo(middle + QPointF(side * 3, 5));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, 2));
+    painter.drawPath(arrows);
+}
+
+void PanoramaView::paintNames(QPainter& painter) const {
+    const auto& other = m_presenter->other();
+    const QString first = m_presenter->photo()->name;
+    switch (other ? m_presenter->comparison() : Comparison::Off) {
+    case Comparison::Off:
+        return paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft, first);
+    case Comparison::Blink:
+        return paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft,
+                          m_presenter->isOtherShown() ? tr("B: %1").arg(other->name)
+                                                      : tr("A: %1").arg(first));
+    case Comparison::Slider: {
+        const double line = m_presenter->share() * width();
+        paintPlate(painter, QRectF(0, 0, line, height()), Qt::AlignTop | Qt::AlignLeft,
+                   tr("A: %1").arg(first));
+        paintPlate(painter, QRectF(line, 0, width() - line, height()), Qt::AlignTop | Qt::AlignRight,
+                   tr("B: %1").arg(other->name));
+    }
+    }
+}
+
+void PanoramaView::paintLook(QPainter& painter) const {
+    const Look& look = m_presenter->look();
+    paintPlate(painter, rect(), Qt::AlignBottom | Qt::AlignRight,
+               tr("heading %1°, %2° up, %3° wide")
+                   .arg(Degrees(look.yaw).value(), 0, 'f', 0)
+                   .arg(Degrees(look.up).value(), 0, 'f', 0)
+                   .arg(Degrees(look.fov).value(), 0, 'f', 0));
+}
+
+bool PanoramaView::isOnLine(const QPointF& at) const {
+    return m_presenter->comparison() == Comparison::Slider && m_presenter->other() &&
+           std::abs(at.x() - m_presenter->share() * width()) < kLineReachPx;
+}
+
+void PanoramaView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        m_dragFrom = event->position();
+        m_dragsLine = isOnLine(event->position());
+        setCursor(m_dragsLine ? Qt::SplitHCursor : Qt::ClosedHandCursor);
+    }
+}
+
+void PanoramaView::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_dragFrom) {
+        return;
+    }
+    if (m_dragsLine) {
+        m_presenter->setShare(event->position().x() / std::max(1, width()));
+        return;
+    }
+    // The picture stays under the pointer, about.
+    const QPointF moved = event->position() - *m_dragFrom;
+    m_dragFrom = event->position();
+    const Radians perPixel = m_presenter->look().fov * (1.0 / std::max(1, width()));
+    m_presenter->turn(perPixel * moved.x(), perPixel * moved.y());
+}
+
+void PanoramaView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        m_dragFrom.reset();
+        setCursor(Qt::OpenHandCursor);
+    }
+}
+
+void PanoramaView::wheelEvent(QWheelEvent* event) {
+    m_presenter->zoom(std::pow(kZoomStep, -event->angleDelta().y() / 120.0));
+    event->accept();
+}
+
+void PanoramaView::keyPressEvent(QKeyEvent* event) {
+    const Radians step = m_presenter->look().fov * kKeyShare;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return m_presenter->turn(step, Radians(0));
+    case Qt::Key_Right:
+        return m_presenter->turn(-step, Radians(0));
+    case Qt::Key_Up:
+        return m_presenter->turn(Radians(0), step);
+    case Qt::Key_Down:
+        return m_presenter->turn(Radians(0), -step);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        return m_presenter->zoom(1 / kZoomStep);
+    case Qt::Key_Minus:
+        return m_presenter->zoom(kZoomStep);
+    case Qt::Key_0:
+        return m_presenter->lookLevel();
+    case Qt::Key_BracketLeft:
+        return m_presenter->setShare(m_presenter->share() - kShareStep);
+    case Qt::Key_BracketRight:
+        return m_presenter->setShare(m_presenter->share() + kShareStep);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+} // namespace spherewalk::ui

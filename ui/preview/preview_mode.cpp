@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/preview/preview_mode.h"
+
+#include "ui/look/icon.h"
+#include "ui/plan/plan_view.h"
+#include "ui/preview/camera_presets.h"
+#include "ui/preview/drive_view.h"
+#include "ui/preview/preview_presenter.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr double kBallRadiusM = 0.2;
+constexpr double kBallDistanceM = 1.2;
+constexpr double kLeastAimM = 0.05; ///< to drag before the heading follows
+constexpr int kBestScene = -1;      ///< in a combo box's data
+
+std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
+    std::vector<StationMark> marks;
+    for (std::size_t i = 0; i < info.photos.size(); ++i) {
+        StationMark mark;
+        mark.id = static_cast<std::int64_t>(i);
+        mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
+        mark.name = QString::fromStdString(info.photos[i].station);
+        mark.state = StationMark::State::Taken;
+        mark.note = QString::fromStdString(info.photos[i].file);
+        marks.push_back(std::move(mark));
+    }
+    return marks;
+}
+
+/// The room, or without one the floor that the photos cover.
+survey::Room roomOf(const render::DatasetInfo& info) {
+    survey::Room room{info.outline, info.obstacles, info.ceilingM};
+    if (room.outline.empty()) {
+        Polygon places;
+        for (const render::DatasetPhoto& photo : info.photos) {
+            places.emplace_back(photo.roomFromPhoto.translation.head<2>());
+        }
+        const Bounds2 area = bounds(places);
+        const Eigen::Vector2d a = area.least - Eigen::Vector2d(1, 1);
+        const Eigen::Vector2d b = area.greatest + Eigen::Vector2d(1, 1);
+        room.outline = {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+    }
+    return room;
+}
+
+Radians fieldOf(const CameraIntrinsics& camera) {
+    const CameraModel model(camera);
+    const double y = 0.5 * (camera.height - 1);
+    const auto left = model.ray(Eigen::Vector2d(0, y));
+    const auto right = model.ray(Eigen::Vector2d(camera.width - 1, y));
+    return left && right ? Radians(std::atan2(right->x(), right->z()) - std::atan2(left->x(), left->z()))
+                         : Radians(Degrees(180));
+}
+
+} // namespace
+
+PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
+    : Mode(parent), m_presenter(new PreviewPresenter(tasks, this)) {
+    setObjectName("preview");
+    m_view = new DriveView(*m_presenter, this);
+    m_view->setObjectName("view");
+    m_map = new PlanView(this);
+    m_map->setObjectName("map");
+    m_map->setAccessibleName(tr("Where the robot is"));
+    m_map->setToolTip(tr("Click to put the robot there, drag to turn it; with Shift, put the ball there"));
+    m_map->addLayer(&m_robot);
+    auto* side = new QWidget(this);
+    auto* sideLayout = new QVBoxLayout(side);
+    sideLayout->setContentsMargins(0, 0, 0, 0);
+    sideLayout->addWidget(m_map, 1);
+    sideLayout->addWidget(makeControls());
+    auto* columns = new QSplitter(this);
+    columns->addWidget(m_view);
+    columns->addWidget(side);
+    columns->setStretchFactor(0, 3);
+    columns->setStretchFactor(1, 2);
+    columns->setSizes({760, 440});
+    columns->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(makeBar());
+    layout->addWidget(columns, 1);
+    connect(m_map, &PlanCanvas::pressedAt, this, &PreviewMode::placeRobot);
+    connect(m_map, &PlanCanvas::draggedTo, this, &PreviewMode::aimRobot);
+    connect(m_presenter, &PreviewPresenter::datasetChanged, this, &PreviewMode::showDataset);
+    connect(m_presenter, &PreviewPresenter::robotChanged, this, &PreviewMode::showRobot);
+    connect(m_presenter, &PreviewPresenter::viewsChanged, this, &PreviewMode::showViews);
+    connect(m_presenter, &PreviewPresenter::recordingChanged, this, &PreviewMode::showRecording);
+    connect(m_presenter, &PreviewPresenter::message, this, &Mode::message);
+    showDataset();
+    showRobot();
+    showRecording();
+}
+
+PreviewMode::~PreviewMode() {
+    m_map->removeLayer(&m_robot);
+}
+
+QIcon PreviewMode::icon() const {
+    return ui::icon("preview");
+}
+
+void PreviewMode::setSession(SurveySession* session) {
+    m_presenter->setSession(session);
+}
+
+void PreviewMode::activated() {
+    (m_presenter->dataset() != nullptr ? static_cast<QWidget*>(m_view) : m_make)->setFocus();
+}
+
+QWidget* PreviewMode::makeBar() {
+    auto* bar = new QWidget(this);
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_make = new QPushButton(tr("&Preview this survey"), bar);
+    m_make->setObjectName("make");
+    m_make->setToolTip(tr("Export the survey to a temporary folder and look at it; nothing is kept"));
+    connect(m_make, &QPushButton::clicked, m_presenter, &PreviewPresenter::makeDataset);
+    auto* open = new QPushButton(tr("Open a &dataset..."), bar);
+    open->setObjectName("open");
+    open->setToolTip(tr("Look at a dataset that was exported before"));
+    connect(open, &QPushButton::clicked, this, &PreviewMode::chooseDataset);
+    m_what = new QLabel(bar);
+    m_what->setObjectName("what");
+    m_rate = new QLabel(bar);
+    m_rate->setObjectName("rate");
+    m_record = new QPushButton(tr("&Record"), bar);
+    m_record->setObjectName("record");
+    m_record->setCheckable(true);
+    m_record->setToolTip(tr("Record the path that the robot takes"));
+    connect(m_record, &QPushButton::toggled, m_presenter, &PreviewPresenter::setRecording);
+    m_save = new QPushButton(tr("&Save frames..."), bar);
+    m_save->setObjectName("save");
+    m_save->setToolTip(tr("Render a frame at each pose of the recorded path, as the command walk does"));
+    connect(m_save, &QPushButton::clicked, this, &PreviewMode::chooseFolder);
+    layout->addWidget(m_make);
+    layout->addWidget(open);
+    layout->addWidget(m_what, 1);
+    layout->addWidget(m_rate);
+    layout->addWidget(m_record);
+    layout->addWidget(m_save);
+    return bar;
+}
+
+PreviewMode::SideChoice PreviewMode::makeSide(const QString& name, QGridLayout& grid, int row) {
+    SideChoice side;
+    side.scene = new QComboBox(this);
+    side.scene->setAccessibleName(tr("Scene model of view %1").arg(name));
+    side.scene->setToolTip(tr("What places between photos are computed with, cheap to exact"));
+    side.scene->addItem(tr("Best there is"), kBestScene);
+    side.scene->addItem(tr("None: nearest photo, turned"), static_cast<int>(render::SceneKind::None));
+    side.scene->addItem(tr("Sphere"), static_cast<int>(render::SceneKind::Sphere));
+    side.sampling = new QComboBox(this);
+    side.sampling->setAccessibleName(tr("Sampling of view %1").arg(name));
+    side.sampling->setToolTip(tr("How pixels are made, cheap to exact"));
+    side.sampling->addItem(tr("Nearest"), static_cast<int>(render::Sampling::Nearest));
+    side.sampling->addItem(tr("Bilinear"), static_cast<int>(render::Sampling::Bilinear));
+    side.sampling->addItem(tr("Reduced"), static_cast<int>(render::Sampling::Reduced));
+    side.sampling->addItem(tr("Footprint"), static_cast<int>(render::Sampling::Footprint));
+    side.sampling->addItem(tr("Bicubic"), static_cast<int>(render::Sampling::Bicubic));
+    side.sampling->addItem(tr("As needed"), static_cast<int>(render::Sampling::Auto));
+    side.sampling->setCurrentIndex(3);
+    auto* label = new QLabel(name, this);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(side.scene, row, 1);
+    grid.addWidget(side.sampling, row, 2);
+    for (QComboBox* choice : {side.scene, side.sampling}) {
+        connect(choice, &QComboBox::currentIndexChanged, this, &PreviewMode::applySides);
+    }
+    return side;
+}
+
+QWidget* PreviewMode::makeControls() {
+    auto* box = new QGroupBox(tr("Camera and view"), this);
+    auto* grid = new QGridLayout(box);
+    m_camera = new QComboBox(box);
+    m_camera->setObjectName("camera");
+    for (const CameraPreset& preset : cameraPresets()) {
+        m_camera->addItem(preset.name);
+    }
+    m_camera->addItem(tr("From a ROS file..."));
+    m_camera->setCurrentIndex(2);
+    m_camera->setAccessibleName(tr("Camera model"));
+    m_camera->setToolTip(tr("The robot's camera; a ROS camera-info YAML has your own one's calibration"));
+    m_camera->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(m_camera, &QComboBox::activated, this, &PreviewMode::choosePreset);
+    grid->addWidget(new QLabel(tr("Camera"), box), 0, 0);
+    grid->addWidget(m_camera, 0, 1, 1, 2);
+    const auto spin = [&](const QString& name, double least, double most, double step, const QString& suffix,
+                          const QString& toolTip) {
+        auto* result = new QDoubleSpinBox(box);
+        result->setObjectName(name);
+        result->setRange(least, most);
+        result->setSingleStep(step);
+        result->setSuffix(suffix);
+        result->setToolTip(toolTip);
+        connect(result, &QDoubleSpinBox::valueChanged, this, &PreviewMode::applyMount);
+        return result;
+    };
+    m_height = spin("height", 0.01, 20, 0.05, tr(" m high"), tr("Height of the camera above the floor"));
+    m_pitch = spin("pitch", -90, 90, 5, tr("° down"), tr("How far the camera looks below the horizon"));
+    m_height->setValue(m_presenter->mount().heightM);
+    grid->addWidget(new QLabel(tr("Carried"), box), 1, 0);
+    grid->addWidget(m_height, 1, 1);
+    grid->addWidget(m_pitch, 1, 2);
+    m_sides.push_back(makeSide(tr("View"), *grid, 2));
+    m_split = new QCheckBox(tr("&Compare"), box);
+    m_split->setObjectName("split");
+    m_split->setToolTip(tr("Show a second view beside the first, made another way"));
+    m_sides.push_back(makeSide(tr("B"), *grid, 3));
+    m_sides[0].sampling->setObjectName("samplingA");
+    m_sides[1].sampling->setObjectName("samplingB");
+    m_sides[0].scene->setObjectName("sceneA");
+    m_sides[1].scene->setObjectName("sceneB");
+    m_sides[1].scene->setCurrentIndex(1);
+    delete grid->itemAtPosition(3, 0)->widget(); // the box takes its place
+    grid->addWidget(m_split, 3, 0);
+    connect(m_split, &QCheckBox::toggled, this, &PreviewMode::applySides);
+    m_ball = new QCheckBox(tr("Lay a &ball into the view"), box);
+    m_ball->setObjectName("ball");
+    m_ball->setToolTip(
+        tr("An object as a simulator would render it; Shift and a click on the plan put it elsewhere"));
+    connect(m_ball, &QCheckBox::toggled, this, [this](bool isShown) {
+        if (!isShown) {
+            return m_presenter->setBall(std::nullopt);
+        }
+        const RobotPlace& robot = m_presenter->robot();
+        jobs::Ball ball;
+        ball.radiusM = kBallRadiusM;
+        ball.centreM << robot.pInRoom + kBallDistanceM * Eigen::Vector2d(cos(robot.yaw), sin(robot.yaw)),
+            std::max(kBallRadiusM, m_presenter->mount().heightM - kBallRadiusM);
+        m_presenter->setBall(ball);
+    });
+    grid->addWidget(m_ball, 4, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
+    applySides();
+    return box;
+}
+
+void PreviewMode::chooseDataset() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a dataset"));
+    if (!folder.isEmpty()) {
+        m_presenter->openDataset(folder);
+    }
+}
+
+void PreviewMode::choosePreset(int index) {
+    const std::vector<CameraPreset> presets = cameraPresets();
+    if (index < static_cast<int>(presets.size())) {
+        m_presenter->setCamera(presets[static_cast<std::size_t>(index)].intrinsics);
+    } else {
+        chooseCamera();
+    }
+}
+
+void PreviewMode::chooseCamera() {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("ROS camera-info file"), {}, tr("Camera info (*.yaml *.yml)"));
+    if (!file.isEmpty()) {
+        m_presenter->readCamera(file);
+    }
+}
+
+void PreviewMode::chooseFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
+    if (!folder.isEmpty()) {
+        m_presenter->saveFrames(folder);
+    }
+}
+
+void PreviewMode::applyMount() {
+    m_presenter->setMount({m_height->value(), Degrees(m_pitch->value())});
+}
+
+void PreviewMode::applySides() {
+    if (m_sides.size() < 2) {
+        return; // still being made
+    }
+    const bool isSplit = m_split->isChecked();
+    m_sides[1].scene->setEnabled(isSplit);
+    m_sides[1].sampling->setEnabled(isSplit);
+    std::vector<ViewSide> sides;
+    for (std::size_t i = 0; i < (isSplit ? 2U : 1U); ++i) {
+        ViewSide side;
+        const int scene = m_sides[i].scene->currentData().toInt();
+        if (scene != kBestScene) {
+            side.scene = static_cast<render::SceneKind>(scene);
+        }
+        side.sampling = static_cast<render::Sampling>(m_sides[i].sampling->currentData().toInt());
+        sides.push_back(side);
+    }
+    m_presenter->setSides(sides);
+}
+
+void PreviewMode::placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers) {
+    const Eigen::Vector2d place(pInRoom.x(), pInRoom.y());
+    if (modifiers.testFlag(Qt::ShiftModifier) && m_presenter->ball()) {
+        jobs::Ball ball = *m_presenter->ball();
+        ball.centreM.head<2>() = place;
+        return m_presenter->setBall(ball);
+    }
+    m_presenter->setRobot({place, m_presenter->robot().yaw});
+    m_view->setFocus();
+}
+
+void PreviewMode::aimRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier) && m_presenter->ball()) {
+        return placeRobot(pInRoom, modifiers);
+    }
+    RobotPlace robot = m_presenter->robot();
+    const Eigen::Vector2d towards = Eigen::Vector2d(pInRoom.x(), pInRoom.y()) - robot.pInRoom;
+    if (towards.norm() > kLeastAimM) {
+        robot.yaw = Radians(std::atan2(towards.y(), towards.x()));
+        m_presenter->setRobot(robot);
+    }
+}
+
+void PreviewMode::showDataset() {
+    const render::Dataset* dataset = m_presenter->dataset();
+    m_make->setEnabled(m_presenter->canMakeDataset());
+    m_record->setEnabled(dataset != nullptr);
+    if (dataset == nullptr) {
+        m_map->setRoom({});
+        m_map->setStations({});
+        m_what->setText(m_presenter->preparing() != nullptr ? tr("Preparing the preview...")
+                                                            : tr("No dataset is open."));
+        return;
+    }
+    const render::DatasetInfo& info = dataset->info();
+    m_map->setRoom(roomOf(info));
+    m_map->setStations(marksOf(info));
+    const bool isOutdated = m_presenter->isOutdated();
+    m_what->setText(
+        isOutdated
+            ? tr("%1: the survey has changed since; preview it again.").arg(QString::fromStdString(info.name))
+            : tr("%1: %n photo(s)", nullptr, static_cast<int>(info.photos.size()))
+                  .arg(QString::fromStdString(info.name)));
+    const QSignalBlocker blocker(m_height);
+    m_height->setValue(m_presenter->mount().heightM);
+}
+
+void PreviewMode::showRobot() {
+    m_map->update();
+    if (m_presenter->dataset() == nullptr) {
+        return m_robot.setScene(std::nullopt);
+    }
+    RobotLayer::Scene scene;
+    scene.robot = m_presenter->robot();
+    scene.fov = fieldOf(m_presenter->camera());
+    scene.ball = m_presenter->ball();
+    scene.path = m_presenter->path();
+    if (!m_presenter->views().empty()) {
+        const auto& photos = m_presenter->dataset()->info().photos;
+        scene.photo =
+            photos.at(m_presenter->views().front().report.photo).roomFromPhoto.translation.head<2>();
+    }
+    m_robot.setScene(std::move(scene));
+}
+
+void PreviewMode::showViews() {
+    const double rate = m_presenter->rate();
+    m_rate->setText(rate > 1 ? tr("%1 views/s").arg(rate, 0, 'f', 0) : QString());
+    showRobot();
+}
+
+void PreviewMode::showRecording() {
+    const QSignalBlocker blocker(m_record);
+    m_record->setChecked(m_presenter->isRecording());
+    const auto frames = static_cast<int>(m_presenter->path().size());
+    m_record->setText(m_presenter->isRecording() ? tr("● %n pose(s)", nullptr, frames) : tr("&Record"));
+    m_save->setEnabled(frames > 0 && !m_presenter->isRecording());
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/preview/robot_layer.h"
+#include "ui/shell/mode.h"
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace spherewalk::ui {
+
+class DriveView;
+class PlanView;
+class PreviewPresenter;
+class TaskList;
+struct ViewSide;
+
+/// A robot is driven through the dataset, as a simulator would use it.
+class PreviewMode : public Mode {
+    Q_OBJECT
+
+  public:
+    explicit PreviewMode(TaskList& tasks, QWidget* parent = nullptr);
+    ~PreviewMode() override;
+
+    QString title() const override { return tr("Preview"); }
+
+    QIcon icon() const override;
+
+    QString hint() const override { return tr("Drive a robot and see what its camera would see"); }
+
+    void setSession(SurveySession* session) override;
+    void activated() override;
+
+    bool worksWithoutSurvey() const override { return true; }
+
+    bool showsPlan() const override { return true; }
+
+    PreviewPresenter& presenter() { return *m_presenter; }
+
+  private:
+    /// How one of the compared views is made.
+    struct SideChoice {
+        QComboBox* scene = nullptr;
+        QComboBox* sampling = nullptr;
+    };
+
+    QWidget* makeBar();
+    QWidget* makeControls();
+    SideChoice makeSide(const QString& name, QGridLayout& grid, int row);
+    void chooseDataset();
+    void chooseCamera();
+    void choosePreset(int index);
+    void chooseFolder();
+    void showDataset();
+    void showRobot();
+    void showViews();
+    void showRecording();
+    void applyMount();
+    void applySides();
+    void placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
+    void aimRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
+
+    PreviewPresenter* m_presenter;
+    RobotLayer m_robot;
+    DriveView* m_view = nullptr;
+    PlanView* m_map = nullptr;
+    QPushButton* m_make = nullptr;
+    QLabel* m_what = nullptr;
+    QLabel* m_rate = nullptr;
+    QComboBox* m_camera = nullptr;
+    QDoubleSpinBox* m_height = nullptr;
+    QDoubleSpinBox* m_pitch = nullptr;
+    QCheckBox* m_split = nullptr;
+    std::vector<SideChoice> m_sides;
+    QCheckBox* m_ball = nullptr;
+    QPushButton* m_record = nullptr;
+    QPushButton* m_save = nullptr;
+};
+
+} // namespace spherewalk::ui

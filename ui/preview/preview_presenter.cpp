@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/preview/preview_presenter.h"
+
+#include "ui/preview/camera_presets.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/walk.h"
+#include "spherewalk/render/camera_info.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr std::chrono::milliseconds kTick{15};
+constexpr double kLongestTickS = 0.1; ///< so that a robot does not jump after a pause
+constexpr double kRecordIntervalS = 0.1;
+constexpr std::size_t kMostRecorded = 20'000;
+
+using SharedDataset = std::shared_ptr<const render::Dataset>;
+
+SharedDataset opened(const std::filesystem::path& folder, ProgressSink& progress,
+                     const std::stop_token& stop) {
+    return std::make_shared<const render::Dataset>(
+        render::Dataset::open(folder, render::Verify::Sizes, progress, stop));
+}
+
+/// At the photo nearest to the middle of all of them.
+RobotPlace middleOf(const render::DatasetInfo& info) {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const render::DatasetPhoto& photo : info.photos) {
+        middle += photo.roomFromPhoto.translation.head<2>() / static_cast<double>(info.photos.size());
+    }
+    const auto nearest =
+        std::min_element(info.photos.begin(), info.photos.end(),
+                         [&](const render::DatasetPhoto& a, const render::DatasetPhoto& b) {
+                             const auto distance = [&](const render::DatasetPhoto& photo) {
+                                 return (photo.roomFromPhoto.translation.head<2>() - middle).norm();
+                             };
+                             return distance(a) < distance(b);
+                         });
+    return {nearest->roomFromPhoto.translation.head<2>(), Radians(0)};
+}
+
+} // namespace
+
+PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_camera(cameraPresets().at(2).intrinsics) {
+    m_ticking.setInterval(kTick);
+    m_ticking.setTimerType(Qt::PreciseTimer);
+    connect(&m_ticking, &QTimer::timeout, this, &PreviewPresenter::tick);
+    m_clock.start();
+}
+
+PreviewPresenter::~PreviewPresenter() = default;
+
+void PreviewPresenter::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+    }
+    m_session = session;
+    if (m_folder) { // the dataset was the closed survey's
+        m_folder.reset();
+        use(nullptr);
+    }
+    m_isOutdated = false;
+    if (session != nullptr) {
+        connect(session, &SurveySession::changed, this, [this] {
+            m_isOutdated = m_folder != nullptr;
+            emit datasetChanged();
+        });
+    }
+    emit datasetChanged();
+}
+
+bool PreviewPresenter::canMakeDataset() const {
+    try {
+        return m_session && !m_preparing && m_session->store().counts().stationsWithPhoto > 0;
+    } catch (const Error&) { // what is wrong with the survey, others say
+        return false;
+    }
+}
+
+void PreviewPresenter::openDataset(const QString& folder) {
+    watch(m_tasks.start(
+        tr("Opening %1").arg(folder), this,
+        [path = std::filesystem::path(folder.toStdString())](
+            ProgressSink& progress, const std::stop_token& stop) { return opened(path, progress, stop); },
+        [this](SharedDataset dataset) {
+            m_folder.reset();
+            m_isOutdated = false;
+            use(std::move(dataset));
+        }));
+}
+
+void PreviewPresenter::watch(Task* task) {
+    connect(task, &Task::ended, this, [this, task] {
+        if (task->state() == Task::State::Failed) {
+            emit message(task->sentence());
+        }
+        if (task == m_preparing) {
+            m_preparing.clear();
+        }
+        emit datasetChanged();
+    });
+    emit datasetChanged();
+}
+
+void PreviewPresenter::makeDataset() {
+    if (!canMakeDataset()) {
+        emit message(tr("There is no photo to preview yet; capture or import some first."));
+        return;
+    }
+
+    struct Made {
+        std::shared_ptr<TemporaryFolder> folder;
+        SharedDataset dataset;
+    };
+
+    m_preparing = m_tasks.start(
+        tr("Preparing the preview of %1").arg(m_session->name()), this,
+        [survey = m_session->path()](ProgressSink& progress, const std::stop_token& stop) {
+            const auto store = store::SurveyStore::open(survey, store::Access::Read);
+            auto folder = std::make_shared<TemporaryFolder>("spherewalk-preview");
+            jobs::exportDataset(store, folder->path() / "dataset", {}, progress, stop);
+            return Made{folder, opened(folder->path() / "dataset", noProgress(), stop)};
+        },
+        [this](Made made) {
+            m_folder = std::move(made.folder);
+            m_isOutdated = false;
+            use(std::move(made.dataset));
+        });
+    watch(m_preparing);
+}
+
+const render::Dataset* PreviewPresenter::dataset() const {
+    return m_renderer ? &m_renderer->dataset() : nullptr;
+}
+
+void PreviewPresenter::use(SharedDataset dataset) {
+    m_worker.dropWaiting();
+    m_maker.reset();
+    m_renderer.reset();
+    m_views.clear();
+    m_path.clear();
+    m_isRecording = false;
+    if (dataset) {
+        const render::DatasetInfo& info = dataset->info();
+        m_drive = Drive(info.outline, info.obstacles);
+        m_robot = middleOf(info);
+        m_mount.heightM = info.photos.front().roomFromPhoto.translation.z();
+        m_renderer.emplace(std::move(dataset),
+                           render::RendererOptions{512ULL << 20, render::VerifyPhotos::InBackground});
+    }
+    emit datasetChanged();
+    emit robotChanged();
+    emit viewsChanged();
+    rebuild();
+}
+
+/// A camera has streams of its own.
+void PreviewPresenter::rebuild() {
+    if (m_renderer) {
+        m_maker = std::make_shared<ViewMaker>(*m_renderer, m_camera);
+        order();
+    }
+}
+
+void PreviewPresenter::setRobot(const RobotPlace& robot) {
+    m_robot = robot;
+    record();
+    emit robotChanged();
+    order();
+}
+
+void PreviewPresenter::setMount(const CameraMount& mount) {
+    m_mount = mount;
+    emit robotChanged();
+    order();
+}
+
+void PreviewPresenter::setCamera(const CameraIntrinsics& camera) {
+    if (camera == m_camera) {
+        return;
+    }
+    m_camera = camera;
+    emit robotChanged();
+    rebuild();
+}
+
+bool PreviewPresenter::readCamera(const QString& yaml) {
+    try {
+        setCamera(render::readCameraInfo(yaml.toStdString()));
+        return true;
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+        return false;
+    }
+}
+
+void PreviewPresenter::setSides(const std::vector<ViewSide>& sides) {
+    m_sides = sides;
+    order();
+}
+
+void PreviewPresenter::setBall(const std::optional<jobs::Ball>& ball) {
+    m_ball = ball;
+    emit robotChanged();
+    order();
+}
+
+void PreviewPresenter::order() {
+    if (!m_maker) {
+        return;
+    }
+    const ViewOrder wish{roomFromOptical(m_robot, m_mount), 0.001 * static_cast<double>(m_clock.elapsed()),
+                         m_sides, m_ball};
+    m_worker.post(QStringLiteral("view"), [this, maker = m_maker, wish]() -> BackgroundWorker::Deliver {
+        try {
+            return [this, maker, views = maker->make(wish)] {
+                if (maker == m_maker) { // otherwise the camera is another one meanwhile
+                    show(views);
+                }
+            };
+        } catch (const Error& error) {
+            const QString sentence = QString::fromStdString(error.sentence());
+            return [this, sentence] { emit message(sentence); };
+        }
+    });
+}
+
+void PreviewPresenter::show(std::vector<MadeView> views) {
+    m_views = std::move(views);
+    const double now = 0.001 * static_cast<double>(m_clock.elapsed());
+    m_shownS.push_back(now);
+    std::erase_if(m_shownS, [now](double shown) { return shown < now - 1; });
+    const bool isLate = std::any_of(m_views.begin(), m_views.end(), [](const MadeView& view) {
+        return view.report.origin != render::ViewOrigin::Photo;
+    });
+    emit viewsChanged();
+    if (isLate && m_wish.isNone()) { // what was late is decoded meanwhile
+        QTimer::singleShot(kTick, this, &PreviewPresenter::order);
+    }
+}
+
+double PreviewPresenter::rate() const {
+    return static_cast<double>(m_shownS.size());
+}
+
+void PreviewPresenter::drive(const DriveWish& wish) {
+    m_wish = wish;
+    if (wish.isNone()) {
+        m_ticking.stop();
+    } else if (!m_ticking.isActive()) {
+        m_lastTickS = 0.001 * static_cast<double>(m_clock.elapsed());
+        m_ticking.start();
+    }
+}
+
+void PreviewPresenter::tick() {
+    const double now = 0.001 * static_cast<double>(m_clock.elapsed());
+    const double seconds = std::min(kLongestTickS, now - std::exchange(m_lastTickS, now));
+    driveFor(seconds);
+}
+
+void PreviewPresenter::driveFor(double seconds) {
+    setRobot(m_drive.after(m_robot, m_wish, seconds));
+}
+
+void PreviewPresenter::setRecording(bool isRecording) {
+    m_isRecording = isRecording && m_renderer.has_value();
+    if (m_isRecording) {
+        m_path.clear();
+        m_recordedFromS = 0.001 * static_cast<double>(m_clock.elapsed());
+        record();
+    }
+    emit recordingChanged();
+}
+
+void PreviewPresenter::record() {
+    if (!m_isRecording) {
+        return;
+    }
+    const double time = 0.001 * static_cast<double>(m_clock.elapsed()) - m_recordedFromS;
+    const bool isDue = m_path.empty() || time >= m_path.back().timeS + kRecordIntervalS;
+    if (isDue && m_path.size() < kMostRecorded) {
+        m_path.push_back({time, roomFromOptical(m_robot, m_mount)});
+        emit recordingChanged();
+    }
+}
+
+void PreviewPresenter::saveFrames(const QString& folder) {
+    if (!m_renderer || m_path.empty()) {
+        emit message(tr("There is no path to save; record one first."));
+        return;
+    }
+    jobs::WalkOptions options;
+    options.view.scene = m_sides.front().scene;
+    options.view.sampling = m_sides.front().sampling;
+    watch(m_tasks.start(
+        tr("Saving %n frame(s)", nullptr, static_cast<int>(m_path.size())), this,
+        [path = std::filesystem::path(folder.toStdString()), renderer = *m_renderer, camera = m_camera,
+         poses = m_path, options, kept = m_folder](ProgressSink& progress, const std::stop_token& stop) {
+            const jobs::WalkReport report =
+                jobs::walk(renderer, CameraModel(camera), poses, options, path, progress, stop);
+            writeFile(path / "path.tum", bytesOf(tumText(poses)));
+            writeFile(path / "robot.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
+            return report;
+        },
+        [this, folder](const jobs::WalkReport& report) {
+            emit message(
+                tr("Wrote %n frame(s) to %1.", nullptr, static_cast<int>(report.frames)).arg(folder));
+        }));
+}
+
+} // namespace spherewalk::ui

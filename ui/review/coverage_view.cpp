@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/coverage_view.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace spherewalk::ui {
+
+namespace {
+
+/// The heat scale does not begin to show differences that matter to nobody.
+constexpr Degrees kLeastHottest{0.05};
+
+StationMark::State stateOf(Standing standing) {
+    switch (standing) {
+    case Standing::Missing:
+        return StationMark::State::Missing;
+    case Standing::Taken:
+    case Standing::Accepted:
+        return StationMark::State::Taken;
+    case Standing::Doubtful:
+        return StationMark::State::Doubtful;
+    case Standing::Failed:
+        return StationMark::State::Failed;
+    case Standing::Rejected:
+        return StationMark::State::Rejected;
+    }
+    return StationMark::State::Missing;
+}
+
+QString degreesText(Radians angle) {
+    return CoverageView::tr("%1°").arg(Degrees(angle).value(), 0, 'f', 3);
+}
+
+} // namespace
+
+CoverageView::CoverageView(QWidget* parent) : SurveyPlanView(parent) {
+    setAccessibleName(tr("Coverage of the room"));
+}
+
+void CoverageView::setRows(const std::vector<ReviewRow>& rows) {
+    m_rows = rows;
+    refresh();
+}
+
+void CoverageView::setMeasure(CoverageMeasure measure) {
+    m_measure = measure;
+    refresh();
+}
+
+std::optional<Radians> CoverageView::measured(const ReviewRow& row) const {
+    switch (m_measure) {
+    case CoverageMeasure::Standing:
+        return std::nullopt;
+    case CoverageMeasure::Residual:
+        return row.residual;
+    case CoverageMeasure::Sigma:
+        return row.sigmaYaw;
+    }
+    return std::nullopt;
+}
+
+Radians CoverageView::greatest() const {
+    Radians greatest = kLeastHottest;
+    for (const ReviewRow& row : m_rows) {
+        greatest = std::max(greatest, measured(row).value_or(Radians(0)));
+    }
+    return greatest;
+}
+
+QString CoverageView::hottest() const {
+    return m_measure == CoverageMeasure::Standing ? QString() : degreesText(greatest());
+}
+
+std::vector<StationMark> CoverageView::marks(const store::SurveyStore& /*store*/) const {
+    const Radians scale = greatest();
+    std::vector<StationMark> marks;
+    for (const ReviewRow& row : m_rows) {
+        StationMark mark;
+        mark.id = row.station;
+        mark.positionM = row.positionM.head<2>();
+        mark.name = row.stationName;
+        mark.state = stateOf(row.standing);
+        mark.note = standingText(row.standing);
+        if (const auto value = measured(row)) {
+            mark.heat = value->value() / scale.value();
+            mark.note = degreesText(*value);
+        }
+        if (!row.flags.isEmpty()) {
+            mark.note += QStringLiteral(": ") + row.flags.first();
+        }
+        marks.push_back(std::move(mark));
+    }
+    return marks;
+}
+
+CoverageLegend::CoverageLegend(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAccessibleName(tr("Legend of the plan"));
+}
+
+void CoverageLegend::setHottest(const QString& hottest) {
+    m_hottest = hottest;
+    update();
+}
+
+QSize CoverageLegend::sizeHint() const {
+    return {240, fontMetrics().height() + 8};
+}
+
+void CoverageLegend::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QRect inside = rect().adjusted(4, 0, -4, 0);
+    if (m_hottest.isEmpty()) {
+        QStringList words;
+        for (const Standing standing :
+             {Standing::Missing, Standing::Taken, Standing::Doubtful, Standing::Failed, Standing::Rejected}) {
+            words << standingSign(standing) + QLatin1Char(' ') + standingText(standing);
+        }
+        painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, words.join(QStringLiteral("   ")));
+        return;
+    }
+    const QString from = tr("0°");
+    const int left = inside.left() + fontMetrics().horizontalAdvance(from) + 6;
+    const int right = inside.right() - fontMetrics().horizontalAdvance(m_hottest) - 6;
+    const QRect bar(left, rect().center().y() - 5, std::max(8, right - left), 10);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 8;
+    for (int i = 0; i <= kStops; ++i) {
+        const double at = static_cast<double>(i) / kStops;
+        gradient.setColorAt(at, PlanView::heatColour(at));
+    }
+    painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, from);
+    painter.drawText(inside, Qt::AlignVCenter | Qt::AlignRight, m_hottest);
+    painter.fillRect(bar, gradient);
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/review_mode.h"
+
+#include "ui/look/icon.h"
+#include "ui/panorama/panorama_view.h"
+#include "ui/review/coverage_view.h"
+#include "ui/review/review_delegate.h"
+#include "ui/review/review_presenter.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace spherewalk::ui {
+
+ReviewMode::ReviewMode(TaskList& /*tasks*/, QWidget* parent)
+    : ReviewMode(ThumbnailCache::usualFolder(), parent) {
+}
+
+ReviewMode::ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent)
+    : Mode(parent),
+      m_viewer(new PanoramaView(this)),
+      m_presenter(new ReviewPresenter(std::move(thumbnailFolder), m_viewer->presenter(), this)) {
+    setObjectName("review");
+    m_presenter->setShown(false);
+    auto* columns = new QSplitter(this);
+    columns->addWidget(makeList());
+    columns->addWidget(makeViewer());
+    columns->addWidget(makePlan());
+    columns->setStretchFactor(0, 0);
+    columns->setStretchFactor(1, 3);
+    columns->setStretchFactor(2, 2);
+    columns->setSizes({310, 560, 380});
+    columns->setChildrenCollapsible(false);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(columns);
+    connect(m_presenter, &ReviewPresenter::rowsChanged, this, &ReviewMode::showRows);
+    connect(m_presenter, &ReviewPresenter::currentChanged, this, &ReviewMode::showCurrent);
+    connect(m_presenter, &ReviewPresenter::message, this, &Mode::message);
+    showCurrent();
+}
+
+QIcon ReviewMode::icon() const {
+    return ui::icon("review");
+}
+
+void ReviewMode::setSession(SurveySession* session) {
+    m_presenter->setSession(session);
+    m_plan->setSession(session);
+    showRows();
+}
+
+void ReviewMode::activated() {
+    if (m_presenter->current() == nullptr) {
+        m_presenter->step(1);
+    }
+    m_list->setFocus();
+}
+
+void ReviewMode::showEvent(QShowEvent* event) {
+    m_presenter->setShown(true);
+    Mode::showEvent(event);
+}
+
+void ReviewMode::hideEvent(QHideEvent* event) {
+    m_presenter->setShown(false);
+    Mode::hideEvent(event);
+}
+
+QWidget* ReviewMode::makeList() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_filter = new QComboBox(column);
+    m_filter->setObjectName("filter");
+    m_filter->setAccessibleName(tr("Which stations are listed"));
+    for (const ReviewFilter filter :
+         {ReviewFilter::All, ReviewFilter::ToReview, ReviewFilter::Doubtful, ReviewFilter::Failed,
+          ReviewFilter::Missing, ReviewFilter::Rejected, ReviewFilter::WithNote}) {
+        m_filter->addItem(filterText(filter), static_cast<int>(filter));
+    }
+    connect(m_filter, &QComboBox::currentIndexChanged, this, [this] {
+        m_presenter->list().setFilter(static_cast<ReviewFilter>(m_filter->currentData().toInt()));
+        showCurrent();
+    });
+    m_search = new QLineEdit(column);
+    m_search->setObjectName("search");
+    m_search->setPlaceholderText(tr("Station, file or note"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(tr("Text that listed stations contain"));
+    connect(m_search, &QLineEdit::textChanged, &m_presenter->list(), &ReviewProxy::setText);
+    m_list = new QListView(column);
+    m_list->setObjectName("stations");
+    m_list->setAccessibleName(tr("Stations"));
+    m_list->setModel(&m_presenter->list());
+    m_list->setItemDelegate(new ReviewDelegate(m_list));
+    m_list->setUniformItemSizes(true);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& index) {
+                if (index.isValid()) {
+                    m_presenter->setCurrent(index.data(ReviewModel::StationRole).toLongLong());
+                }
+            });
+    m_summary = new QLabel(column);
+    m_summary->setObjectName("summary");
+    m_summary->setWordWrap(true);
+    layout->addWidget(m_filter);
+    layout->addWidget(m_search);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_summary);
+    return column;
+}
+
+QAction* ReviewMode::makeAction(const QString& text, const QList<QKeySequence>& keys,
+                                const QString& toolTip) {
+    auto* action = new QAction(text, this);
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(keys.isEmpty()
+                           ? toolTip
+                           : tr("%1 (%2)").arg(toolTip, keys.first().toString(QKeySequence::NativeText)));
+    addAction(action);
+    return action;
+}
+
+QWidget* ReviewMode::makeViewer() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+
+    auto* comparing = new QHBoxLayout;
+    m_comparison = new QComboBox(column);
+    m_comparison->setObjectName("comparison");
+    m_comparison->addItems({tr("One photo"), tr("Blink with"), tr("Slider with")});
+    m_comparison->setAccessibleName(tr("How the photo is compared"));
+    m_comparison->setToolTip(tr("Compare the photo with a neighbour: C for the next way"));
+    m_neighbour = new QComboBox(column);
+    m_neighbour->setObjectName("neighbour");
+    m_neighbour->setAccessibleName(tr("Neighbour to compare with"));
+    m_neighbour->setToolTip(tr("The neighbour to compare with: N for the next one"));
+    m_neighbour->setEnabled(false);
+    comparing->addWidget(m_comparison);
+    comparing->addWidget(m_neighbour, 1);
+    connect(m_comparison, &QComboBox::currentIndexChanged, this, &ReviewMode::compare);
+    connect(m_neighbour, &QComboBox::currentIndexChanged, this,
+            [this] { compare(m_comparison->currentIndex()); });
+    connect(makeAction(tr("Next way to compare"), {QKeySequence(Qt::Key_C)}, {}), &QAction::triggered, this,
+            [this] {
+                m_comparison->setCurrentIndex((m_comparison->currentIndex() + 1) % m_comparison->count());
+            });
+    connect(makeAction(tr("Next neighbour"), {QKeySequence(Qt::Key_N)}, {}), &QAction::triggered, this,
+            [this] {
+                if (m_neighbour->count() > 0) {
+                    m_neighbour->setCurrentIndex((m_neighbour->currentIndex() + 1) % m_neighbour->count());
+                }
+            });
+
+    m_reasons = new QLabel(column);
+    m_reasons->setObjectName("reasons");
+    m_reasons->setWordWrap(true);
+    m_reasons->setTextInteractionFlags(Qt::TextSelectableByMouse);
+
+    m_note = new QLineEdit(column);
+    m_note->setObjectName("note");
+    m_note->setMaxLength(500);
+    m_note->setPlaceholderText(tr("Note on this photo (M)"));
+    m_note->setAccessibleName(tr("Note on this photo"));
+    connect(m_note, &QLineEdit::editingFinished, this, &ReviewMode::keepNote);
+    connect(makeAction(tr("Write a note"), {QKeySequence(Qt::Key_M)}, {}), &QAction::triggered, m_note,
+            qOverload<>(&QWidget::setFocus));
+
+    auto* buttons = new QHBoxLayout;
+    const auto addDecision = [&](const QString& text, const QString& name, const QList<QKeySequence>& keys,
+                                 const QString& toolTip, store::Decision decision) {
+        QAction* action = makeAction(text, keys, toolTip);
+        connect(action, &QAction::triggered, this, [this, decision] {
+            keepNote();
+            m_presenter->decide(decision);
+        });
+        auto* button = new QToolButton(this);
+        button->setObjectName(name);
+        button->setDefaultAction(action);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumHeight(34);
+        buttons->addWidget(button);
+        m_decisions << action;
+    };
+    addDecision(standingSign(Standing::Accepted) + tr(" Accept"), "accept", {QKeySequence(Qt::Key_A)},
+                tr("Accept the photo and go on"), store::Decision::Accepted);
+    addDecision(standingSign(Standing::Rejected) + tr(" Reject"), "reject",
+                {QKeySequence(Qt::Key_R), QKeySequence(Qt::Key_Delete)},
+                tr("Reject the photo: it is left out of datasets and is to be taken again"),
+                store::Decision::Rejected);
+    addDecision(tr("Reopen"), "reopen", {QKeySequence(Qt::Key_O)}, tr("Withdraw the decision"),
+                store::Decision::Open);
+    const auto addStep = [&](const QString& text, const QList<QKeySequence>& keys, int by) {
+        connect(makeAction(text, keys, text), &QAction::triggered, this,
+                [this, by] { m_presenter->step(by); });
+    };
+    addStep(tr("Next photo"), {QKeySequence(Qt::Key_J), QKeySequence(Qt::Key_PageDown)}, 1);
+    addStep(tr("Previous photo"), {QKeySequence(Qt::Key_K), QKeySequence(Qt::Key_PageUp)}, -1);
+
+    layout->addLayout(comparing);
+    layout->addWidget(m_viewer, 1);
+    layout->addWidget(m_reasons);
+    layout->addWidget(m_note);
+    layout->addLayout(buttons);
+    return column;
+}
+
+QWidget* ReviewMode::makePlan() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* measure = new QComboBox(column);
+    measure->setObjectName("measure");
+    measure->setAccessibleName(tr("What the plan shows"));
+    measure->addItem(tr("Coverage"), static_cast<int>(CoverageMeasure::Standing));
+    measure->addItem(tr("Residuals of the alignment"), static_cast<int>(CoverageMeasure::Residual));
+    measure->addItem(tr("Uncertainty of the headings"), static_cast<int>(CoverageMeasure::Sigma));
+    m_plan = new CoverageView(column);
+    m_plan->setObjectName("coverage");
+    m_legend = new CoverageLegend(column);
+    connect(measure, &QComboBox::currentIndexChanged, this, [this, measure] {
+        m_plan->setMeasure(static_cast<CoverageMeasure>(measure->currentData().toInt()));
+        m_legend->setHottest(m_plan->hottest());
+    });
+    layout->addWidget(measure);
+    layout->addWidget(m_plan, 1);
+    layout->addWidget(m_legend);
+    return column;
+}
+
+void ReviewMode::showRows() {
+    m_plan->setRows(m_presenter->model().rows());
+    m_legend->setHottest(m_plan->hottest());
+    m_summary->setText(m_presenter->summary());
+}
+
+void ReviewMode::showCurrent() {
+    const ReviewRow* row = m_presenter->current();
+    const bool hasPhoto = row != nullptr && row->photo;
+    if (row != nullptr) {
+        const QModelIndex index = m_presenter->list().indexOf(row->station);
+        if (index != m_list->currentIndex()) {
+            m_list->setCurrentIndex(index);
+        }
+    }
+    QStringList reasons;
+    if (hasPhoto) {
+        reasons << tr("%1 %2").arg(standingSign(row->standing), standingText(row->standing)) << row->flags;
+    }
+    m_reasons->setText(reasons.join(QLatin1Char('\n')));
+    showNote();
+    m_note->setEnabled(hasPhoto && m_presenter->canDecide());
+    for (QAction* action : std::as_const(m_decisions)) {
+        action->setEnabled(hasPhoto && m_presenter->canDecide());
+    }
+    showNeighbours();
+}
+
+/// What is being written stays, and stays with the photo that it was written for.
+void ReviewMode::showNote() {
+    const ReviewRow* row = m_presenter->current();
+    const auto photo = row != nullptr ? row->photo : std::nullopt;
+    if (photo == m_notePhoto && m_note->isModified()) {
+        return;
+    }
+    keepNote();
+    m_notePhoto = photo;
+    m_note->setText(photo ? row->note : QString());
+}
+
+void ReviewMode::keepNote() {
+    if (m_notePhoto && m_note->isModified()) {
+        m_note->setModified(false); // before: recording it shows the row anew
+        m_presenter->setNote(*m_notePhoto, m_note->text());
+    }
+}
+
+void ReviewMode::showNeighbours() {
+    const QSignalBlocker blocker(m_neighbour);
+    const int chosen = m_neighbour->currentIndex();
+    m_neighbour->clear();
+    const ReviewRow* row = m_presenter->current();
+    for (const ReviewRow* neighbour : m_presenter->neighbours()) {
+        m_neighbour->addItem(tr("%1, %2 cm away")
+                                 .arg(neighbour->stationName)
+                                 .arg(100 * (neighbour->positionM - row->positionM).norm(), 0, 'f', 0));
+    }
+    m_neighbour->setCurrentIndex(std::min(std::max(0, chosen), m_neighbour->count() - 1));
+}
+
+void ReviewMode::compare(int comparison) {
+    m_neighbour->setEnabled(comparison > 0);
+    m_viewer->presenter().setComparison(static_cast<Comparison>(comparison));
+    const int neighbour = m_neighbour->currentIndex();
+    m_presenter->compareWith(
+        comparison > 0 && neighbour >= 0 ? std::optional(static_cast<std::size_t>(neighbour)) : std::nullopt);
+}
+
+} // namespace spherewalk::ui

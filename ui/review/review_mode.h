@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/shell/mode.h"
+
+#include <QList>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+
+namespace spherewalk::ui {
+
+class CoverageLegend;
+class CoverageView;
+class PanoramaView;
+class ReviewPresenter;
+class TaskList;
+
+/// Photos are looked at, compared, accepted and rejected.
+class ReviewMode : public Mode {
+    Q_OBJECT
+
+  public:
+    explicit ReviewMode(TaskList& tasks, QWidget* parent = nullptr);
+    /// thumbnailFolder: where small pictures are kept.
+    ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent);
+
+    QString title() const override { return tr("Review"); }
+
+    QIcon icon() const override;
+
+    QString hint() const override { return tr("Look at the photos, and accept or reject them"); }
+
+    void setSession(SurveySession* session) override;
+    void activated() override;
+
+    bool showsPlan() const override { return true; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    QWidget* makeList();
+    QWidget* makeViewer();
+    QWidget* makePlan();
+    QAction* makeAction(const QString& text, const QList<QKeySequence>& keys, const QString& toolTip);
+    void showRows();
+    void showCurrent();
+    void showNeighbours();
+    void showNote();
+    void keepNote();
+    void compare(int comparison);
+
+    PanoramaView* m_viewer;
+    ReviewPresenter* m_presenter;
+    QListView* m_list = nullptr;
+    QComboBox* m_filter = nullptr;
+    QLineEdit* m_search = nullptr;
+    QLabel* m_summary = nullptr;
+    QLabel* m_reasons = nullptr;
+    QLineEdit* m_note = nullptr;
+    std::optional<std::int64_t> m_notePhoto; ///< that the text is of
+    QComboBox* m_neighbour = nullptr;
+    QComboBox* m_comparison = nullptr;
+    CoverageView* m_plan = nullptr;
+    CoverageLegend* m_legend = nullptr;
+    QList<QAction*> m_decisions;
+};
+
+} // namespace spherewalk::ui

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/review_presenter.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/scene/sphere.h"
+
+#include <algorithm>
+#include <map>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr std::size_t kMostNeighbours = 8;
+
+std::vector<const ReviewRow*> nearest(const std::vector<ReviewRow>& rows, const ReviewRow& to) {
+    std::vector<const ReviewRow*> others;
+    for (const ReviewRow& row : rows) {
+        if (row.photo && row.station != to.station) {
+            others.push_back(&row);
+        }
+    }
+    const auto distance = [&](const ReviewRow* row) { return (row->positionM - to.positionM).norm(); };
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNeighbours, others.size()));
+    std::partial_sort(others.begin(), end, others.end(),
+                      [&](const ReviewRow* a, const ReviewRow* b) { return distance(a) < distance(b); });
+    others.erase(end, others.end());
+    return others;
+}
+
+/// Of the sphere that stands for the room, seen from the middle of the stations.
+std::optional<double> radiusOf(const survey::Room& room, const std::vector<ReviewRow>& rows) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const ReviewRow& row : rows) {
+        middle += row.positionM / static_cast<double>(rows.size());
+    }
+    return rows.empty() ? std::nullopt : scene::sphereRadius(room, {middle});
+}
+
+} // namespace
+
+ReviewPresenter::ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
+                                 QObject* parent)
+    : QObject(parent),
+      m_viewer(viewer),
+      m_thumbnails(std::move(thumbnailFolder)),
+      m_model(m_thumbnails),
+      m_list(m_model) {
+    connect(&m_reviewer, &PhotoReviewer::refused, this, &ReviewPresenter::message);
+}
+
+void ReviewPresenter::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+        m_session->selection()->disconnect(this);
+    }
+    m_session = session;
+    m_reviewer.setSession(session);
+    m_watch.setSession(session);
+    m_thumbnails.forgetRequests();
+    if (session != nullptr) {
+        connect(session, &SurveySession::changed, this, &ReviewPresenter::refresh);
+        connect(session, &SurveySession::readOnlyChanged, this, &ReviewPresenter::currentChanged);
+        connect(session->selection(), &StationSelection::currentChanged, this, &ReviewPresenter::showCurrent);
+    }
+    read();
+}
+
+void ReviewPresenter::setShown(bool isShown) {
+    m_isShown = isShown;
+    if (isShown && m_isStale) {
+        read();
+    }
+}
+
+void ReviewPresenter::refresh() {
+    m_isStale = true;
+    if (m_isShown) {
+        read();
+    }
+}
+
+void ReviewPresenter::read() {
+    m_isStale = false;
+    try {
+        m_model.setRows(m_session ? reviewRows(m_session->store(), jobs::activeFindings(m_session->store()))
+                                  : std::vector<ReviewRow>());
+        m_viewer.setSphereRadius(m_session ? radiusOf(m_session->store().room(), m_model.rows())
+                                           : std::nullopt);
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+    }
+    m_list.invalidate();
+    showCurrent();
+    emit rowsChanged();
+}
+
+const ReviewRow* ReviewPresenter::current() const {
+    const auto station = m_session ? m_session->selection()->current() : std::nullopt;
+    return station ? m_model.rowOf(*station) : nullptr;
+}
+
+void ReviewPresenter::setCurrent(std::optional<std::int64_t> station) {
+    if (m_session) {
+        m_session->selection()->setCurrent(station);
+    }
+}
+
+void ReviewPresenter::step(int by) {
+    const ReviewRow* row = current();
+    const QModelIndex here = row != nullptr ? m_list.indexOf(row->station) : QModelIndex();
+    for (int i = here.isValid() ? here.row() + by : 0; i >= 0 && i < m_list.rowCount(); i += by) {
+        const std::int64_t station = m_list.index(i, 0).data(ReviewModel::StationRole).toLongLong();
+        if (m_model.rowOf(station)->photo) {
+            return setCurrent(station);
+        }
+    }
+}
+
+void ReviewPresenter::decide(store::Decision decision) {
+    const ReviewRow* row = current();
+    if (row == nullptr || !row->photo) {
+        return;
+    }
+    const std::int64_t photo = *row->photo;
+    if (decision != store::Decision::Open) {
+        step(1); // before: a decided photo may leave the list
+    }
+    m_reviewer.decide({photo}, decision);
+}
+
+void ReviewPresenter::setNote(std::int64_t photo, const QString& note) {
+    m_reviewer.setNote(photo, note);
+}
+
+void ReviewPresenter::compareWith(std::optional<std::size_t> neighbour) {
+    m_compared = neighbour;
+    showCurrent();
+}
+
+bool ReviewPresenter::canDecide() const {
+    return m_session && !m_session->isReadOnly();
+}
+
+void ReviewPresenter::showCurrent() {
+    const ReviewRow* row = current();
+    m_neighbours = row != nullptr ? nearest(m_model.rows(), *row) : std::vector<const ReviewRow*>();
+    m_viewer.show(row != nullptr && row->photo ? std::optional(row->shown()) : std::nullopt);
+    const bool isCompared = m_compared && *m_compared < m_neighbours.size();
+    m_viewer.setOther(isCompared ? std::optional(m_neighbours[*m_compared]->shown()) : std::nullopt);
+    emit currentChanged();
+}
+
+QString ReviewPresenter::summary() const {
+    std::map<Standing, int> counts;
+    int open = 0;
+    for (const ReviewRow& row : m_model.rows()) {
+        ++counts[row.standing];
+        open += passes(ReviewFilter::ToReview, row) ? 1 : 0;
+    }
+    return tr("%1 accepted, %2 rejected, %3 to be reviewed, %4 missing")
+        .arg(counts[Standing::Accepted])
+        .arg(counts[Standing::Rejected])
+        .arg(open)
+        .arg(counts[Standing::Missing]);
+}
+
+} // namespace spherewalk::ui

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/review_rows.h"
+
+#include <QCoreApplication>
+
+#include <map>
+
+namespace spherewalk::ui {
+
+namespace {
+
+Standing standingOf(store::Decision decision, const std::string& status) {
+    switch (decision) {
+    case store::Decision::Accepted:
+        return Standing::Accepted;
+    case store::Decision::Rejected:
+        return Standing::Rejected;
+    case store::Decision::Open:
+        break;
+    }
+    return status == "failed"     ? Standing::Failed
+           : status == "doubtful" ? Standing::Doubtful
+                                  : Standing::Taken;
+}
+
+void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem::path& folder) {
+    row.photo = photo.id;
+    row.file = folder / photo.fileName;
+    row.fileName = QString::fromStdString(photo.fileName);
+    row.sha256 = QString::fromStdString(photo.fileSha256);
+}
+
+void fill(ReviewRow& row, const jobs::PhotoFinding& finding) {
+    row.roomFromPhoto = finding.roomFromPhoto;
+    row.sigmaYaw = finding.sigmaYaw;
+    row.residual = finding.residual;
+    for (const std::string& flag : finding.flags) {
+        row.flags << QString::fromStdString(flag);
+    }
+}
+
+} // namespace
+
+ShownPhoto ReviewRow::shown() const {
+    return {file, QObject::tr("%1 (%2)").arg(stationName, fileName),
+            roomFromPhoto.value_or(Rigid3{Eigen::Quaterniond::Identity(), positionM})};
+}
+
+std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
+                                  const std::optional<jobs::SolutionFindings>& findings) {
+    std::map<std::int64_t, store::PhotoRecord> photos; // by station
+    for (store::PhotoRecord& photo : store.chosenPhotos()) {
+        const std::int64_t station = photo.station;
+        photos.emplace(station, std::move(photo));
+    }
+    std::map<std::int64_t, store::Review> reviews; // by photo
+    for (store::Review& review : store.reviews()) {
+        const std::int64_t photo = review.photo;
+        reviews.emplace(photo, std::move(review));
+    }
+    std::map<std::int64_t, const jobs::PhotoFinding*> found; // by photo
+    if (findings) {
+        for (const jobs::PhotoFinding& finding : findings->photos) {
+            found.emplace(finding.photo, &finding);
+        }
+    }
+    std::vector<ReviewRow> rows;
+    for (const store::StationRecord& station : store.stations()) {
+        ReviewRow row;
+        row.station = station.id;
+        row.stationName = QString::fromStdString(station.name);
+        row.positionM = station.station.positionM;
+        if (const auto photo = photos.find(station.id); photo != photos.end()) {
+            fill(row, photo->second, store.photoFolder());
+            if (const auto review = reviews.find(*row.photo); review != reviews.end()) {
+                row.decision = review->second.decision;
+                row.note = QString::fromStdString(review->second.note);
+            }
+            const auto finding = found.find(*row.photo);
+            if (finding != found.end()) {
+                fill(row, *finding->second);
+            }
+            row.standing =
+                standingOf(row.decision, finding != found.end() ? finding->second->status : std::string());
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QString standingText(Standing standing) {
+    switch (standing) {
+    case Standing::Missing:
+        return QCoreApplication::translate("Standing", "missing");
+    case Standing::Taken:
+        return QCoreApplication::translate("Standing", "taken");
+    case Standing::Accepted:
+        return QCoreApplication::translate("Standing", "accepted");
+    case Standing::Doubtful:
+        return QCoreApplication::translate("Standing", "doubtful");
+    case Standing::Failed:
+        return QCoreApplication::translate("Standing", "failed");
+    case Standing::Rejected:
+        return QCoreApplication::translate("Standing", "rejected");
+    }
+    return {};
+}
+
+QString standingSign(Standing standing) {
+    switch (standing) {
+    case Standing::Missing:
+        return QStringLiteral("○");
+    case Standing::Taken:
+        return QStringLiteral("●");
+    case Standing::Accepted:
+        return QStringLiteral("✓");
+    case Standing::Doubtful:
+        return QStringLiteral("▲");
+    case Standing::Failed:
+        return QStringLiteral("⊠");
+    case Standing::Rejected:
+        return QStringLiteral("⊘");
+    }
+    return {};
+}
+
+} // namespace spherewalk::ui

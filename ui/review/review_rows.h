@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/panorama/panorama_presenter.h"
+
+#include "spherewalk/jobs/solution_findings.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace spherewalk::ui {
+
+/// How a station stands: what people decided goes before what the checks say.
+enum class Standing { Missing, Taken, Accepted, Doubtful, Failed, Rejected };
+
+/// A station with its chosen photo, as the reviewer sees it.
+struct ReviewRow {
+    std::int64_t station = 0;
+    QString stationName;
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< of the station
+    Standing standing = Standing::Missing;
+
+    // Of the chosen photo, if there is one.
+    std::optional<std::int64_t> photo;
+    std::filesystem::path file;
+    QString fileName;
+    QString sha256;
+    store::Decision decision = store::Decision::Open;
+    QString note;
+    QStringList flags; ///< sentences of the alignment
+    std::optional<Rigid3> roomFromPhoto;
+    std::optional<Radians> sigmaYaw;
+    std::optional<Radians> residual;
+
+    /// As the viewer needs it; unturned if it is not aligned. Range: a row with a photo.
+    ShownPhoto shown() const;
+};
+
+/// One row a station, in walking order. findings: of the active solution, if there is one. Errors: those of
+/// the store.
+std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
+                                  const std::optional<jobs::SolutionFindings>& findings);
+
+/// In one word, translated.
+QString standingText(Standing standing);
+
+/// A sign that tells standings apart without colour.
+QString standingSign(Standing standing);
+
+} // namespace spherewalk::ui
