@@ -19,6 +19,17 @@ namespace spherewalk::ui {
 
 namespace {
 
+QByteArray svgOf(const QString& name) {
+    keepIcons();
+    QFile file(":/icons/" + name + ".svg");
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void draw(QByteArray svg, const QColor& colour, QPainter& painter, const QRectF& rect) {
+    svg.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer(svg).render(&painter, rect);
+}
+
 /// Draws "currentColor" of an SVG in the palette's colour, anew each time, so that dark and light can change.
 class LineIcon : public QIconEngine {
   public:
@@ -31,9 +42,7 @@ class LineIcon : public QIconEngine {
                               : mode == QIcon::Selected ? palette.color(QPalette::HighlightedText)
                               : state == QIcon::On      ? palette.color(QPalette::Highlight)
                                                         : palette.color(QPalette::WindowText);
-        QByteArray svg = m_svg;
-        svg.replace("currentColor", colour.name().toLatin1());
-        QSvgRenderer(svg).render(painter, rect);
+        draw(m_svg, colour, *painter, rect);
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -53,9 +62,18 @@ class LineIcon : public QIconEngine {
 } // namespace
 
 QIcon icon(const QString& name) {
-    keepIcons();
-    QFile file(":/icons/" + name + ".svg");
-    return file.open(QIODevice::ReadOnly) ? QIcon(new LineIcon(file.readAll())) : QIcon();
+    const QByteArray svg = svgOf(name);
+    return svg.isEmpty() ? QIcon() : QIcon(new LineIcon(svg));
+}
+
+QPixmap colouredIcon(const QString& name, const QColor& colour, int sizePx) {
+    const double density = qApp->devicePixelRatio();
+    QPixmap result(QSize(sizePx, sizePx) * density);
+    result.setDevicePixelRatio(density);
+    result.fill(Qt::transparent);
+    QPainter painter(&result);
+    draw(svgOf(name), colour, painter, QRectF(0, 0, sizePx, sizePx));
+    return result;
 }
 
 } // namespace spherewalk::ui

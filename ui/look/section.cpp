@@ -27,7 +27,7 @@ QLabel* Section::addWords() {
 
 QFormLayout* Section::addForm() {
     auto* form = new QFormLayout;
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setVerticalSpacing(4);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
     return form;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/new_survey_form.h"
 
+#include "ui/look/primary_button.h"
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -33,7 +35,7 @@ NewSurveyForm::NewSurveyForm(QWidget* parent)
       m_create(new QPushButton(tr("&Create survey"), this)) {
     m_name->setObjectName("surveyName");
     m_create->setObjectName("createSurvey");
-    m_create->setDefault(true);
+    makePrimary(m_create);
     QFormLayout* form = addForm();
     addRow(form, tr("&Name"), m_name, tr("What the room is called; the survey's folder gets this name."));
     addRow(form, tr("Kept &in"), m_place, tr("The folder in which the survey's folder is made."));

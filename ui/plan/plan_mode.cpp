@@ -2,6 +2,7 @@
 #include "ui/plan/plan_mode.h"
 
 #include "ui/look/icon.h"
+#include "ui/look/section.h"
 #include "ui/plan/new_survey_form.h"
 #include "ui/plan/plan_panel.h"
 #include "ui/plan/plan_words.h"
@@ -20,6 +21,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace spherewalk::ui {
 
 PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
@@ -28,11 +31,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     auto* sideLayout = new QVBoxLayout(side);
     sideLayout->setContentsMargins(6, 6, 6, 6);
     m_form = new NewSurveyForm(side);
-    m_locked =
-        new QLabel(tr("Photos stand on this plan, so it cannot change any more. A new survey can begin "
-                      "with the same room."),
-                   side);
-    m_locked->setWordWrap(true);
+    m_locked = makeLocked();
     m_stored = new QLabel(side);
     m_stored->setObjectName("planStored");
     sideLayout->addWidget(m_locked);
@@ -73,7 +72,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     connect(&m_editor, &PlanEditor::outcomeChanged, this, &PlanMode::showState);
     connect(m_editor.undoStack(), &QUndoStack::cleanChanged, m_view, qOverload<>(&QWidget::update));
     m_form->propose();
-    m_storage.beginNew(false);
+    m_storage.beginNew();
     m_view->fitRoom();
     showState();
 }
@@ -168,6 +167,21 @@ QWidget* PlanMode::makeScaleForm() {
     return m_scaleForm;
 }
 
+QWidget* PlanMode::makeLocked() {
+    auto* section = new Section(tr("The plan is fixed"), this);
+    section->addWords()->setText(tr("Photos stand on this plan, or another program writes the survey."));
+    auto* begin = new QPushButton(ui::icon("new"), tr("New survey with this room"), section);
+    begin->setObjectName("newWithThisRoom");
+    section->layout()->addWidget(begin);
+    connect(begin, &QPushButton::clicked, this, &PlanMode::beginWithThisRoom);
+    return section;
+}
+
+void PlanMode::beginWithThisRoom() {
+    m_nextDraft = m_editor.draft();
+    emit newRequested();
+}
+
 void PlanMode::setSession(SurveySession* session) {
     keepPicture();
     m_storage.setSession(session);
@@ -178,6 +192,9 @@ void PlanMode::setSession(SurveySession* session) {
     } else {
         m_view->picture().clear();
         m_form->propose();
+        if (m_nextDraft) {
+            m_editor.begin(*std::exchange(m_nextDraft, std::nullopt));
+        }
     }
     m_view->fitRoom();
     showState();

@@ -7,6 +7,8 @@
 #include "ui/shell/mode.h"
 #include "ui/tasks/task_list.h"
 
+#include <optional>
+
 class QAction;
 class QActionGroup;
 class QDoubleSpinBox;
@@ -49,6 +51,8 @@ class PlanMode : public Mode {
     void addTool(QToolBar* bar, PlanEditorView::Tool tool, const QString& iconName, const QString& text,
                  const QString& hint, const QKeySequence& key);
     QWidget* makeScaleForm();
+    QWidget* makeLocked();
+    void beginWithThisRoom();
     void choosePicture();
     void removePicture();
     void askLength(const QLineF& inRoom);
@@ -63,7 +67,7 @@ class PlanMode : public Mode {
     PlanStorage m_storage;
     PlanEditorView* m_view;
     NewSurveyForm* m_form = nullptr;
-    QLabel* m_locked = nullptr;
+    QWidget* m_locked = nullptr;
     QLabel* m_stored = nullptr;
     QLabel* m_hint = nullptr;
     QWidget* m_scaleForm = nullptr;
@@ -73,6 +77,7 @@ class PlanMode : public Mode {
     QList<QAction*> m_edits; ///< nothing to do with a locked plan
     QString m_surveyId;
     QString m_surveyName;
+    std::optional<PlanDraft> m_nextDraft; ///< to begin the next new survey with
 };
 
 } // namespace spherewalk::ui

@@ -86,8 +86,7 @@ QDoubleSpinBox* PlanPanel::makeNumber(const QString& objectName, double least, d
     return box;
 }
 
-template <class Apply>
-void PlanPanel::bind(QDoubleSpinBox* box, int key, Apply apply) {
+void PlanPanel::bind(QDoubleSpinBox* box, int key, const std::function<void(PlanDraft&, double)>& apply) {
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, key, apply](double value) {
         m_editor.change(
             tr("Change number"), [&](PlanDraft& draft) { apply(draft, value); }, key);

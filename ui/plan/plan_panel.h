@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
@@ -25,8 +27,8 @@ class PlanPanel : public QWidget {
     QWidget* makeCorners();
     QDoubleSpinBox* makeNumber(const QString& objectName, double least, double most, double step, int digits,
                                const QString& unit);
-    template <class Apply>
-    void bind(QDoubleSpinBox* box, int key, Apply apply);
+    /// Edits follow the box; steps with the same key are one step of undo.
+    void bind(QDoubleSpinBox* box, int key, const std::function<void(PlanDraft&, double)>& apply);
     void applyHeights();
     void showDraft();
     void showOutcome();

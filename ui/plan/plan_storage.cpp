@@ -37,7 +37,7 @@ void PlanStorage::setSession(SurveySession* session) {
     }
     m_session = session;
     if (session == nullptr) {
-        return beginNew(false);
+        return beginNew();
     }
     connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
         if (!m_isWriting && (what & (SurveySession::Plan | SurveySession::Photos))) {
@@ -62,11 +62,10 @@ void PlanStorage::read() {
     setState(isLocked ? State::Locked : State::Stored);
 }
 
-void PlanStorage::beginNew(bool withPresentRoom) {
-    const PlanDraft draft = withPresentRoom ? m_editor.draft() : firstDraft();
+void PlanStorage::beginNew() {
     m_editor.setLocked(false);
     setState(State::New);
-    m_editor.begin(draft);
+    m_editor.begin(firstDraft());
 }
 
 void PlanStorage::create(const QString& folder) {

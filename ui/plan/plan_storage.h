@@ -28,8 +28,8 @@ class PlanStorage : public QObject {
 
     /// Stores what is still to be stored, and takes the session's plan into the editor. Null: a new draft.
     void setSession(SurveySession* session);
-    /// Begins a new survey with the present room, or with a rectangle.
-    void beginNew(bool withPresentRoom);
+    /// Begins a new survey with a rectangle.
+    void beginNew();
     /// Makes a survey of the draft. Errors: those of store::SurveyStore::create(); InvalidInput if there is
     /// no plan yet.
     void create(const QString& folder);

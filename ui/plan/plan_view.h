@@ -33,6 +33,9 @@ class PlanView : public PlanCanvas {
     explicit PlanView(QWidget* parent = nullptr);
 
     void setRoom(const survey::Room& room);
+
+    const survey::Room& room() const { return m_room; }
+
     void setStations(std::vector<StationMark> stations);
 
     const std::vector<StationMark>& stations() const { return m_stations; }

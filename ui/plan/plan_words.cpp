@@ -7,21 +7,23 @@
 
 namespace spherewalk::ui {
 
+using sheet::SheetWords;
+
 namespace {
 
 /// The words of this file, for translators.
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(PlanWords)
+struct PlanWords {
+    Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::PlanWords)
 };
 
 QString reasonWords(survey::UncoveredReason reason, const survey::PlanOptions& options) {
     switch (reason) {
     case survey::UncoveredReason::Clearance:
-        return Words::tr("closer than %L1 m to a wall or an obstacle").arg(options.clearanceM, 0, 'f', 2);
+        return PlanWords::tr("closer than %L1 m to a wall or an obstacle").arg(options.clearanceM, 0, 'f', 2);
     case survey::UncoveredReason::Enclosed:
-        return Words::tr("cut off by obstacles");
+        return PlanWords::tr("cut off by obstacles");
     case survey::UncoveredReason::BetweenStops:
-        return Words::tr("no stop falls near enough");
+        return PlanWords::tr("no stop falls near enough");
     }
     return {};
 }
@@ -29,19 +31,19 @@ QString reasonWords(survey::UncoveredReason reason, const survey::PlanOptions& o
 } // namespace
 
 QString countsText(const survey::PlanReport& report) {
-    return Words::tr("%n station(s)", nullptr, report.stations) + Words::tr(" on ") +
-           Words::tr("%n rail(s)", nullptr, report.placements);
+    return PlanWords::tr("%n station(s)", nullptr, report.stations) + PlanWords::tr(" on ") +
+           PlanWords::tr("%n rail(s)", nullptr, report.placements);
 }
 
 QString walkText(const survey::PlanReport& report) {
-    return Words::tr("%L1 m to walk, about %2")
+    return PlanWords::tr("%L1 m to walk, about %2")
         .arg(report.metresWalked, 0, 'f', 0)
         .arg(durationText(std::chrono::duration<double>(60 * report.minutes)));
 }
 
 QString floorText(const survey::PlanReport& report) {
     const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
-    return Words::tr("%L1 m² of floor, %L2 m² not covered (%3 %)")
+    return PlanWords::tr("%L1 m² of floor, %L2 m² not covered (%3 %)")
         .arg(report.floorM2, 0, 'f', 1)
         .arg(report.uncoveredM2, 0, 'f', 1)
         .arg(share, 0, 'f', 0);
@@ -57,27 +59,27 @@ QStringList uncoveredText(const survey::PlanReport& report, const survey::PlanOp
         }
         constexpr double kWorthSayingM2 = 0.005;
         if (areaM2 >= kWorthSayingM2) {
-            lines << Words::tr("%L1 m²: %2").arg(areaM2, 0, 'f', 2).arg(reasonWords(reason, options));
+            lines << PlanWords::tr("%L1 m²: %2").arg(areaM2, 0, 'f', 2).arg(reasonWords(reason, options));
         }
     }
     return lines;
 }
 
-sheet::SheetWords sheetWords() {
+SheetWords sheetWords() {
     const auto words = [](const QString& text) { return text.toStdString(); };
-    sheet::SheetWords result;
-    result.title = words(Words::tr("Marking out: %1"));
-    result.summary = words(Words::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
-    result.scale = words(Words::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
+    SheetWords result;
+    result.title = words(PlanWords::tr("Marking out: %1"));
+    result.summary = words(PlanWords::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
+    result.scale = words(PlanWords::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
     result.tableTitle =
-        words(Words::tr("Where the rails lie: tape distances in metres from the corners of the room"));
-    result.rail = words(Words::tr("Rail"));
-    result.stops = words(Words::tr("Stops"));
-    result.firstStop = words(Words::tr("First stop (ring)"));
-    result.lastStop = words(Words::tr("Last stop (arrow)"));
-    result.error = words(Words::tr("Error"));
-    result.noTapes = words(Words::tr("no two corners in sight: x %1, y %2"));
-    result.page = words(Words::tr("Page %1"));
+        words(PlanWords::tr("Where the rails lie: tape distances in metres from the corners of the room"));
+    result.rail = words(PlanWords::tr("Rail"));
+    result.stops = words(PlanWords::tr("Stops"));
+    result.firstStop = words(PlanWords::tr("First stop (ring)"));
+    result.lastStop = words(PlanWords::tr("Last stop (arrow)"));
+    result.error = words(PlanWords::tr("Error"));
+    result.noTapes = words(PlanWords::tr("no two corners in sight: x %1, y %2"));
+    result.page = words(PlanWords::tr("Page %1"));
     return result;
 }
 

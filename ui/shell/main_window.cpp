@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/main_window.h"
 
+#include "ui/capture/capture_mode.h"
+#include "ui/look/icon.h"
+#include "ui/plan/new_survey_form.h"
+#include "ui/plan/plan_mode.h"
 #include "ui/plan/survey_plan_view.h"
 #include "ui/shell/mode.h"
 #include "ui/shell/modes.h"
+#include "ui/shell/settings.h"
 #include "ui/shell/start_page.h"
+#include "ui/tasks/task_panel.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/jobs/demo.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUndoGroup>
+
+#include <algorithm>
 
 namespace spherewalk::ui {
 
@@ -30,31 +43,69 @@ MainWindow::MainWindow(QWidget* parent)
       m_undo(new QUndoGroup(this)),
       m_plan(new SurveyPlanView(this)),
       m_planDock(new QDockWidget(tr("Plan of the room"), this)),
-      m_counts(new QLabel(this)) {
+      m_tasksDock(new QDockWidget(tr("Tasks"), this)),
+      m_counts(new QLabel(this)),
+      m_tasksButton(new QToolButton(this)) {
     setWindowTitle(tr("Spherewalk"));
+    resize(1280, 800);
     setCentralWidget(m_pages);
     m_pages->addWidget(m_start);
-    connect(m_start, &StartPage::openRequested, this, &MainWindow::openSurvey);
-    connect(m_start, &StartPage::chooseRequested, this, &MainWindow::chooseSurvey);
-    m_bar->setObjectName("modes");
-    m_bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    m_bar->setMovable(false);
-    addToolBar(Qt::LeftToolBarArea, m_bar);
-    m_planDock->setObjectName("plan");
-    m_planDock->setWidget(m_plan);
-    addDockWidget(Qt::RightDockWidgetArea, m_planDock);
+    makeDocks();
+    makeBar();
+    makeMenus();
+    makeStart();
+    m_counts->setObjectName("counts");
     statusBar()->addPermanentWidget(m_counts);
-    addModes();
-    addMenus();
+    statusBar()->addPermanentWidget(m_tasksButton);
+    restoreGeometry(Settings().windowGeometry());
+    restoreState(Settings().windowState());
     showMode(nullptr);
+    enableModes();
+    showTasks();
 }
 
 MainWindow::~MainWindow() {
-    m_tasks.stopAll();
     closeSurvey();
+    m_tasks.stopAll();
 }
 
-void MainWindow::addModes() {
+void MainWindow::makeDocks() {
+    m_planDock->setObjectName("plan");
+    m_planDock->setWidget(m_plan);
+    addDockWidget(Qt::RightDockWidgetArea, m_planDock);
+    connect(m_planDock->toggleViewAction(), &QAction::triggered, this,
+            [this](bool isWanted) { m_wantsPlan = isWanted; });
+    m_tasksDock->setObjectName("tasks");
+    m_tasksDock->setWidget(new TaskPanel(m_tasks, m_tasksDock));
+    addDockWidget(Qt::BottomDockWidgetArea, m_tasksDock);
+    m_tasksDock->hide();
+    m_tasksButton->setObjectName("tasksButton");
+    m_tasksButton->setIcon(ui::icon("tasks"));
+    m_tasksButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_tasksButton->setAutoRaise(true);
+    m_tasksButton->setToolTip(tr("Show what runs, and what has ended (Ctrl+T)"));
+    connect(m_tasksButton, &QToolButton::clicked, this,
+            [this] { m_tasksDock->setVisible(!m_tasksDock->isVisible()); });
+    connect(&m_tasks, &TaskList::started, this, &MainWindow::showTasks);
+    connect(&m_tasks, &TaskList::ended, this, [this](const Task* task) {
+        showTasks();
+        if (task->state() == Task::State::Failed) {
+            say(tr("%1: %2").arg(task->title(), task->sentence()));
+        }
+    });
+}
+
+void MainWindow::makeBar() {
+    m_bar->setObjectName("modes");
+    m_bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    m_bar->setIconSize({28, 28});
+    m_bar->setMovable(false);
+    m_bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_bar->setStyleSheet("QToolBar { background: palette(window); border: none; padding: 2px; }");
+    addToolBar(Qt::LeftToolBarArea, m_bar);
+    QAction* home = m_bar->addAction(ui::icon("home"), tr("Start"), this, [this] { showMode(nullptr); });
+    home->setToolTip(tr("The start page (Ctrl+0)"));
+    home->setShortcut(QKeySequence("Ctrl+0"));
     m_modes = makeModes(m_tasks, this);
     int number = 0;
     for (Mode* mode : std::as_const(m_modes)) {
@@ -62,23 +113,87 @@ void MainWindow::addModes() {
         QAction* action =
             m_bar->addAction(mode->icon(), mode->title(), this, [this, mode] { showMode(mode); });
         action->setCheckable(true);
-        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number)));
-        action->setToolTip(mode->hint());
+        action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number + 1)));
+        action->setToolTip(
+            tr("%1 (%2)").arg(mode->hint(), action->shortcut().toString(QKeySequence::NativeText)));
         m_modeActions->addAction(action);
         connect(mode, &Mode::message, this, &MainWindow::say);
         connect(mode, &Mode::openRequested, this, &MainWindow::openSurvey);
+        connect(mode, &Mode::newRequested, this, &MainWindow::beginSurvey);
         ++number;
     }
 }
 
-void MainWindow::addMenus() {
+void MainWindow::makeMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    QAction* open = file->addAction(tr("&Open survey..."), this, &MainWindow::chooseSurvey);
-    open->setShortcut(QKeySequence::Open);
-    QAction* close = file->addAction(tr("&Close survey"), this, &MainWindow::closeSurvey);
-    close->setShortcut(QKeySequence::Close);
-    QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
-    quit->setShortcut(QKeySequence::Quit);
+    const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& key, auto slot) {
+        QAction* action = menu->addAction(text, this, slot);
+        action->setShortcut(key);
+        return action;
+    };
+    add(file, tr("&New survey"), QKeySequence::New, &MainWindow::beginSurvey);
+    add(file, tr("&Open survey..."), QKeySequence::Open, &MainWindow::chooseSurvey);
+    add(file, tr("&Practice room"), {}, &MainWindow::runPractice);
+    add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
+    file->addSeparator();
+    add(file, tr("&Quit"), QKeySequence::Quit, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_undo->createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = m_undo->createRedoAction(this, tr("&Redo"));
+    redo->setShortcut(QKeySequence::Redo);
+    edit->addActions({undo, redo});
+    makeView(menuBar()->addMenu(tr("&View")));
+    add(menuBar()->addMenu(tr("&Help")), tr("&About Spherewalk"), {}, &MainWindow::showAbout);
+}
+
+void MainWindow::makeView(QMenu* view) {
+    QAction* full = view->addAction(tr("&Full screen"));
+    full->setShortcut(Qt::Key_F11);
+    full->setCheckable(true);
+    connect(full, &QAction::toggled, this, [this](bool isFull) { isFull ? showFullScreen() : showNormal(); });
+    view->addAction(m_planDock->toggleViewAction());
+    QAction* tasks = m_tasksDock->toggleViewAction();
+    tasks->setShortcut(QKeySequence("Ctrl+T"));
+    view->addAction(tasks);
+    QMenu* looks = view->addMenu(tr("&Appearance"));
+    addTheme(looks, Theme::System, tr("As the &desktop"));
+    addTheme(looks, Theme::Light, tr("&Light"));
+    addTheme(looks, Theme::Dark, tr("Da&rk"));
+}
+
+void MainWindow::addTheme(QMenu* menu, Theme theme, const QString& text) {
+    auto* group = menu->findChild<QActionGroup*>();
+    group = group != nullptr ? group : new QActionGroup(menu);
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(Settings().theme() == theme);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [theme] {
+        Settings().setTheme(theme);
+        applyTheme(theme);
+    });
+}
+
+void MainWindow::makeStart() {
+    connect(m_start, &StartPage::openRequested, this, &MainWindow::openSurvey);
+    connect(m_start, &StartPage::chooseRequested, this, &MainWindow::chooseSurvey);
+    connect(m_start, &StartPage::newRequested, this, &MainWindow::beginSurvey);
+    connect(m_start, &StartPage::practiceRequested, this, &MainWindow::runPractice);
+}
+
+Mode* MainWindow::mode() const {
+    return qobject_cast<Mode*>(m_pages->currentWidget());
+}
+
+template <class Wanted>
+Wanted* MainWindow::findMode() const {
+    for (Mode* mode : m_modes) {
+        if (auto* found = qobject_cast<Wanted*>(mode)) {
+            return found;
+        }
+    }
+    return nullptr;
 }
 
 /// What Ctrl+Z means now: the mode's own stack, else the survey's.
@@ -98,13 +213,23 @@ void MainWindow::showMode(Mode* mode) {
     for (qsizetype i = 0; i < m_modes.size(); ++i) {
         actions[i]->setChecked(m_modes[i] == mode);
     }
-    m_planDock->setVisible(mode != nullptr && !mode->showsPlan());
+    m_planDock->setVisible(m_wantsPlan && m_session && mode != nullptr && !mode->showsPlan());
     if (mode != nullptr) {
         mode->activated();
+    } else {
+        m_start->setRecent(Settings().recentSurveys());
+    }
+}
+
+void MainWindow::enableModes() {
+    const QList<QAction*> actions = m_modeActions->actions();
+    for (qsizetype i = 0; i < m_modes.size(); ++i) {
+        actions[i]->setEnabled(m_session || m_modes[i]->worksWithoutSurvey());
     }
 }
 
 bool MainWindow::openSurvey(const QString& folder) {
+    Mode* shown = mode();
     try {
         auto session = SurveySession::open(folder);
         closeSurvey();
@@ -118,12 +243,13 @@ bool MainWindow::openSurvey(const QString& folder) {
         mode->setSession(m_session.get());
     }
     connect(m_session.get(), &SurveySession::changed, this, &MainWindow::showCounts);
+    connect(m_session.get(), &SurveySession::readOnlyChanged, this, &MainWindow::showCounts);
     showCounts();
     setWindowTitle(tr("%1 - Spherewalk").arg(m_session->name()));
     setWindowFilePath(folder);
-    if (m_pages->currentWidget() == m_start && !m_modes.isEmpty()) {
-        showMode(m_modes.first());
-    }
+    Settings().addRecentSurvey(folder);
+    enableModes();
+    showMode(shown != nullptr || m_modes.isEmpty() ? shown : m_modes.first());
     return true;
 }
 
@@ -136,17 +262,27 @@ void MainWindow::closeSurvey() {
         mode->setSession(nullptr);
     }
     m_plan->setSession(nullptr);
+    m_undo->removeStack(m_session->undoStack());
     m_session.reset();
     m_counts->clear();
     setWindowTitle(tr("Spherewalk"));
     setWindowFilePath({});
+    enableModes();
     showMode(nullptr);
 }
 
 void MainWindow::showCounts() {
     const store::Counts counts = m_session->store().counts();
-    m_counts->setText(
-        tr("%1 of %2 stations have a photo").arg(counts.stationsWithPhoto).arg(counts.stations));
+    const QString words =
+        tr("%1 of %2 stations have a photo").arg(counts.stationsWithPhoto).arg(counts.stations);
+    m_counts->setText(m_session->isReadOnly() ? tr("%1; another program writes").arg(words) : words);
+}
+
+void MainWindow::showTasks() {
+    const QList<Task*> all = m_tasks.tasks();
+    const auto running =
+        std::count_if(all.begin(), all.end(), [](const Task* task) { return task->isRunning(); });
+    m_tasksButton->setText(running == 0 ? tr("Tasks") : tr("%n task(s)", nullptr, static_cast<int>(running)));
 }
 
 void MainWindow::say(const QString& sentence) {
@@ -154,14 +290,49 @@ void MainWindow::say(const QString& sentence) {
 }
 
 void MainWindow::chooseSurvey() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open survey"));
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open survey"), surveysPlace());
     if (!folder.isEmpty()) {
         openSurvey(folder);
     }
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+void MainWindow::beginSurvey() {
     closeSurvey();
+    if (auto* plan = findMode<PlanMode>()) {
+        showMode(plan);
+    }
+}
+
+void MainWindow::runPractice() {
+    auto* capture = findMode<CaptureMode>();
+    if (capture == nullptr) {
+        return;
+    }
+    QString folder;
+    for (int number = 1; folder.isEmpty() || QFileInfo::exists(folder); ++number) {
+        const QString name = number == 1 ? tr("practice room") : tr("practice room %1").arg(number);
+        folder = surveysPlace() + "/" + name + ".spherewalk";
+    }
+    try {
+        jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
+    } catch (const Error& error) {
+        return say(QString::fromStdString(error.sentence()));
+    }
+    if (openSurvey(folder)) {
+        showMode(capture);
+        capture->runPractice();
+    }
+}
+
+void MainWindow::showAbout() {
+    say(tr("Spherewalk %1, free software under the GNU General Public License, version 3 or later.")
+            .arg(QCoreApplication::applicationVersion()));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    Settings().setWindow(saveGeometry(), saveState());
+    closeSurvey();
+    m_tasks.stopAll();
     QMainWindow::closeEvent(event);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/theme.h"
 #include "ui/session/survey_session.h"
 #include "ui/tasks/task_list.h"
 
@@ -10,9 +11,11 @@
 #include <memory>
 
 class QActionGroup;
+class QDockWidget;
 class QLabel;
 class QStackedWidget;
 class QToolBar;
+class QToolButton;
 class QUndoGroup;
 
 namespace spherewalk::ui {
@@ -33,7 +36,10 @@ class MainWindow : public QMainWindow {
     /// Opens the survey and shows its first mode; if it cannot be opened, says why in the status line and
     /// keeps what is shown. Returns whether it was opened.
     bool openSurvey(const QString& folder);
+    /// Stops the tasks, which lose nothing that is complete.
     void closeSurvey();
+    /// Makes a survey of the practice room where surveys are kept, and photographs it.
+    void runPractice();
 
     SurveySession* session() const { return m_session.get(); }
 
@@ -41,19 +47,33 @@ class MainWindow : public QMainWindow {
 
     QList<Mode*> modes() const { return m_modes; }
 
+    /// The page in sight; null: the start page.
+    Mode* mode() const;
     /// Null: the start page.
     void showMode(Mode* mode);
+
+    /// Puts a sentence into the status line.
+    void say(const QString& sentence);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
 
   private:
-    void addModes();
-    void addMenus();
+    void makeDocks();
+    void makeBar();
+    void makeMenus();
+    void makeStart();
+    void makeView(QMenu* view);
+    void addTheme(QMenu* menu, Theme theme, const QString& text);
     void chooseUndo(Mode* mode);
     void chooseSurvey();
+    void beginSurvey();
     void showCounts();
-    void say(const QString& sentence);
+    void showTasks();
+    void showAbout();
+    void enableModes();
+    template <class Wanted>
+    Wanted* findMode() const;
 
     TaskList m_tasks;
     std::unique_ptr<SurveySession> m_session;
@@ -65,7 +85,10 @@ class MainWindow : public QMainWindow {
     QUndoGroup* m_undo;
     SurveyPlanView* m_plan;
     QDockWidget* m_planDock;
+    QDockWidget* m_tasksDock;
     QLabel* m_counts;
+    QToolButton* m_tasksButton;
+    bool m_wantsPlan = true; ///< the user has not closed the plan beside the pages
 };
 
 } // namespace spherewalk::ui

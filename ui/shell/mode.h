@@ -46,6 +46,8 @@ class Mode : public QWidget {
     void message(const QString& sentence);
     /// The user made or chose a survey here, which the window is to open.
     void openRequested(const QString& folder);
+    /// The user wants to draw another survey.
+    void newRequested();
 };
 
 } // namespace spherewalk::ui

@@ -1,23 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/start_page.h"
 
+#include "ui/look/icon.h"
+#include "ui/look/primary_button.h"
+
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace spherewalk::ui {
 
-StartPage::StartPage(QWidget* parent) : QWidget(parent), m_recent(new QListWidget(this)) {
-    auto* layout = new QVBoxLayout(this);
-    auto* open = new QPushButton(tr("Open a survey..."), this);
-    open->setObjectName("openSurvey");
-    layout->addWidget(open);
-    layout->addWidget(new QLabel(tr("Recent surveys"), this));
-    layout->addWidget(m_recent);
+namespace {
+
+constexpr int kColumnPx = 560;
+
+QPushButton* makeButton(const QString& objectName, const QString& iconName, const QString& text,
+                        const QString& hint, QWidget* parent) {
+    auto* button = new QPushButton(ui::icon(iconName), text, parent);
+    button->setObjectName(objectName);
+    button->setToolTip(hint);
+    button->setMinimumHeight(40);
+    return button;
+}
+
+} // namespace
+
+StartPage::StartPage(QWidget* parent)
+    : QWidget(parent),
+      m_recentTitle(new QLabel(tr("Recent surveys"), this)),
+      m_recent(new QListWidget(this)) {
+    auto* column = new QVBoxLayout;
+    column->addStretch(1);
+    auto* head = new QHBoxLayout;
+    auto* picture = new QLabel(this);
+    picture->setPixmap(ui::icon("spherewalk").pixmap(96, 96));
+    head->addWidget(picture);
+    auto* words = new QVBoxLayout;
+    auto* name = new QLabel(tr("Spherewalk"), this);
+    QFont large = name->font();
+    large.setPointSizeF(2.4 * large.pointSizeF());
+    large.setBold(true);
+    name->setFont(large);
+    auto* what = new QLabel(tr("Scan a room with a spherical camera, and let robots see it."), this);
+    what->setWordWrap(true);
+    words->addWidget(name, 0, Qt::AlignBottom);
+    words->addWidget(what, 0, Qt::AlignTop);
+    head->addLayout(words, 1);
+    column->addLayout(head);
+    column->addSpacing(12);
+
+    auto* practice =
+        makeButton("practiceRoom", "play", tr("&Try the practice room"),
+                   tr("Makes a survey of a room that exists only in the program, and photographs it."), this);
+    practice->setMinimumHeight(64);
+    practice->setIcon(QIcon());
+    makePrimary(practice);
+    QFont larger = practice->font();
+    larger.setPointSizeF(1.4 * larger.pointSizeF());
+    practice->setFont(larger);
+    auto* about =
+        new QLabel(tr("No camera is needed: the program has one inside, which photographs a furnished room "
+                      "while you watch. It takes about a minute."),
+                   this);
+    about->setWordWrap(true);
+    column->addWidget(practice);
+    column->addWidget(about);
+    column->addSpacing(12);
+
+    auto* begin =
+        makeButton("newSurvey", "new", tr("&New survey"), tr("Draw a room and lay out its stations."), this);
+    auto* open = makeButton("openSurvey", "open", tr("&Open a survey..."),
+                            tr("A folder whose name ends in .spherewalk."), this);
+    auto* row = new QHBoxLayout;
+    row->addWidget(begin);
+    row->addWidget(open);
+    column->addLayout(row);
+    column->addSpacing(12);
+
+    QFont title = m_recentTitle->font();
+    title.setBold(true);
+    m_recentTitle->setFont(title);
     m_recent->setAccessibleName(tr("Recent surveys"));
+    m_recent->setObjectName("recentSurveys");
+    m_recent->setAlternatingRowColors(true);
+    column->addWidget(m_recentTitle);
+    column->addWidget(m_recent, 4);
+    column->addStretch(1);
+
+    auto* frame = new QWidget(this);
+    frame->setLayout(column);
+    frame->setMaximumWidth(kColumnPx);
+    auto* page = new QHBoxLayout(this);
+    page->setContentsMargins(24, 32, 24, 24);
+    page->addStretch(1);
+    page->addWidget(frame, 100);
+    page->addStretch(1);
+    connect(practice, &QPushButton::clicked, this, &StartPage::practiceRequested);
+    connect(begin, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(open, &QPushButton::clicked, this, &StartPage::chooseRequested);
     connect(m_recent, &QListWidget::itemActivated, this,
             [this](const QListWidgetItem* item) { emit openRequested(item->data(Qt::UserRole).toString()); });
@@ -26,10 +111,17 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), m_recent(new QListWidge
 void StartPage::setRecent(const QStringList& folders) {
     m_recent->clear();
     for (const QString& folder : folders) {
-        auto* item = new QListWidgetItem(QFileInfo(folder).completeBaseName(), m_recent);
+        const QDateTime used = QFileInfo(folder + "/survey.sqlite").lastModified();
+        auto* item = new QListWidgetItem(
+            ui::icon("plan"),
+            tr("%1   (%2)")
+                .arg(QFileInfo(folder).completeBaseName(), QLocale().toString(used, QLocale::ShortFormat)),
+            m_recent);
         item->setData(Qt::UserRole, folder);
         item->setToolTip(QDir::toNativeSeparators(folder));
     }
+    m_recent->setVisible(!folders.isEmpty());
+    m_recentTitle->setVisible(!folders.isEmpty());
 }
 
 } // namespace spherewalk::ui

@@ -3,11 +3,13 @@
 
 #include <QWidget>
 
+class QLabel;
 class QListWidget;
 
 namespace spherewalk::ui {
 
-/// What the window shows while no survey is open.
+/// What the window shows while no survey is open: the practice room for those who come for the first time, a
+/// new survey, and the recent ones.
 class StartPage : public QWidget {
     Q_OBJECT
 
@@ -18,10 +20,13 @@ class StartPage : public QWidget {
     void setRecent(const QStringList& folders);
 
   signals:
-    void openRequested(const QString& folder);
+    void practiceRequested();
+    void newRequested();
     void chooseRequested();
+    void openRequested(const QString& folder);
 
   private:
+    QLabel* m_recentTitle;
     QListWidget* m_recent;
 };
 

@@ -50,22 +50,31 @@ Task::Task(QString title, Work work, QObject* parent)
 }
 
 Task::~Task() {
-    stopAndWait();
+    m_thread.request_stop();
+    join();
 }
 
 void Task::stop() {
     m_thread.request_stop();
 }
 
-void Task::stopAndWait() {
-    m_thread.request_stop();
+void Task::join() {
     if (m_thread.joinable()) {
         m_thread.join();
     }
-    const std::scoped_lock lock(m_shared->mutex);
-    if (m_shared->ending) {
+}
+
+void Task::stopAndWait() {
+    m_thread.request_stop();
+    join();
+    if (!isRunning()) {
+        return;
+    }
+    {
+        const std::scoped_lock lock(m_shared->mutex);
         m_shared->ending->deliver = nullptr;
     }
+    finish(); // the call that the thread posted finds nothing to do
 }
 
 void Task::run(const Work& work, const std::stop_token& stop) {
@@ -107,6 +116,9 @@ void Task::look() {
 }
 
 void Task::finish() {
+    if (!isRunning()) {
+        return;
+    }
     look();
     m_timer.stop();
     Ending ending;

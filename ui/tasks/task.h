@@ -58,7 +58,7 @@ class Task : public QObject {
 
     /// Asks the job to stop; it ends soon after, as Stopped, unless it is done before.
     void stop();
-    /// The same, and returns when the job's thread has ended. Nothing is delivered any more.
+    /// The same, and returns when the job's thread and the task have ended. Nothing is delivered any more.
     void stopAndWait();
 
   signals:
@@ -73,6 +73,7 @@ class Task : public QObject {
 
     void run(const Work& work, const std::stop_token& stop);
     void look();
+    void join();
     void finish();
 
     QString m_title;

@@ -17,10 +17,11 @@ bool TaskList::hasRunning() const {
 }
 
 void TaskList::stopAll() {
-    for (Task* task : std::as_const(m_tasks)) { // all at once, then wait for each
+    const QList<Task*> tasks = m_tasks; // some are forgotten as they end
+    for (Task* task : tasks) {          // all at once, then wait for each
         task->stop();
     }
-    for (Task* task : std::as_const(m_tasks)) {
+    for (Task* task : tasks) {
         task->stopAndWait();
     }
 }

@@ -2,26 +2,53 @@
 #include "made_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
-#include "ui/plan/plan_view.h"
+#include "ui/capture/capture_mode.h"
+#include "ui/plan/plan_mode.h"
+#include "ui/plan/survey_plan_view.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/settings.h"
 
+#include <QAction>
 #include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QStatusBar>
+#include <QToolBar>
 #include <gtest/gtest.h>
 
 namespace spherewalk::ui {
 
+namespace {
+
+constexpr PracticeSettings kFastPractice{
+    .width = 1024, .timeScale = 0.001, .stepM = 1.2, .keepsPhotos = false};
+
+QString surveyIn(const test::TemporaryFolder& folder, const std::string& name = "Küche") {
+    return QString::fromStdString(test::makeSurvey(folder / (name + ".spherewalk")).string());
+}
+
+template <class Wanted>
+Wanted* modeOf(const MainWindow& window) {
+    for (Mode* mode : window.modes()) {
+        if (auto* found = qobject_cast<Wanted*>(mode)) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
 TEST(MainWindow, ShowsARealSurveyWithItsNameAndCounts) {
     const test::TemporaryFolder folder;
     MainWindow window;
-    auto* plan = window.findChild<PlanView*>();
-    window.resize(640, 480);
-    const QImage before = plan->grab().toImage();
-    const auto survey = test::makeSurvey(folder / "Küche.spherewalk");
-    ASSERT_TRUE(window.openSurvey(QString::fromStdString(survey.string())));
+    ASSERT_TRUE(window.openSurvey(surveyIn(folder)));
     EXPECT_EQ(window.windowTitle(), "Küche - Spherewalk");
-    EXPECT_TRUE(window.statusBar()->findChild<QLabel*>()->text().startsWith("0 of "));
-    EXPECT_NE(plan->grab().toImage(), before);
+    EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().startsWith("0 of "));
+    EXPECT_EQ(window.mode(), window.modes().first());
 }
 
 TEST(MainWindow, SaysInTheStatusLineWhyItCannotOpen) {
@@ -29,6 +56,100 @@ TEST(MainWindow, SaysInTheStatusLineWhyItCannotOpen) {
     MainWindow window;
     EXPECT_FALSE(window.openSurvey(QString::fromStdString((folder / "absent").string())));
     EXPECT_TRUE(window.statusBar()->currentMessage().contains("absent"));
+}
+
+TEST(MainWindow, OffersOnlyWhatCanBeDoneWithoutASurvey) {
+    MainWindow window;
+    const QList<QAction*> actions =
+        window.findChild<QToolBar*>("modes")->actions().mid(1); // without the first page
+    ASSERT_EQ(actions.size(), window.modes().size());
+    for (qsizetype i = 0; i < actions.size(); ++i) {
+        EXPECT_EQ(actions[i]->isEnabled(), window.modes()[i]->worksWithoutSurvey())
+            << actions[i]->text().toStdString();
+    }
+    EXPECT_FALSE(modeOf<CaptureMode>(window)->worksWithoutSurvey());
+}
+
+TEST(MainWindow, RemembersSurveysThatStillExist) {
+    const test::TemporaryFolder folder;
+    const QString gone = surveyIn(folder, "gone");
+    const QString kept = surveyIn(folder, "kept");
+    MainWindow window;
+    window.openSurvey(kept);
+    window.openSurvey(gone);
+    EXPECT_EQ(Settings().recentSurveys().first(), gone);
+    window.closeSurvey();
+    std::filesystem::remove_all(gone.toStdString());
+    window.showMode(nullptr);
+    auto* recent = window.findChild<QListWidget*>("recentSurveys");
+    ASSERT_GE(recent->count(), 1);
+    EXPECT_EQ(recent->item(0)->data(Qt::UserRole).toString(), kept);
+}
+
+TEST(MainWindow, UndoBelongsToTheModeInSight) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    auto* plan = modeOf<PlanMode>(window);
+    window.showMode(plan);
+    plan->editor().addObstacle({{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}});
+    QAction* undo = nullptr;
+    for (QAction* action : window.menuBar()->actions()[1]->menu()->actions()) {
+        undo = action->shortcut() == QKeySequence(QKeySequence::Undo) ? action : undo;
+    }
+    ASSERT_NE(undo, nullptr);
+    ASSERT_TRUE(undo->isEnabled());
+    window.showMode(modeOf<CaptureMode>(window));
+    EXPECT_FALSE(undo->isEnabled());
+    window.showMode(plan);
+    undo->trigger();
+    EXPECT_EQ(plan->editor().draft().room.obstacles.size(), 1U);
+}
+
+TEST(MainWindow, ANewSurveyCanBeginWithTheRoomOfAnother) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    auto* plan = modeOf<PlanMode>(window);
+    const Polygon outline = plan->editor().draft().room.outline;
+    plan->findChild<QPushButton*>("newWithThisRoom")->click();
+    EXPECT_EQ(window.session(), nullptr);
+    EXPECT_EQ(window.mode(), plan);
+    EXPECT_EQ(plan->storage().state(), PlanStorage::State::New);
+    EXPECT_EQ(plan->editor().draft().room.outline, outline);
+}
+
+TEST(MainWindow, ClosingInTheMiddleOfARunLosesNothing) {
+    MainWindow window;
+    window.show();
+    CaptureDesk& desk = modeOf<CaptureMode>(window)->desk();
+    desk.setPracticeSettings(kFastPractice);
+    window.runPractice();
+    ASSERT_NE(window.session(), nullptr);
+    const std::filesystem::path path = window.session()->path();
+    QSignalSpy verdicts(&desk, &CaptureDesk::verdictGiven);
+    while (verdicts.size() < 2) {
+        ASSERT_TRUE(verdicts.wait(30'000));
+    }
+    window.close();
+    EXPECT_FALSE(window.tasks().hasRunning());
+    auto store = store::SurveyStore::open(path, store::Access::Write); // the lock is free
+    EXPECT_GE(store.counts().photos, 2);
+    EXPECT_TRUE(store.check(noProgress(), {}).isSound());
+}
+
+TEST(MainWindow, TheMainButtonOfTheFirstPagePhotographsThePracticeRoom) {
+    MainWindow window;
+    window.show();
+    CaptureDesk& desk = modeOf<CaptureMode>(window)->desk();
+    desk.setPracticeSettings(kFastPractice);
+    window.findChild<QPushButton*>("practiceRoom")->click();
+    EXPECT_EQ(window.mode(), modeOf<CaptureMode>(window));
+    QSignalSpy ends(&desk, &CaptureDesk::runEnded);
+    ASSERT_TRUE(ends.wait(60'000));
+    EXPECT_TRUE(ends[0][0].toBool()) << desk.sentence().toStdString();
+    const store::Counts counts = window.session()->store().counts();
+    EXPECT_EQ(counts.stationsWithPhoto, counts.stations);
 }
 
 } // namespace spherewalk::ui

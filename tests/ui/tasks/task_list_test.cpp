@@ -5,6 +5,7 @@
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 
+#include <QCoreApplication>
 #include <QSignalSpy>
 #include <gtest/gtest.h>
 
@@ -81,6 +82,16 @@ TEST(TaskList, StopsAJobThatIsAskedTo) {
     waitForEnd(task);
     EXPECT_EQ(task->state(), Task::State::Stopped);
     EXPECT_TRUE(task->sentence().isEmpty());
+}
+
+TEST(TaskList, AStoppedTaskHasEndedAtOnceAndTellsItOnce) {
+    TaskList tasks;
+    Task* task = tasks.start("long", &tasks, runUntilStopped, [] {});
+    QSignalSpy ends(task, &Task::ended);
+    tasks.stopAll();
+    EXPECT_EQ(task->state(), Task::State::Stopped);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(ends.size(), 1);
 }
 
 TEST(TaskList, WaitsForAllWhenItEnds) {
