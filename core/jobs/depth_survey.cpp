@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/recently_used.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <list>
 #include <memory>
 
 namespace spherewalk::jobs {
@@ -23,28 +23,17 @@ constexpr std::uint64_t kLargestFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
-/// What was made last, by photo.
-template <class Value>
-class Kept {
-  public:
-    template <class Make>
-    std::shared_ptr<const Value> get(std::size_t photo, Make&& make) {
-        const auto found = std::find_if(m_values.begin(), m_values.end(),
-                                        [&](const auto& entry) { return entry.first == photo; });
-        if (found != m_values.end()) {
-            m_values.splice(m_values.begin(), m_values, found);
-        } else {
-            m_values.emplace_front(photo, std::make_shared<const Value>(make()));
-            m_values.resize(std::min(m_values.size(), kPicturesKept));
-        }
-        return m_values.front().second;
-    }
+/// Files are written under another name and renamed: those that are there are whole.
+bool isThere(const std::filesystem::path& file) {
+    return std::filesystem::is_regular_file(file);
+}
 
-  private:
-    std::list<std::pair<std::size_t, std::shared_ptr<const Value>>> m_values;
-};
+void keep(const std::filesystem::path& file, const scene::PhotoDepth& depth) {
+    writeFile(file, render::DepthMap(depth.inverseM, depth.sure).serialised());
+}
 
-scene::PhotoDepth depthOf(const render::DepthMap& map) {
+scene::PhotoDepth kept(const std::filesystem::path& file) {
+    const auto map = render::DepthMap::parse(readFile(file, kLargestFile), file.string());
     return {map.inverseM(), map.sure()};
 }
 
@@ -93,7 +82,7 @@ class DepthJob {
             m_progress.progress(static_cast<double>(i + 1) / static_cast<double>(m_photos.size()),
                                 text("Estimating depth, photo ", i + 1, " of ", m_photos.size()));
         }
-        result.radiusM = radius(result);
+        estimateScene(result);
         result.report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
@@ -127,17 +116,6 @@ class DepthJob {
 
     std::filesystem::path fileOf(const std::string& key) const {
         return m_options.cacheFolder / (key.substr(0, 32) + ".pgm");
-    }
-
-    /// Files are written under another name and renamed: those that are there are whole.
-    static bool isThere(const std::filesystem::path& file) { return std::filesystem::is_regular_file(file); }
-
-    static void keep(const std::filesystem::path& file, const scene::PhotoDepth& depth) {
-        writeFile(file, render::DepthMap(depth.inverseM, depth.sure).serialised());
-    }
-
-    static scene::PhotoDepth kept(const std::filesystem::path& file) {
-        return depthOf(render::DepthMap::parse(readFile(file, kLargestFile), file.string()));
     }
 
     std::shared_ptr<const RgbImage> picture(std::size_t photo) {
@@ -183,46 +161,37 @@ class DepthJob {
                                     m_options.sweep.threads);
     }
 
-    std::optional<double> radius(const SurveyDepth& found) const {
-        std::vector<scene::PhotoDepth> depths;
-        std::vector<scene::PosedDepth> posed;
-        for (const std::size_t i : spread(found)) {
-            depths.push_back(kept(found.files[i]));
-        }
-        for (const scene::PhotoDepth& depth : depths) {
-            posed.push_back({&depth, {}});
-        }
-        return scene::sphereRadius(posed);
-    }
-
-  public:
-    /// Some of the photos that have a depth.
-    static std::vector<std::size_t> spread(const SurveyDepth& found) {
+    /// Radius and room from some of the photos that have a depth, spread evenly.
+    void estimateScene(SurveyDepth& result) const {
         std::vector<std::size_t> all;
-        for (std::size_t i = 0; i < found.files.size(); ++i) {
-            if (!found.files[i].empty()) {
+        for (std::size_t i = 0; i < result.files.size(); ++i) {
+            if (!result.files[i].empty()) {
                 all.push_back(i);
             }
         }
-        std::vector<std::size_t> some;
         const std::size_t count = std::min(all.size(), kPhotosForScene);
-        for (std::size_t k = 0; k < count; ++k) {
-            some.push_back(all[k * all.size() / count]);
+        if (count == 0) {
+            return;
         }
-        return some;
+        std::vector<scene::PhotoDepth> depths(count);
+        std::vector<scene::PosedDepth> posed;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t photo = all[k * all.size() / count];
+            depths[k] = kept(result.files[photo]);
+            posed.push_back({&depths[k], m_poses[photo]});
+        }
+        result.radiusM = scene::sphereRadius(posed);
+        result.room = scene::fittedRoom(posed, m_options.drawnOutline);
     }
 
-    static scene::PhotoDepth load(const std::filesystem::path& file) { return kept(file); }
-
-  private:
     std::span<const DepthInput> m_photos;
     const DepthOptions& m_options;
     ProgressSink& m_progress;
     std::stop_token m_stop;
     std::vector<Rigid3> m_poses;
     std::vector<std::vector<std::size_t>> m_neighbours;
-    Kept<RgbImage> m_pictures;
-    Kept<scene::PhotoDepth> m_swept;
+    RecentlyUsed<std::size_t, RgbImage> m_pictures{kPicturesKept};
+    RecentlyUsed<std::size_t, scene::PhotoDepth> m_swept{kPicturesKept};
 };
 
 } // namespace
@@ -230,23 +199,6 @@ class DepthJob {
 SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,
                         ProgressSink& progress, const std::stop_token& stop) {
     return DepthJob(photos, options, progress, stop).run();
-}
-
-std::optional<render::RoomShape> fittedRoom(std::span<const DepthInput> photos, const SurveyDepth& depth,
-                                            const Polygon& drawnOutline) {
-    const std::vector<std::size_t> some = DepthJob::spread(depth);
-    if (some.empty()) {
-        return std::nullopt;
-    }
-    std::vector<scene::PhotoDepth> depths;
-    for (const std::size_t i : some) {
-        depths.push_back(DepthJob::load(depth.files[i]));
-    }
-    std::vector<scene::PosedDepth> posed;
-    for (std::size_t k = 0; k < some.size(); ++k) {
-        posed.push_back({&depths[k], photos[some[k]].roomFromPhoto});
-    }
-    return scene::fittedRoom(posed, drawnOutline);
 }
 
 } // namespace spherewalk::jobs

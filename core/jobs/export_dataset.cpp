@@ -112,14 +112,14 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, dat
     if (depth.cacheFolder.empty()) {
         depth.cacheFolder = store.folder() / kDepthCacheFolder;
     }
+    depth.drawnOutline = store.room().outline;
     const SurveyDepth found = surveyDepth(inputs, depth, progress, stop);
     report.depth = found.report;
     if (found.radiusM) {
         contents.info.sphereRadiusM = found.radiusM;
     }
-    const auto room = fittedRoom(inputs, found, store.room().outline);
-    contents.info.roomShape = room;
-    report.roomShape = room;
+    contents.info.roomShape = found.room;
+    report.roomShape = found.room;
     for (std::size_t i = 0; i < inputs.size() && options.scene == render::SceneKind::Depth; ++i) {
         contents.photos[i].depthFile = found.files[i];
     }

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
-#include "csv.h"
-
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/measure/displacement.h"
-#include "spherewalk/measure/likeness.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace spherewalk::jobs {
 
@@ -85,21 +83,6 @@ Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& 
             }};
 }
 
-std::vector<render::SceneKind> scenesOf(const render::DatasetInfo& info) {
-    std::vector<render::SceneKind> scenes{render::SceneKind::None};
-    if (info.sphereRadiusM) {
-        scenes.push_back(render::SceneKind::Sphere);
-    }
-    if (info.roomShape) {
-        scenes.push_back(render::SceneKind::Room);
-    }
-    if (std::any_of(info.photos.begin(), info.photos.end(),
-                    [](const render::DatasetPhoto& photo) { return !photo.depth.empty(); })) {
-        scenes.push_back(render::SceneKind::Depth);
-    }
-    return scenes;
-}
-
 /// One scene model's views, and all of their displacements.
 class SceneMeasurement {
   public:
@@ -121,7 +104,7 @@ class SceneMeasurement {
         likeness.photo = view.report.file;
         likeness.offsetM = view.report.offsetM;
         likeness.psnrDb = photo::psnr(subject.picture, view.picture);
-        likeness.ssim = measure::structuralSimilarity(subject.picture, view.picture);
+        likeness.ssim = photo::structuralSimilarity(subject.picture, view.picture);
         likeness.medianPx = measure::quantile(matched, 0.5);
         likeness.p95Px = measure::quantile(matched, 0.95);
         likeness.matches = matched.size();
@@ -141,20 +124,25 @@ class SceneMeasurement {
 
     SceneLikeness result() {
         std::vector<double> ms;
+        std::vector<double> medians;
         const auto count = static_cast<double>(m_result.views.size());
         m_result.worstPsnrDb = std::numeric_limits<double>::infinity();
         for (const ViewLikeness& view : m_result.views) {
             m_result.meanPsnrDb += view.psnrDb / count;
             m_result.meanSsim += view.ssim / count;
-            m_result.medianPx += view.medianPx / count;
+            if (view.medianPx) {
+                medians.push_back(*view.medianPx);
+            }
             m_result.worstPsnrDb = std::min(m_result.worstPsnrDb, view.psnrDb);
             ms.push_back(view.renderMs);
         }
-        m_result.p95Px = measure::quantile(m_matched, 0.95);
-        if (!m_exact.empty()) {
-            m_result.exactMedianPx = measure::quantile(m_exact, 0.5);
-            m_result.exactP95Px = measure::quantile(m_exact, 0.95);
+        if (!medians.empty()) {
+            m_result.medianPx =
+                std::accumulate(medians.begin(), medians.end(), 0.0) / static_cast<double>(medians.size());
         }
+        m_result.p95Px = measure::quantile(m_matched, 0.95);
+        m_result.exactMedianPx = measure::quantile(m_exact, 0.5);
+        m_result.exactP95Px = measure::quantile(m_exact, 0.95);
         m_result.medianRenderMs = median(ms);
         return std::move(m_result);
     }
@@ -165,9 +153,10 @@ class SceneMeasurement {
     std::vector<Displacement> m_exact;
 };
 
-/// The 95th percentile that counts: the exact one where it is known.
+/// The 95th percentile that counts: the exact one where it is known. Infinity where nothing could be
+/// compared.
 double errorOf(const SceneLikeness& scene) {
-    return scene.exactP95Px.value_or(scene.p95Px);
+    return scene.exactP95Px.value_or(scene.p95Px.value_or(std::numeric_limits<double>::infinity()));
 }
 
 void choose(MeasureReport& report) {
@@ -185,6 +174,10 @@ void choose(MeasureReport& report) {
     const auto best = std::min_element(
         report.scenes.begin(), report.scenes.end(),
         [](const SceneLikeness& a, const SceneLikeness& b) { return errorOf(a) < errorOf(b); });
+    if (!std::isfinite(errorOf(*best))) {
+        report.reason = "Nothing could be compared: the pictures have too little in common with the views.";
+        return;
+    }
     report.reason = text("No scene model of this dataset is within ", fixed(report.tolerancePx, 2),
                          " px; the best, \"", std::string(name(best->scene)), "\", reaches ",
                          fixed(errorOf(*best), 2), " px in 95 of 100 places. Take photos closer together.");
@@ -193,52 +186,18 @@ void choose(MeasureReport& report) {
 } // namespace
 
 std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
-    const std::string source = csv.string();
-    const std::vector<CsvLine> lines = parseCsv(readTextFile(csv, 16 << 20), source);
-    const auto refuse = [&](int line, const std::string& what) -> Error {
-        return {ErrorKind::InvalidInput,
-                text("Could not read the robot's pictures ", source, ": line ", line, ": ", what, ".")};
-    };
-    constexpr std::array<std::string_view, 8> kColumns{"file", "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"};
     std::vector<RobotPicture> pictures;
-    std::array<std::size_t, 8> at{};
-    std::optional<std::size_t> depth;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::vector<std::string>& fields = lines[i].fields;
-        if (i == 0) {
-            for (std::size_t k = 0; k < kColumns.size(); ++k) {
-                const auto found = std::find(fields.begin(), fields.end(), kColumns[k]);
-                if (found == fields.end()) {
-                    throw refuse(1, text("the column ", std::string(kColumns[k]), " is missing"));
-                }
-                at[k] = static_cast<std::size_t>(found - fields.begin());
-            }
-            const auto found = std::find(fields.begin(), fields.end(), "depth");
-            if (found != fields.end()) {
-                depth = static_cast<std::size_t>(found - fields.begin());
-            }
-            continue;
-        }
-        std::array<double, 8> values{};
-        for (std::size_t k = 1; k < kColumns.size(); ++k) {
-            const auto value = at[k] < fields.size() ? parseNumber(fields[at[k]]) : std::nullopt;
-            if (!value) {
-                throw refuse(lines[i].number, text(std::string(kColumns[k]), " is not a number"));
-            }
-            values[k] = *value;
+    for (const PhotoPosition& line : readPositions(csv)) {
+        if (!line.roomFromPhoto) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("Could not use the robot's pictures ", csv.string(), ": line ", line.line,
+                             " states no rotation; give qw,qx,qy,qz of the optical frame."));
         }
         RobotPicture picture;
-        picture.file = csv.parent_path() / fields[at[0]];
-        if (depth && *depth < fields.size() && !fields[*depth].empty()) {
-            picture.depthFile = csv.parent_path() / fields[*depth];
-        }
-        picture.roomFromCamera = {checkedQuaternion(values[7], values[4], values[5], values[6],
-                                                    text("line ", lines[i].number, " of ", source)),
-                                  {values[1], values[2], values[3]}};
+        picture.file = csv.parent_path() / line.file;
+        picture.depthFile = line.depthFile.empty() ? "" : csv.parent_path() / line.depthFile;
+        picture.roomFromCamera = {*line.roomFromPhoto, line.positionM};
         pictures.push_back(std::move(picture));
-    }
-    if (pictures.empty()) {
-        throw refuse(1, "it lists no pictures");
     }
     return pictures;
 }
@@ -265,7 +224,7 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
                     "Could not measure: with a single photo there is nothing to compare it with.");
     }
     std::vector<SceneMeasurement> scenes;
-    for (const render::SceneKind scene : scenesOf(info)) {
+    for (const render::SceneKind scene : render::scenesOf(info)) {
         scenes.emplace_back(scene);
     }
     for (std::size_t i = 0; i < subjects.count; ++i) {

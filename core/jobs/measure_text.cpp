@@ -3,6 +3,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/measure_dataset.h"
+#include "spherewalk/measure/svg.h"
 #include "spherewalk/measure/text_table.h"
 
 namespace spherewalk::jobs {
@@ -15,7 +16,7 @@ std::string optionalPx(const std::optional<double>& value) {
 
 std::vector<std::string> cellsOf(const SceneLikeness& scene) {
     return {std::string(name(scene.scene)),  fixed(scene.meanPsnrDb, 2),   fixed(scene.worstPsnrDb, 2),
-            fixed(scene.meanSsim, 3),        fixed(scene.medianPx, 2),     fixed(scene.p95Px, 2),
+            fixed(scene.meanSsim, 3),        optionalPx(scene.medianPx),   optionalPx(scene.p95Px),
             optionalPx(scene.exactMedianPx), optionalPx(scene.exactP95Px), fixed(scene.medianRenderMs, 1)};
 }
 
@@ -29,18 +30,10 @@ std::string subjectWords(const MeasureReport& report) {
                : text(views, " pictures of the robot's camera, each beside the view from its pose");
 }
 
-std::string escaped(const std::string& words) {
-    std::string result;
-    for (const char c : words) {
-        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return result;
-}
-
 std::string row(const std::vector<std::string>& cells, const char* tag) {
     std::string html = "<tr>";
     for (const std::string& cell : cells) {
-        html += text("<", tag, ">", escaped(cell), "</", tag, ">");
+        html += text("<", tag, ">", measure::escaped(cell), "</", tag, ">");
     }
     return html + "</tr>\n";
 }
@@ -69,8 +62,8 @@ Json toJson(const MeasureReport& report) {
                              {"offset_m", view.offsetM},
                              {"psnr_db", view.psnrDb},
                              {"ssim", view.ssim},
-                             {"median_px", view.medianPx},
-                             {"p95_px", view.p95Px},
+                             {"median_px", optional(view.medianPx)},
+                             {"p95_px", optional(view.p95Px)},
                              {"matches", view.matches},
                              {"exact_median_px", optional(view.exactMedianPx)},
                              {"exact_p95_px", optional(view.exactP95Px)},
@@ -80,8 +73,8 @@ Json toJson(const MeasureReport& report) {
                           {"mean_psnr_db", scene.meanPsnrDb},
                           {"worst_psnr_db", scene.worstPsnrDb},
                           {"mean_ssim", scene.meanSsim},
-                          {"median_px", scene.medianPx},
-                          {"p95_px", scene.p95Px},
+                          {"median_px", optional(scene.medianPx)},
+                          {"p95_px", optional(scene.p95Px)},
                           {"exact_median_px", optional(scene.exactMedianPx)},
                           {"exact_p95_px", optional(scene.exactP95Px)},
                           {"median_render_ms", scene.medianRenderMs},
@@ -109,17 +102,17 @@ void writeMeasurePage(const MeasureReport& report, const std::filesystem::path& 
              "models</title>\n<style>body{font:16px sans-serif;max-width:60em;margin:2em auto}"
              "td,th{padding:.2em .8em;text-align:right}th:first-child,td:first-child{text-align:"
              "left}</style>\n<h1>Measured scene models</h1>\n<p>",
-             escaped(subjectWords(report)), ".</p>\n<table>\n", row(kTitles, "th"));
+             measure::escaped(subjectWords(report)), ".</p>\n<table>\n", row(kTitles, "th"));
     for (const SceneLikeness& scene : report.scenes) {
         html += row(cellsOf(scene), "td");
     }
-    html += text("</table>\n<p>", escaped(report.reason), "</p>\n");
+    html += text("</table>\n<p>", measure::escaped(report.reason), "</p>\n");
     for (const SceneLikeness& scene : report.scenes) {
         html += text("<h2>", std::string(name(scene.scene)), "</h2>\n<table>\n",
                      row({"view", "from", "cm away", "PSNR dB", "SSIM", "median px", "95 % px"}, "th"));
         for (const ViewLikeness& view : scene.views) {
             html += row({view.subject, view.photo, fixed(100 * view.offsetM, 1), fixed(view.psnrDb, 2),
-                         fixed(view.ssim, 3), fixed(view.medianPx, 2), fixed(view.p95Px, 2)},
+                         fixed(view.ssim, 3), optionalPx(view.medianPx), optionalPx(view.p95Px)},
                         "td");
         }
         html += "</table>\n";

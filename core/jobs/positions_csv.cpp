@@ -23,7 +23,7 @@ constexpr int kAbsent = -1;
 }
 
 struct Columns {
-    int file, x, y, z, yaw;
+    int file, x, y, z, depth, yaw;
     std::array<int, 4> quaternion; ///< w, x, y, z
 };
 
@@ -40,8 +40,13 @@ Columns columnsOf(const CsvLine& header, const std::string& source) {
         }
         return column;
     };
-    const Columns columns{need("file"), need("x_m"),     need("y_m"),
-                          need("z_m"),  find("yaw_deg"), {find("qw"), find("qx"), find("qy"), find("qz")}};
+    const Columns columns{need("file"),
+                          need("x_m"),
+                          need("y_m"),
+                          need("z_m"),
+                          find("depth"),
+                          find("yaw_deg"),
+                          {find("qw"), find("qx"), find("qy"), find("qz")}};
     const auto absent = std::count(columns.quaternion.begin(), columns.quaternion.end(), kAbsent);
     if (absent != 0 && absent != 4) {
         refuse(source, "of the columns qw,qx,qy,qz some are missing");
@@ -108,6 +113,11 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
         position.file = record.field(columns.file);
         if (!isSafeRelativePath(position.file)) {
             refuse(source, text("line ", position.line, ": \"", printable(position.file),
+                                "\" is not the name of a file in the photos' folder"));
+        }
+        position.depthFile = record.field(columns.depth);
+        if (!position.depthFile.empty() && !isSafeRelativePath(position.depthFile)) {
+            refuse(source, text("line ", position.line, ": \"", printable(position.depthFile),
                                 "\" is not the name of a file in the photos' folder"));
         }
         if (!files.insert(position.file).second) {

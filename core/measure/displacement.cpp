@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/measure/displacement.h"
 
+#include "contest.h"
+
 #include "spherewalk/base/error.h"
 
 #include <opencv2/features2d.hpp>
@@ -129,18 +131,15 @@ std::vector<Displacement> exactDisplacements(const CameraModel& camera, const Ri
     return result;
 }
 
-double quantile(const std::vector<Displacement>& displacements, double share) {
+std::optional<double> quantile(const std::vector<Displacement>& displacements, double share) {
     if (displacements.empty()) {
-        return 0;
+        return std::nullopt;
     }
     std::vector<double> errors;
     for (const Displacement& displacement : displacements) {
         errors.push_back(displacement.errorPx);
     }
-    const auto place =
-        std::min(errors.size() - 1, static_cast<std::size_t>(share * static_cast<double>(errors.size())));
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(place), errors.end());
-    return errors[place];
+    return quantile(std::move(errors), share);
 }
 
 } // namespace spherewalk::measure

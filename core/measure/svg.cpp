@@ -38,6 +38,16 @@ std::string_view nameOf(const std::array<std::string_view, Count>& names, Kind k
     return names[static_cast<std::size_t>(kind)];
 }
 
+std::string number(double value) {
+    return fixed(value, 1);
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+    return value.empty() ? "" : text(" ", name, "=\"", value, "\"");
+}
+
+} // namespace
+
 std::string escaped(std::string_view words) {
     std::string result;
     for (const char letter : words) {
@@ -49,16 +59,6 @@ std::string escaped(std::string_view words) {
     }
     return result;
 }
-
-std::string number(double value) {
-    return fixed(value, 1);
-}
-
-std::string attribute(std::string_view name, std::string_view value) {
-    return value.empty() ? "" : text(" ", name, "=\"", value, "\"");
-}
-
-} // namespace
 
 Svg::Svg(int width, int height, std::string_view title) {
     m_text = spherewalk::text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "\" height=\"",

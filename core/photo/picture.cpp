@@ -99,22 +99,4 @@ RgbImage contactSheet(std::span<const RgbImage> pictures, int columns, int cellW
     return sheet;
 }
 
-double psnr(const RgbImage& a, const RgbImage& b) {
-    if (a.empty() || a.width() != b.width() || a.height() != b.height()) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("Pictures of ", a.width(), " x ", a.height(), " and ", b.width(), " x ", b.height(),
-                         " pixels cannot be compared: they must be of one size."));
-    }
-    std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < a.values().size(); ++i) {
-        const int difference = a.values()[i] - b.values()[i];
-        sum += static_cast<std::uint64_t>(difference * difference);
-    }
-    if (sum == 0) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const double mean = static_cast<double>(sum) / static_cast<double>(a.values().size());
-    return 10 * std::log10(255.0 * 255.0 / mean);
-}
-
 } // namespace spherewalk::photo

@@ -83,11 +83,11 @@ void Dataset::checkSizes() const {
 }
 
 std::size_t Dataset::nearestPhoto(const Eigen::Vector3d& pInRoom, std::optional<std::size_t> without) const {
-    std::size_t nearest = without == std::size_t{0} && m_info.photos.size() > 1 ? 1 : 0;
+    std::size_t nearest = without.value_or(0); // if it is the only one
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < m_info.photos.size(); ++i) {
         const double distance = (m_info.photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
-        if (distance < least && (i != without || m_info.photos.size() == 1)) {
+        if (distance < least && i != without) {
             least = distance;
             nearest = i;
         }

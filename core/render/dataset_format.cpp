@@ -250,6 +250,21 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
 
 } // namespace
 
+std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
+    std::vector<SceneKind> scenes{SceneKind::None};
+    if (info.sphereRadiusM) {
+        scenes.push_back(SceneKind::Sphere);
+    }
+    if (info.roomShape) {
+        scenes.push_back(SceneKind::Room);
+    }
+    if (std::any_of(info.photos.begin(), info.photos.end(),
+                    [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
+        scenes.push_back(SceneKind::Depth);
+    }
+    return scenes;
+}
+
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
     if (!info.photos[photo].depth.empty()) {
         return SceneKind::Depth;
@@ -277,8 +292,7 @@ Json toJson(const DatasetInfo& info) {
                           {"ceiling_m", info.roomShape->ceilingM},
                           {"measured_error_px", nullptr}});
     }
-    if (std::any_of(info.photos.begin(), info.photos.end(),
-                    [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
+    if (scenesOf(info).back() == SceneKind::Depth) {
         models.push_back({{"kind", "depth"}, {"measured_error_px", nullptr}});
     }
     Json cameras = Json::array();

@@ -4,6 +4,8 @@
 #include "lattice.h"
 #include "photo_plane.h"
 
+#include "spherewalk/geometry/fast_angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,32 +20,6 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kHalfPi = 0.5F * kPi;
-
-/// The arc tangent of t in [0, 1], off by less than 2e-7. Source: Abramowitz and Stegun 4.4.49.
-inline float arcTangent(float t) {
-    const float s = t * t;
-    float sum = 0.0028662257F;
-    sum = sum * s - 0.0161657367F;
-    sum = sum * s + 0.0429096138F;
-    sum = sum * s - 0.0752896400F;
-    sum = sum * s + 0.1065626393F;
-    sum = sum * s - 0.1420889944F;
-    sum = sum * s + 0.1999355085F;
-    sum = sum * s - 0.3333314528F;
-    return t + t * s * sum;
-}
-
-/// atan2, written so that compilers do several at a time.
-inline float angle(float y, float x) {
-    const float across = std::fabs(x);
-    const float up = std::fabs(y);
-    const float most = across > up ? across : up;
-    const float least = across > up ? up : across;
-    float result = arcTangent(least / (most + 1e-30F));
-    result = up > across ? kHalfPi - result : result;
-    result = x < 0 ? kPi - result : result;
-    return y < 0 ? -result : result;
-}
 
 /// A photo as the kernel needs it: the direction in it is m * ray + inverse * offset.
 struct Target {
@@ -92,9 +68,9 @@ void locate(const Target& target, const RowOfRays& rays, const float* inverse, i
         const float x = m[0] * rays.x[i] + m[1] * rays.y[i] + m[2] * rays.z[i] + inverse[i] * o[0];
         const float y = m[3] * rays.x[i] + m[4] * rays.y[i] + m[5] * rays.z[i] + inverse[i] * o[1];
         const float z = m[6] * rays.x[i] + m[7] * rays.y[i] + m[8] * rays.z[i] + inverse[i] * o[2];
-        float column = (kPi - angle(y, x)) * target.perRadian + kAddU;
+        float column = (kPi - fastAngle(y, x)) * target.perRadian + kAddU;
         column = column > lastU ? lastU : column;
-        float line = (kHalfPi - angle(z, std::sqrt(x * x + y * y))) * target.perRadian + kAddV;
+        float line = (kHalfPi - fastAngle(z, std::sqrt(x * x + y * y))) * target.perRadian + kAddV;
         line = line > lastV ? lastV : line;
         u[i] = static_cast<std::int32_t>(column * kOne);
         v[i] = static_cast<std::int32_t>(line * kOne);

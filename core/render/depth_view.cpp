@@ -21,30 +21,6 @@ double pixels(std::int32_t fixed) {
     return fixed / static_cast<double>(1 << kFractionBits) - PlaneLayout::kGuard;
 }
 
-void sampleWith(const PlaneView& photo, Sampling sampling, const simd::CellSamples& samples) {
-    switch (sampling) {
-    case Sampling::Nearest:
-        return simd::sampleNearest(photo, samples);
-    case Sampling::Bicubic:
-        return simd::sampleBicubic(photo, samples);
-    default:
-        return simd::sampleBilinear(photo, samples);
-    }
-}
-
-/// What cutting bits off needs to be added before.
-std::array<std::int32_t, 2> rounding(Sampling sampling) {
-    constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
-    switch (sampling) {
-    case Sampling::Nearest:
-        return {kHalf, kHalf};
-    case Sampling::Bicubic:
-        return {0, kHalf / 256};
-    default:
-        return {0, 0};
-    }
-}
-
 } // namespace
 
 DepthView::Cell DepthView::cell(int column, int row) const {
@@ -168,15 +144,15 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
 void DepthView::fillPlaces(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
                            std::int32_t* places, std::int32_t* fractions) const {
     const auto index = static_cast<std::size_t>(at.y / kCell * m_columns + at.x / kCell) * m_photos + source;
-    const std::array<std::int32_t, 2> round = rounding(sampling);
+    const simd::Rounding round = simd::rounding(sampling);
     constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
     constexpr std::int32_t kFirst = (PlaneLayout::kGuard << kFractionBits) - kHalf;
     const std::int32_t turn = plane.size().width << kFractionBits;
     const std::int32_t lastV = kFirst + (plane.size().height << kFractionBits);
     const int rowBytes = plane.stride() * PlaneLayout::kPixelBytes;
     for (int part = 0; part < m_samples * m_samples; ++part) {
-        std::int32_t addU = round[0];
-        std::int32_t addV = round[1];
+        std::int32_t addU = round.u;
+        std::int32_t addV = round.v;
         if (m_samples > 1) {
             const std::array<std::int32_t, 4>& slopes = m_slopes[index].of;
             const auto right = (part % m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
@@ -225,7 +201,7 @@ void DepthView::sampleCell(const Cell& at, std::span<const PlaneView> planes, Sa
                                         at.endX - at.x,
                                         at.endY - at.y,
                                         false};
-        sampleWith(planes[i], sampling, samples);
+        simd::sample(planes[i], sampling, samples);
         for (int y = at.y; y < at.endY && !isOne; ++y) {
             for (int x = at.x; x < at.endX; ++x) {
                 if (*m_places.source.at(x, y) == i) {

@@ -30,29 +30,6 @@ void blackenUnseen(const RayTable::ExplicitCell& cell, const simd::CellSamples& 
     }
 }
 
-void sample(const PlaneView& photo, Sampling sampling, const simd::CellSamples& samples) {
-    switch (sampling) {
-    case Sampling::Nearest:
-        return simd::sampleNearest(photo, samples);
-    case Sampling::Bicubic:
-        return simd::sampleBicubic(photo, samples);
-    default:
-        return simd::sampleBilinear(photo, samples);
-    }
-}
-
-Placing placing(Sampling sampling, int stride) {
-    constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
-    switch (sampling) {
-    case Sampling::Nearest:
-        return {stride, kHalf, kHalf};
-    case Sampling::Bicubic: // u is rounded to its weights' steps already, see kRoundingU
-        return {stride, 0, kHalf / 256};
-    default:
-        return {stride, 0, 0};
-    }
-}
-
 /// How far apart in a row of samples those are that lie in different cache lines.
 int stepToOtherMemory(const std::int32_t* places, int count, int stride) {
     constexpr int kLine = 64;
@@ -71,7 +48,8 @@ void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling
     const RayTable& rays = *lattice.rays;
     worker.lattice.beginRow(lattice, cellY);
     const int count = kCell * kCell * rays.samplesPerAxis() * rays.samplesPerAxis();
-    const Placing to = placing(sampling, photo.stride());
+    const simd::Rounding round = simd::rounding(sampling);
+    const Placing to{photo.stride(), round.u, round.v};
     int step = 1;
     const auto samples = [&](int cellX) {
         Workspace::Coordinates& at = worker.coordinates[static_cast<std::size_t>(cellX % 2)];
@@ -95,7 +73,7 @@ void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling
             now.next = next.places;
             now.nextStep = step;
         }
-        sample(photo, sampling, now);
+        simd::sample(photo, sampling, now);
         if (const RayTable::ExplicitCell* cell = rays.explicitCell(cellX, cellY)) {
             blackenUnseen(*cell, now);
         }

@@ -3,9 +3,9 @@
 
 #include "overlay_layer.h"
 #include "overlay_map.h"
-#include "recently_used.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/recently_used.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>

@@ -2,9 +2,10 @@
 #include "spherewalk/render/panorama.h"
 
 #include "fast_view.h"
-#include "recently_used.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/recently_used.h"
+#include "spherewalk/geometry/pose_check.h"
 
 #include <cmath>
 #include <utility>
@@ -14,11 +15,6 @@ namespace spherewalk::render {
 namespace {
 
 constexpr std::size_t kCamerasKept = 4; ///< a view that zooms has a new one with each step
-
-bool isPose(const Rigid3& pose) {
-    const double norm = pose.rotation.norm();
-    return pose.translation.allFinite() && std::isfinite(norm) && std::abs(norm - 1) < 1e-3;
-}
 
 Rigid3 normalized(const Rigid3& pose) {
     return {pose.rotation.normalized(), pose.translation};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sampler.h"
 
+#include "lattice.h"
+
 #include <array>
 #include <cstring>
 
@@ -245,6 +247,29 @@ HWY_EXPORT(sampleBilinear);
 
 void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBilinear)(photo, cell);
+}
+
+void sample(const PlaneView& photo, Sampling sampling, const CellSamples& cell) {
+    switch (sampling) {
+    case Sampling::Nearest:
+        return sampleNearest(photo, cell);
+    case Sampling::Bicubic:
+        return sampleBicubic(photo, cell);
+    default:
+        return sampleBilinear(photo, cell);
+    }
+}
+
+Rounding rounding(Sampling sampling) {
+    constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
+    switch (sampling) {
+    case Sampling::Nearest:
+        return {kHalf, kHalf};
+    case Sampling::Bicubic: // u is rounded to its weights' steps already, see kRoundingU
+        return {0, kHalf / 256};
+    default:
+        return {};
+    }
 }
 
 void sampleNearest(const PlaneView& photo, const CellSamples& cell) {

@@ -3,6 +3,8 @@
 
 #include "photo_plane.h"
 
+#include "spherewalk/render/sampling.h"
+
 #include <array>
 #include <cstdint>
 
@@ -26,6 +28,17 @@ struct CellSamples {
 
 /// Sixteen bytes, what Highway shuffles within.
 using Block = std::array<std::uint8_t, 16>;
+
+/// The cell's pixels by that sampling: Nearest and Bicubic, else Bilinear.
+void sample(const PlaneView& photo, Sampling sampling, const CellSamples& cell);
+
+/// What is to be added to fixed-point coordinates, so that cutting bits off rounds as the sampling needs.
+struct Rounding {
+    std::int32_t u = 0;
+    std::int32_t v = 0;
+};
+
+Rounding rounding(Sampling sampling);
 
 /// Each pixel is the mean of its samples, each of which is bilinear. Integer arithmetic, the same on every
 /// machine: given the coordinates, a pixel is within 1.05 grey levels of the exact value, 0.5 of them

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "depth_mesh.h"
-#include "recently_used.h"
 
+#include "spherewalk/base/recently_used.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/render/scene_model.h"
 

@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/pose_check.h"
 #include "spherewalk/render/projection.h"
 #include "spherewalk/render/view_depth.h"
 
@@ -52,8 +53,7 @@ ViewEngine::ViewEngine(std::shared_ptr<const Dataset> dataset, const RendererOpt
 
 ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFromCamera,
                                 const ViewOptions& options) const {
-    if (!roomFromCamera.translation.allFinite() || std::abs(roomFromCamera.rotation.norm() - 1) > 1e-3 ||
-        !std::isfinite(roomFromCamera.rotation.norm())) {
+    if (!isPose(roomFromCamera)) {
         throw Error(
             ErrorKind::InvalidInput,
             "The camera's pose is not a position in metres and a unit quaternion; nothing was rendered.");

@@ -5,10 +5,10 @@
 #include "fast_view.h"
 #include "loader.h"
 #include "loader_photos.h"
-#include "recently_used.h"
 #include "surfaces.h"
 #include "tile_footprint.h"
 
+#include "spherewalk/base/recently_used.h"
 #include "spherewalk/render/renderer.h"
 
 #include <memory>

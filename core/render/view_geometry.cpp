@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/pose_check.h"
 
 #include <cmath>
 
@@ -10,9 +11,7 @@ namespace spherewalk::render {
 
 namespace {
 
-bool isPose(const Rigid3& pose) {
-    return pose.translation.allFinite() && std::abs(pose.rotation.norm() - 1) <= 1e-6; // false for NaN
-}
+constexpr double kUnitTolerance = 1e-6;
 
 [[noreturn]] void refuse(const std::string& what) {
     throw Error(ErrorKind::InvalidInput,
@@ -22,7 +21,7 @@ bool isPose(const Rigid3& pose) {
 } // namespace
 
 void ViewGeometry::validate() const {
-    if (!isPose(roomFromCamera) || !isPose(roomFromPhoto)) {
+    if (!isPose(roomFromCamera, kUnitTolerance) || !isPose(roomFromPhoto, kUnitTolerance)) {
         refuse("the pose of the camera or of the photo is not a position in metres and a unit quaternion");
     }
     if (photo.width < 1 || photo.height < 1) {

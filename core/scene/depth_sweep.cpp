@@ -8,6 +8,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/geometry/pose_check.h"
 
 #include <algorithm>
 #include <array>
@@ -210,8 +211,7 @@ class Sweep {
 };
 
 void checkPose(const Rigid3& pose) {
-    if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite() ||
-        std::abs(pose.rotation.norm() - 1) > 1e-3) {
+    if (!isPose(pose)) {
         throw Error(ErrorKind::InvalidInput,
                     "Could not estimate depth: a photo's pose is not a position and a unit quaternion; align "
                     "the survey first.");

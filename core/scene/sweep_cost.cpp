@@ -2,6 +2,7 @@
 #include "sweep_cost.h"
 
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/geometry/fast_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +13,6 @@ namespace spherewalk::scene {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-
-/// The arc tangent of t in [0, 1], off by less than 1e-5: a five-hundredth of a pixel.
-inline float arcTangent(float t) {
-    const float s = t * t;
-    return t *
-           (0.99997726F + s * (-0.33262347F +
-                               s * (0.19354346F + s * (-0.11643287F + s * (0.05265332F - s * 0.01172120F)))));
-}
-
-/// atan2, written so that compilers do several at a time.
-inline float angle(float y, float x) {
-    const float across = std::fabs(x);
-    const float up = std::fabs(y);
-    const float most = across > up ? across : up;
-    const float least = across > up ? up : across;
-    float result = arcTangent(least / (most + 1e-20F));
-    result = up > across ? 0.5F * kPi - result : result;
-    result = x < 0 ? kPi - result : result;
-    return y < 0 ? -result : result;
-}
 
 /// Where the neighbour shows a row's pixels. Directions are never normalised.
 struct RowRays {
@@ -52,9 +33,9 @@ void places(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& o
         const float x = rays.cosElevation * rays.cosAzimuth[i] - inverseM[i] * ox;
         const float y = rays.cosElevation * rays.sinAzimuth[i] - inverseM[i] * oy;
         const float z = rays.sinElevation - inverseM[i] * oz;
-        const float column = (kPi - angle(y, x)) * perTurn - 0.5F;
+        const float column = (kPi - fastAngle(y, x)) * perTurn - 0.5F;
         u[i] = column < 0 ? column + turn : column;
-        const float line = (0.5F * kPi - angle(z, std::sqrt(x * x + y * y))) * perTurn - 0.5F;
+        const float line = (0.5F * kPi - fastAngle(z, std::sqrt(x * x + y * y))) * perTurn - 0.5F;
         v[i] = line < 0 ? 0 : line;
     }
 }

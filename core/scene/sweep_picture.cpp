@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/equirect.h"
+#include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/bilinear.h"
 
 #include <algorithm>
@@ -10,31 +11,6 @@
 namespace spherewalk::scene {
 
 namespace {
-
-/// The mean of each 2 x 2 pixels.
-RgbImage halved(const RgbImage& picture) {
-    RgbImage half(picture.width() / 2, picture.height() / 2);
-    for (int y = 0; y < half.height(); ++y) {
-        for (int x = 0; x < half.width(); ++x) {
-            const std::uint8_t* above = picture.at(2 * x, 2 * y);
-            const std::uint8_t* below = picture.at(2 * x, 2 * y + 1);
-            for (int c = 0; c < 3; ++c) {
-                half.at(x, y)[c] =
-                    static_cast<std::uint8_t>((above[c] + above[c + 3] + below[c] + below[c + 3] + 2) / 4);
-            }
-        }
-    }
-    return half;
-}
-
-/// Halved as long as it stays at least twice as wide as wanted: a bilinear sample in the middle of a wanted
-/// pixel is then about the mean over it.
-RgbImage reduced(RgbImage picture, int width) {
-    while (picture.width() >= 4 * width) {
-        picture = halved(picture);
-    }
-    return picture;
-}
 
 Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads) {
     const EquirectSize from{photo.width(), photo.height()};
@@ -62,9 +38,11 @@ SweepPicture::SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFr
                            int threads)
     : m_width(width),
       m_values(4 * static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(width / 2 + 1)) {
+    // At twice the width a bilinear sample in the middle of a wanted pixel is about the mean over it.
     const Image<float, 3> picture =
-        photo.width() >= 4 * width ? turned(reduced(halved(photo), width), photoFromFrame, width, threads)
-                                   : turned(photo, photoFromFrame, width, threads);
+        photo.width() >= 4 * width
+            ? turned(photo::resized(photo, 2 * width, width), photoFromFrame, width, threads)
+            : turned(photo, photoFromFrame, width, threads);
     for (int y = 0; y < height(); ++y) {
         differentiate(picture, y);
     }

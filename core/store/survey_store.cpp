@@ -74,6 +74,10 @@ Database openForReading(const fs::path& folder, const StoreOptions& options) {
     return {folder / kDatabaseName, mode, options.patience};
 }
 
+bool isOlder(const Identity& found) {
+    return found.applicationId == kApplicationId && found.version < newestVersion(migrations());
+}
+
 /// Before anything is written: a newer version's survey stays as it is.
 void checkIdentity(const fs::path& folder, const Identity& found, Access access) {
     const int newest = newestVersion(migrations());
@@ -86,7 +90,7 @@ void checkIdentity(const fs::path& folder, const Identity& found, Access access)
                          static_cast<long long>(found.version), ", this one knows up to ", newest,
                          "); update Spherewalk to open it."));
     }
-    if (found.version < newest && access == Access::Read) {
+    if (isOlder(found) && access == Access::Read) {
         throw Error(
             ErrorKind::Unsupported,
             text("The survey ", folder.string(), " was written by an older Spherewalk (format ",
@@ -95,11 +99,15 @@ void checkIdentity(const fs::path& folder, const Identity& found, Access access)
     }
 }
 
-/// Whether a survey, if it is one, has an older format.
-bool isOlder(const fs::path& folder, const StoreOptions& options) {
-    checkIsSurveyFolder(folder);
-    const Identity found = identity(openForReading(folder, options));
-    return found.applicationId == kApplicationId && found.version < newestVersion(migrations());
+/// Opening for writing brings a survey to the newest format. Where that cannot be, checkIdentity() says so.
+void bringUpToDate(const fs::path& folder, const StoreOptions& options) {
+    try {
+        SurveyStore::open(folder, Access::Write, options);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Busy && error.kind() != ErrorKind::Io) {
+            throw;
+        }
+    }
 }
 
 void checkIntegrity(const Database& database) {
@@ -217,19 +225,15 @@ SurveyStore SurveyStore::create(const fs::path& folder, const std::string& name,
 }
 
 SurveyStore SurveyStore::open(const fs::path& folder, Access access, const StoreOptions& options) {
-    if (access == Access::Read && isOlder(tidied(folder), options)) {
-        try {
-            open(folder, Access::Write, options); // which brings it to the newest format
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::Busy && error.kind() != ErrorKind::Io) {
-                throw;
-            }
-        } // said below
-    }
     auto parts = std::make_unique<Parts>();
     parts->folder = tidied(folder);
     checkIsSurveyFolder(parts->folder);
     parts->database.emplace(openForReading(parts->folder, options));
+    if (access == Access::Read && isOlder(identity(parts->db()))) {
+        parts->database.reset();
+        bringUpToDate(parts->folder, options);
+        parts->database.emplace(openForReading(parts->folder, options));
+    }
     checkIdentity(parts->folder, identity(parts->db()), access);
     if (access == Access::Write) {
         parts->lock.emplace(parts->folder);

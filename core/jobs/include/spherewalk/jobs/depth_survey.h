@@ -23,6 +23,7 @@ struct DepthOptions {
     int agreeing = 4; ///< neighbours whose depths are compared with a photo's
     /// Where depths are kept, so that a run that was stopped goes on where it was.
     std::filesystem::path cacheFolder = {};
+    Polygon drawnOutline = {}; ///< of the room, as far as it was drawn
 };
 
 struct DepthInput {
@@ -41,6 +42,7 @@ struct DepthReport {
 struct SurveyDepth {
     std::vector<std::filesystem::path> files; ///< one a photo; empty where no other photo is near enough
     std::optional<double> radiusM;            ///< of the sphere that stands best for them
+    std::optional<render::RoomShape> room;    ///< as scene::fittedRoom() found it
     DepthReport report;
 };
 
@@ -48,9 +50,5 @@ struct SurveyDepth {
 /// cores, and 600 MB. Errors: those of reading and decoding the photos, and of scene::sweptDepth(); Stopped.
 SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,
                         ProgressSink& progress, const std::stop_token& stop);
-
-/// scene::fittedRoom() of some of these photos, spread evenly.
-std::optional<render::RoomShape> fittedRoom(std::span<const DepthInput> photos, const SurveyDepth& depth,
-                                            const Polygon& drawnOutline);
 
 } // namespace spherewalk::jobs

@@ -21,8 +21,8 @@ struct RobotPicture {
     Rigid3 roomFromCamera;           ///< of the optical frame
 };
 
-/// Reads a CSV with the columns file,x_m,y_m,z_m,qx,qy,qz,qw and optionally depth; files are relative to it.
-/// Errors: InvalidInput, naming file and line; NotFound, Io.
+/// Reads a positions file (readPositions()) in which each line has a rotation, and optionally a depth; files
+/// are relative to it. Errors: as readPositions().
 std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv);
 
 struct MeasureOptions {
@@ -41,8 +41,8 @@ struct ViewLikeness {
     double offsetM = 0;
     double psnrDb = 0;
     double ssim = 0;
-    double medianPx = 0; ///< of matched features' displacements
-    double p95Px = 0;
+    std::optional<double> medianPx; ///< of matched features' displacements; nothing without matches
+    std::optional<double> p95Px;
     std::size_t matches = 0;
     std::optional<double> exactMedianPx; ///< of all pixels with a true depth
     std::optional<double> exactP95Px;
@@ -55,8 +55,8 @@ struct SceneLikeness {
     double meanPsnrDb = 0;
     double worstPsnrDb = 0;
     double meanSsim = 0;
-    double medianPx = 0; ///< mean of the views' medians
-    double p95Px = 0;    ///< of all views' displacements together
+    std::optional<double> medianPx; ///< mean of the views' medians
+    std::optional<double> p95Px;    ///< of all views' displacements together
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
     double medianRenderMs = 0;

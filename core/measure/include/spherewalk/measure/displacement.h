@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace spherewalk::measure {
@@ -31,7 +32,8 @@ std::vector<Displacement> exactDisplacements(const CameraModel& camera, const Ri
                                              const Eigen::Vector3d& photoInRoom, const DepthImage& trueZ,
                                              const DepthImage& takenZ, int every = 4);
 
-/// The value that this share of the errors does not exceed; 0 if there are none. Range: share in [0, 1].
-double quantile(const std::vector<Displacement>& displacements, double share);
+/// The value that this share of the errors does not exceed; nothing if there are none. Range: share in [0,
+/// 1].
+std::optional<double> quantile(const std::vector<Displacement>& displacements, double share);
 
 } // namespace spherewalk::measure

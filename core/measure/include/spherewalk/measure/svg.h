@@ -55,4 +55,7 @@ class Svg {
     std::string m_text;
 };
 
+/// The words as XML and HTML take them.
+std::string escaped(std::string_view words);
+
 } // namespace spherewalk::measure

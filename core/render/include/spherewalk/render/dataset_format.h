@@ -68,6 +68,9 @@ struct DatasetInfo {
     std::vector<DatasetPhoto> photos;
 };
 
+/// The scene models that the dataset has for some photo, cheap to exact; None always.
+std::vector<SceneKind> scenesOf(const DatasetInfo& info);
+
 /// The best scene model that the dataset has for a photo.
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo);
 

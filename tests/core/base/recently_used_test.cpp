@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recently_used.h"
+#include "spherewalk/base/recently_used.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace spherewalk::render {
+namespace spherewalk {
 
 TEST(RecentlyUsed, KeepsWhatWasUsedLastAndMakesTheRestAgain) {
     RecentlyUsed<int, std::string> kept(2);
@@ -34,4 +34,4 @@ TEST(RecentlyUsed, WhatIsHeldOutlivesItsPlace) {
     EXPECT_EQ(*first, "one");
 }
 
-} // namespace spherewalk::render
+} // namespace spherewalk

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-namespace spherewalk::render {
+namespace spherewalk {
 
 /// What was made for the keys used last. Threads: any; what is being made is waited for.
 template <class Key, class Value>
@@ -37,4 +37,4 @@ class RecentlyUsed {
     std::list<std::pair<Key, std::shared_ptr<const Value>>> m_entries; ///< most recently used first
 };
 
-} // namespace spherewalk::render
+} // namespace spherewalk

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk {
+
+/// std::atan2() in single precision, off by less than 3e-7; 0 for the origin. Written so that compilers do
+/// several at a time, and with the same result on every machine. Source: Abramowitz and Stegun 4.4.49.
+inline float fastAngle(float y, float x) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const float across = std::fabs(x);
+    const float up = std::fabs(y);
+    const float most = across > up ? across : up;
+    const float least = across > up ? up : across;
+    const float t = least / (most + 1e-30F);
+    const float s = t * t;
+    float sum = 0.0028662257F;
+    sum = sum * s - 0.0161657367F;
+    sum = sum * s + 0.0429096138F;
+    sum = sum * s - 0.0752896400F;
+    sum = sum * s + 0.1065626393F;
+    sum = sum * s - 0.1420889944F;
+    sum = sum * s + 0.1999355085F;
+    sum = sum * s - 0.3333314528F;
+    float result = t + t * s * sum;
+    result = up > across ? 0.5F * kPi - result : result;
+    result = x < 0 ? kPi - result : result;
+    return y < 0 ? -result : result;
+}
+
+} // namespace spherewalk
