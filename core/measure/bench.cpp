@@ -9,6 +9,7 @@
 #include "machine.h"
 #include "opencv_views.h"
 #include "photo_row.h"
+#include "scene_bench.h"
 #include "view_bench.h"
 #include "walk_bench.h"
 
@@ -99,6 +100,7 @@ class Bench {
         }
         ProgressStep step(m_progress, 0.41, 0.42);
         append(measureExtras(subject, m_effort.viewRounds, step, m_stop));
+        append(measureScenes(subject, m_effort.viewRounds, step, m_stop));
     }
 
     void measureFidelityOf(const Subject& subject) {

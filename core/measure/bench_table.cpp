@@ -128,6 +128,23 @@ std::string extrasText(const BenchReport& report) {
     return text("\nA level view of 90 degrees, footprint, 1 thread, with\n", table.text());
 }
 
+std::string scenesText(const BenchReport& report) {
+    TextTable table;
+    table.add({"", "ms", "of the sphere's time"});
+    bool hasRows = false;
+    for (const BenchRow& row : report.rows) {
+        constexpr std::string_view kStart = "scene.";
+        if (row.name.starts_with(kStart)) {
+            hasRows = true;
+            table.add({row.name.substr(kStart.size()), withDeviation(row.own),
+                       text(fixed(row.own.medianMs / row.peer->medianMs, 1), " x")});
+        }
+    }
+    return hasRows ? text("\nA level view of 57 degrees from beside a photo, 1 thread, of the scene model\n",
+                          table.text())
+                   : "";
+}
+
 std::string decodeText(const BenchReport& report) {
     TextTable table;
     table.add({"", "ms", "pixels", "against whole by libjpeg-turbo"});
@@ -223,11 +240,11 @@ std::string walkText(const BenchReport& report) {
 } // namespace
 
 std::string benchTable(const BenchReport& report) {
-    return text(machineText(report), viewText(report), extrasText(report), decodeText(report),
-                coldText(report), fidelityText(report), latticeText(report), walkText(report),
-                "\nMemory: ", humanBytes(report.residence.peakBytes), " at most, after looking all round at ",
-                report.residence.photos, report.residence.photos == 1 ? " photo" : " photos", "\n\n",
-                verdict(report));
+    return text(machineText(report), viewText(report), extrasText(report), scenesText(report),
+                decodeText(report), coldText(report), fidelityText(report), latticeText(report),
+                walkText(report), "\nMemory: ", humanBytes(report.residence.peakBytes),
+                " at most, after looking all round at ", report.residence.photos,
+                report.residence.photos == 1 ? " photo" : " photos", "\n\n", verdict(report));
 }
 
 } // namespace spherewalk::measure

@@ -58,6 +58,7 @@ class ExtrasBench {
     void fill(Contest& contest) {
         render::ViewOptions options;
         options.threads = 1;
+        options.scene = m_subject.scene();
         add(contest, kViewAlone, options);
         options.wantsTrust = true;
         add(contest, kTrust, options);

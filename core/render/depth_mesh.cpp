@@ -28,10 +28,32 @@ DepthMesh::DepthMesh(const DepthMap& map) : m_width(map.width()), m_height(map.h
         m_cosElevation.push_back(static_cast<float>(std::cos(std::numbers::pi / 2 - half * (i + 1))));
         m_sinElevation.push_back(static_cast<float>(std::sin(std::numbers::pi / 2 - half * (i + 1))));
     }
+    const std::array<const std::vector<float>*, 4> halves{&m_cosAzimuth, &m_sinAzimuth, &m_cosElevation,
+                                                          &m_sinElevation};
+    for (std::size_t k = 0; k < halves.size(); ++k) {
+        for (std::size_t i = 1; i < halves[k]->size(); i += 2) {
+            m_centres[k].push_back((*halves[k])[i]);
+        }
+        m_centres[k].resize(m_centres[k].size() + simd::ProjectedPart::kPitch);
+    }
     for (int level = 1; level < kLevels; ++level) {
         measureLevel(level);
     }
     boundBlocks();
+    m_inverse.resize(m_inverse.size() + simd::ProjectedPart::kPitch);
+}
+
+simd::SurfacePart DepthMesh::block(int blockX, int blockY) const {
+    static_assert(simd::ProjectedPart::kRows == kBlock + 1 && simd::ProjectedPart::kPitch > kBlock);
+    const int x = blockX * kBlock;
+    const int y = blockY * kBlock;
+    return {m_centres[0].data() + x,
+            m_centres[1].data() + x,
+            m_centres[2].data() + y,
+            m_centres[3].data() + y,
+            m_inverse.data() + static_cast<std::ptrdiff_t>(y) * (m_width + 1) + x,
+            m_width + 1,
+            std::min(kBlock, m_height - 1 - y) + 1};
 }
 
 void DepthMesh::measureLevel(int level) {

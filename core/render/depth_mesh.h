@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "depth_simd.h"
+
 #include "spherewalk/render/depth_map.h"
 
 #include <Eigen/Core>
@@ -41,6 +43,9 @@ class DepthMesh {
         return {m_cosElevation[y] * m_cosAzimuth[x], m_cosElevation[y] * m_sinAzimuth[x], m_sinElevation[y]};
     }
 
+    /// A block's vertices, as many rows of them as it has.
+    simd::SurfacePart block(int blockX, int blockY) const;
+
     /// By how much 1 / distance is off, at most, if the quad with its upper left vertex at (x, y) is taken to
     /// be flat. Range: level > 0; x and y multiples of 2^level.
     float deviation(int level, int x, int y) const {
@@ -79,6 +84,7 @@ class DepthMesh {
     std::vector<float> m_sinAzimuth;
     std::vector<float> m_cosElevation;
     std::vector<float> m_sinElevation;
+    std::array<std::vector<float>, 4> m_centres; ///< every second one of these: at the pixels' centres
     std::array<Level, kLevels> m_levels;
     std::vector<Bound> m_bounds;
 };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_places.h"
 
+#include "depth_simd.h"
 #include "lattice.h"
 #include "photo_plane.h"
-
-#include "spherewalk/geometry/fast_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +13,17 @@
 namespace spherewalk::render {
 
 using Eigen::Vector3d;
-using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kHalfPi = 0.5F * kPi;
+constexpr int kCell = DepthPlaces::kCell;
 
-/// A photo as the kernel needs it: the direction in it is m * ray + inverse * offset.
-struct Target {
-    std::array<float, 9> m;
-    std::array<float, 3> offset;
-    float perRadian;
-    float width;
-    float lastLine;
-};
-
-Target targetOf(const Rigid3& roomFromCamera, const PlacedPhoto& photo) {
+simd::PhotoTarget targetOf(const Rigid3& roomFromCamera, const PlacedPhoto& photo) {
     const Eigen::Matrix3d m =
         (photo.roomFromPhoto.rotation.conjugate() * roomFromCamera.rotation).toRotationMatrix();
     const Vector3d offset = photo.roomFromPhoto.rotation.conjugate() *
                             (roomFromCamera.translation - photo.roomFromPhoto.translation);
-    Target target{};
+    simd::PhotoTarget target{};
     for (int i = 0; i < 9; ++i) {
         target.m[static_cast<std::size_t>(i)] = static_cast<float>(m(i / 3, i % 3));
     }
@@ -43,125 +31,176 @@ Target targetOf(const Rigid3& roomFromCamera, const PlacedPhoto& photo) {
         target.offset[static_cast<std::size_t>(i)] = static_cast<float>(offset[i]);
     }
     target.perRadian = static_cast<float>(photo.size.width / (2 * std::numbers::pi));
-    target.width = static_cast<float>(photo.size.width);
-    target.lastLine = static_cast<float>(photo.size.height) - 0.5F;
+    target.lastU = static_cast<float>(photo.size.width + PlaneLayout::kGuard - 0.5);
+    target.lastV = static_cast<float>(photo.size.height + PlaneLayout::kGuard - 0.5);
     return target;
 }
 
-/// Rays of a row, each component contiguous.
-struct RowOfRays {
-    std::vector<float> x;
-    std::vector<float> y;
-    std::vector<float> z;
-};
-
-void locate(const Target& target, const RowOfRays& rays, const float* inverse, int begin, int end,
-            std::int32_t* __restrict u, std::int32_t* __restrict v) {
-    const std::array<float, 9> m = target.m;
-    const std::array<float, 3> o = target.offset;
-    constexpr float kOne = 1 << kFractionBits;
-    constexpr auto kAddU = static_cast<float>(PlaneLayout::kGuard + kRoundingU - 0.5);
-    constexpr auto kAddV = static_cast<float>(PlaneLayout::kGuard - 0.5);
-    const float lastU = target.width + PlaneLayout::kGuard - 0.5F;
-    const float lastV = target.lastLine + PlaneLayout::kGuard;
-    for (int i = begin; i < end; ++i) {
-        const float x = m[0] * rays.x[i] + m[1] * rays.y[i] + m[2] * rays.z[i] + inverse[i] * o[0];
-        const float y = m[3] * rays.x[i] + m[4] * rays.y[i] + m[5] * rays.z[i] + inverse[i] * o[1];
-        const float z = m[6] * rays.x[i] + m[7] * rays.y[i] + m[8] * rays.z[i] + inverse[i] * o[2];
-        float column = (kPi - fastAngle(y, x)) * target.perRadian + kAddU;
-        column = column > lastU ? lastU : column;
-        float line = (kHalfPi - fastAngle(z, std::sqrt(x * x + y * y))) * target.perRadian + kAddV;
-        line = line > lastV ? lastV : line;
-        u[i] = static_cast<std::int32_t>(column * kOne);
-        v[i] = static_cast<std::int32_t>(line * kOne);
-    }
-}
-
-/// One row of a view.
-class RowPlacer {
+/// Rays of a row of cells, in single precision.
+class RowRays {
   public:
-    RowPlacer(const PixelRays& rays, std::span<const PlacedPhoto> photos, std::span<const Target> targets,
-              float usualInverse, DepthPlaces& places)
-        : m_rays(rays), m_photos(photos), m_targets(targets), m_usualInverse(usualInverse), m_places(places) {
-        const auto width = static_cast<std::size_t>(places.source.width());
-        for (std::vector<float>* values : {&m_row.x, &m_row.y, &m_row.z}) {
-            values->resize(width);
+    RowRays(const PixelRays& rays, int width) : m_rays(rays), m_width(width) {
+        const CameraIntrinsics& k = rays.camera().intrinsics();
+        m_isPinhole = k.lens == LensModel::Pinhole;
+        const int rows = m_isPinhole ? 1 : kCell;
+        m_x.resize(static_cast<std::size_t>(width * rows));
+        m_y.resize(m_isPinhole ? DepthPlaces::kCellPixels : m_x.size());
+        m_z.resize(m_isPinhole ? kCell : m_x.size(), 1);
+        for (int x = 0; x < width && m_isPinhole; ++x) {
+            m_x[static_cast<std::size_t>(x)] = static_cast<float>((x - k.cx) / k.fx);
         }
     }
 
-    void place(int y) {
-        castRays(y);
-        chooseSources(y);
-        fillHoles(y);
-        const std::uint8_t* source = m_places.source.at(0, y);
-        const int width = m_places.source.width();
-        for (int begin = 0; begin < width;) {
-            int end = begin + 1;
-            while (end < width && source[end] == source[begin]) {
-                ++end;
+    void cast(int row) {
+        const CameraIntrinsics& k = m_rays.camera().intrinsics();
+        for (int y = 0; y < kCell; ++y) {
+            const int line = row * kCell + y;
+            if (m_isPinhole) {
+                std::fill_n(m_y.begin() + y * kCell, kCell, static_cast<float>((line - k.cy) / k.fy));
+                continue;
             }
-            const std::size_t photo = source[begin] == DepthPlaces::kUnseen ? 0 : source[begin];
-            locate(m_targets[photo], m_row, m_places.inverse.at(0, y), begin, end, m_places.u.at(0, y),
-                   m_places.v.at(0, y));
-            begin = end;
+            for (int x = 0; x < m_width; ++x) {
+                const bool isInView = x < k.width && line < k.height;
+                const Vector3d ray = isInView ? m_rays.ray(x, line) : Vector3d(0, 0, 1);
+                const auto i = static_cast<std::size_t>(y * m_width + x);
+                m_x[i] = static_cast<float>(ray.x());
+                m_y[i] = static_cast<float>(ray.y());
+                m_z[i] = static_cast<float>(ray.z());
+            }
+        }
+    }
+
+    /// Range: x a multiple of kCell.
+    std::array<simd::CellRays, 3> cell(int x) const {
+        if (m_isPinhole) {
+            return {{{m_x.data() + x, 0}, {m_y.data(), kCell}, {m_z.data(), 0}}};
+        }
+        return {{{m_x.data() + x, m_width}, {m_y.data() + x, m_width}, {m_z.data() + x, m_width}}};
+    }
+
+    bool mayBeBlind() const { return !m_isPinhole; }
+
+    /// Whether the lens sees nothing there. Range: of a camera that may be blind; y in the row of cells.
+    bool isBlind(int x, int y) const {
+        const auto i = static_cast<std::size_t>(y * m_width + x);
+        return m_x[i] == 0 && m_y[i] == 0 && m_z[i] == 0;
+    }
+
+  private:
+    const PixelRays& m_rays;
+    int m_width;
+    bool m_isPinhole;
+    std::vector<float> m_x;
+    std::vector<float> m_y;
+    std::vector<float> m_z;
+};
+
+/// Places a row of cells after the other.
+class RowPlacer {
+  public:
+    RowPlacer(const PixelRays& rays, std::span<const simd::PhotoTarget> targets, const OpenCells& open,
+              float usualInverse, DepthPlaces& places)
+        : m_rays(rays, places.source.width()),
+          m_targets(targets),
+          m_open(open),
+          m_usualInverse(usualInverse),
+          m_places(places) {}
+
+    void place(int row) {
+        m_rays.cast(row);
+        if (m_rays.mayBeBlind()) {
+            markBlind(row);
+        }
+        for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
+            fillHoles(y);
+        }
+        for (int column = 0; column < m_places.columns(); ++column) {
+            placeCell(column, row);
         }
     }
 
   private:
-    void castRays(int y) {
-        const CameraIntrinsics& k = m_rays.camera().intrinsics();
-        const bool isPinhole = k.lens == LensModel::Pinhole;
-        const double across = 1 / k.fx;
-        const double line = (y - k.cy) / k.fy;
-        for (std::size_t x = 0; x < m_row.x.size(); ++x) {
-            const Vector3d ray = isPinhole ? Vector3d((static_cast<double>(x) - k.cx) * across, line, 1)
-                                           : m_rays.ray(static_cast<int>(x), y);
-            m_row.x[x] = static_cast<float>(ray.x());
-            m_row.y[x] = static_cast<float>(ray.y());
-            m_row.z[x] = static_cast<float>(ray.z());
-        }
-    }
-
-    void chooseSources(int y) {
-        for (int x = 0; x < m_places.source.width(); ++x) {
-            const auto i = static_cast<std::size_t>(x);
-            std::uint8_t source = 0;
-            float inverse = 0;
-            for (std::size_t k = 0; k < m_photos.size() && !(inverse > 0); ++k) {
-                inverse = *m_photos[k].seen->at(x, y);
-                source = inverse > 0 ? static_cast<std::uint8_t>(k) : source;
+    void markBlind(int row) {
+        for (int y = 0; y < kCell; ++y) {
+            for (int x = 0; x < m_places.source.width(); ++x) {
+                if (m_rays.isBlind(x, y)) {
+                    *m_places.source.at(x, row * kCell + y) = DepthPlaces::kUnseen;
+                    *m_places.inverse.at(x, row * kCell + y) = m_usualInverse;
+                }
             }
-            const bool isSeen = m_row.x[i] != 0 || m_row.y[i] != 0 || m_row.z[i] != 0;
-            *m_places.source.at(x, y) = isSeen ? source : DepthPlaces::kUnseen;
-            *m_places.inverse.at(x, y) = isSeen ? inverse : m_usualInverse;
         }
     }
 
     void fillHoles(int y) {
         float* inverse = m_places.inverse.at(0, y);
         const int width = m_places.inverse.width();
-        for (int begin = 0; begin < width; ++begin) {
-            if (inverse[begin] > 0) {
+        for (int column = 0; column < m_places.columns(); ++column) {
+            if (!m_open.isOpen(column, y / kCell)) {
                 continue;
             }
-            int end = begin;
-            while (end < width && !(inverse[end] > 0)) {
-                ++end;
+            for (int begin = column * kCell; begin < (column + 1) * kCell; ++begin) {
+                if (inverse[begin] > 0) {
+                    continue;
+                }
+                int end = begin;
+                while (end < width && !(inverse[end] > 0)) {
+                    ++end;
+                }
+                const float left = begin > 0 ? inverse[begin - 1] : HUGE_VALF;
+                const float right = end < width ? inverse[end] : HUGE_VALF;
+                const float farther = std::min(left, right);
+                std::fill(inverse + begin, inverse + end, std::isfinite(farther) ? farther : m_usualInverse);
+                begin = end;
             }
-            const float left = begin > 0 ? inverse[begin - 1] : HUGE_VALF;
-            const float right = end < width ? inverse[end] : HUGE_VALF;
-            const float farther = std::min(left, right);
-            std::fill(inverse + begin, inverse + end, std::isfinite(farther) ? farther : m_usualInverse);
-            begin = end;
         }
     }
 
-    const PixelRays& m_rays;
-    std::span<const PlacedPhoto> m_photos;
-    std::span<const Target> m_targets;
+    std::uint32_t sourcesOf(int column, int row) const {
+        if (!m_rays.mayBeBlind() && !m_open.isTaken(column, row)) {
+            return 1;
+        }
+        std::uint32_t bits = 0;
+        for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
+            const std::uint8_t* source = m_places.source.at(column * kCell, y);
+            for (int x = 0; x < kCell; ++x) {
+                bits |= source[x] == DepthPlaces::kUnseen ? 1U | DepthPlaces::kBlind : 1U << source[x];
+            }
+        }
+        return bits;
+    }
+
+    void placeCell(int column, int row) {
+        const std::size_t cell = m_places.index(column, row);
+        const std::uint32_t sources = sourcesOf(column, row);
+        m_places.sources[cell] = sources;
+        std::int32_t* u = m_places.u.data() + cell * DepthPlaces::kCellPixels;
+        std::int32_t* v = m_places.v.data() + cell * DepthPlaces::kCellPixels;
+        bool isFirst = true;
+        for (std::size_t photo = 0; photo < m_targets.size(); ++photo) {
+            if ((sources >> photo & 1U) == 0) {
+                continue;
+            }
+            simd::locate(m_targets[photo], m_rays.cell(column * kCell),
+                         m_places.inverse.at(column * kCell, row * kCell), m_places.inverse.width(),
+                         isFirst ? u : m_u.data(), isFirst ? v : m_v.data());
+            for (std::size_t i = 0; i < DepthPlaces::kCellPixels && !isFirst; ++i) {
+                const auto x = static_cast<int>(i % kCell);
+                const auto y = static_cast<int>(i / kCell);
+                const bool isOwn = *m_places.source.at(column * kCell + x, row * kCell + y) == photo;
+                u[i] = isOwn ? m_u[i] : u[i];
+                v[i] = isOwn ? m_v[i] : v[i];
+            }
+            isFirst = false;
+        }
+    }
+
+    RowRays m_rays;
+    std::span<const simd::PhotoTarget> m_targets;
+    const OpenCells& m_open;
     float m_usualInverse;
     DepthPlaces& m_places;
-    RowOfRays m_row;
+    std::array<std::int32_t, DepthPlaces::kCellPixels> m_u;
+    std::array<std::int32_t, DepthPlaces::kCellPixels> m_v;
 };
 
 /// Coordinates in double precision; nothing near the poles.
@@ -185,28 +224,49 @@ std::optional<Eigen::Vector2d> exactPlace(const PixelRays& rays, const Rigid3& r
 
 } // namespace
 
-void DepthPlaces::resize(int width, int height) {
-    if (source.width() != width || source.height() != height) {
-        source = MaskImage(width, height);
-        inverse = Image<float, 1>(width, height);
-        u = Image<std::int32_t, 1>(width, height);
-        v = u;
+void DepthPlaces::reset(int width, int height) {
+    fit(inverse, width, height);
+    if (source.width() != inverse.width() || source.height() != inverse.height()) {
+        source = MaskImage(inverse.width(), inverse.height());
+        u.resize(source.values().size());
+        v.resize(source.values().size());
+        sources.resize(static_cast<std::size_t>(columns() * rows()));
     }
+    std::fill(source.values().begin(), source.values().end(), std::uint8_t{0});
+}
+
+void DepthPlaces::take(const InverseBuffer& seen, std::uint8_t photo, const OpenCells& open, WorkerPool& pool,
+                       int threads) {
+    pool.run(rows(), threads, [&](int row, int) {
+        for (int column = 0; column < columns(); ++column) {
+            if (!open.isOpen(column, row)) {
+                continue;
+            }
+            for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
+                for (int x = column * kCell; x < (column + 1) * kCell; ++x) {
+                    float& mine = *inverse.at(x, y);
+                    if (mine == 0 && *seen.at(x, y) > 0) {
+                        mine = *seen.at(x, y);
+                        *source.at(x, y) = photo;
+                    }
+                }
+            }
+        }
+    });
 }
 
 void placePixels(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<const PlacedPhoto> photos,
-                 double usualDistanceM, WorkerPool& pool, int threads, DepthPlaces& places) {
-    places.resize(rays.camera().width(), rays.camera().height());
-    std::vector<Target> targets;
+                 const OpenCells& open, double usualDistanceM, WorkerPool& pool, int threads,
+                 DepthPlaces& places) {
+    std::vector<simd::PhotoTarget> targets;
     for (const PlacedPhoto& photo : photos) {
         targets.push_back(targetOf(roomFromCamera, photo));
     }
-    constexpr int kBand = 16;
-    const int height = places.source.height();
-    pool.run((height + kBand - 1) / kBand, threads, [&](int band, int) {
-        RowPlacer placer(rays, photos, targets, static_cast<float>(1 / usualDistanceM), places);
-        for (int y = band * kBand; y < std::min(height, (band + 1) * kBand); ++y) {
-            placer.place(y);
+    constexpr int kBand = 3; ///< rows of cells that one worker does in turn
+    pool.run((places.rows() + kBand - 1) / kBand, threads, [&](int band, int) {
+        RowPlacer placer(rays, targets, open, static_cast<float>(1 / usualDistanceM), places);
+        for (int row = band * kBand; row < std::min(places.rows(), (band + 1) * kBand); ++row) {
+            placer.place(row);
         }
     });
 }

@@ -46,13 +46,15 @@ class DepthView {
     DepthImage depth(const PixelRays& rays) const;
 
     /// The share of the pixels that the first photo's surface does not cover.
-    double filledShare() const;
+    double filledShare() const { return m_filledShare; }
 
   private:
-    /// A cell of 16 x 16 pixels.
+    static constexpr int kCell = DepthPlaces::kCell;
+
+    /// A cell of 16 x 16 pixels, cut at the view's edges.
     struct Cell {
-        int x = 0, y = 0; ///< of its first pixel
-        int endX = 0, endY = 0;
+        int column = 0, row = 0;
+        int width = 0, height = 0;
     };
 
     struct Slopes {
@@ -65,16 +67,19 @@ class DepthView {
                     std::int32_t* places, std::int32_t* fractions, RgbImage& picture) const;
     void fillPlaces(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
                     std::int32_t* places, std::int32_t* fractions) const;
-    std::uint32_t sourcesIn(const Cell& at) const;
+    std::vector<PlacedPhoto> drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                        std::span<const DepthPhoto> photos, WorkerPool& pool, int threads);
 
-    int m_columns = 0;
-    int m_rows = 0;
+    int m_width = 0;
+    int m_height = 0;
     int m_samples = 1;
-    std::vector<InverseBuffer> m_seen; ///< of each photo
+    OpenCells m_open{0, 0};
+    InverseBuffer m_seen; ///< by a photo that is not the first
     DepthRaster m_raster;
     DepthPlaces m_places;
     std::vector<Slopes> m_slopes; ///< of each cell and photo
     std::size_t m_photos = 0;
+    double m_filledShare = 0;
 };
 
 } // namespace spherewalk::render

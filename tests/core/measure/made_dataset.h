@@ -34,6 +34,7 @@ struct MadeDataset {
     std::vector<Eigen::Vector3d> places{{0, 0, 1.2}, {0.5, 0, 1.2}, {1, 0, 1.2}};
     int width = 512;
     bool hasSphere = true;
+    bool hasRoom = false; ///< a box about the places
 };
 
 /// Writes the dataset with restart markers and thumbnails, as an export does, into `folder`/dataset.
@@ -46,6 +47,9 @@ inline std::filesystem::path writeMadeDataset(const std::filesystem::path& folde
     contents.info.madeBy = "test";
     if (made.hasSphere) {
         contents.info.sphereRadiusM = 2.5;
+    }
+    if (made.hasRoom) {
+        contents.info.roomShape = {{{-2, -2}, {3, -2}, {3, 2}, {-2, 2}}, 0, 2.5};
     }
     for (std::size_t i = 0; i < made.places.size(); ++i) {
         const auto file = folder / (std::to_string(i) + ".jpg");

@@ -8,6 +8,7 @@
 #include "made_dataset.h"
 #include "photo_row.h"
 #include "random.h"
+#include "scene_bench.h"
 #include "temporary_folder.h"
 #include "view_bench.h"
 #include "walk_bench.h"
@@ -89,6 +90,20 @@ TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
     made.hasSphere = false;
     const Subject without(test::openMadeDataset(other.path(), made));
     EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), std::set<std::string>{"view.with_trust"});
+}
+
+TEST_F(Phases, ScenesWithSurfacesAreComparedWithTheSphere) {
+    EXPECT_TRUE(measureScenes(Subject(dataset), 1, noProgress(), {}).empty());
+    const test::TemporaryFolder other;
+    test::MadeDataset made;
+    made.hasRoom = true;
+    const std::vector<BenchRow> rows =
+        measureScenes(Subject(test::openMadeDataset(other.path(), made)), 2, noProgress(), {});
+    EXPECT_EQ(namesOf(rows), (std::set<std::string>{"scene.room.bilinear", "scene.room.footprint"}));
+    for (const BenchRow& row : rows) {
+        EXPECT_EQ(row.peer->name, kSphereView);
+        EXPECT_GT(row.peer->medianMs, 0);
+    }
 }
 
 TEST_F(Phases, DecodingHasPartsOnlyWhereThePhotoHasMarkers) {

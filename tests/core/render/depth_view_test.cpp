@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_view.h"
+#include "each_target.h"
 #include "fast_view.h"
 #include "random.h"
 #include "test_dataset.h"
@@ -85,6 +86,19 @@ TEST(DepthView, HasTheSameBytesForAnyNumberOfThreads) {
     const RgbImage one = scene.view(kCamera, pose, 1, 2);
     EXPECT_EQ(scene.view(kCamera, pose, 2, 2), one);
     EXPECT_EQ(scene.view(kCamera, pose, 3, 2), one);
+}
+
+TEST(DepthView, HasTheSameBytesOnAnySimd) {
+    Image<float, 1> inverse(512, 256);
+    test::Random random(8);
+    for (float& value : inverse.values()) { // jumps and slants everywhere
+        value = static_cast<float>(random.uniform(0.3, 0.5));
+    }
+    Scene scene(std::make_shared<const DepthMesh>(DepthMap(std::move(inverse))));
+    const Rigid3 pose = lookingFrom({0.2, 0.1, -0.1}, 3.1, 0.2);
+    const RgbImage expected = scene.view(kCamera, pose);
+    test::forEachTarget(
+        [&](const char* target) { EXPECT_EQ(scene.view(kCamera, pose), expected) << target; });
 }
 
 TEST(DepthView, ShowsTheDepthOfTheRoomThatItWasGiven) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "each_target.h"
 #include "expect_error.h"
 #include "fast_view.h"
 #include "random.h"
@@ -6,8 +7,6 @@
 
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/projection.h"
-
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -101,18 +100,6 @@ Vector3d bicubic(const PlaneView& plane, const Vector2d& at) {
     return sum.cwiseMax(0).cwiseMin(255);
 }
 
-/// Runs it once for each kind of SIMD that the library was built for and this machine has, and once without.
-template <class Body>
-void forEachTarget(Body&& body) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(target);
-        body(hwy::TargetName(target));
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 } // namespace
 
 TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
@@ -127,7 +114,7 @@ TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
         expected.push_back(rendered(scenes.back(), plane, kAll.at(static_cast<std::size_t>(i) % 5), 1, pool));
     }
     int targets = 0;
-    forEachTarget([&](const char* target) {
+    test::forEachTarget([&](const char* target) {
         ++targets;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             for (const int threads : {1, 2, 3, 0}) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// What a view from surfaces does for many pixels at once. The same bytes on every processor.
+namespace spherewalk::render::simd {
+
+/// A pinhole camera as it sees a photo's surface.
+struct SurfaceCamera {
+    std::array<float, 9> rotation;    ///< camera from photo, row after row
+    std::array<float, 3> translation; ///< likewise
+    float fx, fy, cx, cy;
+    float nearestM; ///< along the axis
+};
+
+/// A part of a photo's surface: directions by the cosines and sines of each column's azimuth and each row's
+/// elevation, and 1 / distance. kPitch values of each row are read, whatever is used of them.
+struct SurfacePart {
+    const float* cosAzimuth;
+    const float* sinAzimuth;
+    const float* cosElevation;
+    const float* sinElevation;
+    const float* inverseM;
+    std::ptrdiff_t pitch; ///< of inverseM
+    int rows;             ///< at most ProjectedPart::kRows
+};
+
+/// Where a part's vertices are in the view, and 1 / s there (InverseBuffer); 0 where it is not in front of
+/// the camera, or so far aside that single precision would not place its edges.
+struct ProjectedPart {
+    static constexpr int kRows = 17;
+    static constexpr int kPitch = 24;
+    static constexpr float kFarthestPx = 1e5F;
+    std::array<float, std::size_t{kRows} * kPitch> x, y, value;
+};
+
+void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out);
+
+/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view.
+struct PartBoxes {
+    static constexpr int kSquares = 4;
+    static constexpr int kSquare = 4; ///< quads along an edge
+    std::array<float, std::size_t{kSquares} * kSquares> left, top, right, bottom;
+    std::array<bool, std::size_t{kSquares} * kSquares> isWhole; ///< whether all vertices are placed
+};
+
+/// Range: of a part with that many rows; squares beyond them are not whole.
+void boxes(const ProjectedPart& part, int rows, PartBoxes& out);
+
+/// Sixteen directions with their 1 / distance, each component contiguous.
+struct SixteenPoints {
+    std::array<float, 16> x, y, z, inverseM;
+};
+
+/// Where they are in the view, as ProjectedPart.
+struct SixteenVertices {
+    std::array<float, 16> x, y, value;
+};
+
+void project(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out);
+
+/// A flat convex piece with up to four edges. A pixel lies inside if a x + b y + c >= 0 for each.
+struct Piece {
+    std::array<float, 4> a, b, c;
+    float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
+    float least, most;
+    int left, top, right, bottom; ///< pixels that it may cover, the last ones included
+};
+
+/// How many columns a buffer's rows have more than a view needs: multiples of this.
+constexpr int kColumns = 16;
+
+/// Draws rows [begin, end) of the pieces: the greater value wins. Range: pitch a multiple of kColumns.
+void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch);
+
+/// Values of a cell of 16 x 16 pixels that are 0.
+int zeros(const float* values, std::ptrdiff_t pitch);
+
+/// A photo as its coordinates are computed: the direction in it is m * ray + inverse * offset.
+struct PhotoTarget {
+    std::array<float, 9> m;
+    std::array<float, 3> offset;
+    float perRadian; ///< pixels
+    float lastU;     ///< greatest coordinates, guard included
+    float lastV;
+};
+
+/// One component of the rays of a cell of 16 x 16 pixels.
+struct CellRays {
+    const float* first;
+    std::ptrdiff_t pitch; ///< from one row to the next
+};
+
+/// Coordinates in the lattice's fixed point of a cell's pixels, row after row.
+void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
+            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v);
+
+/// Least and greatest coordinates of a cell: u, u, v, v.
+std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v);
+
+/// How coordinates become places in a photo's plane, for one part of each pixel.
+struct PartPlacing {
+    std::int32_t addU;
+    std::int32_t addV;
+    std::int32_t first; ///< least coordinate; what is less in u goes on at the other side
+    std::int32_t turn;
+    std::int32_t lastV;
+    std::int32_t rowBytes;
+};
+
+/// Places and fractions, as LatticeScratch::places(), of sixteen pixels.
+void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
+                  std::int32_t* places, std::int32_t* fractions);
+
+} // namespace spherewalk::render::simd

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "surface_projector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::render {
+
+using Eigen::Vector3f;
+using simd::ProjectedPart;
+
+namespace {
+
+constexpr float kNearestM = 0.005F; ///< in front of the camera
+
+} // namespace
+
+SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraModel& camera)
+    : m_rotation(cameraFromPhoto.rotation.toRotationMatrix().cast<float>()),
+      m_translation(cameraFromPhoto.translation.cast<float>()),
+      m_camera(camera),
+      m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole) {
+    const CameraIntrinsics& k = camera.intrinsics();
+    for (int i = 0; i < 9; ++i) {
+        m_pinhole.rotation[static_cast<std::size_t>(i)] = m_rotation(i / 3, i % 3);
+    }
+    for (int i = 0; i < 3; ++i) {
+        m_pinhole.translation[static_cast<std::size_t>(i)] = m_translation[i];
+    }
+    m_pinhole.fx = static_cast<float>(k.fx);
+    m_pinhole.fy = static_cast<float>(k.fy);
+    m_pinhole.cx = static_cast<float>(k.cx);
+    m_pinhole.cy = static_cast<float>(k.cy);
+    m_pinhole.nearestM = kNearestM;
+}
+
+SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction, float inverseM) const {
+    const Vector3f q = m_rotation * direction + inverseM * m_translation; // the point, times inverseM
+    const float length = q.norm();
+    if (!(length > kNearestM * inverseM)) {
+        return {};
+    }
+    const auto pixel = m_camera.project(q.cast<double>());
+    if (!pixel) {
+        return {};
+    }
+    const Vertex at{static_cast<float>(pixel->x()), static_cast<float>(pixel->y()), inverseM / length};
+    const bool isNear =
+        std::abs(at.x) < ProjectedPart::kFarthestPx && std::abs(at.y) < ProjectedPart::kFarthestPx;
+    return isNear ? at : Vertex{};
+}
+
+void SurfaceProjector::project(const simd::SixteenPoints& points, simd::SixteenVertices& out) const {
+    if (m_isPinhole) {
+        simd::project(m_pinhole, points, out);
+        return;
+    }
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        const Vertex at = throughLens({points.x[i], points.y[i], points.z[i]}, points.inverseM[i]);
+        out.x[i] = at.x;
+        out.y[i] = at.y;
+        out.value[i] = at.value;
+    }
+}
+
+void SurfaceProjector::project(const simd::SurfacePart& block, ProjectedPart& out) const {
+    if (m_isPinhole) {
+        simd::project(m_pinhole, block, out);
+        return;
+    }
+    for (int row = 0; row < block.rows; ++row) {
+        for (int column = 0; column <= DepthMesh::kBlock; ++column) {
+            const Vector3f direction(block.cosElevation[row] * block.cosAzimuth[column],
+                                     block.cosElevation[row] * block.sinAzimuth[column],
+                                     block.sinElevation[row]);
+            const Vertex at = throughLens(direction, block.inverseM[row * block.pitch + column]);
+            const auto to = static_cast<std::size_t>(row * ProjectedPart::kPitch + column);
+            out.x[to] = at.x;
+            out.y[to] = at.y;
+            out.value[to] = at.value;
+        }
+    }
+}
+
+bool SurfaceProjector::mayShow(const DepthMesh::Bound& bound, const OpenCells& open) const {
+    if (!m_isPinhole) {
+        return true;
+    }
+    const float middle = 0.5F * (bound.least + bound.most);
+    const Vector3f q = m_rotation * bound.centre + middle * m_translation;
+    const float radius = bound.radius + 0.5F * (bound.most - bound.least) * m_translation.norm();
+    if (q.z() + radius <= 0) {
+        return false;
+    }
+    if (q.z() - radius <= 1e-3F) {
+        return true;
+    }
+    const float near = 1 / (q.z() - radius);
+    const float far = 1 / (q.z() + radius);
+    const auto least = [&](float value) { return std::min((value - radius) * near, (value - radius) * far); };
+    const auto most = [&](float value) { return std::max((value + radius) * near, (value + radius) * far); };
+    return open.anyIn(
+        m_pinhole.fx * least(q.x()) + m_pinhole.cx - 1, m_pinhole.fy * least(q.y()) + m_pinhole.cy - 1,
+        m_pinhole.fx * most(q.x()) + m_pinhole.cx + 1, m_pinhole.fy * most(q.y()) + m_pinhole.cy + 1);
+}
+
+float SurfaceProjector::pixelsPerInverse() const {
+    return m_translation.norm() * std::max(m_pinhole.fx, m_pinhole.fy);
+}
+
+} // namespace spherewalk::render
