@@ -18,6 +18,7 @@ struct Options {
     std::string path;
     std::string out;
     std::string late = "wait";
+    std::string ball;
     double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
@@ -28,8 +29,11 @@ Result walk(const Options& options, Context& context) {
     }
     const CameraModel camera = options.dataset.cameraModel();
     const render::Renderer renderer = options.dataset.renderer(context);
-    const jobs::WalkOptions walkOptions{options.dataset.viewOptions(),
-                                        {render::latePolicy(options.late), options.prefetchS}};
+    jobs::WalkOptions walkOptions{options.dataset.viewOptions(),
+                                  {render::latePolicy(options.late), options.prefetchS}};
+    if (!options.ball.empty()) {
+        walkOptions.ball = jobs::parseBall(options.ball);
+    }
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
     return {jobs::toJson(report),
@@ -58,6 +62,9 @@ void addWalk(Commands& commands) {
         .add_option("--prefetch", options->prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command.add_option(
+        "--ball", options->ball,
+        "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");
 }
 
 } // namespace spherewalk::cli

@@ -49,6 +49,8 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
     makeFolder(folder);
     render::ViewStream stream(renderer, camera, options.stream);
+    render::ViewOptions frame = options.view;
+    std::vector<render::Overlay> overlays; ///< that the frame's options point to
     WalkReport report;
     std::string csv = "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust,"
                       "decode_ms,render_ms,origin,late\n";
@@ -59,7 +61,11 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
     for (std::size_t i = 0; i < path.size(); ++i) {
         throwIfStopped(stop);
-        render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, options.view);
+        if (options.ball) {
+            overlays = {ballOverlay(*options.ball, camera, path[i].roomFromCamera)};
+            frame.overlays = overlays;
+        }
+        render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, frame);
         photo::writePng(folder / frameName(i), view.picture);
         csv += csvLine(i, path[i], view.report);
         photos.insert(view.report.photo);

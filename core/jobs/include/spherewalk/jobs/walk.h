@@ -4,9 +4,11 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -16,6 +18,7 @@ struct WalkOptions {
     render::ViewOptions view;
     render::StreamOptions
         stream; ///< the poses' times tell how the camera moves; frames are not paced by them
+    std::optional<Ball> ball = {}; ///< laid into each frame
 };
 
 struct WalkReport {
