@@ -2,20 +2,18 @@
 #include "ui/align/align_mode.h"
 
 #include "ui/align/align_presenter.h"
-#include "ui/look/icon.h"
 #include "ui/review/coverage_view.h"
+#include "ui/tasks/task_bar.h"
 
 #include "spherewalk/base/error.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTableView>
@@ -23,8 +21,8 @@
 namespace spherewalk::ui {
 
 AlignMode::AlignMode(TaskList& tasks, QWidget* parent)
-    : Mode(parent), m_presenter(new AlignPresenter(tasks, this)) {
-    setObjectName("align");
+    : Mode("align", tr("Align"), tr("Solve how each photo is turned, and see how well it is known"), parent),
+      m_presenter(new AlignPresenter(tasks, this)) {
     m_presenter->setShown(false);
     auto* columns = new QSplitter(this);
     columns->addWidget(makeTable());
@@ -40,6 +38,7 @@ AlignMode::AlignMode(TaskList& tasks, QWidget* parent)
     connect(m_presenter, &AlignPresenter::findingsChanged, this, &AlignMode::showFindings);
     connect(m_presenter, &AlignPresenter::taskChanged, this, &AlignMode::showTask);
     connect(m_presenter, &AlignPresenter::message, this, &Mode::message);
+    connect(this, &Mode::shownChanged, m_presenter, &AlignPresenter::setShown);
     showFindings();
     showTask();
 }
@@ -48,15 +47,7 @@ AlignMode::~AlignMode() {
     m_plan->removeLayer(&m_headings);
 }
 
-QIcon AlignMode::icon() const {
-    return ui::icon("align");
-}
-
 void AlignMode::setSession(SurveySession* session) {
-    if (m_session != nullptr) {
-        m_session->selection()->disconnect(this);
-    }
-    m_session = session;
     m_plan->setSession(session);
     m_presenter->setSession(session);
     setMask({});
@@ -69,16 +60,6 @@ void AlignMode::setSession(SurveySession* session) {
 void AlignMode::activated() {
     selectStation();
     (m_run->isEnabled() && !m_presenter->findings() ? static_cast<QWidget*>(m_run) : m_table)->setFocus();
-}
-
-void AlignMode::showEvent(QShowEvent* event) {
-    m_presenter->setShown(true);
-    Mode::showEvent(event);
-}
-
-void AlignMode::hideEvent(QHideEvent* event) {
-    m_presenter->setShown(false);
-    Mode::hideEvent(event);
 }
 
 QWidget* AlignMode::makeBar() {
@@ -136,10 +117,7 @@ QWidget* AlignMode::makeBar() {
     m_stop->setToolTip(tr("Stop; what was found in the pictures is kept for the next run"));
     connect(m_stop, &QPushButton::clicked, m_presenter, &AlignPresenter::stop);
     layout->addWidget(m_stop);
-    m_progress = new QProgressBar(bar);
-    m_progress->setObjectName("progress");
-    m_progress->setRange(0, 1000);
-    m_progress->setAccessibleName(tr("Progress of the alignment"));
+    m_progress = new TaskBar(bar);
     layout->addWidget(m_progress, 1);
     layout->addStretch(0);
     setMask({});
@@ -173,8 +151,9 @@ QWidget* AlignMode::makeTable() {
             &AlignMode::showProposals);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& index) {
-                if (m_session != nullptr && index.isValid()) {
-                    m_session->selection()->setCurrent(index.data(AlignModel::StationRole).toLongLong());
+                if (m_presenter->session() != nullptr && index.isValid()) {
+                    m_presenter->session()->selection()->setCurrent(
+                        index.data(AlignModel::StationRole).toLongLong());
                 }
             });
     m_reason = new QLabel(column);
@@ -256,10 +235,10 @@ void AlignMode::showFindings() {
     const auto& findings = m_presenter->findings();
     m_summary->setText(m_presenter->summary());
     m_headings.setPhotos(findings ? findings->photos : std::vector<jobs::PhotoFinding>());
-    m_headings.setColour(palette().color(QPalette::WindowText));
     try {
-        m_plan->setRows(m_session != nullptr ? reviewRows(m_session->store(), findings)
-                                             : std::vector<ReviewRow>());
+        m_plan->setRows(m_presenter->session() != nullptr
+                            ? reviewRows(m_presenter->session()->store(), findings)
+                            : std::vector<ReviewRow>());
     } catch (const Error& error) {
         emit message(QString::fromStdString(error.sentence()));
     }
@@ -273,22 +252,8 @@ void AlignMode::showTask() {
     Task* task = m_presenter->task();
     m_run->setEnabled(m_presenter->canRun());
     m_stop->setEnabled(task != nullptr);
-    m_progress->setVisible(task != nullptr);
-    if (task != nullptr) {
-        connect(task, &Task::progressed, this, &AlignMode::showProgress);
-        showProgress();
-    }
+    m_progress->setTask(task);
     showProposals();
-}
-
-void AlignMode::showProgress() {
-    const Task* task = m_presenter->task();
-    if (task == nullptr) {
-        return;
-    }
-    m_progress->setValue(static_cast<int>(1000 * task->fraction()));
-    const auto left = task->left();
-    m_progress->setFormat(left ? tr("%1, %2 s left").arg(task->step()).arg(left->count()) : task->step());
 }
 
 /// Once, when there is something in them: later the user may have sized them.
@@ -334,7 +299,8 @@ void AlignMode::showProposals() {
 }
 
 void AlignMode::selectStation() {
-    const auto station = m_session != nullptr ? m_session->selection()->current() : std::nullopt;
+    SurveySession* session = m_presenter->session();
+    const auto station = session != nullptr ? session->selection()->current() : std::nullopt;
     if (!station || m_presenter->table().rowCount() == 0) {
         return;
     }
@@ -344,14 +310,6 @@ void AlignMode::selectStation() {
     if (!found.isEmpty() && found.first().row() != m_table->currentIndex().row()) {
         m_table->setCurrentIndex(found.first());
     }
-}
-
-bool AlignMode::event(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && m_plan != nullptr) {
-        m_headings.setColour(palette().color(QPalette::WindowText));
-        m_plan->update();
-    }
-    return Mode::event(event);
 }
 
 } // namespace spherewalk::ui

@@ -10,7 +10,6 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QTableView;
 
@@ -19,6 +18,7 @@ namespace spherewalk::ui {
 class AlignPresenter;
 class CoverageLegend;
 class CoverageView;
+class TaskBar;
 class TaskList;
 
 /// How the photos are turned is solved, watched, and judged.
@@ -29,22 +29,8 @@ class AlignMode : public Mode {
     explicit AlignMode(TaskList& tasks, QWidget* parent = nullptr);
     ~AlignMode() override;
 
-    QString title() const override { return tr("Align"); }
-
-    QIcon icon() const override;
-
-    QString hint() const override {
-        return tr("Solve how each photo is turned, and see how well it is known");
-    }
-
     void setSession(SurveySession* session) override;
     void activated() override;
-
-    bool showsPlan() const override { return true; }
-
-  protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* makeBar();
@@ -55,15 +41,12 @@ class AlignMode : public Mode {
     void setMask(const std::filesystem::path& mask);
     void showFindings();
     void showTask();
-    void showProgress();
     void showProposals();
     void selectStation();
     void sizeColumns();
     std::vector<std::int64_t> chosen() const;
-    bool event(QEvent* event) override;
 
     AlignPresenter* m_presenter;
-    SurveySession* m_session = nullptr;
     bool m_areColumnsSized = false;
     HeadingLayer m_headings;
     std::filesystem::path m_mask;
@@ -73,7 +56,7 @@ class AlignMode : public Mode {
     QPushButton* m_maskButton = nullptr;
     QPushButton* m_run = nullptr;
     QPushButton* m_stop = nullptr;
-    QProgressBar* m_progress = nullptr;
+    TaskBar* m_progress = nullptr;
     QLabel* m_summary = nullptr;
     QTableView* m_table = nullptr;
     QLabel* m_reason = nullptr;

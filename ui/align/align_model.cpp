@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_model.h"
 
+#include "ui/look/standing.h"
+
 #include "spherewalk/geometry/rotation.h"
 
 #include <QCoreApplication>
@@ -43,22 +45,19 @@ bool isNumber(int column) {
     return column >= AlignModel::Yaw && column <= AlignModel::Residual;
 }
 
-QString sign(const std::string& status) {
-    return status == "good"       ? QStringLiteral("●")
-           : status == "doubtful" ? QStringLiteral("▲")
-           : status == "failed"   ? QStringLiteral("⊠")
-                                  : QStringLiteral("○");
+/// As the plan shows it.
+Standing standingOf(const std::string& status) {
+    return status == "good"       ? Standing::Taken
+           : status == "doubtful" ? Standing::Doubtful
+           : status == "failed"   ? Standing::Failed
+                                  : Standing::Missing;
 }
 
-QString verdictText(const std::string& status) {
-    return status == "good"       ? AlignModel::tr("good")
-           : status == "doubtful" ? AlignModel::tr("doubtful")
-           : status == "failed"   ? AlignModel::tr("failed")
-                                  : AlignModel::tr("not aligned");
-}
-
-int rank(const std::string& status) {
-    return status == "failed" ? 0 : status == "doubtful" ? 1 : status.empty() ? 2 : 3;
+QString verdictText(Standing standing) {
+    const QString word = standing == Standing::Taken     ? AlignModel::tr("good")
+                         : standing == Standing::Missing ? AlignModel::tr("not aligned")
+                                                         : standingText(standing);
+    return standingSign(standing) + QLatin1Char(' ') + word;
 }
 
 QString joined(const std::vector<std::string>& sentences) {
@@ -124,7 +123,7 @@ QVariant AlignModel::text(const jobs::PhotoFinding& photo, int column) const {
     case Station:
         return QString::fromStdString(photo.stationName);
     case Verdict:
-        return QString(sign(photo.status) + QLatin1Char(' ') + verdictText(photo.status));
+        return verdictText(standingOf(photo.status));
     case Neighbours:
         return photo.neighbours > 0 ? QString::number(photo.neighbours) : QStringLiteral("-");
     case Proposal:
@@ -144,7 +143,7 @@ QVariant AlignModel::sortKey(const jobs::PhotoFinding& photo, int row, int colum
     case Station:
         return row; // the walking order
     case Verdict:
-        return rank(photo.status);
+        return -static_cast<int>(standingOf(photo.status)); // the worst first
     case Neighbours:
         return photo.neighbours;
     default:

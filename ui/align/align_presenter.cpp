@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_presenter.h"
 
+#include "ui/look/quantity_text.h"
+#include "ui/plan/station_words.h"
+
 #include "spherewalk/base/error.h"
 
 #include <QUndoCommand>
@@ -9,6 +12,24 @@
 #include <map>
 
 namespace spherewalk::ui {
+
+namespace {
+
+/// With the stations' names in the user's language.
+std::vector<jobs::PhotoFinding> named(std::vector<jobs::PhotoFinding> photos,
+                                      const store::SurveyStore& store) {
+    std::map<std::int64_t, std::string> names;
+    const survey::PlanOptions options = store.planOptions();
+    for (const store::StationRecord& station : store.stations()) {
+        names[station.id] = stationWords(station, options).toStdString();
+    }
+    for (jobs::PhotoFinding& photo : photos) {
+        photo.stationName = names[photo.station];
+    }
+    return photos;
+}
+
+} // namespace
 
 /// A move that was made already when it is pushed.
 class RetagCommand : public QUndoCommand {
@@ -34,10 +55,10 @@ class RetagCommand : public QUndoCommand {
   private:
     /// If it cannot be done, what the stack says would no longer be true.
     void move(const std::vector<jobs::PhotoPlace>& places) {
-        if (!m_presenter || !m_presenter->m_session) {
+        if (!m_presenter || !m_presenter->session()) {
             return;
         }
-        QUndoStack* stack = m_presenter->m_session->undoStack();
+        QUndoStack* stack = m_presenter->session()->undoStack();
         Task* task = m_presenter->move(places, [](const std::vector<jobs::PhotoPlace>&) {});
         if (task == nullptr) {
             QMetaObject::invokeMethod(stack, &QUndoStack::clear, Qt::QueuedConnection);
@@ -57,50 +78,30 @@ class RetagCommand : public QUndoCommand {
 };
 
 AlignPresenter::AlignPresenter(TaskList& tasks, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_table(m_model) {
+    : SurveyPresenter(parent), m_tasks(tasks), m_table(m_model) {
     connect(&m_reviewer, &PhotoReviewer::refused, this, &AlignPresenter::message);
 }
 
 void AlignPresenter::setSession(SurveySession* session) {
-    if (m_session) {
-        m_session->disconnect(this);
-    }
-    m_session = session;
     m_reviewer.setSession(session);
-    if (session != nullptr) {
-        connect(session, &SurveySession::changed, this, &AlignPresenter::refresh);
-    }
-    read();
-}
-
-void AlignPresenter::setShown(bool isShown) {
-    m_isShown = isShown;
-    if (isShown && m_isStale) {
-        read();
-    }
-}
-
-void AlignPresenter::refresh() {
-    m_isStale = true;
-    if (m_isShown) {
-        read();
-    }
+    SurveyPresenter::setSession(session);
 }
 
 void AlignPresenter::read() {
-    m_isStale = false;
     try {
-        m_findings = m_session ? jobs::activeFindings(m_session->store()) : std::nullopt;
+        m_findings = session() != nullptr ? jobs::activeFindings(session()->store()) : std::nullopt;
+        m_model.setPhotos(m_findings ? named(m_findings->photos, session()->store())
+                                     : std::vector<jobs::PhotoFinding>());
     } catch (const Error& error) {
         m_findings.reset();
+        m_model.setPhotos({});
         emit message(QString::fromStdString(error.sentence()));
     }
-    m_model.setPhotos(m_findings ? m_findings->photos : std::vector<jobs::PhotoFinding>());
     emit findingsChanged();
 }
 
 QString AlignPresenter::summary() const {
-    if (!m_session) {
+    if (!session()) {
         return {};
     }
     if (!m_findings) {
@@ -110,8 +111,8 @@ QString AlignPresenter::summary() const {
     for (const jobs::PhotoFinding& photo : m_findings->photos) {
         ++counts[photo.status];
     }
-    QStringList sentences{tr("%1 photos: %2 good, %3 doubtful, %4 failed.")
-                              .arg(m_findings->photos.size())
+    QStringList sentences{tr("%n photo(s): %1 good, %2 doubtful, %3 failed.", nullptr,
+                             static_cast<int>(m_findings->photos.size()))
                               .arg(counts["good"])
                               .arg(counts["doubtful"])
                               .arg(counts["failed"])};
@@ -127,7 +128,7 @@ QString AlignPresenter::summary() const {
 }
 
 bool AlignPresenter::canRun() const {
-    return m_session && !m_task;
+    return session() != nullptr && task() == nullptr;
 }
 
 void AlignPresenter::run(const jobs::AlignOptions& options) {
@@ -135,17 +136,17 @@ void AlignPresenter::run(const jobs::AlignOptions& options) {
         return;
     }
     watch(m_tasks.start(
-        tr("Aligning %1").arg(m_session->name()), this,
-        [folder = m_session->path(), options](ProgressSink& progress, const std::stop_token& stop) {
+        tr("Aligning %1").arg(session()->name()), this,
+        [folder = session()->path(), options](ProgressSink& progress, const std::stop_token& stop) {
             auto store = store::SurveyStore::open(folder, store::Access::Write);
             return jobs::alignSurvey(store, options, progress, stop);
         },
         [this](const jobs::AlignReport& report) {
-            if (m_session) {
-                m_session->noteChanged(SurveySession::Solutions);
+            if (session() != nullptr) {
+                session()->noteChanged(SurveySession::Solutions);
             }
-            emit message(tr("Aligned %n photo(s) in %1 s.", nullptr, static_cast<int>(report.photos.size()))
-                             .arg(report.seconds, 0, 'f', 1));
+            emit message(tr("Aligned %n photo(s) in %1.", nullptr, static_cast<int>(report.photos.size()))
+                             .arg(durationText(std::chrono::duration<double>(report.seconds))));
         }));
 }
 
@@ -158,10 +159,7 @@ void AlignPresenter::stop() {
 void AlignPresenter::watch(Task* task) {
     m_task = task;
     connect(task, &Task::ended, this, [this, task] {
-        m_task.clear();
-        if (task->state() == Task::State::Failed) {
-            emit message(task->sentence());
-        } else if (task->state() == Task::State::Stopped) {
+        if (task->state() == Task::State::Stopped) {
             emit message(tr("Stopped; the survey is as it was."));
         }
         emit taskChanged();
@@ -171,20 +169,20 @@ void AlignPresenter::watch(Task* task) {
 
 Task* AlignPresenter::move(std::vector<jobs::PhotoPlace> places,
                            const std::function<void(std::vector<jobs::PhotoPlace>)>& done) {
-    if (!m_session || m_task) {
+    if (!session() || task() != nullptr) {
         emit message(tr("Another job is changing the survey; try again when it has ended."));
         return nullptr;
     }
     watch(m_tasks.start(
         tr("Moving photos to other stations"), this,
-        [folder = m_session->path(), places = std::move(places)](ProgressSink& progress,
+        [folder = session()->path(), places = std::move(places)](ProgressSink& progress,
                                                                  const std::stop_token& stop) {
             auto store = store::SurveyStore::open(folder, store::Access::Write);
             return jobs::retagPhotos(store, places, progress, stop);
         },
         [this, done](std::vector<jobs::PhotoPlace> before) {
-            if (m_session) {
-                m_session->noteChanged(SurveySession::Photos);
+            if (session() != nullptr) {
+                session()->noteChanged(SurveySession::Photos);
                 done(std::move(before));
             }
         }));
@@ -203,7 +201,7 @@ void AlignPresenter::retag(const std::vector<std::int64_t>& photos) {
         return;
     }
     move(places, [this, places](std::vector<jobs::PhotoPlace> before) {
-        m_session->undoStack()->push(new RetagCommand(*this, std::move(before), places));
+        session()->undoStack()->push(new RetagCommand(*this, std::move(before), places));
         emit message(
             tr("Moved %n photo(s); align again to be sure.", nullptr, static_cast<int>(places.size())));
     });

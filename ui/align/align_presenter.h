@@ -3,10 +3,8 @@
 
 #include "ui/align/align_model.h"
 #include "ui/review/photo_reviewer.h"
-#include "ui/session/survey_session.h"
+#include "ui/session/survey_presenter.h"
 #include "ui/tasks/task_list.h"
-
-#include <QPointer>
 
 #include <functional>
 #include <optional>
@@ -15,18 +13,13 @@
 namespace spherewalk::ui {
 
 /// What the align page does: runs the alignment, keeps what it found, and applies what it proposes.
-class AlignPresenter : public QObject {
+class AlignPresenter : public SurveyPresenter {
     Q_OBJECT
 
   public:
     explicit AlignPresenter(TaskList& tasks, QObject* parent = nullptr);
 
-    /// Null: none is open.
-    void setSession(SurveySession* session);
-
-    /// While nobody looks, changes of the survey are only noted, so that a window with many pages stays
-    /// quick.
-    void setShown(bool isShown);
+    void setSession(SurveySession* session) override;
 
     AlignModel& model() { return m_model; }
 
@@ -44,7 +37,7 @@ class AlignPresenter : public QObject {
     void stop();
 
     /// Of the alignment or of moving photos; null if none runs.
-    Task* task() const { return m_task; }
+    Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
 
     /// Moves the photos to the stations that fit them; others of the list are passed over.
     void retag(const std::vector<std::int64_t>& photos);
@@ -57,11 +50,9 @@ class AlignPresenter : public QObject {
     void findingsChanged();
     /// A task began or ended.
     void taskChanged();
-    void message(const QString& sentence);
 
   private:
-    void refresh();
-    void read();
+    void read() override;
     void watch(Task* task);
 
     friend class RetagCommand;
@@ -70,9 +61,6 @@ class AlignPresenter : public QObject {
                const std::function<void(std::vector<jobs::PhotoPlace>)>& done);
 
     TaskList& m_tasks;
-    QPointer<SurveySession> m_session;
-    bool m_isShown = true;
-    bool m_isStale = false;
     QPointer<Task> m_task;
     AlignModel m_model;
     AlignProxy m_table;

@@ -18,19 +18,19 @@ constexpr double kWidestFanDeg = 120;
 } // namespace
 
 void HeadingLayer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
+    const QColor ink = painter.pen().color();
     const double scale = std::hypot(widgetFromRoom.m11(), widgetFromRoom.m12());
     const double length = std::clamp(kLengthM * scale, kShortestPx, kLongestPx);
     for (const jobs::PhotoFinding& photo : m_photos) {
         if (!photo.roomFromPhoto) {
             continue;
         }
-        const Eigen::Vector3d& p = photo.roomFromPhoto->translation;
-        const QPointF at = widgetFromRoom.map(QPointF(p.x(), p.y()));
+        const QPointF at = mapped(photo.roomFromPhoto->translation.head<2>(), widgetFromRoom);
         const double yawDeg = Degrees(yawPitchRoll(photo.roomFromPhoto->rotation).yaw).value();
         if (photo.sigmaYaw) {
             const double halfDeg =
                 std::min(0.5 * kWidestFanDeg, 3 * kMagnified * Degrees(*photo.sigmaYaw).value());
-            QColor fan = m_colour;
+            QColor fan = ink;
             fan.setAlphaF(0.25F);
             painter.setPen(Qt::NoPen);
             painter.setBrush(fan);
@@ -40,7 +40,7 @@ void HeadingLayer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
         }
         QLineF line(at, at + QPointF(length, 0));
         line.setAngle(yawDeg);
-        painter.setPen(QPen(m_colour, 1.6));
+        painter.setPen(QPen(ink, 1.6));
         painter.drawLine(line);
     }
 }

@@ -17,13 +17,10 @@ class HeadingLayer : public PlanLayer {
 
     void setPhotos(const std::vector<jobs::PhotoFinding>& photos) { m_photos = photos; }
 
-    void setColour(const QColor& colour) { m_colour = colour; }
-
     void paint(QPainter& painter, const QTransform& widgetFromRoom) override;
 
   private:
     std::vector<jobs::PhotoFinding> m_photos;
-    QColor m_colour = Qt::black;
 };
 
 } // namespace spherewalk::ui

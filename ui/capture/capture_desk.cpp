@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/capture_desk.h"
 
-#include "ui/capture/station_words.h"
+#include "ui/plan/station_words.h"
 
 #include "spherewalk/base/error.h"
 

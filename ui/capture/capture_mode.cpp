@@ -4,12 +4,12 @@
 #include "ui/capture/big_text.h"
 #include "ui/capture/camera_panel.h"
 #include "ui/capture/capture_plan_view.h"
-#include "ui/capture/station_words.h"
-#include "ui/look/duration_text.h"
 #include "ui/look/icon.h"
 #include "ui/look/primary_button.h"
+#include "ui/look/quantity_text.h"
 #include "ui/look/section.h"
 #include "ui/look/theme.h"
+#include "ui/plan/station_words.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -38,7 +38,7 @@ bool isShutterKey(int key) {
 } // namespace
 
 CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
-    : Mode(parent),
+    : Mode("capture", tr("Capture"), tr("Take the photos, station by station"), parent),
       m_desk(tasks),
       m_sounds(std::make_unique<BellSounds>()),
       m_plan(new CapturePlanView(m_desk, this)),
@@ -75,18 +75,6 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
 }
 
 CaptureMode::~CaptureMode() = default;
-
-QString CaptureMode::title() const {
-    return tr("Capture");
-}
-
-QIcon CaptureMode::icon() const {
-    return ui::icon("capture");
-}
-
-QString CaptureMode::hint() const {
-    return tr("Take the photos, station by station.");
-}
 
 void CaptureMode::setSession(SurveySession* session) {
     m_desk.setSession(session);

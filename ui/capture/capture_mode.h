@@ -26,13 +26,8 @@ class CaptureMode : public Mode {
     explicit CaptureMode(TaskList& tasks, QWidget* parent = nullptr);
     ~CaptureMode() override;
 
-    QString title() const override;
-    QIcon icon() const override;
-    QString hint() const override;
     void setSession(SurveySession* session) override;
     void activated() override;
-
-    bool showsPlan() const override { return true; }
 
     CaptureDesk& desk() { return m_desk; }
 

@@ -17,7 +17,7 @@ std::vector<StationMark> CapturePlanView::marks(const store::SurveyStore& store)
     std::vector<StationMark> result = SurveyPlanView::marks(store);
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
-            mark.state = StationMark::State::Doubtful;
+            mark.standing = Standing::Doubtful;
             mark.note = tr("to be taken again");
         }
     }
@@ -34,7 +34,7 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
         return;
     }
     const Eigen::Vector3d& p = m_desk.next()->station.positionM;
-    const QPointF at = widgetFromRoom.map(QPointF(p.x(), p.y()));
+    const QPointF at = mapped(p.head<2>(), widgetFromRoom);
     const double radius = std::clamp(0.02 * std::min(width(), height()) + 12, 14.0, 34.0);
     QPen pen(doubtfulColour(), 5);
     painter.setPen(pen);
@@ -48,16 +48,14 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
 /// The corners' letters, which tape distances name.
 void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const {
     const Polygon& outline = room().outline;
-    const QPointF centre =
-        widgetFromRoom.map(QPointF(bounds(outline).least.x() + bounds(outline).greatest.x(),
-                                   bounds(outline).least.y() + bounds(outline).greatest.y()) /
-                           2);
+    const Bounds2 extent = bounds(outline);
+    const QPointF centre = mapped(0.5 * (extent.least + extent.greatest), widgetFromRoom);
     QFont font = painter.font();
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(palette().color(QPalette::WindowText));
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const QPointF at = widgetFromRoom.map(QPointF(outline[i].x(), outline[i].y()));
+        const QPointF at = mapped(outline[i], widgetFromRoom);
         const QLineF outwards(centre, at);
         const QPointF label = outwards.length() > 0 ? at + 14 * (at - centre) / outwards.length() : at;
         const QRectF box(label.x() - 12, label.y() - 9, 24, 18);

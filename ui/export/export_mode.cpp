@@ -2,9 +2,9 @@
 #include "ui/export/export_mode.h"
 
 #include "ui/export/export_presenter.h"
-#include "ui/look/icon.h"
-
-#include "spherewalk/base/text.h"
+#include "ui/look/quantity_text.h"
+#include "ui/look/standing.h"
+#include "ui/tasks/task_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,7 +14,6 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QUrl>
 
@@ -24,12 +23,13 @@ namespace {
 
 constexpr int kWidestPage = 760; ///< lines longer than that are hard to read
 
-QString bytesText(std::uint64_t bytes) {
-    return QString::fromStdString(humanBytes(bytes));
+QString secondsText(double seconds) {
+    return durationText(std::chrono::duration<double>(seconds));
 }
 
-QString durationText(double seconds) {
-    return QString::fromStdString(humanDuration(std::chrono::duration<double>(seconds)));
+/// A sentence with its sign.
+QString marked(Standing standing, const QString& sentence) {
+    return standingSign(standing) + QLatin1Char(' ') + sentence;
 }
 
 QLabel* wrapped(QWidget* parent, const char* name) {
@@ -43,10 +43,9 @@ QLabel* wrapped(QWidget* parent, const char* name) {
 } // namespace
 
 ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
-    : Mode(parent),
+    : Mode("export", tr("Export"), tr("Make a dataset for simulators"), parent),
       m_presenter(new ExportPresenter(tasks, this)),
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
-    setObjectName("export");
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
     auto* column = new QVBoxLayout(page);
@@ -60,10 +59,6 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     connect(m_presenter, &ExportPresenter::changed, this, &ExportMode::showAll);
     connect(m_presenter, &ExportPresenter::message, this, &Mode::message);
     showAll();
-}
-
-QIcon ExportMode::icon() const {
-    return ui::icon("export");
 }
 
 void ExportMode::setSession(SurveySession* session) {
@@ -134,10 +129,7 @@ QWidget* ExportMode::makeAfter() {
     m_export->setMinimumHeight(36);
     m_export->setDefault(true);
     connect(m_export, &QPushButton::clicked, m_presenter, &ExportPresenter::exportNow);
-    m_progress = new QProgressBar(box);
-    m_progress->setObjectName("progress");
-    m_progress->setRange(0, 1000);
-    m_progress->setAccessibleName(tr("Progress of the export"));
+    m_progress = new TaskBar(box);
     m_stop = new QPushButton(tr("&Stop"), box);
     m_stop->setObjectName("stop");
     connect(m_stop, &QPushButton::clicked, m_presenter, &ExportPresenter::stop);
@@ -191,9 +183,10 @@ void ExportMode::showAll() {
         return;
     }
     const jobs::ExportReport& report = m_presenter->report();
-    m_result->setText(
-        tr("✓ %1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
-            .arg(exported, bytesText(report.written.totalBytes), durationText(report.written.seconds)));
+    m_result->setText(marked(
+        Standing::Accepted,
+        tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
+            .arg(exported, bytesText(report.written.totalBytes), secondsText(report.written.seconds))));
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;
         openFolder();
@@ -212,30 +205,25 @@ void ExportMode::showFound() {
     }
     m_amount->setText(
         tr("%n photo(s), about %1 and %2; %3 are free.", nullptr, static_cast<int>(found->photos))
-            .arg(bytesText(found->totalBytes), durationText(found->seconds), bytesText(found->freeBytes)));
+            .arg(bytesText(found->totalBytes), secondsText(found->seconds), bytesText(found->freeBytes)));
     QStringList sentences;
     for (const std::string& obstacle : found->obstacles) {
-        sentences << QStringLiteral("⊠ ") + QString::fromStdString(obstacle);
+        sentences << marked(Standing::Failed, QString::fromStdString(obstacle));
     }
     for (const std::string& doubt : found->doubts) {
-        sentences << QStringLiteral("▲ ") + QString::fromStdString(doubt);
+        sentences << marked(Standing::Doubtful, QString::fromStdString(doubt));
     }
     if (sentences.isEmpty()) {
-        sentences << tr("✓ Nothing is missing or doubtful.");
+        sentences << marked(Standing::Accepted, tr("Nothing is missing or doubtful."));
     }
     m_findings->setText(sentences.join(QLatin1Char('\n')));
 }
 
 void ExportMode::showTask() {
-    const Task* task = m_presenter->task();
+    Task* task = m_presenter->task();
     m_export->setEnabled(m_presenter->canExport());
     m_stop->setVisible(task != nullptr);
-    m_progress->setVisible(task != nullptr);
-    if (task != nullptr) {
-        m_progress->setValue(static_cast<int>(1000 * task->fraction()));
-        const auto left = task->left();
-        m_progress->setFormat(left ? tr("%1, %2 s left").arg(task->step()).arg(left->count()) : task->step());
-    }
+    m_progress->setTask(task);
 }
 
 } // namespace spherewalk::ui

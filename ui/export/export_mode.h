@@ -9,13 +9,13 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QProgressBar;
 class QPushButton;
 class QUrl;
 
 namespace spherewalk::ui {
 
 class ExportPresenter;
+class TaskBar;
 class TaskList;
 
 /// The survey becomes a dataset.
@@ -25,14 +25,10 @@ class ExportMode : public Mode {
   public:
     explicit ExportMode(TaskList& tasks, QWidget* parent = nullptr);
 
-    QString title() const override { return tr("Export"); }
-
-    QIcon icon() const override;
-
-    QString hint() const override { return tr("Make a dataset for simulators"); }
-
     void setSession(SurveySession* session) override;
     void activated() override;
+
+    bool wantsPlan() const override { return true; }
 
     /// In place of the desktop's file manager; for tests.
     void setOpener(std::function<bool(const QUrl&)> opener) { m_open = std::move(opener); }
@@ -58,7 +54,7 @@ class ExportMode : public Mode {
     QPushButton* m_check = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_stop = nullptr;
-    QProgressBar* m_progress = nullptr;
+    TaskBar* m_progress = nullptr;
     QLabel* m_result = nullptr;
     QPushButton* m_openButton = nullptr;
     QString m_opened; ///< that was shown by itself already

@@ -1,51 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_presenter.h"
 
-#include "spherewalk/base/text.h"
+#include "ui/look/quantity_text.h"
 
 #include <QDir>
 #include <QFileInfo>
 
 namespace spherewalk::ui {
 
-ExportPresenter::ExportPresenter(TaskList& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+ExportPresenter::ExportPresenter(TaskList& tasks, QObject* parent) : SurveyPresenter(parent), m_tasks(tasks) {
 }
 
 void ExportPresenter::setSession(SurveySession* session) {
-    if (m_session) {
-        m_session->disconnect(this);
-    }
-    m_session = session;
+    SurveyPresenter::setSession(session);
     m_exported.clear();
-    m_folder = usualFolder();
-    if (session != nullptr) {
-        connect(session, &SurveySession::changed, this, &ExportPresenter::refresh);
-    }
-    refresh();
+    setFolder(usualFolder());
 }
 
 QString ExportPresenter::usualFolder() const {
-    if (!m_session) {
+    if (session() == nullptr) {
         return {};
     }
-    const QFileInfo survey(QString::fromStdString(m_session->path().string()));
+    const QFileInfo survey(QString::fromStdString(session()->path().string()));
     return survey.dir().filePath(survey.completeBaseName() + QStringLiteral(".dataset"));
 }
 
 void ExportPresenter::setFolder(const QString& folder) {
     if (folder.trimmed() != m_folder) {
         m_folder = folder.trimmed();
-        refresh();
+        read();
     }
 }
 
 void ExportPresenter::setOptions(const dataset::WriteOptions& options) {
     m_options = options;
-    refresh();
+    read();
 }
 
 /// What was found is no longer so.
-void ExportPresenter::refresh() {
+void ExportPresenter::read() {
     m_found.reset();
     ++m_request;
     if (m_checking) {
@@ -56,12 +49,12 @@ void ExportPresenter::refresh() {
 }
 
 void ExportPresenter::check() {
-    if (!m_session || m_folder.isEmpty() || m_checking || m_task) {
+    if (session() == nullptr || m_folder.isEmpty() || isChecking() || task() != nullptr) {
         return;
     }
     m_checking = m_tasks.start(
         tr("Looking before the export"), this,
-        [survey = m_session->path(), folder = std::filesystem::path(m_folder.toStdString()),
+        [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
          options = m_options](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             return jobs::checkExport(store, folder, options, progress, stop);
@@ -71,20 +64,12 @@ void ExportPresenter::check() {
                 m_found = std::move(found);
             }
         });
-    connect(m_checking, &Task::ended, this, [this, task = m_checking.data()] {
-        if (task->state() == Task::State::Failed) {
-            emit message(task->sentence());
-        }
-        if (m_checking == task) {
-            m_checking.clear();
-        }
-        emit changed();
-    });
+    connect(m_checking, &Task::ended, this, &ExportPresenter::changed);
     emit changed();
 }
 
 bool ExportPresenter::canExport() const {
-    return m_session && m_found && m_found->isPossible() && !m_task;
+    return session() != nullptr && m_found && m_found->isPossible() && task() == nullptr;
 }
 
 void ExportPresenter::exportNow() {
@@ -93,8 +78,8 @@ void ExportPresenter::exportNow() {
     }
     m_exported.clear();
     m_task = m_tasks.start(
-        tr("Exporting %1").arg(m_session->name()), this,
-        [survey = m_session->path(), folder = std::filesystem::path(m_folder.toStdString()),
+        tr("Exporting %1").arg(session()->name()), this,
+        [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
          options = m_options](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             jobs::ExportOptions wanted;
@@ -102,14 +87,10 @@ void ExportPresenter::exportNow() {
             return jobs::exportDataset(store, folder, wanted, progress, stop);
         },
         [this, folder = m_folder](const jobs::ExportReport& report) { done(folder, report); });
-    connect(m_task, &Task::progressed, this, &ExportPresenter::changed);
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] {
-        if (task->state() == Task::State::Failed) {
-            emit message(task->sentence());
-        } else if (task->state() == Task::State::Stopped) {
+        if (task->state() == Task::State::Stopped) {
             emit message(tr("Stopped; nothing of the dataset is left."));
         }
-        m_task.clear();
         emit changed();
     });
     emit changed();
@@ -126,7 +107,7 @@ void ExportPresenter::done(const QString& folder, const jobs::ExportReport& repo
     m_report = report;
     m_found.reset();
     emit message(tr("Exported %n photo(s) to %1: %2.", nullptr, static_cast<int>(report.written.photos))
-                     .arg(folder, QString::fromStdString(humanBytes(report.written.totalBytes))));
+                     .arg(folder, bytesText(report.written.totalBytes)));
 }
 
 } // namespace spherewalk::ui

@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/survey_session.h"
+#include "ui/session/survey_presenter.h"
 #include "ui/tasks/task_list.h"
 
 #include "spherewalk/jobs/export_dataset.h"
-
-#include <QPointer>
 
 #include <optional>
 
 namespace spherewalk::ui {
 
 /// What the export page does: looks before, exports, and says what came of it.
-class ExportPresenter : public QObject {
+class ExportPresenter : public SurveyPresenter {
     Q_OBJECT
 
   public:
     explicit ExportPresenter(TaskList& tasks, QObject* parent = nullptr);
 
-    /// Null: none is open.
-    void setSession(SurveySession* session);
-
-    SurveySession* session() const { return m_session; }
+    void setSession(SurveySession* session) override;
 
     /// Beside the survey, by its name.
     QString usualFolder() const;
@@ -38,14 +33,14 @@ class ExportPresenter : public QObject {
     /// Nothing while it is not known.
     const std::optional<jobs::ExportCheck>& found() const { return m_found; }
 
-    bool isChecking() const { return m_checking != nullptr; }
+    bool isChecking() const { return m_checking && m_checking->isRunning(); }
 
     bool canExport() const;
     void exportNow();
     void stop();
 
     /// Of the export; null if none runs.
-    Task* task() const { return m_task; }
+    Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
 
     /// Of the last export from here that was completed; empty without one.
     QString exported() const { return m_exported; }
@@ -55,14 +50,12 @@ class ExportPresenter : public QObject {
   signals:
     /// What was found, the task, or what was exported.
     void changed();
-    void message(const QString& sentence);
 
   private:
-    void refresh();
+    void read() override;
     void done(const QString& folder, const jobs::ExportReport& report);
 
     TaskList& m_tasks;
-    QPointer<SurveySession> m_session;
     QString m_folder;
     dataset::WriteOptions m_options;
     std::optional<jobs::ExportCheck> m_found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panorama/panorama_view.h"
 
+#include "ui/look/plate.h"
 #include "ui/panorama/panorama_presenter.h"
 
 #include <QKeyEvent>
@@ -19,21 +20,6 @@ constexpr double kLineReachPx = 10;
 constexpr double kKeyShare = 1.0 / 12; ///< of the field of view, that a key turns by
 constexpr double kZoomStep = 1.15;
 constexpr double kShareStep = 0.02;
-
-/// Text on a plate, readable on any picture.
-void paintPlate(QPainter& painter, const QRectF& within, Qt::Alignment alignment, const QString& text) {
-    const QRectF inside = within.adjusted(16, 10, -16, -10);
-    if (text.isEmpty() || inside.width() < 40) {
-        return;
-    }
-    const int flags = static_cast<int>(alignment) | Qt::TextWordWrap;
-    const QRectF box = painter.boundingRect(inside, flags, text);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 170));
-    painter.drawRoundedRect(box.adjusted(-8, -4, 8, 4), 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(box, flags, text);
-}
 
 } // namespace
 
@@ -95,11 +81,12 @@ void PanoramaView::paintNames(QPainter& painter) const {
     const QString first = m_presenter->photo()->name;
     switch (other ? m_presenter->comparison() : Comparison::Off) {
     case Comparison::Off:
-        return paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft, first);
+        paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft, first);
+        return;
     case Comparison::Blink:
-        return paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft,
-                          m_presenter->isOtherShown() ? tr("B: %1").arg(other->name)
-                                                      : tr("A: %1").arg(first));
+        paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft,
+                   m_presenter->isOtherShown() ? tr("B: %1").arg(other->name) : tr("A: %1").arg(first));
+        return;
     case Comparison::Slider: {
         const double line = m_presenter->share() * width();
         paintPlate(painter, QRectF(0, 0, line, height()), Qt::AlignTop | Qt::AlignLeft,

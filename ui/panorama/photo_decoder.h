@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/panorama/background_worker.h"
+#include "ui/tasks/background_worker.h"
 
 #include "spherewalk/render/panorama.h"
 

@@ -29,10 +29,14 @@ double roundedUp(double least) {
 
 } // namespace
 
+QPointF mapped(const Eigen::Vector2d& place, const QTransform& widgetFromRoom) {
+    return widgetFromRoom.map(QPointF(place.x(), place.y()));
+}
+
 QPolygonF mapped(const Polygon& polygon, const QTransform& widgetFromRoom) {
     QPolygonF result;
     for (const Eigen::Vector2d& vertex : polygon) {
-        result << widgetFromRoom.map(QPointF(vertex.x(), vertex.y()));
+        result << mapped(vertex, widgetFromRoom);
     }
     return result;
 }
@@ -108,11 +112,25 @@ void PlanCanvas::paintEvent(QPaintEvent* /*event*/) {
     paintFloor(painter, transform);
     for (PlanLayer* layer : std::as_const(m_layers)) {
         painter.save();
+        painter.setPen(palette().color(QPalette::WindowText));
         layer->paint(painter, transform);
         painter.restore();
     }
     if (showsGrid()) {
         paintScale(painter);
+    }
+}
+
+void PlanCanvas::paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
+                           const QTransform& widgetFromRoom) const {
+    const QColor ink = palette().color(QPalette::WindowText);
+    painter.setPen(QPen(ink, 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setBrush(floor);
+    painter.drawPolygon(mapped(room.outline, widgetFromRoom));
+    painter.setPen(QPen(ink, 1.2));
+    painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
+    for (const Polygon& obstacle : room.obstacles) {
+        painter.drawPolygon(mapped(obstacle, widgetFromRoom));
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/geometry/polygon.h"
+#include "spherewalk/survey/room.h"
 
 #include <QPainter>
 #include <QTransform>
@@ -12,8 +12,8 @@
 
 namespace spherewalk::ui {
 
-/// Something drawn over or under a plan. Frames: the painter is in the widget's coordinates; widgetFromRoom
-/// takes metres of the room to them.
+/// Something drawn over a plan. Frames: the painter is in the widget's coordinates, its pen in the colour of
+/// text; widgetFromRoom takes metres of the room to them.
 class PlanLayer {
   public:
     virtual ~PlanLayer() = default;
@@ -57,6 +57,10 @@ class PlanCanvas : public QWidget {
 
     virtual bool showsGrid() const { return true; }
 
+    /// The walls, the floor in this colour, and the obstacles.
+    void paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
+                   const QTransform& widgetFromRoom) const;
+
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -75,7 +79,8 @@ class PlanCanvas : public QWidget {
     QList<PlanLayer*> m_layers;
 };
 
-/// The polygon's vertices in widget coordinates.
+/// A place, or a polygon's vertices, in widget coordinates.
+QPointF mapped(const Eigen::Vector2d& place, const QTransform& widgetFromRoom);
 QPolygonF mapped(const Polygon& polygon, const QTransform& widgetFromRoom);
 
 } // namespace spherewalk::ui

@@ -51,11 +51,7 @@ class PlanEditor::Step : public QUndoCommand {
     int m_key;
 };
 
-PlanEditor::PlanEditor(QObject* parent)
-    : QObject(parent),
-      m_worker(
-          this, [](const PlanDraft& draft, const std::stop_token& /*stop*/) { return outcomeOf(draft); },
-          [this](PlanOutcome outcome) { take(std::move(outcome)); }) {
+PlanEditor::PlanEditor(QObject* parent) : QObject(parent) {
 }
 
 void PlanEditor::begin(PlanDraft draft) {
@@ -73,12 +69,22 @@ void PlanEditor::setDraft(PlanDraft draft) {
     if (isGone) {
         select({});
     }
-    m_worker.post(m_draft);
+    compute(m_draft);
     emit draftChanged();
 }
 
-void PlanEditor::take(PlanOutcome outcome) {
-    m_outcome = std::move(outcome);
+void PlanEditor::compute(PlanDraft draft) {
+    m_worker.post(QStringLiteral("plan"), [this, draft = std::move(draft), number = ++m_posted] {
+        return [this, number, outcome = outcomeOf(draft)] { take(number, outcome); };
+    });
+}
+
+void PlanEditor::take(int number, const PlanOutcome& outcome) {
+    if (number != m_posted) {
+        return; // a newer one is on its way
+    }
+    m_taken = number;
+    m_outcome = outcome;
     emit outcomeChanged();
 }
 
@@ -177,7 +183,7 @@ void PlanEditor::preview(const Polygon& outline) {
     if (m_isPreview) {
         shown.room.outline = outline;
     }
-    m_worker.post(std::move(shown));
+    compute(std::move(shown));
 }
 
 } // namespace spherewalk::ui

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/plan/plan_draft.h"
-#include "ui/tasks/latest_only.h"
+#include "ui/tasks/background_worker.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -39,7 +39,7 @@ class PlanEditor : public QObject {
     const PlanOutcome& outcome() const { return m_outcome; }
 
     /// Whether the outcome is the present draft's.
-    bool isSettled() const { return !m_worker.isBusy() && !m_isPreview; }
+    bool isSettled() const { return m_taken == m_posted && !m_isPreview; }
 
     QUndoStack* undoStack() { return &m_undoStack; }
 
@@ -81,7 +81,8 @@ class PlanEditor : public QObject {
     class Step;
 
     void setDraft(PlanDraft draft);
-    void take(PlanOutcome outcome);
+    void compute(PlanDraft draft);
+    void take(int number, const PlanOutcome& outcome);
 
     PlanDraft m_draft;
     PlanOutcome m_outcome;
@@ -89,7 +90,9 @@ class PlanEditor : public QObject {
     bool m_isLocked = false;
     bool m_isPreview = false;
     QUndoStack m_undoStack;
-    LatestOnly<PlanDraft, PlanOutcome> m_worker; ///< last: it ends first
+    int m_posted = 0;          ///< how many drafts were to be computed
+    int m_taken = 0;           ///< which of them the outcome is of
+    BackgroundWorker m_worker; ///< last: what it delivers uses the rest
 };
 
 } // namespace spherewalk::ui

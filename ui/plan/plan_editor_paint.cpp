@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/theme.h"
 #include "ui/plan/plan_editor_view.h"
 
 #include <algorithm>
@@ -11,15 +12,13 @@ namespace {
 
 constexpr double kHandlePx = 5;
 
-QPointF pointOf(const Vector2d& vector) {
-    return {vector.x(), vector.y()};
-}
-
 } // namespace
 
 void PlanEditorView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
     paintPicture(painter, widgetFromRoom);
-    paintRoom(painter, widgetFromRoom);
+    QColor floor = palette().color(QPalette::Base);
+    floor.setAlphaF(m_picture.isEmpty() ? 1.0F : 0.3F);
+    paintRoom(painter, m_editor.draft().room, floor, widgetFromRoom);
     paintPlan(painter, widgetFromRoom);
     paintUncovered(painter, widgetFromRoom);
     paintSelection(painter, widgetFromRoom);
@@ -37,21 +36,6 @@ void PlanEditorView::paintPicture(QPainter& painter, const QTransform& widgetFro
     painter.restore();
 }
 
-void PlanEditorView::paintRoom(QPainter& painter, const QTransform& widgetFromRoom) const {
-    const survey::Room& room = m_editor.draft().room;
-    QColor floor = palette().color(QPalette::Base);
-    floor.setAlphaF(m_picture.isEmpty() ? 1.0F : 0.3F);
-    painter.setPen(
-        QPen(palette().color(QPalette::WindowText), 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-    painter.setBrush(floor);
-    painter.drawPolygon(mapped(room.outline, widgetFromRoom));
-    painter.setPen(QPen(palette().color(QPalette::WindowText), 1.2));
-    painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
-    for (const Polygon& obstacle : room.obstacles) {
-        painter.drawPolygon(mapped(obstacle, widgetFromRoom));
-    }
-}
-
 void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const {
     const survey::Plan& plan = m_editor.outcome().plan;
     QColor colour = palette().color(QPalette::Highlight);
@@ -60,13 +44,13 @@ void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRo
     const double radius = std::clamp(0.14 * spacingPx, 1.2, 5.0);
     painter.setBrush(colour);
     for (const survey::RailPlacement& rail : plan.placements) {
-        const QPointF first = widgetFromRoom.map(pointOf(rail.stop(0)));
-        const QPointF last = widgetFromRoom.map(pointOf(rail.stop(rail.stops - 1)));
+        const QPointF first = mapped(rail.stop(0), widgetFromRoom);
+        const QPointF last = mapped(rail.stop(rail.stops - 1), widgetFromRoom);
         painter.setPen(QPen(colour, std::clamp(0.05 * spacingPx, 0.8, 2.0)));
         painter.drawLine(first, last);
         painter.setPen(Qt::NoPen);
         for (int k = 0; k < rail.stops; ++k) {
-            painter.drawEllipse(widgetFromRoom.map(pointOf(rail.stop(k))), radius, radius);
+            painter.drawEllipse(mapped(rail.stop(k), widgetFromRoom), radius, radius);
         }
         painter.setPen(QPen(colour, 1.5));
         painter.setBrush(Qt::NoBrush);
@@ -79,7 +63,7 @@ void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRo
     }
     painter.setPen(palette().color(QPalette::WindowText));
     for (std::size_t i = 0; i < plan.placements.size(); ++i) {
-        const QPointF at = widgetFromRoom.map(pointOf(plan.placements[i].origin));
+        const QPointF at = mapped(plan.placements[i].origin, widgetFromRoom);
         painter.drawText(at + QPointF(radius + 4, -radius - 2), QString::number(i + 1));
     }
 }
@@ -90,8 +74,8 @@ void PlanEditorView::paintUncovered(QPainter& painter, const QTransform& widgetF
         if (area.areaM2 < leastM2 || area.reason == survey::UncoveredReason::Clearance) {
             continue; // along every wall lies a strip that the clearance leaves out
         }
-        const QPointF at = widgetFromRoom.map(pointOf(area.point));
-        const QColor colour(213, 94, 0);
+        const QPointF at = mapped(area.point, widgetFromRoom);
+        const QColor colour = failedColour();
         painter.setPen(QPen(colour, 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5));
@@ -114,7 +98,7 @@ void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetF
             paintLengths(painter, polygon, widgetFromRoom, true);
         }
         for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const QPointF at = widgetFromRoom.map(pointOf(polygon[k]));
+            const QPointF at = mapped(polygon[k], widgetFromRoom);
             const bool isCorner = isSelected && static_cast<int>(k) == selected.corner;
             painter.setPen(QPen(colour, isSelected ? 2 : 1));
             painter.setBrush(isCorner ? palette().color(QPalette::Highlight)
@@ -131,7 +115,7 @@ void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, con
     for (std::size_t i = 0; i < walls; ++i) {
         const Vector2d& begin = polygon[i];
         const Vector2d& end = polygon[(i + 1) % polygon.size()];
-        const QLineF wall(widgetFromRoom.map(pointOf(begin)), widgetFromRoom.map(pointOf(end)));
+        const QLineF wall(mapped(begin, widgetFromRoom), mapped(end, widgetFromRoom));
         const QString words = tr("%L1 m").arg((end - begin).norm(), 0, 'f', 2);
         QRectF box = painter.fontMetrics().boundingRect(words);
         if (wall.length() < box.width() + 12) {
@@ -161,13 +145,13 @@ void PlanEditorView::paintPen(QPainter& painter, const QTransform& widgetFromRoo
     painter.drawPolyline(mapped(preview, widgetFromRoom));
     paintLengths(painter, preview, widgetFromRoom, false);
     for (const Vector2d& corner : m_pen.corners()) {
-        const QPointF at = widgetFromRoom.map(pointOf(corner));
+        const QPointF at = mapped(corner, widgetFromRoom);
         painter.setPen(QPen(colour, 2));
         painter.setBrush(palette().color(QPalette::Base));
         painter.drawRect(QRectF(at.x() - kHandlePx, at.y() - kHandlePx, 2 * kHandlePx, 2 * kHandlePx));
     }
     if (!m_pen.typed().isEmpty()) {
-        const QPointF at = widgetFromRoom.map(pointOf(m_pen.tip())) + QPointF(14, -10);
+        const QPointF at = mapped(m_pen.tip(), widgetFromRoom) + QPointF(14, -10);
         const QString words = tr("%1 m, then Return").arg(m_pen.typed());
         const QRectF box =
             QRectF(painter.fontMetrics().boundingRect(words)).translated(at).adjusted(-5, -3, 5, 3);

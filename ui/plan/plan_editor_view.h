@@ -52,7 +52,6 @@ class PlanEditorView : public PlanCanvas {
 
   private:
     void paintPicture(QPainter& painter, const QTransform& widgetFromRoom) const;
-    void paintRoom(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintUncovered(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintSelection(QPainter& painter, const QTransform& widgetFromRoom) const;

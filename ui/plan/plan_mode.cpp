@@ -26,7 +26,10 @@
 namespace spherewalk::ui {
 
 PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
-    : Mode(parent), m_tasks(tasks), m_storage(m_editor), m_view(new PlanEditorView(m_editor, this)) {
+    : Mode("plan", tr("Plan"), tr("Draw the room and lay out where photos are to be taken"), parent),
+      m_tasks(tasks),
+      m_storage(m_editor),
+      m_view(new PlanEditorView(m_editor, this)) {
     auto* side = new QWidget(this);
     auto* sideLayout = new QVBoxLayout(side);
     sideLayout->setContentsMargins(6, 6, 6, 6);
@@ -75,18 +78,6 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     m_storage.beginNew();
     m_view->fitRoom();
     showState();
-}
-
-QString PlanMode::title() const {
-    return tr("Plan");
-}
-
-QIcon PlanMode::icon() const {
-    return ui::icon("plan");
-}
-
-QString PlanMode::hint() const {
-    return tr("Draw the room and lay out where photos are to be taken.");
 }
 
 void PlanMode::addTool(QToolBar* bar, PlanEditorView::Tool tool, const QString& iconName, const QString& text,

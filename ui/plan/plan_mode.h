@@ -26,14 +26,9 @@ class PlanMode : public Mode {
   public:
     explicit PlanMode(TaskList& tasks, QWidget* parent = nullptr);
 
-    QString title() const override;
-    QIcon icon() const override;
-    QString hint() const override;
     void setSession(SurveySession* session) override;
 
     QUndoStack* undoStack() override { return m_editor.undoStack(); }
-
-    bool showsPlan() const override { return true; }
 
     bool worksWithoutSurvey() const override { return true; }
 

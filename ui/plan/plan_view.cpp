@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_view.h"
 
+#include "ui/look/theme.h"
+
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QToolTip>
@@ -82,7 +84,7 @@ const StationMark* PlanView::markAt(const QPointF& at) const {
     const StationMark* nearest = nullptr;
     double least = 2 * stationRadiusPx();
     for (const StationMark& mark : m_stations) {
-        const QPointF place = transform.map(QPointF(mark.positionM.x(), mark.positionM.y()));
+        const QPointF place = mapped(mark.positionM, transform);
         const double distance = QLineF(place, at).length();
         if (distance <= least) {
             nearest = &mark;
@@ -98,16 +100,9 @@ void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
         painter.drawText(rect(), Qt::AlignCenter, tr("No survey is open"));
         return;
     }
-    painter.setPen(QPen(palette().color(QPalette::WindowText), 3));
-    painter.setBrush(palette().base());
-    painter.drawPolygon(mapped(m_room.outline, widgetFromRoom));
-    painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
-    painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
-    for (const Polygon& obstacle : m_room.obstacles) {
-        painter.drawPolygon(mapped(obstacle, widgetFromRoom));
-    }
+    paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
     for (const StationMark& mark : m_stations) {
-        const QPointF at = widgetFromRoom.map(QPointF(mark.positionM.x(), mark.positionM.y()));
+        const QPointF at = mapped(mark.positionM, widgetFromRoom);
         paintMark(painter, mark, at);
         if (mark.id == m_current) {
             painter.setPen(QPen(palette().color(QPalette::WindowText), 2.5));
@@ -119,36 +114,33 @@ void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
 }
 
 void PlanView::paintMark(QPainter& painter, const StationMark& mark, const QPointF& at) const {
-    // Blue, orange and vermilion of the palette by Okabe and Ito.
-    static const QColor kDoubtful(230, 159, 0);
-    static const QColor kFailed(213, 94, 0);
-    using State = StationMark::State;
     const double r = stationRadiusPx();
-    const QColor base = mark.state == State::Doubtful ? kDoubtful
-                        : mark.state == State::Failed ? kFailed
-                                                      : palette().color(QPalette::Highlight);
+    const QColor base = mark.standing == Standing::Doubtful ? doubtfulColour()
+                        : mark.standing == Standing::Failed ? failedColour()
+                                                            : palette().color(QPalette::Highlight);
     const QColor colour = mark.heat ? heatColour(*mark.heat) : base;
     painter.setPen(QPen(colour, r > 4 ? 2 : 1.2));
     painter.setBrush(colour);
-    switch (mark.state) {
-    case State::Missing:
+    switch (mark.standing) {
+    case Standing::Missing:
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(at, r, r);
         break;
-    case State::Taken:
+    case Standing::Taken:
+    case Standing::Accepted:
         painter.drawEllipse(at, r, r);
         break;
-    case State::Doubtful:
+    case Standing::Doubtful:
         painter.drawPolygon(QPolygonF(
             {at + QPointF(0, -1.2 * r), at + QPointF(1.1 * r, 0.8 * r), at + QPointF(-1.1 * r, 0.8 * r)}));
         break;
-    case State::Failed:
+    case Standing::Failed:
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
         painter.drawLine(at + QPointF(-r, -r), at + QPointF(r, r));
         painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));
         break;
-    case State::Rejected:
+    case Standing::Rejected:
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(at, r, r);
         painter.drawLine(at + QPointF(-r, r), at + QPointF(r, -r));

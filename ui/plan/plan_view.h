@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/standing.h"
 #include "ui/plan/plan_canvas.h"
 
 #include "spherewalk/survey/room.h"
@@ -13,19 +14,17 @@ namespace spherewalk::ui {
 
 /// A station as the plan shows it.
 struct StationMark {
-    enum class State { Missing, Taken, Doubtful, Failed, Rejected };
-
     std::int64_t id = 0;
     Eigen::Vector2d positionM = Eigen::Vector2d::Zero();
     QString name;
-    State state = State::Missing;
-    std::optional<double> heat = {}; ///< in [0, 1], 1 the worst: shown as colour in place of the state's
+    Standing standing = Standing::Missing;
+    std::optional<double> heat = {}; ///< in [0, 1], 1 the worst: shown as colour in place of the standing's
     QString note = {};               ///< second line of the tool tip
 };
 
-/// The room seen from above with its stations. Each state has its own form, so that nothing hangs on colour:
-/// a ring (missing), a disc (taken), a triangle (doubtful), a square with a cross (failed), a ring struck
-/// through (rejected).
+/// The room seen from above with its stations. Each standing has its own form, so that nothing hangs on
+/// colour: a ring (missing), a disc (taken, accepted), a triangle (doubtful), a square with a cross (failed),
+/// a ring struck through (rejected).
 class PlanView : public PlanCanvas {
     Q_OBJECT
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_words.h"
 
-#include "ui/look/duration_text.h"
+#include "ui/look/quantity_text.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/survey_plan_view.h"
 
+#include "ui/plan/station_words.h"
+
 #include <set>
 
 namespace spherewalk::ui {
@@ -47,14 +49,15 @@ std::vector<StationMark> SurveyPlanView::marks(const store::SurveyStore& store) 
     for (const store::StationRecord& station : store.stationsWithoutPhoto()) {
         missing.insert(station.id);
     }
+    const survey::PlanOptions options = store.planOptions();
     std::vector<StationMark> result;
     for (const store::StationRecord& station : store.stations()) {
         const bool isMissing = missing.contains(station.id);
         StationMark mark;
         mark.id = station.id;
         mark.positionM = station.station.positionM.head<2>();
-        mark.name = QString::fromStdString(station.name);
-        mark.state = isMissing ? StationMark::State::Missing : StationMark::State::Taken;
+        mark.name = stationWords(station, options);
+        mark.standing = isMissing ? Standing::Missing : Standing::Taken;
         mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
         result.push_back(mark);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/drive_view.h"
 
+#include "ui/look/plate.h"
 #include "ui/preview/preview_presenter.h"
 
 #include <QFileInfo>
@@ -87,16 +88,10 @@ void DriveView::paintView(QPainter& painter, const QRect& box, const MadeView& v
     QRect target(QPoint(), view.picture.size().scaled(box.size(), Qt::KeepAspectRatio));
     target.moveCenter(box.center());
     painter.drawImage(target, view.picture);
-    const QString text = reportText(view.report);
-    const QRectF words = painter.boundingRect(target.adjusted(16, 10, -16, -12),
-                                              Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 170));
-    painter.drawRoundedRect(words.adjusted(-8, -5, 8, 5), 5, 5);
-    painter.setPen(Qt::white);
-    painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
+    const QRectF plate =
+        paintPlate(painter, target, Qt::AlignLeft | Qt::AlignBottom, reportText(view.report));
     // How far the view can be believed, as a bar besides the number.
-    const QRectF bar(words.left() - 8, words.top() - 14, 120, 5);
+    const QRectF bar(plate.left(), plate.top() - 9, 120, 5);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 170));
     painter.drawRect(bar);

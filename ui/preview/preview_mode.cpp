@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/preview_mode.h"
 
-#include "ui/look/icon.h"
 #include "ui/plan/plan_view.h"
 #include "ui/preview/camera_presets.h"
 #include "ui/preview/drive_view.h"
@@ -36,7 +35,7 @@ std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
         mark.id = static_cast<std::int64_t>(i);
         mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
         mark.name = QString::fromStdString(info.photos[i].station);
-        mark.state = StationMark::State::Taken;
+        mark.standing = Standing::Taken;
         mark.note = QString::fromStdString(info.photos[i].file);
         marks.push_back(std::move(mark));
     }
@@ -71,8 +70,8 @@ Radians fieldOf(const CameraIntrinsics& camera) {
 } // namespace
 
 PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
-    : Mode(parent), m_presenter(new PreviewPresenter(tasks, this)) {
-    setObjectName("preview");
+    : Mode("preview", tr("Preview"), tr("Drive a robot and see what its camera would see"), parent),
+      m_presenter(new PreviewPresenter(tasks, this)) {
     m_view = new DriveView(*m_presenter, this);
     m_view->setObjectName("view");
     m_map = new PlanView(this);
@@ -110,10 +109,6 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
 
 PreviewMode::~PreviewMode() {
     m_map->removeLayer(&m_robot);
-}
-
-QIcon PreviewMode::icon() const {
-    return ui::icon("preview");
 }
 
 void PreviewMode::setSession(SurveySession* session) {
@@ -339,8 +334,8 @@ void PreviewMode::showDataset() {
     if (dataset == nullptr) {
         m_map->setRoom({});
         m_map->setStations({});
-        m_what->setText(m_presenter->preparing() != nullptr ? tr("Preparing the preview...")
-                                                            : tr("No dataset is open."));
+        m_what->setText(m_presenter->isPreparing() ? tr("Preparing the preview...")
+                                                   : tr("No dataset is open."));
         return;
     }
     const render::DatasetInfo& info = dataset->info();

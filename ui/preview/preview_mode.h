@@ -29,18 +29,10 @@ class PreviewMode : public Mode {
     explicit PreviewMode(TaskList& tasks, QWidget* parent = nullptr);
     ~PreviewMode() override;
 
-    QString title() const override { return tr("Preview"); }
-
-    QIcon icon() const override;
-
-    QString hint() const override { return tr("Drive a robot and see what its camera would see"); }
-
     void setSession(SurveySession* session) override;
     void activated() override;
 
     bool worksWithoutSurvey() const override { return true; }
-
-    bool showsPlan() const override { return true; }
 
     PreviewPresenter& presenter() { return *m_presenter; }
 

@@ -49,7 +49,7 @@ RobotPlace middleOf(const render::DatasetInfo& info) {
 } // namespace
 
 PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_camera(cameraPresets().at(2).intrinsics) {
+    : SurveyPresenter(parent), m_tasks(tasks), m_camera(cameraPresets().at(2).intrinsics) {
     m_ticking.setInterval(kTick);
     m_ticking.setTimerType(Qt::PreciseTimer);
     connect(&m_ticking, &QTimer::timeout, this, &PreviewPresenter::tick);
@@ -59,34 +59,28 @@ PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
 PreviewPresenter::~PreviewPresenter() = default;
 
 void PreviewPresenter::setSession(SurveySession* session) {
-    if (m_session) {
-        m_session->disconnect(this);
-    }
-    m_session = session;
     if (m_folder) { // the dataset was the closed survey's
         m_folder.reset();
         use(nullptr);
     }
-    m_isOutdated = false;
-    if (session != nullptr) {
-        connect(session, &SurveySession::changed, this, [this] {
-            m_isOutdated = m_folder != nullptr;
-            emit datasetChanged();
-        });
-    }
+    SurveyPresenter::setSession(session);
+}
+
+void PreviewPresenter::read() {
+    m_isOutdated = m_folder != nullptr;
     emit datasetChanged();
 }
 
 bool PreviewPresenter::canMakeDataset() const {
     try {
-        return m_session && !m_preparing && m_session->store().counts().stationsWithPhoto > 0;
+        return session() != nullptr && !isPreparing() && session()->store().counts().stationsWithPhoto > 0;
     } catch (const Error&) { // what is wrong with the survey, others say
         return false;
     }
 }
 
 void PreviewPresenter::openDataset(const QString& folder) {
-    watch(m_tasks.start(
+    m_tasks.start(
         tr("Opening %1").arg(folder), this,
         [path = std::filesystem::path(folder.toStdString())](
             ProgressSink& progress, const std::stop_token& stop) { return opened(path, progress, stop); },
@@ -94,20 +88,7 @@ void PreviewPresenter::openDataset(const QString& folder) {
             m_folder.reset();
             m_isOutdated = false;
             use(std::move(dataset));
-        }));
-}
-
-void PreviewPresenter::watch(Task* task) {
-    connect(task, &Task::ended, this, [this, task] {
-        if (task->state() == Task::State::Failed) {
-            emit message(task->sentence());
-        }
-        if (task == m_preparing) {
-            m_preparing.clear();
-        }
-        emit datasetChanged();
-    });
-    emit datasetChanged();
+        });
 }
 
 void PreviewPresenter::makeDataset() {
@@ -122,8 +103,8 @@ void PreviewPresenter::makeDataset() {
     };
 
     m_preparing = m_tasks.start(
-        tr("Preparing the preview of %1").arg(m_session->name()), this,
-        [survey = m_session->path()](ProgressSink& progress, const std::stop_token& stop) {
+        tr("Preparing the preview of %1").arg(session()->name()), this,
+        [survey = session()->path()](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             auto folder = std::make_shared<TemporaryFolder>("spherewalk-preview");
             jobs::exportDataset(store, folder->path() / "dataset", {}, progress, stop);
@@ -134,7 +115,8 @@ void PreviewPresenter::makeDataset() {
             m_isOutdated = false;
             use(std::move(made.dataset));
         });
-    watch(m_preparing);
+    connect(m_preparing, &Task::ended, this, &PreviewPresenter::datasetChanged);
+    emit datasetChanged();
 }
 
 const render::Dataset* PreviewPresenter::dataset() const {
@@ -301,7 +283,8 @@ void PreviewPresenter::saveFrames(const QString& folder) {
     jobs::WalkOptions options;
     options.view.scene = m_sides.front().scene;
     options.view.sampling = m_sides.front().sampling;
-    watch(m_tasks.start(
+    options.ball = m_ball;
+    m_tasks.start(
         tr("Saving %n frame(s)", nullptr, static_cast<int>(m_path.size())), this,
         [path = std::filesystem::path(folder.toStdString()), renderer = *m_renderer, camera = m_camera,
          poses = m_path, options, kept = m_folder](ProgressSink& progress, const std::stop_token& stop) {
@@ -314,7 +297,7 @@ void PreviewPresenter::saveFrames(const QString& folder) {
         [this, folder](const jobs::WalkReport& report) {
             emit message(
                 tr("Wrote %n frame(s) to %1.", nullptr, static_cast<int>(report.frames)).arg(folder));
-        }));
+        });
 }
 
 } // namespace spherewalk::ui

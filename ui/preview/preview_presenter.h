@@ -1,40 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/panorama/background_worker.h"
 #include "ui/preview/drive.h"
 #include "ui/preview/view_maker.h"
-#include "ui/session/survey_session.h"
+#include "ui/session/survey_presenter.h"
+#include "ui/tasks/background_worker.h"
 #include "ui/tasks/task_list.h"
 
 #include "spherewalk/base/temporary_folder.h"
 #include "spherewalk/geometry/trajectory.h"
 
 #include <QElapsedTimer>
-#include <QPointer>
 #include <QTimer>
 
 namespace spherewalk::ui {
 
 /// What the preview page does: a robot is driven over a dataset, and its camera's view is made as fast as the
 /// machine can. Threads: the GUI thread; views are made in the background, the latest wish first.
-class PreviewPresenter : public QObject {
+class PreviewPresenter : public SurveyPresenter {
     Q_OBJECT
 
   public:
     explicit PreviewPresenter(TaskList& tasks, QObject* parent = nullptr);
     ~PreviewPresenter() override;
 
-    /// Null: none is open; a dataset that was opened by itself stays.
-    void setSession(SurveySession* session);
+    /// A dataset that was opened by itself stays.
+    void setSession(SurveySession* session) override;
 
     void openDataset(const QString& folder);
     /// Of the open survey, in a temporary folder that goes with the program.
     void makeDataset();
     bool canMakeDataset() const;
 
-    /// Of makeDataset(); null if none runs.
-    const Task* preparing() const { return m_preparing; }
+    /// Whether makeDataset() is at work.
+    bool isPreparing() const { return m_preparing && m_preparing->isRunning(); }
 
     /// Null without a dataset.
     const render::Dataset* dataset() const;
@@ -92,11 +91,10 @@ class PreviewPresenter : public QObject {
     void robotChanged();
     void viewsChanged();
     void recordingChanged();
-    void message(const QString& sentence);
 
   private:
+    void read() override;
     void use(std::shared_ptr<const render::Dataset> dataset);
-    void watch(Task* task);
     void rebuild();
     void order();
     void show(std::vector<MadeView> views);
@@ -104,7 +102,6 @@ class PreviewPresenter : public QObject {
     void record();
 
     TaskList& m_tasks;
-    QPointer<SurveySession> m_session;
     std::shared_ptr<TemporaryFolder> m_folder; ///< of the survey's dataset
     bool m_isOutdated = false;
     QPointer<Task> m_preparing;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/robot_layer.h"
 
+#include "ui/look/theme.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +12,7 @@ namespace {
 
 constexpr double kBodyPx = 11;
 constexpr double kFanPx = 90;
-const QColor kRobot(0, 158, 115); // the bluish green of Okabe and Ito's palette
 const QColor kPath(204, 121, 167);
-
-QPointF mapped(const Eigen::Vector2d& p, const QTransform& widgetFromRoom) {
-    return widgetFromRoom.map(QPointF(p.x(), p.y()));
-}
 
 } // namespace
 
@@ -23,6 +20,7 @@ void RobotLayer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
     if (!m_scene) {
         return;
     }
+    const QColor robotColour = goodColour();
     if (m_scene->path.size() > 1) {
         QPolygonF line;
         for (const TimedPose& pose : m_scene->path) {
@@ -41,14 +39,14 @@ void RobotLayer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
     }
     const QPointF at = mapped(m_scene->robot.pInRoom, widgetFromRoom);
     if (m_scene->photo) {
-        painter.setPen(QPen(kRobot, 1.5, Qt::DashLine));
+        painter.setPen(QPen(robotColour, 1.5, Qt::DashLine));
         painter.drawLine(at, mapped(*m_scene->photo, widgetFromRoom));
     }
     const double yawDeg = Degrees(m_scene->robot.yaw).value();
     const double fovDeg = std::min(359.0, Degrees(m_scene->fov).value());
-    QColor fan = kRobot;
+    QColor fan = robotColour;
     fan.setAlpha(60);
-    painter.setPen(QPen(kRobot, 1));
+    painter.setPen(QPen(robotColour, 1));
     painter.setBrush(fan);
     painter.drawPie(QRectF(at.x() - kFanPx, at.y() - kFanPx, 2 * kFanPx, 2 * kFanPx),
                     static_cast<int>(16 * (yawDeg - 0.5 * fovDeg)), static_cast<int>(16 * fovDeg));
@@ -56,7 +54,7 @@ void RobotLayer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
     painter.translate(at);
     painter.rotate(-yawDeg);
     painter.setPen(QPen(Qt::white, 1.5));
-    painter.setBrush(kRobot);
+    painter.setBrush(robotColour);
     painter.drawPolygon(QPolygonF({{kBodyPx, 0},
                                    {-0.7 * kBodyPx, 0.7 * kBodyPx},
                                    {-0.35 * kBodyPx, 0},

@@ -12,23 +12,6 @@ namespace {
 /// The heat scale does not begin to show differences that matter to nobody.
 constexpr Degrees kLeastHottest{0.05};
 
-StationMark::State stateOf(Standing standing) {
-    switch (standing) {
-    case Standing::Missing:
-        return StationMark::State::Missing;
-    case Standing::Taken:
-    case Standing::Accepted:
-        return StationMark::State::Taken;
-    case Standing::Doubtful:
-        return StationMark::State::Doubtful;
-    case Standing::Failed:
-        return StationMark::State::Failed;
-    case Standing::Rejected:
-        return StationMark::State::Rejected;
-    }
-    return StationMark::State::Missing;
-}
-
 QString degreesText(Radians angle) {
     return CoverageView::tr("%1°").arg(Degrees(angle).value(), 0, 'f', 3);
 }
@@ -81,7 +64,7 @@ std::vector<StationMark> CoverageView::marks(const store::SurveyStore& /*store*/
         mark.id = row.station;
         mark.positionM = row.positionM.head<2>();
         mark.name = row.stationName;
-        mark.state = stateOf(row.standing);
+        mark.standing = row.standing;
         mark.note = standingText(row.standing);
         if (const auto value = measured(row)) {
             mark.heat = value->value() / scale.value();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_mode.h"
 
-#include "ui/look/icon.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_delegate.h"
@@ -25,10 +24,9 @@ ReviewMode::ReviewMode(TaskList& /*tasks*/, QWidget* parent)
 }
 
 ReviewMode::ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent)
-    : Mode(parent),
+    : Mode("review", tr("Review"), tr("Look at the photos, and accept or reject them"), parent),
       m_viewer(new PanoramaView(this)),
       m_presenter(new ReviewPresenter(std::move(thumbnailFolder), m_viewer->presenter(), this)) {
-    setObjectName("review");
     m_presenter->setShown(false);
     auto* columns = new QSplitter(this);
     columns->addWidget(makeList());
@@ -45,11 +43,8 @@ ReviewMode::ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent)
     connect(m_presenter, &ReviewPresenter::rowsChanged, this, &ReviewMode::showRows);
     connect(m_presenter, &ReviewPresenter::currentChanged, this, &ReviewMode::showCurrent);
     connect(m_presenter, &ReviewPresenter::message, this, &Mode::message);
+    connect(this, &Mode::shownChanged, m_presenter, &ReviewPresenter::setShown);
     showCurrent();
-}
-
-QIcon ReviewMode::icon() const {
-    return ui::icon("review");
 }
 
 void ReviewMode::setSession(SurveySession* session) {
@@ -63,16 +58,6 @@ void ReviewMode::activated() {
         m_presenter->step(1);
     }
     m_list->setFocus();
-}
-
-void ReviewMode::showEvent(QShowEvent* event) {
-    m_presenter->setShown(true);
-    Mode::showEvent(event);
-}
-
-void ReviewMode::hideEvent(QHideEvent* event) {
-    m_presenter->setShown(false);
-    Mode::hideEvent(event);
 }
 
 QWidget* ReviewMode::makeList() {

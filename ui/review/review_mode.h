@@ -32,20 +32,8 @@ class ReviewMode : public Mode {
     /// thumbnailFolder: where small pictures are kept.
     ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent);
 
-    QString title() const override { return tr("Review"); }
-
-    QIcon icon() const override;
-
-    QString hint() const override { return tr("Look at the photos, and accept or reject them"); }
-
     void setSession(SurveySession* session) override;
     void activated() override;
-
-    bool showsPlan() const override { return true; }
-
-  protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* makeList();

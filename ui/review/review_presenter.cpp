@@ -41,7 +41,7 @@ std::optional<double> radiusOf(const survey::Room& room, const std::vector<Revie
 
 ReviewPresenter::ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
                                  QObject* parent)
-    : QObject(parent),
+    : SurveyPresenter(parent),
       m_viewer(viewer),
       m_thumbnails(std::move(thumbnailFolder)),
       m_model(m_thumbnails),
@@ -50,43 +50,23 @@ ReviewPresenter::ReviewPresenter(std::filesystem::path thumbnailFolder, Panorama
 }
 
 void ReviewPresenter::setSession(SurveySession* session) {
-    if (m_session) {
-        m_session->disconnect(this);
-        m_session->selection()->disconnect(this);
-    }
-    m_session = session;
     m_reviewer.setSession(session);
     m_watch.setSession(session);
     m_thumbnails.forgetRequests();
+    SurveyPresenter::setSession(session);
     if (session != nullptr) {
-        connect(session, &SurveySession::changed, this, &ReviewPresenter::refresh);
         connect(session, &SurveySession::readOnlyChanged, this, &ReviewPresenter::currentChanged);
         connect(session->selection(), &StationSelection::currentChanged, this, &ReviewPresenter::showCurrent);
-    }
-    read();
-}
-
-void ReviewPresenter::setShown(bool isShown) {
-    m_isShown = isShown;
-    if (isShown && m_isStale) {
-        read();
-    }
-}
-
-void ReviewPresenter::refresh() {
-    m_isStale = true;
-    if (m_isShown) {
-        read();
     }
 }
 
 void ReviewPresenter::read() {
-    m_isStale = false;
     try {
-        m_model.setRows(m_session ? reviewRows(m_session->store(), jobs::activeFindings(m_session->store()))
-                                  : std::vector<ReviewRow>());
-        m_viewer.setSphereRadius(m_session ? radiusOf(m_session->store().room(), m_model.rows())
-                                           : std::nullopt);
+        m_model.setRows(session() != nullptr
+                            ? reviewRows(session()->store(), jobs::activeFindings(session()->store()))
+                            : std::vector<ReviewRow>());
+        m_viewer.setSphereRadius(session() != nullptr ? radiusOf(session()->store().room(), m_model.rows())
+                                                      : std::nullopt);
     } catch (const Error& error) {
         emit message(QString::fromStdString(error.sentence()));
     }
@@ -96,13 +76,13 @@ void ReviewPresenter::read() {
 }
 
 const ReviewRow* ReviewPresenter::current() const {
-    const auto station = m_session ? m_session->selection()->current() : std::nullopt;
+    const auto station = session() != nullptr ? session()->selection()->current() : std::nullopt;
     return station ? m_model.rowOf(*station) : nullptr;
 }
 
 void ReviewPresenter::setCurrent(std::optional<std::int64_t> station) {
-    if (m_session) {
-        m_session->selection()->setCurrent(station);
+    if (session() != nullptr) {
+        session()->selection()->setCurrent(station);
     }
 }
 
@@ -139,7 +119,7 @@ void ReviewPresenter::compareWith(std::optional<std::size_t> neighbour) {
 }
 
 bool ReviewPresenter::canDecide() const {
-    return m_session && !m_session->isReadOnly();
+    return session() != nullptr && !session()->isReadOnly();
 }
 
 void ReviewPresenter::showCurrent() {

@@ -5,24 +5,20 @@
 #include "ui/review/photo_reviewer.h"
 #include "ui/review/review_model.h"
 #include "ui/review/survey_watch.h"
+#include "ui/session/survey_presenter.h"
 
 namespace spherewalk::ui {
 
 /// What the review page does: keeps the list and the viewer in step with the survey and the station that all
 /// views share, and records decisions.
-class ReviewPresenter : public QObject {
+class ReviewPresenter : public SurveyPresenter {
     Q_OBJECT
 
   public:
     explicit ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
                              QObject* parent = nullptr);
 
-    /// Null: none is open.
-    void setSession(SurveySession* session);
-
-    /// While nobody looks, changes of the survey are only noted, so that a window with many pages stays
-    /// quick.
-    void setShown(bool isShown);
+    void setSession(SurveySession* session) override;
 
     ReviewModel& model() { return m_model; }
 
@@ -54,16 +50,11 @@ class ReviewPresenter : public QObject {
     /// Another station, or something about this one.
     void currentChanged();
     void rowsChanged();
-    void message(const QString& sentence);
 
   private:
-    void refresh();
-    void read();
+    void read() override;
     void showCurrent();
 
-    QPointer<SurveySession> m_session;
-    bool m_isShown = true;
-    bool m_isStale = false;
     PanoramaPresenter& m_viewer;
     ThumbnailCache m_thumbnails;
     ReviewModel m_model;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_rows.h"
 
-#include <QCoreApplication>
+#include "ui/plan/station_words.h"
 
 #include <map>
 
@@ -64,11 +64,12 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             found.emplace(finding.photo, &finding);
         }
     }
+    const survey::PlanOptions options = store.planOptions();
     std::vector<ReviewRow> rows;
     for (const store::StationRecord& station : store.stations()) {
         ReviewRow row;
         row.station = station.id;
-        row.stationName = QString::fromStdString(station.name);
+        row.stationName = stationWords(station, options);
         row.positionM = station.station.positionM;
         if (const auto photo = photos.find(station.id); photo != photos.end()) {
             fill(row, photo->second, store.photoFolder());
@@ -86,42 +87,6 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
         rows.push_back(std::move(row));
     }
     return rows;
-}
-
-QString standingText(Standing standing) {
-    switch (standing) {
-    case Standing::Missing:
-        return QCoreApplication::translate("Standing", "missing");
-    case Standing::Taken:
-        return QCoreApplication::translate("Standing", "taken");
-    case Standing::Accepted:
-        return QCoreApplication::translate("Standing", "accepted");
-    case Standing::Doubtful:
-        return QCoreApplication::translate("Standing", "doubtful");
-    case Standing::Failed:
-        return QCoreApplication::translate("Standing", "failed");
-    case Standing::Rejected:
-        return QCoreApplication::translate("Standing", "rejected");
-    }
-    return {};
-}
-
-QString standingSign(Standing standing) {
-    switch (standing) {
-    case Standing::Missing:
-        return QStringLiteral("○");
-    case Standing::Taken:
-        return QStringLiteral("●");
-    case Standing::Accepted:
-        return QStringLiteral("✓");
-    case Standing::Doubtful:
-        return QStringLiteral("▲");
-    case Standing::Failed:
-        return QStringLiteral("⊠");
-    case Standing::Rejected:
-        return QStringLiteral("⊘");
-    }
-    return {};
 }
 
 } // namespace spherewalk::ui

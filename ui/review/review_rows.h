@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/standing.h"
 #include "ui/panorama/panorama_presenter.h"
 
 #include "spherewalk/jobs/solution_findings.h"
@@ -15,13 +16,10 @@
 
 namespace spherewalk::ui {
 
-/// How a station stands: what people decided goes before what the checks say.
-enum class Standing { Missing, Taken, Accepted, Doubtful, Failed, Rejected };
-
 /// A station with its chosen photo, as the reviewer sees it.
 struct ReviewRow {
     std::int64_t station = 0;
-    QString stationName;
+    QString stationName;                                 ///< in the user's language
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< of the station
     Standing standing = Standing::Missing;
 
@@ -45,11 +43,5 @@ struct ReviewRow {
 /// the store.
 std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
                                   const std::optional<jobs::SolutionFindings>& findings);
-
-/// In one word, translated.
-QString standingText(Standing standing);
-
-/// A sign that tells standings apart without colour.
-QString standingSign(Standing standing);
 
 } // namespace spherewalk::ui

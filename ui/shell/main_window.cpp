@@ -213,7 +213,7 @@ void MainWindow::showMode(Mode* mode) {
     for (qsizetype i = 0; i < m_modes.size(); ++i) {
         actions[i]->setChecked(m_modes[i] == mode);
     }
-    m_planDock->setVisible(m_wantsPlan && m_session && mode != nullptr && !mode->showsPlan());
+    m_planDock->setVisible(m_wantsPlan && m_session && mode != nullptr && mode->wantsPlan());
     if (mode != nullptr) {
         mode->activated();
     } else {

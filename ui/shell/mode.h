@@ -16,14 +16,14 @@ class Mode : public QWidget {
     Q_OBJECT
 
   public:
-    using QWidget::QWidget;
+    /// name: the page's, and its icon's. title, hint: translated; "Plan", and what it is for in a few words.
+    Mode(const QString& name, QString title, QString hint, QWidget* parent);
 
-    /// Translated and short: "Plan".
-    virtual QString title() const = 0;
-    virtual QIcon icon() const = 0;
+    QString title() const { return m_title; }
 
-    /// What the mode is for, in a sentence.
-    virtual QString hint() const { return {}; }
+    QString hint() const { return m_hint; }
+
+    QIcon icon() const;
 
     /// Null: no survey is open. Owner: the window; the session outlives its use here, as null is set before
     /// it ends.
@@ -38,16 +38,26 @@ class Mode : public QWidget {
     /// Whether there is something to do here while no survey is open.
     virtual bool worksWithoutSurvey() const { return false; }
 
-    /// Whether the room's plan beside the page would only repeat what the page shows.
-    virtual bool showsPlan() const { return false; }
+    /// Whether the room's plan beside the page would tell more than the page shows.
+    virtual bool wantsPlan() const { return false; }
 
   signals:
+    /// The page has come into sight, or gone out of it.
+    void shownChanged(bool isShown);
     /// A sentence for the status line.
     void message(const QString& sentence);
     /// The user made or chose a survey here, which the window is to open.
     void openRequested(const QString& folder);
     /// The user wants to draw another survey.
     void newRequested();
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    QString m_title;
+    QString m_hint;
 };
 
 } // namespace spherewalk::ui

@@ -17,12 +17,12 @@ survey::Room squareRoom() {
     return room;
 }
 
-StationMark mark(StationMark::State state) {
+StationMark mark(Standing standing) {
     StationMark result;
     result.id = 7;
     result.positionM = {1, 1};
     result.name = "rail 1, stop 2";
-    result.state = state;
+    result.standing = standing;
     return result;
 }
 
@@ -31,7 +31,7 @@ StationMark mark(StationMark::State state) {
 TEST(PlanView, NamesTheStationUnderThePointer) {
     PlanView view;
     view.setRoom(squareRoom());
-    view.setStations({mark(StationMark::State::Taken)});
+    view.setStations({mark(Standing::Taken)});
     view.resize(400, 400);
     view.show();
     QHelpEvent overStation(QEvent::ToolTip, {200, 200}, view.mapToGlobal(QPoint(200, 200)));
@@ -39,15 +39,14 @@ TEST(PlanView, NamesTheStationUnderThePointer) {
     EXPECT_EQ(QToolTip::text(), "rail 1, stop 2");
 }
 
-TEST(PlanView, TellsStatesByMoreThanColour) {
+TEST(PlanView, TellsStandingsByMoreThanColour) {
     PlanView view;
     view.setRoom(squareRoom());
     view.resize(400, 400);
-    using State = StationMark::State;
     std::vector<QImage> forms;
-    for (const State state :
-         {State::Missing, State::Taken, State::Doubtful, State::Failed, State::Rejected}) {
-        view.setStations({mark(state)});
+    for (const Standing standing :
+         {Standing::Missing, Standing::Taken, Standing::Doubtful, Standing::Failed, Standing::Rejected}) {
+        view.setStations({mark(standing)});
         const QImage shown = view.grab().toImage().convertToFormat(QImage::Format_Grayscale8);
         QImage form = shown.copy(180, 180, 40, 40).convertToFormat(QImage::Format_Grayscale8);
         for (int y = 0; y < form.height(); ++y) { // only where something is drawn counts, not how light it is
@@ -56,7 +55,7 @@ TEST(PlanView, TellsStatesByMoreThanColour) {
             }
         }
         for (const QImage& other : forms) {
-            EXPECT_NE(form, other) << static_cast<int>(state);
+            EXPECT_NE(form, other) << static_cast<int>(standing);
         }
         forms.push_back(form);
     }

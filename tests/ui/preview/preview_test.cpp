@@ -201,6 +201,20 @@ TEST_F(PreviewTest, RecordsAPathAndSavesItsFrames) {
     EXPECT_EQ(readTum(survey / "walk" / "path.tum").size(), presenter().path().size());
 }
 
+TEST_F(PreviewTest, SavesTheBallWithTheFrames) {
+    preview();
+    presenter().setMount({0.2, Radians(0)});
+    presenter().setSides({{render::SceneKind::None, render::Sampling::Bilinear}});
+    presenter().setRecording(true);
+    presenter().setRecording(false);
+    widget<QCheckBox>("ball").setChecked(true);
+    waitForView();
+    presenter().saveFrames(QString::fromStdString((survey / "walk").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+    const QImage frame(QString::fromStdString((survey / "walk" / "000000.png").string()));
+    EXPECT_EQ(frame.convertToFormat(QImage::Format_RGB32), presenter().views()[0].picture);
+}
+
 TEST_F(PreviewTest, SaysThatTheSurveyHasChangedSince) {
     preview();
     session->write(SurveySession::Reviews, [](store::SurveyStore& store) {

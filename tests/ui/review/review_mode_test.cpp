@@ -116,9 +116,9 @@ TEST_F(ReviewModeTest, ComparesWithTheNeighbourThatIsChosen) {
 TEST_F(ReviewModeTest, ShowsOnThePlanWhatWasDecided) {
     press(Qt::Key_R);
     const auto& marks = widget<CoverageView>("coverage").stations();
-    EXPECT_EQ(marks.at(0).state, StationMark::State::Rejected);
-    EXPECT_EQ(marks.at(1).state, StationMark::State::Taken);
-    EXPECT_EQ(marks.at(3).state, StationMark::State::Missing);
+    EXPECT_EQ(marks.at(0).standing, Standing::Rejected);
+    EXPECT_EQ(marks.at(1).standing, Standing::Taken);
+    EXPECT_EQ(marks.at(3).standing, Standing::Missing);
 }
 
 TEST_F(ReviewModeTest, ShowsResidualsAsHeat) {

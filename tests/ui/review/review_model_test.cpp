@@ -39,7 +39,7 @@ TEST_F(ReviewModelTest, HasARowForEachStationInWalkingOrder) {
     EXPECT_EQ(model.rows().at(0).standing, Standing::Taken);
     EXPECT_EQ(model.rows().at(3).standing, Standing::Missing);
     EXPECT_TRUE(model.rows().at(0).roomFromPhoto.has_value());
-    EXPECT_EQ(model.index(0).data(Qt::DisplayRole).toString(), "rail 1, stop 1");
+    EXPECT_EQ(model.index(0).data(Qt::DisplayRole).toString(), "Rail 1, stop 1");
 }
 
 TEST_F(ReviewModelTest, PutsWhatPeopleDecideBeforeWhatTheChecksSay) {
@@ -63,7 +63,7 @@ TEST_F(ReviewModelTest, FiltersWhatIsListed) {
 
 TEST_F(ReviewModelTest, FindsStationsFilesAndNotes) {
     decide(2, store::Decision::Open, "chair moved");
-    for (const char* text : {"CHAIR", "R1003", "rail 1, stop 3"}) {
+    for (const char* text : {"CHAIR", "R1003", "Rail 1, stop 3"}) {
         proxy.setText(text);
         ASSERT_EQ(proxy.rowCount(), 1) << text;
         EXPECT_EQ(proxy.index(0, 0).data(ReviewModel::StationRole).toLongLong(), store.stations().at(2).id);

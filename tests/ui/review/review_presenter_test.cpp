@@ -39,14 +39,14 @@ class ReviewPresenterTest : public testing::Test {
 } // namespace
 
 TEST_F(ReviewPresenterTest, GoesFromPhotoToPhoto) {
-    EXPECT_EQ(currentName(), "rail 1, stop 1");
+    EXPECT_EQ(currentName(), "Rail 1, stop 1");
     presenter.step(1);
-    EXPECT_EQ(currentName(), "rail 1, stop 2");
+    EXPECT_EQ(currentName(), "Rail 1, stop 2");
     presenter.step(1);
     presenter.step(1); // there is no fourth photo
-    EXPECT_EQ(currentName(), "rail 1, stop 3");
+    EXPECT_EQ(currentName(), "Rail 1, stop 3");
     presenter.step(-1);
-    EXPECT_EQ(currentName(), "rail 1, stop 2");
+    EXPECT_EQ(currentName(), "Rail 1, stop 2");
     EXPECT_EQ(viewer.photo()->name, presenter.current()->shown().name);
 }
 
@@ -55,13 +55,13 @@ TEST_F(ReviewPresenterTest, RecordsDecisionsAndGoesOn) {
     presenter.decide(store::Decision::Rejected);
     EXPECT_EQ(review(0).decision, store::Decision::Accepted);
     EXPECT_EQ(review(1).decision, store::Decision::Rejected);
-    EXPECT_EQ(currentName(), "rail 1, stop 3");
+    EXPECT_EQ(currentName(), "Rail 1, stop 3");
 }
 
 TEST_F(ReviewPresenterTest, GoesOnInAListThatTheDecidedPhotoLeaves) {
     presenter.list().setFilter(ReviewFilter::ToReview);
     presenter.decide(store::Decision::Accepted);
-    EXPECT_EQ(currentName(), "rail 1, stop 2");
+    EXPECT_EQ(currentName(), "Rail 1, stop 2");
     EXPECT_EQ(presenter.list().rowCount(), 2);
 }
 
@@ -97,7 +97,7 @@ TEST_F(ReviewPresenterTest, SeesWhatAnotherProgramWrites) {
 
 TEST_F(ReviewPresenterTest, ComparesWithTheNearestPhotos) {
     ASSERT_EQ(presenter.neighbours().size(), 2U);
-    EXPECT_EQ(presenter.neighbours().front()->stationName, "rail 1, stop 2");
+    EXPECT_EQ(presenter.neighbours().front()->stationName, "Rail 1, stop 2");
     presenter.compareWith(0);
     EXPECT_EQ(viewer.other()->name, presenter.neighbours().front()->shown().name);
     presenter.compareWith(std::nullopt);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/look/duration_text.h"
+#include "ui/look/quantity_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,10 @@ QString durationText(std::chrono::duration<double> duration) {
     return seconds < kHour
                ? words(QT_TRANSLATE_NOOP("Duration", "%1 min")).arg(minutes)
                : words(QT_TRANSLATE_NOOP("Duration", "%1 h %2 min")).arg(minutes / 60).arg(minutes % 60);
+}
+
+QString bytesText(std::uint64_t bytes) {
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
 } // namespace spherewalk::ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panorama/background_worker.h"
+#include "ui/tasks/background_worker.h"
 
 #include <algorithm>
 #include <utility>

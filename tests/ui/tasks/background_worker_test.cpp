@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
-#include "ui/panorama/background_worker.h"
+#include "ui/tasks/background_worker.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/capture/station_words.h"
+#include "ui/plan/station_words.h"
 
 #include <QCoreApplication>
 
