@@ -1,158 +1,220 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the modes on a survey, to be looked at, and how long they take: DIR SURVEY [dark].
+// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language].
+// With QT_SCALE_FACTOR=2 they are those of a screen of twice the density.
+#include "temporary_folder.h"
 #include "ui/align/align_mode.h"
+#include "ui/capture/capture_mode.h"
 #include "ui/export/export_mode.h"
-#include "ui/look/theme.h"
-#include "ui/panorama/panorama_presenter.h"
-#include "ui/panorama/panorama_view.h"
-#include "ui/preview/drive_view.h"
+#include "ui/plan/plan_mode.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
 #include "ui/review/review_mode.h"
-#include "ui/session/survey_session.h"
-#include "ui/tasks/task_list.h"
+#include "ui/shell/application.h"
+#include "ui/shell/main_window.h"
 
-#include <QApplication>
+#include "spherewalk/jobs/demo.h"
+#include "spherewalk/practice/fault.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
-#include <QListView>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QTableView>
-#include <QTemporaryDir>
 
 #include <cstdio>
+#include <functional>
 
+using namespace spherewalk;
 using namespace spherewalk::ui;
 
 namespace {
 
-/// Runs the event loop so long, and says what the longest time was that it was not served.
-qint64 settle(int ms) {
-    QElapsedTimer timer;
-    timer.start();
-    QTimer tick;
-    tick.setTimerType(Qt::PreciseTimer);
-    qint64 last = 0;
-    qint64 longest = 0;
-    QObject::connect(&tick, &QTimer::timeout, [&] {
-        longest = std::max(longest, timer.elapsed() - last);
-        last = timer.elapsed();
-    });
-    tick.start(1);
-    while (timer.elapsed() < ms) {
-        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+constexpr int kPhotos = 12;
+
+/// Runs the event loop until the condition holds. Errors: Timeout after two minutes.
+void waitUntil(const std::function<bool()>& holds) {
+    QElapsedTimer time;
+    time.start();
+    while (!holds()) {
+        if (time.elapsed() > 120'000) {
+            throw Error(ErrorKind::Timeout, "The window did not come to what was to be pictured.");
+        }
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
     }
-    return longest;
 }
 
-void shoot(QWidget& widget, const QString& file) {
-    widget.grab().save(file);
-    std::printf("%s\n", qPrintable(file));
-}
+/// The window, led from page to page.
+class Album {
+  public:
+    Album(QString folder, QString suffix) : m_folder(std::move(folder)), m_suffix(std::move(suffix)) {
+        m_window.resize(1280, 800);
+        m_window.show();
+    }
 
-template <class M>
-void open(M& mode, SurveySession* session) {
-    QElapsedTimer timer;
-    timer.start();
-    mode.resize(1200, 740);
-    mode.setSession(session);
-    mode.show();
-    mode.activated();
-    mode.grab();
-    std::printf("%s opened and drawn after %lld ms\n", qPrintable(mode.title()), timer.elapsed());
-}
+    void shootAll(const QString& place) {
+        shoot("start-first");
+        shootPlan(place);
+        jobs::newPracticeSurvey((place + "/practice room.spherewalk").toStdString(), 0.8);
+        m_window.openSurvey(place + "/practice room.spherewalk");
+        shootCapture();
+        shootReview();
+        shootAlign();
+        shootPreview();
+        shootExport();
+        m_window.showMode(nullptr);
+        shoot("start");
+        open<PlanMode>();
+        shoot("plan-fixed");
+    }
+
+  private:
+    void shoot(const QString& name) {
+        QElapsedTimer time;
+        time.start();
+        waitUntil([&] { return time.elapsed() > 300; }); // what is late comes: layouts, thumbnails
+        const QString file = m_folder + "/" + name + m_suffix + ".png";
+        if (!m_window.grab().save(file)) {
+            throw Error(ErrorKind::Io, "Could not write " + file.toStdString() + ".");
+        }
+        std::printf("%s\n", qPrintable(file));
+    }
+
+    template <class Wanted>
+    Wanted& open() {
+        for (Mode* mode : m_window.modes()) {
+            if (auto* found = qobject_cast<Wanted*>(mode)) {
+                m_window.showMode(found);
+                return *found;
+            }
+        }
+        throw Error(ErrorKind::NotFound, "The window has no such page.");
+    }
+
+    void waitForTasks() {
+        waitUntil([&] { return !m_window.tasks().hasRunning(); });
+    }
+
+    void shootPlan(const QString& place) {
+        auto& plan = open<PlanMode>();
+        PlanEditor& editor = plan.editor();
+        editor.setOutline({{0, 0}, {6.2, 0}, {6.2, 3}, {3.6, 3}, {3.6, 5.1}, {0, 5.1}});
+        editor.addObstacle({{1.2, 1.5}, {2.4, 1.5}, {2.4, 2.3}, {1.2, 2.3}});
+        editor.addObstacle({{5.2, 0}, {6.2, 0}, {6.2, 0.6}, {5.2, 0.6}});
+        waitUntil([&] { return editor.isSettled(); });
+        plan.view().fitRoom();
+        editor.select({PlanPart::kOutline, 3});
+        shoot("plan-new");
+        plan.storage().create(place + "/office.spherewalk");
+        waitUntil([&] { return editor.isSettled(); });
+        plan.view().fitRoom();
+        shoot("plan");
+    }
+
+    void shootCapture() {
+        using State = CaptureDesk::State;
+        CaptureDesk& desk = open<CaptureMode>().desk();
+        shoot("capture-no-camera");
+        desk.setPracticeSettings({.width = 2048, .timeScale = 0.001, .keepsPhotos = false});
+        desk.connectToPractice();
+        waitUntil([&] { return desk.state() == State::Ready; });
+        desk.trigger();
+        for (int photos = 0; photos < kPhotos; ++photos) {
+            waitUntil([&] { return desk.state() == State::AtStation; });
+            desk.trigger();
+            waitUntil([&] { return desk.state() != State::Shooting; });
+        }
+        waitUntil([&] { return desk.state() == State::AtStation; });
+        shoot("capture");
+        desk.setHideSeconds(5);
+        desk.trigger();
+        shoot("capture-hide");
+        desk.trigger();
+        desk.setHideSeconds(0);
+        desk.practice()->camera().arm(
+            {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
+        desk.trigger();
+        waitUntil([&] { return desk.state() == State::AskAgain; });
+        shoot("capture-failed");
+        desk.stop();
+        waitUntil([&] { return desk.state() == State::Ready; });
+    }
+
+    void shootReview() {
+        auto& review = open<ReviewMode>();
+        shoot("review");
+        review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Slider));
+        shoot("review-slider");
+        review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Off));
+    }
+
+    void shootAlign() {
+        auto& align = open<AlignMode>();
+        auto* effort = align.findChild<QComboBox*>("effort");
+        effort->setCurrentIndex(effort->findData(static_cast<int>(align::Effort::Draft)));
+        align.findChild<QPushButton*>("run")->click();
+        shoot("align-running");
+        waitForTasks();
+        align.findChild<QTableView*>("photos")->selectRow(2);
+        shoot("align");
+    }
+
+    void shootPreview() {
+        auto& preview = open<PreviewMode>();
+        PreviewPresenter& presenter = preview.presenter();
+        shoot("preview-none");
+        presenter.makeDataset();
+        waitUntil([&] { return !presenter.views().empty(); });
+        preview.findChild<QCheckBox*>("ball")->setChecked(true);
+        shoot("preview");
+        preview.findChild<QCheckBox*>("split")->setChecked(true);
+        presenter.setRecording(true);
+        presenter.drive({.forward = 1, .turnLeft = 0.3});
+        waitUntil([&] { return presenter.path().size() > 20; });
+        presenter.drive({});
+        shoot("preview-split");
+        presenter.setRecording(false);
+    }
+
+    void shootExport() {
+        auto& exporting = open<ExportMode>();
+        exporting.findChild<QCheckBox*>("opens")->setChecked(false);
+        waitForTasks();
+        shoot("export");
+        exporting.findChild<QPushButton*>("export")->click();
+        waitForTasks();
+        shoot("export-done");
+    }
+
+    QString m_folder;
+    QString m_suffix;
+    MainWindow m_window;
+};
 
 } // namespace
 
 int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication app(argc, argv);
-    const QString out = app.arguments().at(1);
-    const QString kind = app.arguments().value(3);
-    applyTheme(kind == "dark" ? Theme::Dark : Theme::Light);
-    QElapsedTimer timer;
-    timer.start();
-    auto session = SurveySession::open(app.arguments().at(2));
-    std::printf("session opened after %lld ms\n", timer.elapsed());
-    QTemporaryDir cache;
-    TaskList tasks;
-    {
-        ReviewMode review(cache.path().toStdString(), nullptr);
-        open(review, session.get());
-        auto* list = review.findChild<QListView*>("stations");
-        qint64 longest = 0;
-        for (int i = 0; i <= 60; ++i) { // all of the list in three seconds
-            list->verticalScrollBar()->setValue(list->verticalScrollBar()->maximum() * i / 60);
-            longest = std::max(longest, settle(50));
-        }
-        std::printf("longest gap while scrolling, thumbnails being made: %lld ms\n", longest);
-        list->scrollToTop();
-        settle(3000);
-        shoot(review, out + "/review.png");
-        auto& viewer = review.findChild<PanoramaView*>()->presenter();
-        timer.restart();
-        for (int i = 0; i < 20; ++i) {
-            viewer.turn(spherewalk::Degrees(3), spherewalk::Radians(0));
-            viewer.picture({620, 480});
-        }
-        std::printf("a view of 620 x 480 while turning: %.1f ms\n", timer.elapsed() / 20.0);
-        timer.restart();
-        for (int i = 0; i < 10; ++i) {
-            viewer.zoom(0.95);
-            viewer.picture({620, 480});
-        }
-        std::printf("while zooming: %.1f ms\n", timer.elapsed() / 10.0);
-        timer.restart();
-        session->noteChanged(SurveySession::Everything);
-        std::printf("review refreshed in %lld ms\n", timer.elapsed());
-        review.findChild<QComboBox*>("comparison")->setCurrentIndex(2);
-        review.findChild<QComboBox*>("measure")->setCurrentIndex(1);
-        settle(3000);
-        shoot(review, out + "/review-slider.png");
-        review.setSession(nullptr);
+    const test::TemporaryFolder home;
+    for (const char* place : {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+        qputenv(place, home.path().c_str());
     }
-    {
-        AlignMode align(tasks, nullptr);
-        open(align, session.get());
-        align.findChild<QTableView*>("photos")->selectRow(2);
-        settle(200);
-        shoot(align, out + "/align.png");
-        timer.restart();
-        session->noteChanged(SurveySession::Everything);
-        std::printf("align refreshed in %lld ms\n", timer.elapsed());
-        align.setSession(nullptr);
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    {
-        ExportMode exporting(tasks, nullptr);
-        open(exporting, session.get());
-        settle(2500);
-        shoot(exporting, out + "/export.png");
-        exporting.setSession(nullptr);
+    if (argc > 4) {
+        qputenv("LC_ALL", argv[4]);
     }
-    if (session->store().counts().photos < 100) {
-        PreviewMode preview(tasks, nullptr);
-        open(preview, session.get());
-        preview.presenter().makeDataset();
-        while (preview.presenter().views().empty()) {
-            settle(100);
-        }
-        preview.findChild<QCheckBox*>("ball")->setChecked(true);
-        settle(1000);
-        shoot(preview, out + "/preview.png");
-        preview.findChild<QCheckBox*>("split")->setChecked(true);
-        preview.presenter().setRecording(true);
-        preview.presenter().drive({.forward = 1, .turnLeft = 0.3});
-        std::printf("longest gap while driving: %lld ms\n", settle(2500));
-        std::printf("%.0f pairs of views a second\n", preview.presenter().rate());
-        preview.presenter().drive({});
-        settle(500);
-        shoot(preview, out + "/preview-split.png");
-        for (const MadeView& view : preview.presenter().views()) {
-            std::printf("%s\n", qPrintable(DriveView::reportText(view.report)));
-        }
-        preview.setSession(nullptr);
+    Application app(argc, argv);
+    const QStringList words = Application::arguments();
+    if (words.size() < 4) {
+        std::fprintf(stderr, "Usage: spherewalk-screenshots DIR SUFFIX light|dark [language]\n");
+        return 2;
+    }
+    applyTheme(words[3] == "dark" ? Theme::Dark : Theme::Light);
+    try {
+        Album(words[1], words[2]).shootAll(QString::fromStdString(home.path().string()));
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n", error.sentence().c_str());
+        return 1;
     }
     return 0;
 }
