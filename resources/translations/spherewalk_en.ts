@@ -2,6 +2,44 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>spherewalk::ui::AlignPresenter</name>
+    <message numerus="yes">
+        <source>Move %n photo(s) to other stations</source>
+        <translation>
+            <numerusform>Move %n photo to another station</numerusform>
+            <numerusform>Move %n photos to other stations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s): %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>%n photo: %1 good, %2 doubtful, %3 failed.</numerusform>
+            <numerusform>%n photos: %1 good, %2 doubtful, %3 failed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) came since, or were left out: align again.</source>
+        <translation>
+            <numerusform>%n photo came since, or was left out: align again.</numerusform>
+            <numerusform>%n photos came since, or were left out: align again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Aligned %n photo(s) in %1.</source>
+        <translation>
+            <numerusform>Aligned %n photo in %1.</numerusform>
+            <numerusform>Aligned %n photos in %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Moved %n photo(s); align again to be sure.</source>
+        <translation>
+            <numerusform>Moved %n photo; align again to be sure.</numerusform>
+            <numerusform>Moved %n photos; align again to be sure.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CameraPanel</name>
     <message numerus="yes">
         <source>%n photo(s)</source>
@@ -12,12 +50,63 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::ExportMode</name>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2, in %3.</source>
+        <translation>
+            <numerusform>%1: %n photo, %2, in %3.</numerusform>
+            <numerusform>%1: %n photos, %2, in %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s), about %1 and %2; %3 are free.</source>
+        <translation>
+            <numerusform>%n photo, about %1 and %2; %3 are free.</numerusform>
+            <numerusform>%n photos, about %1 and %2; %3 are free.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ExportPresenter</name>
+    <message numerus="yes">
+        <source>Exported %n photo(s) to %1: %2.</source>
+        <translation>
+            <numerusform>Exported %n photo to %1: %2.</numerusform>
+            <numerusform>Exported %n photos to %1: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n task(s)</source>
         <translation>
             <numerusform>%n task</numerusform>
             <numerusform>%n tasks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhotoReviewer</name>
+    <message numerus="yes">
+        <source>Accept %n photo(s)</source>
+        <translation>
+            <numerusform>Accept %n photo</numerusform>
+            <numerusform>Accept %n photos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reject %n photo(s)</source>
+        <translation>
+            <numerusform>Reject %n photo</numerusform>
+            <numerusform>Reject %n photos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reopen %n photo(s)</source>
+        <translation>
+            <numerusform>Reopen %n photo</numerusform>
+            <numerusform>Reopen %n photos</numerusform>
         </translation>
     </message>
 </context>
@@ -45,6 +134,40 @@
         <translation>
             <numerusform>%n rail</numerusform>
             <numerusform>%n rails</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewMode</name>
+    <message numerus="yes">
+        <source>%1: %n photo(s)</source>
+        <translation>
+            <numerusform>%1: %n photo</numerusform>
+            <numerusform>%1: %n photos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>● %n pose(s)</source>
+        <translation>
+            <numerusform>● %n pose</numerusform>
+            <numerusform>● %n poses</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewPresenter</name>
+    <message numerus="yes">
+        <source>Saving %n frame(s)</source>
+        <translation>
+            <numerusform>Saving %n frame</numerusform>
+            <numerusform>Saving %n frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>Wrote %n frame to %1.</numerusform>
+            <numerusform>Wrote %n frames to %1.</numerusform>
         </translation>
     </message>
 </context>

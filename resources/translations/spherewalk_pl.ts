@@ -2,6 +2,36 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl">
 <context>
+    <name>CameraPreset</name>
+    <message>
+        <source>%1, %2 x %3, %4°</source>
+        <translation>%1, %2 x %3, %4°</translation>
+    </message>
+    <message>
+        <source>Fisheye (as RealSense T265), 848 x 800</source>
+        <translation>Rybie oko (jak RealSense T265), 848 x 800</translation>
+    </message>
+    <message>
+        <source>Wide angle</source>
+        <translation>Szeroki kąt</translation>
+    </message>
+</context>
+<context>
+    <name>Cure</name>
+    <message>
+        <source>Retag</source>
+        <translation>Przenieść</translation>
+    </message>
+    <message>
+        <source>Retake</source>
+        <translation>Powtórzyć</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maska</translation>
+    </message>
+</context>
+<context>
     <name>Duration</name>
     <message>
         <source>%1 s</source>
@@ -17,6 +47,71 @@
     </message>
 </context>
 <context>
+    <name>QObject</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewFilter</name>
+    <message>
+        <source>All stations</source>
+        <translation>Wszystkie stanowiska</translation>
+    </message>
+    <message>
+        <source>To be reviewed</source>
+        <translation>Do oceny</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Wątpliwe</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Nieudane</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Bez zdjęcia</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Odrzucone</translation>
+    </message>
+    <message>
+        <source>With a note</source>
+        <translation>Z notatką</translation>
+    </message>
+</context>
+<context>
+    <name>Standing</name>
+    <message>
+        <source>missing</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>zrobione</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>przyjęte</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>wątpliwe</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nieudane</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>odrzucone</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Scans a room with a spherical camera.</source>
@@ -29,6 +124,315 @@
     <message>
         <source>Photograph the practice room with the practice camera</source>
         <translation>Sfotografuj pokój ćwiczebny kamerą ćwiczebną</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignMode</name>
+    <message>
+        <source>Align</source>
+        <translation>Orientacja</translation>
+    </message>
+    <message>
+        <source>Solve how each photo is turned, and see how well it is known</source>
+        <translation>Wyznacz, jak obrócone jest każde zdjęcie, i zobacz, jak dokładnie to wiadomo</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Szkic</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Zwykła</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Staranna</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Dokładna</translation>
+    </message>
+    <message>
+        <source>How much work goes into the pictures: about 0.1, 0.5, 1.5 or 3.5 s a photo on one core</source>
+        <translation>Ile pracy idzie w zdjęcia: około 0,1, 0,5, 1,5 albo 3,5 s na zdjęcie na jednym rdzeniu</translation>
+    </message>
+    <message>
+        <source>&amp;Effort</source>
+        <translation>&amp;Jakość</translation>
+    </message>
+    <message>
+        <source>What the photos support</source>
+        <translation>Na ile pozwalają zdjęcia</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Obrót</translation>
+    </message>
+    <message>
+        <source>Yaw and tilt</source>
+        <translation>Obrót i pochylenie</translation>
+    </message>
+    <message>
+        <source>And rail placements</source>
+        <translation>Także położenie szyn</translation>
+    </message>
+    <message>
+        <source>And positions</source>
+        <translation>Także pozycje</translation>
+    </message>
+    <message>
+        <source>What is solved, each with all that the ones above it solve</source>
+        <translation>Co się wyznacza; każda pozycja obejmuje wszystko, co te nad nią</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Model</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How far photos stand from where they are tagged, one standard deviation</source>
+        <translation>Jak daleko zdjęcia stoją od miejsc, którym są przypisane; jedno odchylenie standardowe</translation>
+    </message>
+    <message>
+        <source>&amp;Positions to</source>
+        <translation>&amp;Pozycje do</translation>
+    </message>
+    <message>
+        <source>A picture, twice as wide as high, black where photos are not to be looked at: cart, operator</source>
+        <translation>Obraz dwa razy szerszy niż wyższy, czarny tam, gdzie nie należy patrzeć na zdjęcia: wózek, operator</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>&amp;Wyznacz</translation>
+    </message>
+    <message>
+        <source>Solve how each photo is turned</source>
+        <translation>Wyznacz, jak obrócone jest każde zdjęcie</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zatrzymaj</translation>
+    </message>
+    <message>
+        <source>Stop; what was found in the pictures is kept for the next run</source>
+        <translation>Zatrzymaj; to, co znaleziono na zdjęciach, zostaje na następny raz</translation>
+    </message>
+    <message>
+        <source>Only photos with a &amp;flag</source>
+        <translation>Tylko zdjęcia z &amp;uwagą</translation>
+    </message>
+    <message>
+        <source>Photos and what the alignment says of them</source>
+        <translation>Zdjęcia i co mówi o nich orientacja</translation>
+    </message>
+    <message>
+        <source>Re&amp;tag</source>
+        <translation>P&amp;rzenieś</translation>
+    </message>
+    <message>
+        <source>Move the chosen photos to the stations that fit them</source>
+        <translation>Przenieś zaznaczone zdjęcia na stanowiska, do których pasują</translation>
+    </message>
+    <message>
+        <source>Retag a&amp;ll proposed</source>
+        <translation>Przenieś wszystkie &amp;proponowane</translation>
+    </message>
+    <message>
+        <source>Move every photo that fits another station there</source>
+        <translation>Przenieś na inne stanowisko każde zdjęcie, które tam pasuje</translation>
+    </message>
+    <message>
+        <source>Ret&amp;ake</source>
+        <translation>Po&amp;wtórz</translation>
+    </message>
+    <message>
+        <source>Reject the chosen photos, so that their stations are taken again</source>
+        <translation>Odrzuć zaznaczone zdjęcia, aby ich stanowiska sfotografować ponownie</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k...</source>
+        <translation>Mas&amp;ka...</translation>
+    </message>
+    <message>
+        <source>Choose a picture that tells what is to be left out, and align again with it</source>
+        <translation>Wybierz obraz, który mówi, co pominąć, i wyznacz orientację z nim ponownie</translation>
+    </message>
+    <message>
+        <source>Headings of the photos</source>
+        <translation>Kierunki zdjęć</translation>
+    </message>
+    <message>
+        <source>Lines: how photos are turned. Fans: three standard deviations, %1 times as wide. Colour: standard deviation of the yaw.</source>
+        <translation>Linie: jak obrócone są zdjęcia. Wachlarze: trzy odchylenia standardowe, %1 razy szersze. Kolor: odchylenie standardowe obrotu.</translation>
+    </message>
+    <message>
+        <source>Picture that tells what is left out</source>
+        <translation>Obraz, który mówi, co pominąć</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Obrazy (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>No mas&amp;k...</source>
+        <translation>Bez mas&amp;ki...</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k: %1</source>
+        <translation>Mas&amp;ka: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignModel</name>
+    <message>
+        <source>good</source>
+        <translation>dobre</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>niezorientowane</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Stanowisko</translation>
+    </message>
+    <message>
+        <source>Where the photo was taken, in walking order</source>
+        <translation>Gdzie zrobiono zdjęcie, w kolejności przejścia</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>What the alignment says of the photo</source>
+        <translation>Co orientacja mówi o zdjęciu</translation>
+    </message>
+    <message>
+        <source>Yaw °</source>
+        <translation>Obrót °</translation>
+    </message>
+    <message>
+        <source>How the photo is turned, counter-clockwise from the room&apos;s x axis</source>
+        <translation>Jak obrócone jest zdjęcie, przeciwnie do ruchu wskazówek zegara od osi x pomieszczenia</translation>
+    </message>
+    <message>
+        <source>σ yaw °</source>
+        <translation>σ obrotu °</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the yaw</source>
+        <translation>Odchylenie standardowe obrotu</translation>
+    </message>
+    <message>
+        <source>σ tilt °</source>
+        <translation>σ pochyl. °</translation>
+    </message>
+    <message>
+        <source>Standard deviation of pitch or roll, the larger of them</source>
+        <translation>Odchylenie standardowe pochylenia lub przechylenia, większe z nich</translation>
+    </message>
+    <message>
+        <source>Residual °</source>
+        <translation>Resztka °</translation>
+    </message>
+    <message>
+        <source>How far the photo&apos;s matches miss, root mean square</source>
+        <translation>O ile rozmijają się punkty wspólne zdjęcia, średnia kwadratowa</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pary</translation>
+    </message>
+    <message>
+        <source>Neighbours that hold the photo</source>
+        <translation>Sąsiedzi, którzy trzymają zdjęcie</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Propozycja</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Co by pomogło</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Dlaczego</translation>
+    </message>
+    <message>
+        <source>What speaks against the photo</source>
+        <translation>Co przemawia przeciw zdjęciu</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignPresenter</name>
+    <message numerus="yes">
+        <source>Move %n photo(s) to other stations</source>
+        <translation>
+            <numerusform>Przeniesienie %n zdjęcia na inne stanowisko</numerusform>
+            <numerusform>Przeniesienie %n zdjęć na inne stanowiska</numerusform>
+            <numerusform>Przeniesienie %n zdjęć na inne stanowiska</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The survey is not aligned yet.</source>
+        <translation>Orientacja zdjęć nie jest jeszcze wyznaczona.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s): %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>%n zdjęcie: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
+            <numerusform>%n zdjęcia: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
+            <numerusform>%n zdjęć: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) came since, or were left out: align again.</source>
+        <translation>
+            <numerusform>%n zdjęcie doszło później albo zostało pominięte: wyznacz ponownie.</numerusform>
+            <numerusform>%n zdjęcia doszły później albo zostały pominięte: wyznacz ponownie.</numerusform>
+            <numerusform>%n zdjęć doszło później albo zostało pominiętych: wyznacz ponownie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Model %1.</source>
+        <translation>Model %1.</translation>
+    </message>
+    <message>
+        <source>Aligning %1</source>
+        <translation>Orientacja: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Aligned %n photo(s) in %1.</source>
+        <translation>
+            <numerusform>Wyznaczono orientację %n zdjęcia w %1.</numerusform>
+            <numerusform>Wyznaczono orientację %n zdjęć w %1.</numerusform>
+            <numerusform>Wyznaczono orientację %n zdjęć w %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped; the survey is as it was.</source>
+        <translation>Zatrzymano; pomiar jest taki, jaki był.</translation>
+    </message>
+    <message>
+        <source>Another job is changing the survey; try again when it has ended.</source>
+        <translation>Inne zadanie zmienia pomiar; spróbuj ponownie, gdy się zakończy.</translation>
+    </message>
+    <message>
+        <source>Moving photos to other stations</source>
+        <translation>Przenoszenie zdjęć na inne stanowiska</translation>
+    </message>
+    <message numerus="yes">
+        <source>Moved %n photo(s); align again to be sure.</source>
+        <translation>
+            <numerusform>Przeniesiono %n zdjęcie; dla pewności wyznacz orientację ponownie.</numerusform>
+            <numerusform>Przeniesiono %n zdjęcia; dla pewności wyznacz orientację ponownie.</numerusform>
+            <numerusform>Przeniesiono %n zdjęć; dla pewności wyznacz orientację ponownie.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -175,10 +579,6 @@
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <source>Take the photos, station by station.</source>
-        <translation>Rób zdjęcia, stanowisko po stanowisku.</translation>
-    </message>
-    <message>
         <source>Space, Return, Page Down, or a presenter&apos;s button.</source>
         <translation>Spacja, Enter, Page Down albo przycisk prezentera.</translation>
     </message>
@@ -278,6 +678,10 @@
         <source>Take the selected station again</source>
         <translation>Powtórz zaznaczone stanowisko</translation>
     </message>
+    <message>
+        <source>Take the photos, station by station</source>
+        <translation>Rób zdjęcia, stanowisko po stanowisku</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -295,6 +699,197 @@
     <message>
         <source>y (m)</source>
         <translation>y (m)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CoverageLegend</name>
+    <message>
+        <source>Legend of the plan</source>
+        <translation>Legenda planu</translation>
+    </message>
+    <message>
+        <source>0°</source>
+        <translation>0°</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CoverageView</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Coverage of the room</source>
+        <translation>Pokrycie pomieszczenia</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::DriveView</name>
+    <message>
+        <source>What the robot&apos;s camera sees</source>
+        <translation>Co widzi kamera robota</translation>
+    </message>
+    <message>
+        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn</source>
+        <translation>W A S D albo strzałki prowadzą, Q i E przesuwają w bok; przeciągnij, by obrócić</translation>
+    </message>
+    <message>
+        <source>%1, %2 cm away, trust %3, %4 ms</source>
+        <translation>%1, w odległości %2 cm, zaufanie %3, %4 ms</translation>
+    </message>
+    <message>
+        <source>scene %1, sampling %2</source>
+        <translation>scena %1, próbkowanie %2</translation>
+    </message>
+    <message>
+        <source>, coarse until it is decoded</source>
+        <translation>, zgrubnie, dopóki się nie zdekoduje</translation>
+    </message>
+    <message>
+        <source>, from the photo before until it is decoded</source>
+        <translation>, z poprzedniego zdjęcia, dopóki się nie zdekoduje</translation>
+    </message>
+    <message>
+        <source>Rendering...</source>
+        <translation>Rysowanie...</translation>
+    </message>
+    <message>
+        <source>Make a preview of the open survey, or open a dataset.</source>
+        <translation>Zrób podgląd otwartego pomiaru albo otwórz zbiór danych.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ExportMode</name>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Make a dataset for simulators</source>
+        <translation>Utwórz zbiór danych dla symulatorów</translation>
+    </message>
+    <message>
+        <source>What and where</source>
+        <translation>Co i dokąd</translation>
+    </message>
+    <message>
+        <source>A folder that does not exist yet</source>
+        <translation>Folder, którego jeszcze nie ma</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose...</source>
+        <translation>Wy&amp;bierz...</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Folder</translation>
+    </message>
+    <message>
+        <source>Fastest views (photos grow by about 2 %)</source>
+        <translation>Najszybsze widoki (zdjęcia rosną o około 2 %)</translation>
+    </message>
+    <message>
+        <source>Smaller (0.6 %), views of new places take longer</source>
+        <translation>Mniejszy (0,6 %), widoki nowych miejsc trwają dłużej</translation>
+    </message>
+    <message>
+        <source>How far apart the marks are that let a part of a photo be decoded by itself</source>
+        <translation>Jak daleko od siebie są znaczniki, dzięki którym da się zdekodować część zdjęcia</translation>
+    </message>
+    <message>
+        <source>&amp;Optimised for</source>
+        <translation>&amp;Zoptymalizowany pod</translation>
+    </message>
+    <message>
+        <source>Open the folder &amp;when it is done</source>
+        <translation>Po zakończeniu &amp;otwórz folder</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Przed eksportem</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>Sprawdź po&amp;nownie</translation>
+    </message>
+    <message>
+        <source>Look again at what the dataset would have and lack</source>
+        <translation>Sprawdź jeszcze raz, co zbiór danych będzie miał i czego mu zabraknie</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Eksportuj</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zatrzymaj</translation>
+    </message>
+    <message>
+        <source>Open the fol&amp;der</source>
+        <translation>Otwórz fol&amp;der</translation>
+    </message>
+    <message>
+        <source>Folder of the dataset</source>
+        <translation>Folder zbioru danych</translation>
+    </message>
+    <message>
+        <source>No program could open the folder %1.</source>
+        <translation>Żaden program nie mógł otworzyć folderu %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2, in %3.</source>
+        <translation>
+            <numerusform>%1: %n zdjęcie, %2, w %3.</numerusform>
+            <numerusform>%1: %n zdjęcia, %2, w %3.</numerusform>
+            <numerusform>%1: %n zdjęć, %2, w %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No survey is open.</source>
+        <translation>Nie otwarto pomiaru.</translation>
+    </message>
+    <message>
+        <source>Trying one photo...</source>
+        <translation>Próba na jednym zdjęciu...</translation>
+    </message>
+    <message>
+        <source>Not checked yet.</source>
+        <translation>Jeszcze nie sprawdzono.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s), about %1 and %2; %3 are free.</source>
+        <translation>
+            <numerusform>%n zdjęcie, około %1 i %2; wolne: %3.</numerusform>
+            <numerusform>%n zdjęcia, około %1 i %2; wolne: %3.</numerusform>
+            <numerusform>%n zdjęć, około %1 i %2; wolne: %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is missing or doubtful.</source>
+        <translation>Niczego nie brakuje i nic nie budzi wątpliwości.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ExportPresenter</name>
+    <message>
+        <source>Looking before the export</source>
+        <translation>Sprawdzanie przed eksportem</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Eksport: %1</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing of the dataset is left.</source>
+        <translation>Zatrzymano; ze zbioru danych nic nie zostało.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n photo(s) to %1: %2.</source>
+        <translation>
+            <numerusform>Wyeksportowano %n zdjęcie do %1: %2.</numerusform>
+            <numerusform>Wyeksportowano %n zdjęcia do %1: %2.</numerusform>
+            <numerusform>Wyeksportowano %n zdjęć do %1: %2.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -488,6 +1083,71 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PanoramaPresenter</name>
+    <message>
+        <source>No photo is chosen.</source>
+        <translation>Nie wybrano zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Decoding %1...</source>
+        <translation>Dekodowanie %1...</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PanoramaView</name>
+    <message>
+        <source>Photo to look around in</source>
+        <translation>Zdjęcie, w którym można się rozejrzeć</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look around; wheel, + and - change the field of view; 0 looks level</source>
+        <translation>Przeciągaj albo używaj strzałek, by się rozglądać; kółko, + i - zmieniają pole widzenia; 0 patrzy poziomo</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>heading %1°, %2° up, %3° wide</source>
+        <translation>kierunek %1°, %2° w górę, szerokość %3°</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhotoReviewer</name>
+    <message numerus="yes">
+        <source>Accept %n photo(s)</source>
+        <translation>
+            <numerusform>Przyjęcie %n zdjęcia</numerusform>
+            <numerusform>Przyjęcie %n zdjęć</numerusform>
+            <numerusform>Przyjęcie %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reject %n photo(s)</source>
+        <translation>
+            <numerusform>Odrzucenie %n zdjęcia</numerusform>
+            <numerusform>Odrzucenie %n zdjęć</numerusform>
+            <numerusform>Odrzucenie %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reopen %n photo(s)</source>
+        <translation>
+            <numerusform>Ponowne otwarcie %n zdjęcia</numerusform>
+            <numerusform>Ponowne otwarcie %n zdjęć</numerusform>
+            <numerusform>Ponowne otwarcie %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note on a photo</source>
+        <translation>Notatka do zdjęcia</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PlanCanvas</name>
     <message>
         <source>%1 cm</source>
@@ -565,10 +1225,6 @@
     <message>
         <source>Plan</source>
         <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Draw the room and lay out where photos are to be taken.</source>
-        <translation>Narysuj pomieszczenie i rozplanuj miejsca zdjęć.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -717,6 +1373,10 @@
     <message>
         <source>New survey with this room</source>
         <translation>Nowy pomiar z tym pomieszczeniem</translation>
+    </message>
+    <message>
+        <source>Draw the room and lay out where photos are to be taken</source>
+        <translation>Narysuj pomieszczenie i rozplanuj miejsca zdjęć</translation>
     </message>
 </context>
 <context>
@@ -928,6 +1588,409 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PreviewMode</name>
+    <message>
+        <source>Preview</source>
+        <translation>Podgląd</translation>
+    </message>
+    <message>
+        <source>Drive a robot and see what its camera would see</source>
+        <translation>Prowadź robota i zobacz, co widziałaby jego kamera</translation>
+    </message>
+    <message>
+        <source>Where the robot is</source>
+        <translation>Gdzie jest robot</translation>
+    </message>
+    <message>
+        <source>Click to put the robot there, drag to turn it; with Shift, put the ball there</source>
+        <translation>Kliknij, by postawić tam robota, przeciągnij, by go obrócić; z Shiftem postawisz tam kulę</translation>
+    </message>
+    <message>
+        <source>&amp;Preview this survey</source>
+        <translation>&amp;Podgląd tego pomiaru</translation>
+    </message>
+    <message>
+        <source>Export the survey to a temporary folder and look at it; nothing is kept</source>
+        <translation>Wyeksportuj pomiar do folderu tymczasowego i obejrzyj; nic nie zostaje</translation>
+    </message>
+    <message>
+        <source>Open a &amp;dataset...</source>
+        <translation>Otwórz &amp;zbiór danych...</translation>
+    </message>
+    <message>
+        <source>Look at a dataset that was exported before</source>
+        <translation>Obejrzyj zbiór danych wyeksportowany wcześniej</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Nagrywaj</translation>
+    </message>
+    <message>
+        <source>Record the path that the robot takes</source>
+        <translation>Nagrywaj drogę robota</translation>
+    </message>
+    <message>
+        <source>&amp;Save frames...</source>
+        <translation>Zapi&amp;sz klatki...</translation>
+    </message>
+    <message>
+        <source>Render a frame at each pose of the recorded path, as the command walk does</source>
+        <translation>Narysuj klatkę w każdej pozycji nagranej drogi, tak jak polecenie walk</translation>
+    </message>
+    <message>
+        <source>Scene model of view %1</source>
+        <translation>Model sceny widoku %1</translation>
+    </message>
+    <message>
+        <source>What places between photos are computed with, cheap to exact</source>
+        <translation>Z czego oblicza się miejsca między zdjęciami, od taniego do dokładnego</translation>
+    </message>
+    <message>
+        <source>Best there is</source>
+        <translation>Najlepszy, jaki jest</translation>
+    </message>
+    <message>
+        <source>None: nearest photo, turned</source>
+        <translation>Brak: najbliższe zdjęcie, obrócone</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kula</translation>
+    </message>
+    <message>
+        <source>Sampling of view %1</source>
+        <translation>Próbkowanie widoku %1</translation>
+    </message>
+    <message>
+        <source>How pixels are made, cheap to exact</source>
+        <translation>Jak powstają piksele, od taniego do dokładnego</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Najbliższy</translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation>Dwuliniowe</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Zmniejszone</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <translation>Po polu piksela</translation>
+    </message>
+    <message>
+        <source>Bicubic</source>
+        <translation>Dwusześcienne</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Wedle potrzeby</translation>
+    </message>
+    <message>
+        <source>Camera and view</source>
+        <translation>Kamera i widok</translation>
+    </message>
+    <message>
+        <source>From a ROS file...</source>
+        <translation>Z pliku ROS...</translation>
+    </message>
+    <message>
+        <source>Camera model</source>
+        <translation>Model kamery</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s camera; a ROS camera-info YAML has your own one&apos;s calibration</source>
+        <translation>Kamera robota; w pliku YAML camera-info z ROS jest kalibracja Twojej własnej</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source> m high</source>
+        <translation> m nad podłogą</translation>
+    </message>
+    <message>
+        <source>Height of the camera above the floor</source>
+        <translation>Wysokość kamery nad podłogą</translation>
+    </message>
+    <message>
+        <source>° down</source>
+        <translation>° w dół</translation>
+    </message>
+    <message>
+        <source>How far the camera looks below the horizon</source>
+        <translation>O ile kamera patrzy poniżej horyzontu</translation>
+    </message>
+    <message>
+        <source>Carried</source>
+        <translation>Zawieszona</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Widok</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>Po&amp;równaj</translation>
+    </message>
+    <message>
+        <source>Show a second view beside the first, made another way</source>
+        <translation>Pokaż obok drugi widok, zrobiony inaczej</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Lay a &amp;ball into the view</source>
+        <translation>Włóż w widok &amp;kulę</translation>
+    </message>
+    <message>
+        <source>An object as a simulator would render it; Shift and a click on the plan put it elsewhere</source>
+        <translation>Obiekt taki, jakim narysowałby go symulator; Shift i kliknięcie na planie przestawiają go</translation>
+    </message>
+    <message>
+        <source>Open a dataset</source>
+        <translation>Otwórz zbiór danych</translation>
+    </message>
+    <message>
+        <source>ROS camera-info file</source>
+        <translation>Plik camera-info z ROS</translation>
+    </message>
+    <message>
+        <source>Camera info (*.yaml *.yml)</source>
+        <translation>Camera info (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Folder for the frames</source>
+        <translation>Folder na klatki</translation>
+    </message>
+    <message>
+        <source>Preparing the preview...</source>
+        <translation>Przygotowywanie podglądu...</translation>
+    </message>
+    <message>
+        <source>No dataset is open.</source>
+        <translation>Nie otwarto zbioru danych.</translation>
+    </message>
+    <message>
+        <source>%1: the survey has changed since; preview it again.</source>
+        <translation>%1: pomiar zmienił się od tego czasu; zrób podgląd ponownie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s)</source>
+        <translation>
+            <numerusform>%1: %n zdjęcie</numerusform>
+            <numerusform>%1: %n zdjęcia</numerusform>
+            <numerusform>%1: %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 views/s</source>
+        <translation>%1 widoków/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>● %n pose(s)</source>
+        <translation>
+            <numerusform>● %n pozycja</numerusform>
+            <numerusform>● %n pozycje</numerusform>
+            <numerusform>● %n pozycji</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewPresenter</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Otwieranie: %1</translation>
+    </message>
+    <message>
+        <source>There is no photo to preview yet; capture or import some first.</source>
+        <translation>Nie ma jeszcze zdjęcia do podglądu; najpierw jakieś zrób albo zaimportuj.</translation>
+    </message>
+    <message>
+        <source>Preparing the preview of %1</source>
+        <translation>Przygotowywanie podglądu: %1</translation>
+    </message>
+    <message>
+        <source>There is no path to save; record one first.</source>
+        <translation>Nie ma drogi do zapisania; najpierw ją nagraj.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saving %n frame(s)</source>
+        <translation>
+            <numerusform>Zapisywanie %n klatki</numerusform>
+            <numerusform>Zapisywanie %n klatek</numerusform>
+            <numerusform>Zapisywanie %n klatek</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>Zapisano %n klatkę w %1.</numerusform>
+            <numerusform>Zapisano %n klatki w %1.</numerusform>
+            <numerusform>Zapisano %n klatek w %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewDelegate</name>
+    <message>
+        <source>no photo</source>
+        <translation>bez zdjęcia</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>nieczytelne</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewMode</name>
+    <message>
+        <source>Review</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Look at the photos, and accept or reject them</source>
+        <translation>Oglądaj zdjęcia, przyjmuj je i odrzucaj</translation>
+    </message>
+    <message>
+        <source>Which stations are listed</source>
+        <translation>Które stanowiska są na liście</translation>
+    </message>
+    <message>
+        <source>Station, file or note</source>
+        <translation>Stanowisko, plik lub notatka</translation>
+    </message>
+    <message>
+        <source>Text that listed stations contain</source>
+        <translation>Tekst, który zawierają stanowiska z listy</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Stanowiska</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>One photo</source>
+        <translation>Jedno zdjęcie</translation>
+    </message>
+    <message>
+        <source>Blink with</source>
+        <translation>Na zmianę z</translation>
+    </message>
+    <message>
+        <source>Slider with</source>
+        <translation>Suwak z</translation>
+    </message>
+    <message>
+        <source>How the photo is compared</source>
+        <translation>Jak porównuje się zdjęcie</translation>
+    </message>
+    <message>
+        <source>Compare the photo with a neighbour: C for the next way</source>
+        <translation>Porównaj zdjęcie z sąsiadem: C wybiera następny sposób</translation>
+    </message>
+    <message>
+        <source>Neighbour to compare with</source>
+        <translation>Sąsiad do porównania</translation>
+    </message>
+    <message>
+        <source>The neighbour to compare with: N for the next one</source>
+        <translation>Sąsiad do porównania: N wybiera następnego</translation>
+    </message>
+    <message>
+        <source>Next way to compare</source>
+        <translation>Następny sposób porównania</translation>
+    </message>
+    <message>
+        <source>Next neighbour</source>
+        <translation>Następny sąsiad</translation>
+    </message>
+    <message>
+        <source>Note on this photo (M)</source>
+        <translation>Notatka do tego zdjęcia (M)</translation>
+    </message>
+    <message>
+        <source>Note on this photo</source>
+        <translation>Notatka do tego zdjęcia</translation>
+    </message>
+    <message>
+        <source>Write a note</source>
+        <translation>Napisz notatkę</translation>
+    </message>
+    <message>
+        <source> Accept</source>
+        <translation> Przyjmij</translation>
+    </message>
+    <message>
+        <source>Accept the photo and go on</source>
+        <translation>Przyjmij zdjęcie i przejdź dalej</translation>
+    </message>
+    <message>
+        <source> Reject</source>
+        <translation> Odrzuć</translation>
+    </message>
+    <message>
+        <source>Reject the photo: it is left out of datasets and is to be taken again</source>
+        <translation>Odrzuć zdjęcie: nie trafi do zbiorów danych i trzeba je będzie powtórzyć</translation>
+    </message>
+    <message>
+        <source>Reopen</source>
+        <translation>Otwórz ponownie</translation>
+    </message>
+    <message>
+        <source>Withdraw the decision</source>
+        <translation>Wycofaj decyzję</translation>
+    </message>
+    <message>
+        <source>Next photo</source>
+        <translation>Następne zdjęcie</translation>
+    </message>
+    <message>
+        <source>Previous photo</source>
+        <translation>Poprzednie zdjęcie</translation>
+    </message>
+    <message>
+        <source>What the plan shows</source>
+        <translation>Co pokazuje plan</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Pokrycie</translation>
+    </message>
+    <message>
+        <source>Residuals of the alignment</source>
+        <translation>Resztki orientacji</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the headings</source>
+        <translation>Niepewność kierunków</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 cm away</source>
+        <translation>%1, w odległości %2 cm</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewPresenter</name>
+    <message>
+        <source>%1 accepted, %2 rejected, %3 to be reviewed, %4 missing</source>
+        <translation>przyjęte: %1, odrzucone: %2, do oceny: %3, brak: %4</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::StartPage</name>
     <message>
         <source>Recent surveys</source>
@@ -1020,6 +2083,13 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::TaskBar</name>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, zostało %2</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::TaskPanel</name>
     <message>
         <source>Stop; what is complete stays</source>
@@ -1036,10 +2106,6 @@
     <message>
         <source>stopped</source>
         <translation>zatrzymane</translation>
-    </message>
-    <message>
-        <source>%1 left</source>
-        <translation>zostało %1</translation>
     </message>
     <message>
         <source>Nothing runs.</source>
