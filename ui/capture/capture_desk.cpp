@@ -34,30 +34,31 @@ void CaptureDesk::setSession(SurveySession* session) {
     m_verdict = Verdict::None;
     m_sentence.clear();
     if (session != nullptr) {
-        connect(session, &SurveySession::changed, this, &CaptureDesk::read);
+        connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
+            if (what.testFlag(SurveySession::Plan)) {
+                markRails();
+            }
+            read();
+        });
     }
+    markRails();
     read();
 }
 
-/// What is still to be done, from the store.
+/// Finding the tapes takes its time in a large room.
+void CaptureDesk::markRails() {
+    m_rails = m_session ? survey::railMarks(m_session->state().room, m_session->state().plan)
+                        : std::vector<survey::RailMark>();
+}
+
+/// What is still to be done.
 void CaptureDesk::read() {
     m_missing.clear();
-    m_stations = 0;
-    m_rails.clear();
-    if (m_session) {
-        const store::SurveyStore& store = m_session->store();
-        std::set<std::int64_t> wanted = m_again;
-        for (const store::StationRecord& station : store.stationsWithoutPhoto()) {
-            wanted.insert(station.id);
+    for (const store::StationRecord& station :
+         m_session ? m_session->state().stations : std::vector<store::StationRecord>()) {
+        if (m_again.contains(station.id) || m_session->state().missing.contains(station.id)) {
+            m_missing.push_back(station);
         }
-        for (const store::StationRecord& station : store.stations()) {
-            if (wanted.contains(station.id)) {
-                m_missing.push_back(station);
-            }
-            ++m_stations;
-        }
-        m_options = store.planOptions();
-        m_rails = survey::railMarks(store.room(), store.plan());
     }
     if (!isRunning()) {
         m_next = m_missing.empty() ? std::nullopt : std::optional(m_missing.front());
@@ -265,7 +266,7 @@ void CaptureDesk::ended(const store::StationRecord& station, Verdict verdict, co
         m_again.erase(station.id);
     }
     if (m_session) {
-        m_session->noteChanged(SurveySession::Photos); // reads
+        m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing
     }
     emit verdictGiven(verdict);
 }
@@ -286,7 +287,7 @@ void CaptureDesk::runDone(const Task* task) {
 }
 
 QString CaptureDesk::nextText() const {
-    return m_next ? stationWords(*m_next, m_options) : QString();
+    return m_next && m_session ? stationWords(*m_next, m_session->state().options) : QString();
 }
 
 QString CaptureDesk::wayText() const {
@@ -306,7 +307,8 @@ std::chrono::duration<double> CaptureDesk::timeLeft() const {
     for (const store::StationRecord& station : m_missing) {
         rails.insert(station.station.placement);
     }
-    return m_pace.left(stationsLeft(), static_cast<int>(rails.size()), m_options);
+    return m_pace.left(stationsLeft(), static_cast<int>(rails.size()),
+                       m_session ? m_session->state().options : survey::PlanOptions());
 }
 
 std::vector<store::StationRecord> CaptureDesk::again() const {

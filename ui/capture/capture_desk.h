@@ -93,7 +93,7 @@ class CaptureDesk : public QObject {
 
     int stationsLeft() const { return static_cast<int>(m_missing.size()); }
 
-    int stations() const { return m_stations; }
+    int stations() const { return m_session ? static_cast<int>(m_session->state().stations.size()) : 0; }
 
     /// With tasks of the network aside: how long the rest will take.
     std::chrono::duration<double> timeLeft() const;
@@ -122,6 +122,7 @@ class CaptureDesk : public QObject {
 
   private:
     void setState(State state);
+    void markRails();
     void read();
     void connected(const CameraStatus& status);
     void connectingEnded(const Task* task);
@@ -154,8 +155,6 @@ class CaptureDesk : public QObject {
     std::optional<store::StationRecord> m_last; ///< where the cart stands, as far as is known
     std::vector<store::StationRecord> m_missing;
     std::set<std::int64_t> m_again;
-    int m_stations = 0;
-    survey::PlanOptions m_options;
     std::vector<survey::RailMark> m_rails;
     Pace m_pace;
     std::optional<CameraStatus> m_status;

@@ -296,7 +296,7 @@ void CaptureMode::showAgain() {
     m_again->clear();
     for (const store::StationRecord& station : stations) {
         auto* item =
-            new QListWidgetItem(stationWords(station, m_desk.session()->store().planOptions()), m_again);
+            new QListWidgetItem(stationWords(station, m_desk.session()->state().options), m_again);
         item->setData(Qt::UserRole, static_cast<qlonglong>(station.id));
     }
     m_again->setVisible(!stations.empty());

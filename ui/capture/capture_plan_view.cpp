@@ -13,8 +13,8 @@ CapturePlanView::CapturePlanView(const CaptureDesk& desk, QWidget* parent)
     connect(&desk, &CaptureDesk::changed, this, qOverload<>(&QWidget::update));
 }
 
-std::vector<StationMark> CapturePlanView::marks(const store::SurveyStore& store) const {
-    std::vector<StationMark> result = SurveyPlanView::marks(store);
+std::vector<StationMark> CapturePlanView::marks(const SurveyState& survey) const {
+    std::vector<StationMark> result = SurveyPlanView::marks(survey);
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
             mark.standing = Standing::Doubtful;

@@ -15,7 +15,7 @@ class CapturePlanView : public SurveyPlanView {
     explicit CapturePlanView(const CaptureDesk& desk, QWidget* parent = nullptr);
 
   protected:
-    std::vector<StationMark> marks(const store::SurveyStore& store) const override;
+    std::vector<StationMark> marks(const SurveyState& survey) const override;
     void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
 
   private:

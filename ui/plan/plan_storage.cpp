@@ -48,8 +48,8 @@ void PlanStorage::setSession(SurveySession* session) {
 }
 
 void PlanStorage::read() {
-    const store::SurveyStore& store = m_session->store();
-    const store::Counts counts = store.counts();
+    const SurveyState& survey = m_session->state();
+    const store::Counts& counts = survey.counts;
     const bool isLocked =
         counts.photos + counts.openShots + counts.unclearShots > 0 || m_session->isReadOnly();
     if (isLocked && m_state == State::Locked) {
@@ -57,7 +57,7 @@ void PlanStorage::read() {
     }
     m_isReading = true;
     m_editor.setLocked(isLocked);
-    m_editor.begin({store.room(), store.planOptions()});
+    m_editor.begin({survey.room, survey.options});
     m_isReading = false;
     setState(isLocked ? State::Locked : State::Stored);
 }

@@ -3,8 +3,6 @@
 
 #include "ui/plan/station_words.h"
 
-#include <set>
-
 namespace spherewalk::ui {
 
 SurveyPlanView::SurveyPlanView(QWidget* parent) : PlanView(parent) {
@@ -36,27 +34,22 @@ void SurveyPlanView::setSession(SurveySession* session) {
 }
 
 void SurveyPlanView::showRoom() {
-    setRoom(m_session ? m_session->store().room() : survey::Room());
+    setRoom(m_session ? m_session->state().room : survey::Room());
     fit();
 }
 
 void SurveyPlanView::refresh() {
-    setStations(m_session ? marks(m_session->store()) : std::vector<StationMark>());
+    setStations(m_session ? marks(m_session->state()) : std::vector<StationMark>());
 }
 
-std::vector<StationMark> SurveyPlanView::marks(const store::SurveyStore& store) const {
-    std::set<std::int64_t> missing;
-    for (const store::StationRecord& station : store.stationsWithoutPhoto()) {
-        missing.insert(station.id);
-    }
-    const survey::PlanOptions options = store.planOptions();
+std::vector<StationMark> SurveyPlanView::marks(const SurveyState& survey) const {
     std::vector<StationMark> result;
-    for (const store::StationRecord& station : store.stations()) {
-        const bool isMissing = missing.contains(station.id);
+    for (const store::StationRecord& station : survey.stations) {
+        const bool isMissing = survey.missing.contains(station.id);
         StationMark mark;
         mark.id = station.id;
         mark.positionM = station.station.positionM.head<2>();
-        mark.name = stationWords(station, options);
+        mark.name = stationWords(station, survey.options);
         mark.standing = isMissing ? Standing::Missing : Standing::Taken;
         mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
         result.push_back(mark);

@@ -21,12 +21,12 @@ class SurveyPlanView : public PlanView {
 
     SurveySession* session() const { return m_session; }
 
-    /// Reads the stations anew and shows them.
+    /// Shows the stations as they are now.
     void refresh();
 
   protected:
-    /// By default whether each station has a photo. Errors: those of the store.
-    virtual std::vector<StationMark> marks(const store::SurveyStore& store) const;
+    /// By default whether each station has a photo.
+    virtual std::vector<StationMark> marks(const SurveyState& survey) const;
 
   private:
     void showRoom();

@@ -72,11 +72,7 @@ void PreviewPresenter::read() {
 }
 
 bool PreviewPresenter::canMakeDataset() const {
-    try {
-        return session() != nullptr && !isPreparing() && session()->store().counts().stationsWithPhoto > 0;
-    } catch (const Error&) { // what is wrong with the survey, others say
-        return false;
-    }
+    return session() != nullptr && !isPreparing() && session()->state().counts.stationsWithPhoto > 0;
 }
 
 void PreviewPresenter::openDataset(const QString& folder) {
@@ -288,11 +284,12 @@ void PreviewPresenter::saveFrames(const QString& folder) {
         tr("Saving %n frame(s)", nullptr, static_cast<int>(m_path.size())), this,
         [path = std::filesystem::path(folder.toStdString()), renderer = *m_renderer, camera = m_camera,
          poses = m_path, options, kept = m_folder](ProgressSink& progress, const std::stop_token& stop) {
-            const jobs::WalkReport report =
-                jobs::walk(renderer, CameraModel(camera), poses, options, path, progress, stop);
+            std::error_code none; // writing says best what is wrong with the folder
+            std::filesystem::create_directories(path, none);
+            // First: whoever stops the frames can have them made later, by the command walk.
             writeFile(path / "path.tum", bytesOf(tumText(poses)));
             writeFile(path / "robot.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
-            return report;
+            return jobs::walk(renderer, CameraModel(camera), poses, options, path, progress, stop);
         },
         [this, folder](const jobs::WalkReport& report) {
             emit message(

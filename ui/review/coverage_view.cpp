@@ -56,7 +56,7 @@ QString CoverageView::hottest() const {
     return m_measure == CoverageMeasure::Standing ? QString() : degreesText(greatest());
 }
 
-std::vector<StationMark> CoverageView::marks(const store::SurveyStore& /*store*/) const {
+std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) const {
     const Radians scale = greatest();
     std::vector<StationMark> marks;
     for (const ReviewRow& row : m_rows) {

@@ -27,7 +27,7 @@ class CoverageView : public SurveyPlanView {
     QString hottest() const;
 
   protected:
-    std::vector<StationMark> marks(const store::SurveyStore& store) const override;
+    std::vector<StationMark> marks(const SurveyState& survey) const override;
 
   private:
     std::optional<Radians> measured(const ReviewRow& row) const;

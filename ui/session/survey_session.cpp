@@ -32,6 +32,7 @@ std::unique_ptr<SurveySession> SurveySession::open(const QString& folder) {
 SurveySession::SurveySession(QString folder, store::SurveyStore store, bool isReadOnly)
     : m_folder(std::move(folder)),
       m_store(std::move(store)),
+      m_state(readState(m_store)),
       m_name(QString::fromStdString(m_store.info().name)),
       m_isReadOnly(isReadOnly) {
 }
@@ -48,7 +49,26 @@ store::SurveyStore SurveySession::openForWriting() {
 }
 
 void SurveySession::noteChanged(Changes what) {
-    emit changed(what);
+    m_overtaken = m_posted;
+    m_state = readState(m_store);
+    emit changed(what | std::exchange(m_soon, {}));
+}
+
+void SurveySession::noteChangedSoon(Changes what) {
+    m_soon |= what;
+    m_worker.post(
+        QStringLiteral("state"), [this, folder = path(), number = ++m_posted]() -> BackgroundWorker::Deliver {
+            try {
+                return [this, number, state = readState(store::SurveyStore::open(folder, Access::Read))] {
+                    if (number > m_overtaken) {
+                        m_state = state;
+                        emit changed(std::exchange(m_soon, {}));
+                    }
+                };
+            } catch (const Error& error) { // the window says it
+                return [error] { throw error; };
+            }
+        });
 }
 
 void SurveySession::setReadOnly(bool isReadOnly) {

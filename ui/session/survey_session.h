@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/session/station_selection.h"
-
-#include "spherewalk/store/survey_store.h"
+#include "ui/session/survey_state.h"
+#include "ui/tasks/background_worker.h"
 
 #include <QObject>
 #include <QString>
@@ -40,8 +40,11 @@ class SurveySession : public QObject {
     /// on opening and at each write().
     bool isReadOnly() const { return m_isReadOnly; }
 
-    /// For reading.
+    /// For reading. While somebody writes, it can take some tens of milliseconds to answer.
     const store::SurveyStore& store() const { return m_store; }
+
+    /// As it was read last.
+    const SurveyState& state() const { return m_state; }
 
     /// Calls change(store::SurveyStore&) with a store that may write, and tells what changed. Errors: those
     /// of the change; Busy if another program, or a task of this one, writes.
@@ -54,8 +57,10 @@ class SurveySession : public QObject {
         noteChanged(what);
     }
 
-    /// To be called after somebody else wrote: a task, or another program.
+    /// To be called after somebody else wrote, a task or another program: reads, and tells what changed.
     void noteChanged(Changes what);
+    /// The same while somebody writes on: reads in the background, and tells later.
+    void noteChangedSoon(Changes what);
 
     /// Of edits that are not, or not only, in the store.
     QUndoStack* undoStack() { return &m_undoStack; }
@@ -74,10 +79,15 @@ class SurveySession : public QObject {
 
     QString m_folder;
     store::SurveyStore m_store;
+    SurveyState m_state;
     QString m_name;
     bool m_isReadOnly;
     QUndoStack m_undoStack;
     StationSelection m_selection;
+    Changes m_soon;            ///< to be told once the background has read
+    int m_posted = 0;          ///< how often the background was asked to
+    int m_overtaken = 0;       ///< so many of those readings are older than the state
+    BackgroundWorker m_worker; ///< last: what it delivers uses the rest
 };
 
 Q_DECLARE_OPERATORS_FOR_FLAGS(SurveySession::Changes)

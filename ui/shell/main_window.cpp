@@ -272,7 +272,7 @@ void MainWindow::closeSurvey() {
 }
 
 void MainWindow::showCounts() {
-    const store::Counts counts = m_session->store().counts();
+    const store::Counts& counts = m_session->state().counts;
     const QString words =
         tr("%1 of %2 stations have a photo").arg(counts.stationsWithPhoto).arg(counts.stations);
     m_counts->setText(m_session->isReadOnly() ? tr("%1; another program writes").arg(words) : words);
