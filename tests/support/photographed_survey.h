@@ -27,6 +27,9 @@ class PhotographedSurvey {
         room.ceilingM = 2.5;
         survey::PlanOptions options;
         options.stepM = 1;
+        while (static_cast<int>(survey::plan(room, options).stations.size()) < photos) {
+            options.stepM *= 0.8;
+        }
         auto store = store::SurveyStore::create(m_path, "room", room, options, survey::plan(room, options));
         const std::vector<store::StationRecord> stations = store.stations();
         std::filesystem::create_directories(m_folder / "in");
@@ -34,7 +37,8 @@ class PhotographedSurvey {
         for (int i = 0; i < photos; ++i) {
             const std::string name = text("R", 1001 + i, ".JPG");
             const Eigen::Vector3d& at = stations.at(static_cast<std::size_t>(i)).station.positionM;
-            writeFile(m_folder / "in" / name, jpeg::encode(world(width, 4 * i), 90));
+            writeFile(m_folder / "in" / name,
+                      jpeg::encode(world(width, 4 * (i % kShades)), 90 - i / kShades));
             csv += text(name, ",", fixed(at.x(), 4), ",", fixed(at.y(), 4), ",", fixed(at.z(), 4), ",0\n");
         }
         writeFile(m_folder / "p.csv", bytesOf(csv));
@@ -50,6 +54,8 @@ class PhotographedSurvey {
     }
 
   private:
+    static constexpr int kShades = 24; ///< then they repeat, and the quality differs
+
     static RgbImage world(int width, int brighter) {
         RgbImage picture(width, width / 2);
         const EquirectSize size{width, width / 2};

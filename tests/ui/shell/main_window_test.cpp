@@ -119,25 +119,6 @@ TEST(MainWindow, ANewSurveyCanBeginWithTheRoomOfAnother) {
     EXPECT_EQ(plan->editor().draft().room.outline, outline);
 }
 
-TEST(MainWindow, ClosingInTheMiddleOfARunLosesNothing) {
-    MainWindow window;
-    window.show();
-    CaptureDesk& desk = modeOf<CaptureMode>(window)->desk();
-    desk.setPracticeSettings(kFastPractice);
-    window.runPractice();
-    ASSERT_NE(window.session(), nullptr);
-    const std::filesystem::path path = window.session()->path();
-    QSignalSpy verdicts(&desk, &CaptureDesk::verdictGiven);
-    while (verdicts.size() < 2) {
-        ASSERT_TRUE(verdicts.wait(30'000));
-    }
-    window.close();
-    EXPECT_FALSE(window.tasks().hasRunning());
-    auto store = store::SurveyStore::open(path, store::Access::Write); // the lock is free
-    EXPECT_GE(store.counts().photos, 2);
-    EXPECT_TRUE(store.check(noProgress(), {}).isSound());
-}
-
 TEST(MainWindow, TheMainButtonOfTheFirstPagePhotographsThePracticeRoom) {
     MainWindow window;
     window.show();

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "qt_application.h"
+#include "ui/capture/capture_mode.h"
+#include "ui/plan/plan_mode.h"
+#include "ui/shell/main_window.h"
+
+#include "spherewalk/base/error.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <QToolBar>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace spherewalk::ui {
+
+/// Somebody at the window, who has nothing but what it shows, a mouse and a keyboard.
+class Person {
+  public:
+    explicit Person(const PracticeSettings& practice = {
+                        .width = 1024, .timeScale = 0.001, .keepsPhotos = false}) {
+        m_window.resize(1280, 800);
+        m_window.show();
+        QApplication::setActiveWindow(&m_window);
+        page<CaptureMode>().desk().setPracticeSettings(practice);
+    }
+
+    MainWindow& window() { return m_window; }
+
+    template <class Wanted>
+    Wanted& page() const {
+        for (Mode* mode : m_window.modes()) {
+            if (auto* found = qobject_cast<Wanted*>(mode)) {
+                return *found;
+            }
+        }
+        throw Error(ErrorKind::NotFound, "The window has no such page.");
+    }
+
+    /// Of the page in sight, or of the first page.
+    template <class Wanted>
+    Wanted& widget(const char* name) const {
+        const QWidget* page = m_window.mode();
+        auto* found = (page != nullptr ? page : &m_window)->findChild<Wanted*>(name);
+        if (found == nullptr) {
+            throw Error(ErrorKind::NotFound, std::string("The page has no ") + name + ".");
+        }
+        return *found;
+    }
+
+    void choose(const QString& mode) {
+        for (QAction* action : m_window.findChild<QToolBar*>("modes")->actions()) {
+            if (action->text() == mode && action->isEnabled()) {
+                return action->trigger();
+            }
+        }
+        FAIL() << mode.toStdString();
+    }
+
+    void press(const char* button) {
+        auto& found = widget<QAbstractButton>(button);
+        waitUntil([&] { return found.isEnabled(); });
+        QTest::mouseClick(&found, Qt::LeftButton, {}, {8, found.height() / 2}); // a check box's box is there
+    }
+
+    void type(const char* name, const QString& text) {
+        auto& found = widget<QWidget>(name);
+        found.setFocus();
+        QTest::keyClick(&found, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(&found, text);
+        QTest::keyClick(&found, Qt::Key_Tab);
+    }
+
+    /// Answers the next question for a file or folder.
+    void answer(const QString& file) {
+        QTimer::singleShot(0, &m_window, [this, file] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) { // not there yet
+                return answer(file);
+            }
+            dialog->selectFile(file);
+            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+        });
+    }
+
+    /// Where a place of the room is on a plan.
+    static QPoint at(const PlanCanvas& plan, const Eigen::Vector2d& pInRoom) {
+        return plan.widgetFromRoom().map(QPointF(pInRoom.x(), pInRoom.y())).toPoint();
+    }
+
+    static void click(PlanCanvas& plan, const Eigen::Vector2d& pInRoom) {
+        QTest::mouseMove(&plan, at(plan, pInRoom));
+        QTest::mouseClick(&plan, Qt::LeftButton, {}, at(plan, pInRoom));
+    }
+
+    /// Draws with the tool that this key chooses, corner after corner, and closes.
+    void draw(Qt::Key tool, const Polygon& corners) {
+        PlanEditorView& view = page<PlanMode>().view();
+        view.setFocus();
+        QTest::keyClick(&view, tool);
+        for (std::size_t i = 0; i <= corners.size(); ++i) {
+            click(view, corners[i % corners.size()]);
+        }
+    }
+
+    void waitUntil(const std::function<bool()>& holds) {
+        constexpr int kMostMs = 60'000;
+        ASSERT_TRUE(QTest::qWaitFor(holds, kMostMs)) << page<CaptureMode>().desk().sentence().toStdString();
+    }
+
+    void waitFor(CaptureDesk::State state) {
+        waitUntil([&] { return page<CaptureMode>().desk().state() == state; });
+    }
+
+    void waitForTasks() {
+        waitUntil([&] { return !m_window.tasks().hasRunning(); });
+    }
+
+  private:
+    MainWindow m_window;
+};
+
+} // namespace spherewalk::ui

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "event_loop_gap.h"
+#include "person.h"
+#include "photographed_survey.h"
+#include "ui/panorama/panorama_presenter.h"
+#include "ui/panorama/panorama_view.h"
+#include "ui/review/review_mode.h"
+
+#include <QElapsedTimer>
+#include <QListView>
+
+namespace spherewalk::ui {
+
+using State = CaptureDesk::State;
+
+namespace {
+
+// 50 ms are wanted for any gap, and two seconds for a large survey, on a machine that does nothing else. What
+// is measured is recorded; the limits leave room for a busy one.
+constexpr double kHeldMs = 1000;
+constexpr double kOpenMs = 10'000;
+
+QString pathOf(const test::PhotographedSurvey& survey) {
+    return QString::fromStdString(survey.path().string());
+}
+
+/// Lets the window work, so that what it does is measured.
+void rest(Person& person, const test::EventLoopGap& gap, int beats = 20) {
+    person.waitUntil([&, until = gap.beats() + beats] { return gap.beats() > until; });
+}
+
+/// Goes through the list, looks around in each photo, and compares it with its neighbour.
+void lookAtPhotos(Person& person, const test::EventLoopGap& gap, int photos) {
+    auto& list = person.widget<QListView>("stations");
+    auto& view = *person.page<ReviewMode>().findChild<PanoramaView*>();
+    QTest::keyClick(&list, Qt::Key_Home);
+    for (int i = 0; i < photos; ++i) {
+        person.waitUntil([&] { return view.presenter().remark().isEmpty(); }); // it is decoded
+        for (int turn = 0; turn < 10; ++turn) {
+            QTest::keyClick(&view, Qt::Key_Left);
+            rest(person, gap, 2);
+        }
+        QTest::keyClick(&list, Qt::Key_C);
+        rest(person, gap);
+        QTest::keyClick(&list, Qt::Key_J);
+        rest(person, gap);
+    }
+}
+
+} // namespace
+
+TEST(Responsiveness, AStalledCameraHoldsNeitherCapturingNorReviewing) {
+    const test::PhotographedSurvey survey(3, 2048);
+    Person person({.width = 512, .timeScale = 100, .keepsPhotos = false});
+    person.window().openSurvey(pathOf(survey));
+    person.choose("Capture");
+    person.press("practiceCamera");
+    person.waitFor(State::Ready);
+    auto& page = person.page<CaptureMode>();
+    QTest::keyClick(&page, Qt::Key_Space);
+    person.waitFor(State::AtStation);
+    const test::EventLoopGap capturing;
+    QTest::keyClick(&page, Qt::Key_Space);
+    rest(person, capturing, 500);
+    RecordProperty("capturing_longest_gap_ms", std::to_string(capturing.longestMs()));
+    person.choose("Review");
+    const test::EventLoopGap reviewing;
+    lookAtPhotos(person, reviewing, 3);
+    RecordProperty("reviewing_longest_gap_ms", std::to_string(reviewing.longestMs()));
+    EXPECT_EQ(page.desk().state(), State::Shooting); // it does stall
+    EXPECT_LT(capturing.longestMs(), kHeldMs);
+    EXPECT_LT(reviewing.longestMs(), kHeldMs);
+    person.window().close();
+}
+
+TEST(Responsiveness, DecidingHoldsNobody) {
+    const test::PhotographedSurvey survey(8, 256);
+    Person person;
+    person.window().openSurvey(pathOf(survey));
+    person.choose("Review");
+    auto& list = person.widget<QListView>("stations");
+    const test::EventLoopGap gap;
+    for (int i = 0; i < 8; ++i) {
+        QTest::keyClick(&list, i % 2 == 0 ? Qt::Key_A : Qt::Key_R);
+        rest(person, gap);
+    }
+    RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
+    EXPECT_LT(gap.longestMs(), kHeldMs);
+    EXPECT_EQ(survey.open().reviews().size(), 8U);
+}
+
+TEST(Responsiveness, ASurveyOf404PhotosOpensSoon) {
+    constexpr int kPhotos = 404;
+    const test::PhotographedSurvey survey(kPhotos, 32);
+    Person person;
+    QElapsedTimer time;
+    time.start();
+    ASSERT_TRUE(person.window().openSurvey(pathOf(survey)));
+    person.choose("Review");
+    QCoreApplication::processEvents();
+    const auto openMs = static_cast<double>(time.elapsed());
+    RecordProperty("open_ms", std::to_string(openMs));
+    EXPECT_LT(openMs, kOpenMs);
+    EXPECT_GE(person.widget<QListView>("stations").model()->rowCount(), kPhotos);
+}
+
+} // namespace spherewalk::ui
