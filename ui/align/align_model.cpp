@@ -2,6 +2,7 @@
 #include "ui/align/align_model.h"
 
 #include "ui/look/standing.h"
+#include "ui/plan/station_words.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -121,7 +122,7 @@ QVariant AlignModel::text(const jobs::PhotoFinding& photo, int column) const {
     }
     switch (column) {
     case Station:
-        return QString::fromStdString(photo.stationName);
+        return stationWords(photo.stationName);
     case Verdict:
         return verdictText(standingOf(photo.status));
     case Neighbours:

@@ -2,34 +2,14 @@
 #include "ui/align/align_presenter.h"
 
 #include "ui/look/quantity_text.h"
-#include "ui/plan/station_words.h"
 
 #include "spherewalk/base/error.h"
 
 #include <QUndoCommand>
 
-#include <algorithm>
 #include <map>
 
 namespace spherewalk::ui {
-
-namespace {
-
-/// With the stations' names in the user's language.
-std::vector<jobs::PhotoFinding> named(std::vector<jobs::PhotoFinding> photos,
-                                      const store::SurveyStore& store) {
-    std::map<std::int64_t, std::string> names;
-    const survey::PlanOptions options = store.planOptions();
-    for (const store::StationRecord& station : store.stations()) {
-        names[station.id] = stationWords(station, options).toStdString();
-    }
-    for (jobs::PhotoFinding& photo : photos) {
-        photo.stationName = names[photo.station];
-    }
-    return photos;
-}
-
-} // namespace
 
 /// A move that was made already when it is pushed.
 class RetagCommand : public QUndoCommand {
@@ -90,8 +70,7 @@ void AlignPresenter::setSession(SurveySession* session) {
 void AlignPresenter::read() {
     try {
         m_findings = session() != nullptr ? jobs::activeFindings(session()->store()) : std::nullopt;
-        m_model.setPhotos(m_findings ? named(m_findings->photos, session()->store())
-                                     : std::vector<jobs::PhotoFinding>());
+        m_model.setPhotos(m_findings ? m_findings->photos : std::vector<jobs::PhotoFinding>());
     } catch (const Error& error) {
         m_findings.reset();
         m_model.setPhotos({});

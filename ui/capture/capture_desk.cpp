@@ -287,7 +287,7 @@ void CaptureDesk::runDone(const Task* task) {
 }
 
 QString CaptureDesk::nextText() const {
-    return m_next && m_session ? stationWords(*m_next, m_session->state().options) : QString();
+    return m_next ? stationWords(m_next->name) : QString();
 }
 
 QString CaptureDesk::wayText() const {

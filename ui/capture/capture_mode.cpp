@@ -295,8 +295,7 @@ void CaptureMode::showAgain() {
     const auto stations = m_desk.again();
     m_again->clear();
     for (const store::StationRecord& station : stations) {
-        auto* item =
-            new QListWidgetItem(stationWords(station, m_desk.session()->state().options), m_again);
+        auto* item = new QListWidgetItem(stationWords(station.name), m_again);
         item->setData(Qt::UserRole, static_cast<qlonglong>(station.id));
     }
     m_again->setVisible(!stations.empty());

@@ -2,6 +2,7 @@
 #include "ui/plan/station_words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace spherewalk::ui {
 
@@ -29,15 +30,15 @@ QString tapeWords(const survey::MarkedPoint& point) {
 
 } // namespace
 
-QString stationWords(const store::StationRecord& station, const survey::PlanOptions& options) {
-    if (station.station.placement < 0) {
-        return QString::fromStdString(station.name);
+QString stationWords(const std::string& name) {
+    static const QRegularExpression planned("^rail (\\d+), stop (\\d+)(?: at ([0-9.]+) m)?$");
+    const QRegularExpressionMatch found = planned.match(QString::fromStdString(name));
+    if (!found.hasMatch()) {
+        return QString::fromStdString(name);
     }
-    const QString place =
-        StationWords::tr("Rail %1, stop %2").arg(station.station.placement + 1).arg(station.station.stop + 1);
-    return options.heightsM.size() > 1
-               ? StationWords::tr("%1, at %L2 m").arg(place).arg(station.station.positionM.z(), 0, 'f', 2)
-               : place;
+    const QString place = StationWords::tr("Rail %1, stop %2").arg(found.captured(1), found.captured(2));
+    const double heightM = found.captured(3).toDouble();
+    return found.hasCaptured(3) ? StationWords::tr("%1, at %L2 m").arg(place).arg(heightM, 0, 'f', 2) : place;
 }
 
 QString positionWords(const survey::Station& station) {

@@ -49,7 +49,7 @@ std::vector<StationMark> SurveyPlanView::marks(const SurveyState& survey) const 
         StationMark mark;
         mark.id = station.id;
         mark.positionM = station.station.positionM.head<2>();
-        mark.name = stationWords(station, survey.options);
+        mark.name = stationWords(station.name);
         mark.standing = isMissing ? Standing::Missing : Standing::Taken;
         mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
         result.push_back(mark);

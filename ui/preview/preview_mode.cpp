@@ -2,6 +2,7 @@
 #include "ui/preview/preview_mode.h"
 
 #include "ui/plan/plan_view.h"
+#include "ui/plan/station_words.h"
 #include "ui/preview/camera_presets.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_presenter.h"
@@ -34,7 +35,7 @@ std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
         StationMark mark;
         mark.id = static_cast<std::int64_t>(i);
         mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
-        mark.name = QString::fromStdString(info.photos[i].station);
+        mark.name = stationWords(info.photos[i].station);
         mark.standing = Standing::Taken;
         mark.note = QString::fromStdString(info.photos[i].file);
         marks.push_back(std::move(mark));

@@ -64,12 +64,11 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             found.emplace(finding.photo, &finding);
         }
     }
-    const survey::PlanOptions options = store.planOptions();
     std::vector<ReviewRow> rows;
     for (const store::StationRecord& station : store.stations()) {
         ReviewRow row;
         row.station = station.id;
-        row.stationName = stationWords(station, options);
+        row.stationName = stationWords(station.name);
         row.positionM = station.station.positionM;
         if (const auto photo = photos.find(station.id); photo != photos.end()) {
             fill(row, photo->second, store.photoFolder());

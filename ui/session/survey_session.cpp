@@ -9,7 +9,7 @@ using store::Access;
 
 namespace {
 
-/// Whether the survey can be written now; brings it up to date on the way.
+/// Whether nobody else writes, and the disk allows it.
 bool canWrite(const std::filesystem::path& folder) {
     try {
         store::SurveyStore::open(folder, Access::Write);

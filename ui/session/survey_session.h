@@ -26,8 +26,7 @@ class SurveySession : public QObject {
     enum Change { Plan = 1, Photos = 2, Reviews = 4, Solutions = 8, Everything = 15 };
     Q_DECLARE_FLAGS(Changes, Change)
 
-    /// Brings an older survey up to date, unless somebody else writes. Errors: those of
-    /// store::SurveyStore::open().
+    /// Errors: those of store::SurveyStore::open().
     static std::unique_ptr<SurveySession> open(const QString& folder);
 
     QString folder() const { return m_folder; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
 #include "ui/plan/plan_view.h"
+#include "ui/plan/station_words.h"
 
 #include <QApplication>
 #include <QHelpEvent>
@@ -27,6 +28,20 @@ StationMark mark(Standing standing) {
 }
 
 } // namespace
+
+TEST(StationWords, AreThePlansOwnNamesInTheUsersWords) {
+    EXPECT_EQ(stationWords("rail 3, stop 12"), "Rail 3, stop 12");
+    EXPECT_EQ(stationWords("rail 1, stop 2 at 1.20 m"), "Rail 1, stop 2, at 1.20 m");
+    for (const std::string name : {"unplanned position (1.00, 2.00)", "rail 1, stop two", ""}) {
+        EXPECT_EQ(stationWords(name).toStdString(), name);
+    }
+    // As survey::plan() names them.
+    survey::PlanOptions options;
+    options.heightsM = {0.8, 1.6};
+    for (const std::string& name : survey::stationNames(survey::plan(squareRoom(), options))) {
+        EXPECT_TRUE(stationWords(name).startsWith("Rail ")) << name;
+    }
+}
 
 TEST(PlanView, NamesTheStationUnderThePointer) {
     PlanView view;

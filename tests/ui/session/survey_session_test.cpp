@@ -35,6 +35,34 @@ TEST(SurveySession, TellsWhatChanged) {
     EXPECT_EQ(changes[0][0].value<SurveySession::Changes>(), SurveySession::Plan);
 }
 
+TEST(SurveySession, ReadsInTheBackgroundWhatAnotherWrites) {
+    const test::TemporaryFolder folder;
+    const QString survey = surveyIn(folder);
+    const auto session = SurveySession::open(survey);
+    const std::size_t before = session->state().stations.size();
+    QSignalSpy changes(session.get(), &SurveySession::changed);
+    auto writer = store::SurveyStore::open(survey.toStdString(), store::Access::Write);
+    writer.addStation({1, 1, 1.2});
+    session->noteChangedSoon(SurveySession::Plan);
+    ASSERT_TRUE(changes.wait());
+    EXPECT_EQ(changes[0][0].value<SurveySession::Changes>(), SurveySession::Plan);
+    EXPECT_EQ(session->state().stations.size(), before + 1);
+}
+
+TEST(SurveySession, DropsWhatTheBackgroundReadBeforeANewerChange) {
+    const test::TemporaryFolder folder;
+    const auto session = SurveySession::open(surveyIn(folder));
+    const std::size_t before = session->state().stations.size();
+    QSignalSpy changes(session.get(), &SurveySession::changed);
+    session->noteChangedSoon(SurveySession::Photos);
+    session->write(SurveySession::Plan, [](store::SurveyStore& store) { store.addStation({1, 1, 1.2}); });
+    EXPECT_EQ(changes.size(), 1); // with what was to be told soon
+    session->noteChangedSoon(SurveySession::Plan);
+    ASSERT_TRUE(changes.wait());
+    EXPECT_EQ(changes.size(), 2);
+    EXPECT_EQ(session->state().stations.size(), before + 1);
+}
+
 TEST(SurveySession, CanBeReadWhileAnotherWrites) {
     const test::TemporaryFolder folder;
     const QString survey = surveyIn(folder);
