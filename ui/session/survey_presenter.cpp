@@ -8,12 +8,15 @@ void SurveyPresenter::setSession(SurveySession* session) {
         m_session->disconnect(this);
         m_session->selection()->disconnect(this);
     }
+    const bool isFirst = m_session == nullptr;
     m_session = session;
     if (session != nullptr) {
         connect(session, &SurveySession::changed, this, &SurveyPresenter::refresh);
     }
-    m_isStale = false;
-    read();
+    m_isStale = isFirst && session != nullptr && !m_isShown;
+    if (!m_isStale) { // nothing of the session before may stay
+        read();
+    }
 }
 
 void SurveyPresenter::setShown(bool isShown) {

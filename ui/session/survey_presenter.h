@@ -29,7 +29,8 @@ class SurveyPresenter : public QObject {
     void message(const QString& sentence);
 
   protected:
-    /// Called when there is another session, or none, or the survey has changed.
+    /// Called, while the page is shown, when there is another session or the survey has changed; and when
+    /// there is none any more.
     virtual void read() = 0;
 
   private:
