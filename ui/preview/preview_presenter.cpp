@@ -9,6 +9,8 @@
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/render/camera_info.h"
 
+#include <QStandardPaths>
+
 #include <algorithm>
 #include <utility>
 
@@ -56,7 +58,10 @@ PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
     m_clock.start();
 }
 
-PreviewPresenter::~PreviewPresenter() = default;
+PreviewPresenter::~PreviewPresenter() {
+    blockSignals(true); // the page is going, too
+    setRecording(false);
+}
 
 void PreviewPresenter::setSession(SurveySession* session) {
     if (m_folder) { // the dataset was the closed survey's
@@ -120,12 +125,12 @@ const render::Dataset* PreviewPresenter::dataset() const {
 }
 
 void PreviewPresenter::use(SharedDataset dataset) {
+    setRecording(false);
     m_worker.dropWaiting();
     m_maker.reset();
     m_renderer.reset();
     m_views.clear();
     m_path.clear();
-    m_isRecording = false;
     if (dataset) {
         const render::DatasetInfo& info = dataset->info();
         m_drive = Drive(info.outline, info.obstacles);
@@ -250,8 +255,10 @@ void PreviewPresenter::driveFor(double seconds) {
 }
 
 void PreviewPresenter::setRecording(bool isRecording) {
-    m_isRecording = isRecording && m_renderer.has_value();
-    if (m_isRecording) {
+    const bool wasRecording = std::exchange(m_isRecording, isRecording && m_renderer.has_value());
+    if (wasRecording && !m_isRecording) {
+        keepPath();
+    } else if (m_isRecording) {
         m_path.clear();
         m_recordedFromS = 0.001 * static_cast<double>(m_clock.elapsed());
         record();
@@ -268,6 +275,21 @@ void PreviewPresenter::record() {
     if (isDue && m_path.size() < kMostRecorded) {
         m_path.push_back({time, roomFromOptical(m_robot, m_mount)});
         emit recordingChanged();
+    }
+}
+
+std::filesystem::path PreviewPresenter::keptPath() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    return std::filesystem::path(folder.toStdString()) / "recorded path.tum";
+}
+
+void PreviewPresenter::keepPath() {
+    try {
+        std::error_code none; // writing says best what is wrong with the folder
+        std::filesystem::create_directories(keptPath().parent_path(), none);
+        writeFile(keptPath(), bytesOf(tumText(m_path)));
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
     }
 }
 

@@ -72,8 +72,10 @@ class PreviewPresenter : public SurveyPresenter {
 
     bool isRecording() const { return m_isRecording; }
 
-    /// Beginning forgets what was recorded before.
+    /// Beginning forgets what was recorded before. However it ends, the path is in keptPath().
     void setRecording(bool isRecording);
+    /// Of the latest recording on this computer.
+    static std::filesystem::path keptPath();
 
     const std::vector<TimedPose>& path() const { return m_path; }
 
@@ -100,6 +102,7 @@ class PreviewPresenter : public SurveyPresenter {
     void show(std::vector<MadeView> views);
     void tick();
     void record();
+    void keepPath();
 
     TaskList& m_tasks;
     std::shared_ptr<TemporaryFolder> m_folder; ///< of the survey's dataset

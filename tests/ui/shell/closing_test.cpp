@@ -31,6 +31,7 @@ struct Work {
     std::function<void(Scene&)> begin;
     /// What is on the disk once the window is closed.
     std::function<void(const Scene&)> check;
+    bool isTask = true;
 };
 
 void beginCapture(Scene& scene) {
@@ -74,7 +75,7 @@ void checkExport(const Scene& scene) {
     EXPECT_EQ(beside, (std::set<std::string>{"in", "p.csv", "room.spherewalk"}));
 }
 
-void beginSaving(Scene& scene) {
+void beginRecording(Scene& scene) {
     Person& person = scene.person;
     person.choose("Preview");
     person.press("make");
@@ -84,6 +85,15 @@ void beginSaving(Scene& scene) {
     presenter.drive({.turnLeft = 1});
     person.waitUntil([&] { return presenter.path().size() >= 8; });
     presenter.drive({});
+}
+
+void checkRecording(const Scene& /*scene*/) {
+    EXPECT_GE(readTum(PreviewPresenter::keptPath()).size(), 8U);
+}
+
+void beginSaving(Scene& scene) {
+    beginRecording(scene);
+    Person& person = scene.person;
     person.press("record");
     fs::create_directories(scene.survey / "frames");
     person.answer(QString::fromStdString((scene.survey / "frames").string()));
@@ -106,7 +116,7 @@ class ClosingTest : public testing::TestWithParam<Work> {};
 TEST_P(ClosingTest, InTheMiddleLosesNothing) {
     Scene scene;
     GetParam().begin(scene);
-    EXPECT_TRUE(scene.person.window().tasks().hasRunning());
+    EXPECT_EQ(scene.person.window().tasks().hasRunning(), GetParam().isTask);
     scene.person.window().close();
     EXPECT_FALSE(scene.person.window().tasks().hasRunning());
     EXPECT_TRUE(
@@ -118,6 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Window, ClosingTest,
                          testing::Values(Work{"Capture", beginCapture, checkCapture},
                                          Work{"Align", beginAlign, checkAlign},
                                          Work{"Export", beginExport, checkExport},
+                                         Work{"Record", beginRecording, checkRecording, false},
                                          Work{"SaveFrames", beginSaving, checkSaving}),
                          [](const auto& work) { return work.param.name; });
 
