@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kMostPhotos = 1'000'000;
 constexpr std::size_t kMostVertices = 100'000;
 constexpr double kFarthestM = 1e8;
+constexpr double kMostErrorPx = 1e6;
 
 Json listOf(const Vector3d& v) {
     return Json::array({v.x(), v.y(), v.z()});
@@ -101,7 +102,8 @@ Json photoJson(const DatasetPhoto& photo) {
             {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
             {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
             {"rotation_sigma_deg", rotationSigma},
-            {"rotation_source", photo.rotationSource}};
+            {"rotation_source", photo.rotationSource},
+            {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
 }
 
 Eigen::Quaterniond rotationOf(const JsonReader& photo) {
@@ -154,6 +156,9 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     }
     if (!reader.isAbsent("rotation_sigma_deg")) {
         photo.rotationSigma = rotationSigmaOf(reader.member("rotation_sigma_deg"));
+    }
+    if (!reader.isAbsent("scene")) {
+        photo.scene = sceneKind(reader, "scene");
     }
     return photo;
 }
@@ -240,6 +245,13 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
     for (std::size_t i = 0; i < models.arraySize(100); ++i) {
         const JsonReader model = models.element(i);
         const std::string kind = model.string("kind"); // kinds of later versions are left out
+        if (kind != "sphere" && kind != "room" && kind != "depth") {
+            continue;
+        }
+        if (!model.isAbsent("measured_error_px")) {
+            info.measuredErrorPx[sceneKind(model, "kind")] =
+                boundedNumber(model.member("measured_error_px"), 0, kMostErrorPx);
+        }
         if (kind == "sphere") {
             info.sphereRadiusM = boundedNumber(model.member("radius_m"), 1e-3, kFarthestM);
         } else if (kind == "room") {
@@ -265,6 +277,44 @@ std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
     return scenes;
 }
 
+namespace {
+
+bool hasScene(const DatasetInfo& info, std::size_t photo, SceneKind kind) {
+    switch (kind) {
+    case SceneKind::Sphere:
+        return info.sphereRadiusM.has_value();
+    case SceneKind::Room:
+        return info.roomShape.has_value();
+    case SceneKind::Depth:
+        return !info.photos[photo].depth.empty();
+    default:
+        return true;
+    }
+}
+
+Json measuredErrorPx(const DatasetInfo& info, SceneKind kind) {
+    const auto found = info.measuredErrorPx.find(kind);
+    return found == info.measuredErrorPx.end() ? Json() : Json(found->second);
+}
+
+/// Scene models that the dataset does not have cannot have been chosen.
+void checkChoice(const DatasetInfo& info, const JsonReader& root) {
+    const std::vector<SceneKind> there = scenesOf(info);
+    const auto isThere = [&](SceneKind kind) {
+        return std::find(there.begin(), there.end(), kind) != there.end();
+    };
+    if (info.choice && !isThere(info.choice->scene)) {
+        root.member("choice").fail("the dataset does not have the scene model that was chosen");
+    }
+    for (std::size_t i = 0; i < info.photos.size(); ++i) {
+        if (info.photos[i].scene && !isThere(*info.photos[i].scene)) {
+            root.member("photos").element(i).fail("the dataset does not have the photo's scene model");
+        }
+    }
+}
+
+} // namespace
+
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
     if (!info.photos[photo].depth.empty()) {
         return SceneKind::Depth;
@@ -275,6 +325,47 @@ SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
     return info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
 }
 
+SceneKind autoScene(const DatasetInfo& info, std::size_t photo, const CameraIntrinsics& camera) {
+    if (info.choice && info.choice->isFor(camera)) {
+        const SceneKind chosen = info.photos[photo].scene.value_or(info.choice->scene);
+        if (hasScene(info, photo, chosen)) {
+            return chosen;
+        }
+    }
+    return bestScene(info, photo);
+}
+
+Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIntrinsics& camera) {
+    const bool isChosen = sampling == Sampling::Auto && info.choice && info.choice->isFor(camera);
+    return isChosen ? info.choice->sampling : sampling;
+}
+
+void putMeasured(Json& description, const ViewChoice& choice, const std::map<SceneKind, double>& errorPx,
+                 const std::vector<std::optional<SceneKind>>& photoScenes) {
+    const JsonReader root(description, "the dataset's description");
+    const std::size_t photos = root.member("photos").arraySize(kMostPhotos);
+    const std::size_t models = root.member("scene_models").arraySize(100);
+    if (!photoScenes.empty() && photoScenes.size() != photos) {
+        root.member("photos").fail(text("expected ", photoScenes.size(), " photos"));
+    }
+    description["choice"] = toJson(choice);
+    for (std::size_t i = 0; i < photos; ++i) {
+        Json& scene = description["photos"][i]["scene"];
+        scene = Json();
+        if (!photoScenes.empty() && photoScenes[i]) {
+            scene = name(*photoScenes[i]);
+        }
+    }
+    for (std::size_t i = 0; i < models; ++i) {
+        Json& model = description["scene_models"][i];
+        for (const auto& [kind, px] : errorPx) {
+            if (model.value("kind", "") == name(kind)) {
+                model["measured_error_px"] = px;
+            }
+        }
+    }
+}
+
 Json toJson(const DatasetInfo& info) {
     Json obstacles = Json::array();
     for (const Polygon& obstacle : info.obstacles) {
@@ -282,18 +373,19 @@ Json toJson(const DatasetInfo& info) {
     }
     Json models = Json::array();
     if (info.sphereRadiusM) {
-        models.push_back(
-            {{"kind", "sphere"}, {"radius_m", *info.sphereRadiusM}, {"measured_error_px", nullptr}});
+        models.push_back({{"kind", "sphere"},
+                          {"radius_m", *info.sphereRadiusM},
+                          {"measured_error_px", measuredErrorPx(info, SceneKind::Sphere)}});
     }
     if (info.roomShape) {
         models.push_back({{"kind", "room"},
                           {"outline_m", listOf(info.roomShape->outline)},
                           {"floor_m", info.roomShape->floorM},
                           {"ceiling_m", info.roomShape->ceilingM},
-                          {"measured_error_px", nullptr}});
+                          {"measured_error_px", measuredErrorPx(info, SceneKind::Room)}});
     }
     if (scenesOf(info).back() == SceneKind::Depth) {
-        models.push_back({{"kind", "depth"}, {"measured_error_px", nullptr}});
+        models.push_back({{"kind", "depth"}, {"measured_error_px", measuredErrorPx(info, SceneKind::Depth)}});
     }
     Json cameras = Json::array();
     for (const SuggestedCamera& camera : info.cameras) {
@@ -318,6 +410,7 @@ Json toJson(const DatasetInfo& info) {
          {{"outline_m", listOf(info.outline)}, {"obstacles_m", obstacles}, {"ceiling_m", info.ceilingM}}},
         {"grid", {{"step_m", info.stepM}}},
         {"scene_models", models},
+        {"choice", info.choice ? toJson(*info.choice) : Json()},
         {"colour_correction", nullptr},
         {"suggested_cameras", cameras},
         {"photos", photos}};
@@ -335,6 +428,9 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     readRoom(root.member("room"), info);
     info.stepM = boundedNumber(root.member("grid").member("step_m"), 0, kFarthestM);
     readSceneModels(root.member("scene_models"), info);
+    if (!root.isAbsent("choice")) {
+        info.choice = parseViewChoice(root.member("choice"));
+    }
     const JsonReader cameras = root.member("suggested_cameras");
     for (std::size_t i = 0; i < cameras.arraySize(1000); ++i) {
         info.cameras.push_back(cameraOf(cameras.element(i)));
@@ -346,6 +442,7 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     if (info.photos.empty()) {
         photos.fail("the dataset has no photos");
     }
+    checkChoice(info, root);
     return info;
 }
 

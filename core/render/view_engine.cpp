@@ -85,16 +85,18 @@ ViewPlan ViewEngine::plan(const ViewRequest& request, std::size_t photo) {
     const DatasetInfo& info = m_dataset->info();
     ViewPlan plan;
     plan.level = {photo, 1};
-    plan.scene = request.options.scene.value_or(bestScene(info, photo));
+    plan.scene = request.options.scene.value_or(autoScene(info, photo, request.camera.intrinsics()));
     if (hasSurfaces(plan.scene)) {
         plan.surface = plan.scene;
         plan.scene = info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
     }
     plan.radiusM = info.sphereRadiusM.value_or(kUsualDistanceM);
     const double ratio = minification(request.camera, info.photos[photo].width);
-    plan.sampling = request.options.exact
-                        ? Sampling::Bilinear
-                        : chosenSampling(request.options.sampling, ratio, request.options.toleranceDb);
+    plan.sampling =
+        request.options.exact
+            ? Sampling::Bilinear
+            : chosenSampling(autoSampling(info, request.options.sampling, request.camera.intrinsics()), ratio,
+                             request.options.toleranceDb);
     if (plan.sampling == Sampling::Reduced) {
         if (PlaneLayout::fits(m_photos->size({photo, 2}))) {
             plan.level.denominator = 2;

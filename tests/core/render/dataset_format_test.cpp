@@ -24,6 +24,8 @@ DatasetInfo fullInfo() {
     info.ceilingM = 2.6;
     info.stepM = 0.2;
     info.sphereRadiusM = 1.9;
+    info.measuredErrorPx = {{SceneKind::Sphere, 5.25}};
+    info.choice = ViewChoice{SceneKind::Sphere, Sampling::Bilinear, 8, 5.25, 589, "It holds."};
     SuggestedCamera camera{"vga", CameraIntrinsics::pinhole(640, 480, 1)};
     camera.intrinsics.lens = LensModel::PlumbBob;
     camera.intrinsics.distortion = {1, 2, 3, 4, 5};
@@ -41,6 +43,7 @@ DatasetInfo fullInfo() {
         photo.roomFromPhoto = {random.rotation(), random.vector(1e6)};
         photo.rotationSource = "imported";
         if (i == 1) {
+            photo.scene = SceneKind::None;
             photo.positionSigmaM = Eigen::Vector3d(0.01, 0.02, 0.03);
             photo.rotationSigma = RotationSigma{Degrees(0.1), Degrees(0.2), Degrees(0.3)};
         }
@@ -145,6 +148,48 @@ TEST(DatasetFormat, SurvivesEveryMissingAndMistypedMember) {
         }
     }
     EXPECT_GT(refusals, 300);
+}
+
+TEST(DatasetFormat, RefusesAChoiceThatCannotBe) {
+    const auto with = [](const char* key, const Json& value) {
+        return [=](Json& json) { json["choice"][key] = value; };
+    };
+    refused(ErrorKind::Corrupt, "/choice/scene", with("scene", "magic"));
+    refused(ErrorKind::Corrupt, "/choice", with("scene", "depth")); // which the dataset does not have
+    refused(ErrorKind::Corrupt, "/choice/sampling", with("sampling", "auto"));
+    refused(ErrorKind::Corrupt, "/choice/tolerance_px", with("tolerance_px", 0));
+    refused(ErrorKind::Corrupt, "/choice/error_px", with("error_px", -1));
+    refused(ErrorKind::Corrupt, "/choice/camera_focal_px", with("camera_focal_px", 1e300));
+    refused(ErrorKind::Corrupt, "/photos/0", [](Json& json) { json["photos"][0]["scene"] = "room"; });
+    refused(ErrorKind::Corrupt, "measured_error_px",
+            [](Json& json) { json["scene_models"][0]["measured_error_px"] = -2; });
+}
+
+TEST(DatasetFormat, TakesWhatWasChosenWhereItHoldsForTheCamera) {
+    DatasetInfo info = fullInfo();
+    const CameraIntrinsics measured = CameraIntrinsics::pinhole(640, 480, 1);
+    const CameraIntrinsics longer = CameraIntrinsics::pinhole(1280, 960, 1);
+    info.roomShape = RoomShape{info.outline, 0, 2.6};
+    EXPECT_EQ(autoScene(info, 0, measured), SceneKind::Sphere);
+    EXPECT_EQ(autoScene(info, 1, measured), SceneKind::None); // enough about that photo
+    EXPECT_EQ(autoScene(info, 1, longer), SceneKind::Room);   // the best, since nothing was measured for it
+    EXPECT_EQ(autoSampling(info, Sampling::Auto, measured), Sampling::Bilinear);
+    EXPECT_EQ(autoSampling(info, Sampling::Nearest, measured), Sampling::Nearest);
+    EXPECT_EQ(autoSampling(info, Sampling::Auto, longer), Sampling::Auto);
+}
+
+TEST(DatasetFormat, KeepsWhatItDoesNotKnowWhenAChoiceIsWritten) {
+    Json json = toJson(fullInfo());
+    json["of_a_later_version"] = 7;
+    const ViewChoice choice{SceneKind::None, Sampling::Nearest, 30, 26.5, 589, ""};
+    putMeasured(json, choice, {{SceneKind::Sphere, 6.5}}, {SceneKind::None, std::nullopt, std::nullopt});
+    EXPECT_EQ(json["of_a_later_version"], 7);
+    const DatasetInfo again = parseDatasetInfo(json, "x");
+    EXPECT_EQ(again.choice, choice);
+    EXPECT_EQ(again.measuredErrorPx.at(SceneKind::Sphere), 6.5);
+    EXPECT_EQ(again.photos[0].scene, SceneKind::None);
+    EXPECT_FALSE(again.photos[1].scene);
+    expectError(ErrorKind::Corrupt, "photos", [&] { putMeasured(json, choice, {}, {std::nullopt}); });
 }
 
 } // namespace spherewalk::render

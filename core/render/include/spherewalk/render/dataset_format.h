@@ -8,8 +8,10 @@
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/room_shape.h"
 #include "spherewalk/render/scene_model.h"
+#include "spherewalk/render/view_choice.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +47,8 @@ struct DatasetPhoto {
     std::string rotationSource; ///< "imported", "aligned", "metadata", or "unknown" (identity)
     std::optional<Eigen::Vector3d> positionSigmaM;
     std::optional<RotationSigma> rotationSigma;
+    /// A scene model cheaper than the dataset's choice that is enough about this photo.
+    std::optional<SceneKind> scene;
 };
 
 struct SuggestedCamera {
@@ -61,9 +65,11 @@ struct DatasetInfo {
     Polygon outline; ///< empty if unknown
     std::vector<Polygon> obstacles;
     double ceilingM = 0;
-    double stepM = 0;                    ///< of the planned grid; 0 if there was none
-    std::optional<double> sphereRadiusM; ///< of the sphere scene model, if the dataset has one
-    std::optional<RoomShape> roomShape;  ///< of the room scene model, if the dataset has one
+    double stepM = 0;                            ///< of the planned grid; 0 if there was none
+    std::optional<double> sphereRadiusM;         ///< of the sphere scene model, if the dataset has one
+    std::optional<RoomShape> roomShape;          ///< of the room scene model, if the dataset has one
+    std::map<SceneKind, double> measuredErrorPx; ///< as ViewChoice::errorPx; of those that were measured
+    std::optional<ViewChoice> choice;            ///< if it was measured
     std::vector<SuggestedCamera> cameras;
     std::vector<DatasetPhoto> photos;
 };
@@ -73,6 +79,18 @@ std::vector<SceneKind> scenesOf(const DatasetInfo& info);
 
 /// The best scene model that the dataset has for a photo.
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo);
+
+/// What was chosen for views from a photo if that holds for the camera, else the best that there is.
+SceneKind autoScene(const DatasetInfo& info, std::size_t photo, const CameraIntrinsics& camera);
+
+/// For Sampling::Auto what was chosen, if that holds for the camera; else the same.
+Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIntrinsics& camera);
+
+/// Writes what was measured into an open description, which may hold more than this version knows.
+/// photoScenes: DatasetPhoto::scene of each photo, or none at all. Errors: Corrupt if it is no description of
+/// so many photos.
+void putMeasured(Json& description, const ViewChoice& choice, const std::map<SceneKind, double>& errorPx,
+                 const std::vector<std::optional<SceneKind>>& photoScenes);
 
 Json toJson(const DatasetInfo& info);
 
