@@ -3,8 +3,10 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
 
 #include <cairo-pdf.h>
+#include <librsvg/rsvg.h>
 #include <numbers>
 #include <utility>
 
@@ -15,12 +17,55 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr double kPointsAMm = 72 / 25.4;
+constexpr int kJpegQuality = 88;
 
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
     auto& bytes = *static_cast<Bytes*>(closure);
     bytes.insert(bytes.end(), data, data + length);
     return CAIRO_STATUS_SUCCESS;
 }
+
+void forgetBytes(void* bytes) {
+    delete static_cast<Bytes*>(bytes);
+}
+
+/// The SVG as its library knows it.
+class SvgHandle {
+  public:
+    explicit SvgHandle(const std::string& svg) {
+        GError* failure = nullptr;
+        m_handle.reset(
+            rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &failure));
+        check(failure);
+    }
+
+    Vector2d size() const {
+        gdouble width = 0;
+        gdouble height = 0;
+        if (rsvg_handle_get_intrinsic_size_in_pixels(m_handle.get(), &width, &height) == 0 || !(width > 0) ||
+            !(height > 0)) {
+            throw Error(ErrorKind::Internal, "A drawing says nothing of its size.");
+        }
+        return {width, height};
+    }
+
+    void draw(cairo_t* cairo, const RsvgRectangle& place) const {
+        GError* failure = nullptr;
+        rsvg_handle_render_document(m_handle.get(), cairo, &place, &failure);
+        check(failure);
+    }
+
+  private:
+    static void check(GError* failure) {
+        if (failure != nullptr) {
+            const std::string why = failure->message;
+            g_error_free(failure);
+            throw Error(ErrorKind::Internal, text("A drawing could not be put on paper: ", why, "."));
+        }
+    }
+
+    std::unique_ptr<RsvgHandle, decltype(&g_object_unref)> m_handle{nullptr, &g_object_unref};
+};
 
 } // namespace
 
@@ -119,17 +164,56 @@ void PdfPages::disc(const Vector2d& centre, double radiusMm) {
     cairo_fill(m_cairo.get());
 }
 
-void PdfPages::words(const Vector2d& at, const std::string& text, double heightMm, Align align, bool isBold) {
+void PdfPages::font(double heightMm, bool isBold) const {
     cairo_select_font_face(m_cairo.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            isBold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(m_cairo.get(), heightMm);
+}
+
+double PdfPages::widthOf(const std::string& text, double heightMm, bool isBold) const {
+    font(heightMm, isBold);
     cairo_text_extents_t extents;
     cairo_text_extents(m_cairo.get(), text.c_str(), &extents);
-    const double left = align == Align::Left     ? 0
-                        : align == Align::Centre ? 0.5 * extents.x_advance
-                                                 : extents.x_advance;
+    return extents.x_advance;
+}
+
+void PdfPages::words(const Vector2d& at, const std::string& text, double heightMm, Align align, bool isBold) {
+    const double width = widthOf(text, heightMm, isBold);
+    const double left = align == Align::Left ? 0 : align == Align::Centre ? 0.5 * width : width;
     cairo_move_to(m_cairo.get(), at.x() - left, at.y());
     cairo_show_text(m_cairo.get(), text.c_str());
+    check();
+}
+
+void PdfPages::picture(const Vector2d& at, double widthMm, const RgbImage& picture) {
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width(), picture.height()),
+        &cairo_surface_destroy);
+    auto jpeg = std::make_unique<Bytes>(jpeg::encode(picture, kJpegQuality));
+    const Bytes& bytes = *jpeg;
+    if (cairo_surface_set_mime_data(surface.get(), CAIRO_MIME_TYPE_JPEG, bytes.data(), bytes.size(),
+                                    forgetBytes, jpeg.get()) == CAIRO_STATUS_SUCCESS) {
+        jpeg.release(); // forgetBytes() has it now
+    }
+    cairo_save(m_cairo.get());
+    cairo_translate(m_cairo.get(), at.x(), at.y());
+    cairo_scale(m_cairo.get(), widthMm / picture.width(), widthMm / picture.width());
+    cairo_set_source_surface(m_cairo.get(), surface.get(), 0, 0);
+    cairo_paint(m_cairo.get());
+    cairo_restore(m_cairo.get());
+    check();
+}
+
+Vector2d PdfPages::sizeOf(const std::string& svg) {
+    return SvgHandle(svg).size();
+}
+
+void PdfPages::drawing(const Vector2d& at, double widthMm, const std::string& svg) {
+    const SvgHandle handle(svg);
+    const Vector2d size = handle.size();
+    cairo_save(m_cairo.get());
+    handle.draw(m_cairo.get(), {at.x(), at.y(), widthMm, widthMm * size.y() / size.x()});
+    cairo_restore(m_cairo.get());
     check();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/base/image.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/sheet/page_layout.h"
 
@@ -42,9 +43,17 @@ class PdfPages {
     /// at: on the base line.
     void words(const Eigen::Vector2d& at, const std::string& text, double heightMm, Align align = Align::Left,
                bool isBold = false);
+    double widthOf(const std::string& text, double heightMm, bool isBold) const;
+    /// at: the upper left corner. Its height follows from its width. Kept as a JPEG.
+    void picture(const Eigen::Vector2d& at, double widthMm, const RgbImage& picture);
+    /// A whole SVG document, at: the upper left corner.
+    void drawing(const Eigen::Vector2d& at, double widthMm, const std::string& svg);
+    /// Of an SVG document. Units: pixels.
+    static Eigen::Vector2d sizeOf(const std::string& svg);
 
   private:
     void path(const Polygon& corners);
+    void font(double heightMm, bool isBold) const;
     void check() const;
 
     Paper m_paper;

@@ -29,6 +29,7 @@ set(SPHEREWALK_OWNER_SQLite::SQLite3 "store")
 set(SPHEREWALK_OWNER_CURL::libcurl "camera")
 set(SPHEREWALK_OWNER_spherewalk_httplib "practice")
 set(SPHEREWALK_OWNER_spherewalk_cairo "sheet")
+set(SPHEREWALK_OWNER_spherewalk_rsvg "sheet")
 
 function(spherewalk_layer_of module result)
   foreach(level RANGE 6)

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pdf_page.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/sheet/document.h"
+
+#include <algorithm>
+
+namespace spherewalk::sheet {
+
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr Paper kUpright{210, 297};
+constexpr double kWidthMm = 210 - 2 * kMarginMm;
+constexpr double kBottomMm = 297 - kMarginMm - 6; ///< above the page's number
+constexpr double kTitleTextMm = 6;
+constexpr double kHeadingTextMm = 4.6;
+constexpr double kTextMm = 3.4;
+constexpr double kTableTextMm = 2.9;
+constexpr double kLine = 1.45;       ///< of the text's height
+constexpr double kMmAPixel = 0.2646; ///< 96 pixels an inch, as on screens
+constexpr double kGapMm = 3;
+
+/// A document being laid out from top to bottom.
+class DocumentPages {
+  public:
+    DocumentPages() : m_pages(kUpright) {}
+
+    Bytes draw(const Document& document) {
+        m_pages.setGrey(0);
+        lines(document.title, kTitleTextMm, true);
+        m_y += kGapMm;
+        for (const Block& block : document.blocks) {
+            std::visit([&](const auto& one) { add(one); }, block);
+        }
+        number();
+        return m_pages.finish();
+    }
+
+  private:
+    void add(const Heading& heading) {
+        constexpr double kNextMm = 40; // of what follows, to stand on the same page
+        m_y += 2 * kGapMm;
+        need(kHeadingTextMm + kNextMm);
+        lines(heading.words, kHeadingTextMm, true);
+        m_y += 0.5 * kGapMm;
+    }
+
+    void add(const Paragraph& paragraph) {
+        lines(paragraph.words, kTextMm, false);
+        m_y += kGapMm;
+    }
+
+    void add(const Table& table) {
+        const std::vector<double> widths = columnWidths(table);
+        row(table.titles, table, widths, true);
+        for (const std::vector<std::string>& cells : table.rows) {
+            row(cells, table, widths, false);
+        }
+        m_y += kGapMm;
+    }
+
+    void add(const Drawing& drawing) {
+        const Vector2d pixels = m_pages.sizeOf(drawing.svg);
+        const double widthMm = std::min(kWidthMm, pixels.x() * kMmAPixel);
+        const double heightMm = widthMm * pixels.y() / pixels.x();
+        need(heightMm);
+        m_pages.drawing({kMarginMm, m_y}, widthMm, drawing.svg);
+        m_y += heightMm + kGapMm;
+    }
+
+    void add(const PictureRow& row) {
+        const auto count = static_cast<double>(row.pictures.size());
+        const double widthMm = (kWidthMm - (count - 1) * kGapMm) / count;
+        double heightMm = 0;
+        for (const RgbImage& picture : row.pictures) {
+            heightMm = std::max(heightMm, widthMm * picture.height() / picture.width());
+        }
+        need(heightMm + kLine * kTableTextMm);
+        for (std::size_t i = 0; i < row.pictures.size(); ++i) {
+            const double x = kMarginMm + static_cast<double>(i) * (widthMm + kGapMm);
+            m_pages.picture({x, m_y}, widthMm, row.pictures[i]);
+            m_pages.words({x, m_y + heightMm + kLine * kTableTextMm}, row.captions[i], kTableTextMm);
+        }
+        m_y += heightMm + kLine * kTableTextMm + kGapMm;
+    }
+
+    std::vector<double> columnWidths(const Table& table) const {
+        std::vector<double> widths;
+        for (const std::string& title : table.titles) {
+            widths.push_back(m_pages.widthOf(title, kTableTextMm, true));
+        }
+        for (const std::vector<std::string>& cells : table.rows) {
+            for (std::size_t i = 0; i < cells.size() && i < widths.size(); ++i) {
+                widths[i] = std::max(widths[i], m_pages.widthOf(cells[i], kTableTextMm, false));
+            }
+        }
+        return widths;
+    }
+
+    void row(const std::vector<std::string>& cells, const Table& table, const std::vector<double>& widths,
+             bool isBold) {
+        constexpr double kApartMm = 5;
+        need(kLine * kTableTextMm);
+        m_y += kLine * kTableTextMm;
+        double x = kMarginMm;
+        for (std::size_t i = 0; i < cells.size() && i < widths.size(); ++i) {
+            const bool isLeft = i < table.leftColumns;
+            m_pages.words({isLeft ? x : x + widths[i], m_y}, cells[i], kTableTextMm,
+                          isLeft ? Align::Left : Align::Right, isBold);
+            x += widths[i] + kApartMm;
+        }
+    }
+
+    /// As many lines as the words need.
+    void lines(const std::string& words, double heightMm, bool isBold) {
+        std::string line;
+        const auto end = [&] {
+            need(kLine * heightMm);
+            m_y += kLine * heightMm;
+            m_pages.words({kMarginMm, m_y}, line, heightMm, Align::Left, isBold);
+            line.clear();
+        };
+        for (std::size_t begin = 0; begin < words.size();) {
+            const std::size_t space = std::min(words.find(' ', begin), words.size());
+            const std::string longer =
+                text(line, line.empty() ? "" : " ", words.substr(begin, space - begin));
+            if (!line.empty() && m_pages.widthOf(longer, heightMm, isBold) > kWidthMm) {
+                end();
+                continue;
+            }
+            line = longer;
+            begin = space + 1;
+        }
+        end();
+    }
+
+    /// A new page if the present one has no room for it.
+    void need(double heightMm) {
+        if (m_y + heightMm > kBottomMm && m_y > kMarginMm) {
+            number();
+            m_pages.nextPage(kUpright);
+            m_y = kMarginMm;
+            ++m_page;
+        }
+    }
+
+    void number() {
+        m_pages.words({210 - kMarginMm, 297 - kMarginMm}, std::to_string(m_page), kTableTextMm, Align::Right);
+    }
+
+    PdfPages m_pages;
+    double m_y = kMarginMm;
+    int m_page = 1;
+};
+
+} // namespace
+
+Bytes pdf(const Document& document) {
+    return DocumentPages().draw(document);
+}
+
+} // namespace spherewalk::sheet

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+
+#include "spherewalk/sheet/document.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace spherewalk::sheet {
+
+namespace {
+
+const std::string kSquare = R"(<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"><rect width="9"
+height="9"/></svg>)";
+
+Document ofEverything(std::size_t rows) {
+    Table table{{"one", "two"}, {}};
+    table.rows.resize(rows, {"a", "1"});
+    return {"Title",
+            {Heading{"Heading"}, Paragraph{"Words and words."}, table, Drawing{kSquare},
+             PictureRow{{RgbImage(8, 6), RgbImage(8, 6)}, {"left", "right"}}}};
+}
+
+std::size_t pages(const Bytes& pdf) {
+    std::size_t count = 0;
+    const std::string_view all = textOf(pdf);
+    for (std::size_t at = 0; (at = all.find("/Type /Page\n", at)) != std::string_view::npos; ++at) {
+        ++count;
+    }
+    return count;
+}
+
+} // namespace
+
+TEST(Document, BecomesTheSamePdfEachTime) {
+    const Bytes first = pdf(ofEverything(3));
+    EXPECT_TRUE(textOf(first).starts_with("%PDF-"));
+    EXPECT_EQ(first, pdf(ofEverything(3)));
+    EXPECT_NE(textOf(first).find("DCTDecode"), std::string_view::npos); // pictures stay small
+}
+
+TEST(Document, GoesOnOnFurtherPages) {
+    EXPECT_EQ(pages(pdf(ofEverything(3))), 1U);
+    EXPECT_GT(pages(pdf(ofEverything(200))), 3U);
+}
+
+TEST(Document, RefusesADrawingThatIsNone) {
+    test::expectError(ErrorKind::Internal, "drawing", [] { pdf({"T", {Drawing{"no svg"}}}); });
+}
+
+} // namespace spherewalk::sheet
