@@ -64,6 +64,7 @@ void addExport(Commands& commands);
 void addView(Commands& commands);
 void addWalk(Commands& commands);
 void addMeasure(Commands& commands);
+void addGridStudy(Commands& commands);
 void addBench(Commands& commands);
 void addCamera(Commands& commands);
 void addPracticeCamera(Commands& commands);

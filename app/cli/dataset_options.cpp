@@ -31,12 +31,12 @@ void DatasetOptions::declare(CLI::App& command) {
     command.add_flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");
 }
 
-render::Renderer DatasetOptions::renderer(Context& context) const {
+render::Renderer DatasetOptions::renderer(Context& context, const std::filesystem::path& dataset) const {
     const render::Verify verify = m_noVerify ? render::Verify::Sizes : render::Verify::Hashes;
     render::RendererOptions options;
     options.verify = m_noVerify ? render::VerifyPhotos::BeforeUse : render::VerifyPhotos::AtOpen;
     return render::Renderer(std::make_shared<const render::Dataset>(
-                                render::Dataset::open(m_dataset, verify, context.progress, context.stop)),
+                                render::Dataset::open(dataset, verify, context.progress, context.stop)),
                             options);
 }
 

@@ -5,6 +5,7 @@
 
 #include "spherewalk/render/renderer.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -15,10 +16,17 @@ class DatasetOptions {
   public:
     void declare(CLI::App& command);
 
+    /// As it was given: for a command that takes a survey too.
+    const std::string& folder() const { return m_dataset; }
+
     CameraModel cameraModel() const;
     render::ViewOptions viewOptions() const;
+
     /// With hashes compared when the dataset is opened, or photo by photo.
-    render::Renderer renderer(Context& context) const;
+    render::Renderer renderer(Context& context) const { return renderer(context, m_dataset); }
+
+    /// Of another dataset, in place of the one that was given.
+    render::Renderer renderer(Context& context, const std::filesystem::path& dataset) const;
     /// The pose of the optical frame that a given pose, of the frame that the user named, stands for.
     Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
 

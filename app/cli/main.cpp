@@ -29,6 +29,7 @@ void declareCommands(Commands& commands) {
     addView(commands);
     addWalk(commands);
     addMeasure(commands);
+    addGridStudy(commands);
     addBench(commands);
     addCamera(commands);
     addPracticeCamera(commands);

@@ -1,61 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
-#include "dataset_options.h"
+#include "measured_dataset.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/jobs/measure_dataset.h"
+#include "spherewalk/jobs/measure_page.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace spherewalk::cli {
 
 namespace {
 
+constexpr std::size_t kWorstShown = 3;
+
 struct Options {
-    DatasetOptions dataset;
+    MeasuredDataset dataset;
     std::string pictures;
     std::string report;
+    bool isStored = false;
     jobs::MeasureOptions measure;
 };
 
-Result measure(const Options& options, Context& context) {
+jobs::MeasureOptions measureOptions(const Options& options, Context& context) {
     jobs::MeasureOptions wanted = options.measure;
-    const render::ViewOptions view = options.dataset.viewOptions();
+    const render::ViewOptions view = options.dataset.options().viewOptions();
+    wanted.scene = view.scene;
     wanted.sampling = view.sampling;
     wanted.threads = view.threads;
+    wanted.worst = options.report.empty() ? 0 : kWorstShown;
+    wanted.cacheFolder = options.dataset.resultFolder(context);
     if (!options.pictures.empty()) {
         wanted.pictures = jobs::readRobotPictures(options.pictures);
     }
-    const render::Renderer renderer = options.dataset.renderer(context);
-    const jobs::MeasureReport report =
-        measureDataset(renderer, options.dataset.cameraModel(), wanted, context.progress, context.stop);
-    if (!options.report.empty()) {
-        writeMeasurePage(report, options.report);
+    wanted.validate();
+    return wanted;
+}
+
+/// What a survey is to be exported with, so that this scene model can be compared; nothing: all of them.
+render::SceneKind richest(const std::optional<render::SceneKind>& scene) {
+    return std::max(scene.value_or(render::SceneKind::Depth), render::SceneKind::Sphere);
+}
+
+Result measure(const Options& options, Context& context) {
+    if (options.isStored && options.dataset.isSurvey()) {
+        throw Error(ErrorKind::InvalidInput, "A choice is stored in a dataset, and this is a survey: export "
+                                             "it, and measure the dataset with --store.");
     }
-    return {toJson(report), measureText(report)};
+    const jobs::MeasureOptions wanted = measureOptions(options, context);
+    const CameraModel camera = options.dataset.options().cameraModel();
+    const render::Renderer renderer = options.dataset.renderer(richest(wanted.scene), context);
+    const jobs::MeasureReport report =
+        measureDataset(renderer, camera, wanted, context.progress, context.stop);
+    Result result{toJson(report), measureText(report)};
+    if (!options.report.empty()) {
+        jobs::writeReport({&renderer.dataset().info(), &report, nullptr}, options.report);
+        result.text += text("\nWrote ", options.report, "/report.html and report.pdf.");
+    }
+    if (options.isStored) {
+        storeChoice(renderer.dataset().folder(), report);
+        result.text += text("\nStored the choice in ", renderer.dataset().folder().string(), ".");
+    }
+    return result;
 }
 
 } // namespace
 
 void addMeasure(Commands& commands) {
     const auto options = std::make_shared<Options>();
-    CLI::App& command =
-        commands.add("measure", "Measure how right each scene model's views are, and choose the cheapest",
-                     [options](Context& context) { return measure(*options, context); });
+    CLI::App& command = commands.add(
+        "measure", "Measure how right views are, and choose the cheapest scene model and sampling",
+        [options](Context& context) { return measure(*options, context); });
     options->dataset.declare(command);
     command.add_option(
         "--pictures", options->pictures,
-        "CSV of the robot camera's own pictures with their poses; without it, photos are left out "
-        "and compared");
-    command.add_option("--tolerance", options->measure.tolerancePx, "Pixels of the robot's camera")
+        "CSV of the robot camera's own pictures with their poses, compared besides photos that are left out");
+    command
+        .add_option("--tolerance", options->measure.tolerancePx,
+                    "Pixels of the robot's camera that 95 of 100 places may be displaced by")
         ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
-    command.add_option("--photos", options->measure.mostPhotos, "Photos that are left out, at most")
-        ->check(CLI::Range(1, 100000))
+    command
+        .add_option("--views", options->measure.mostViews,
+                    "Views of photos that are left out, at most; spread over photos and directions")
+        ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
-    command.add_option("--directions", options->measure.directions, "Directions about the horizon, of each")
+    command.add_option("--directions", options->measure.directions, "Directions about the horizon")
         ->check(CLI::Range(1, 360))
         ->capture_default_str();
-    command.add_option("--report", options->report, "Folder to write a page into (HTML and JSON)");
+    command
+        .add_option("--sampling-views", options->measure.samplingViews,
+                    "Views that the samplings are compared on, of those")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
+    command.add_flag("--store", options->isStored,
+                     "Write the choice into the dataset: what --scene auto and --sampling auto stand for");
+    command.add_option("--report", options->report, "Folder to write a page into (HTML, PDF and JSON)");
 }
 
 } // namespace spherewalk::cli

@@ -1,186 +1,271 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
+#include "measure_comparison.h"
+#include "measure_prediction.h"
+#include "measure_summary.h"
+
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/median.h"
+#include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/positions_csv.h"
-#include "spherewalk/measure/displacement.h"
-#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <numeric>
+#include <mutex>
 
 namespace spherewalk::jobs {
 
 namespace {
 
-using measure::Displacement;
+using render::Sampling;
+using render::SceneKind;
 
-/// A true picture, where it was taken, and what the dataset must not use for it.
-struct Subject {
-    std::string name;
-    Rigid3 roomFromCamera;
-    RgbImage picture;
-    DepthImage depth; ///< empty: not known
-    std::optional<std::size_t> without;
-};
+constexpr std::array kSamplings{Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced, Sampling::Footprint,
+                                Sampling::Bicubic};
+constexpr std::array kTolerancesPx{1.0, 2.0, 4.0, 8.0};
+constexpr std::size_t kTimedViews = 8;
+constexpr int kTimedRounds = 3;
 
-/// How many subjects there are, and each when it is its turn: they are large.
-struct Subjects {
-    std::size_t count = 0;
-    std::function<Subject(std::size_t)> get;
-};
-
-Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera) {
-    return {options.pictures.size(), [&](std::size_t i) {
-                const RobotPicture& picture = options.pictures[i];
-                Subject subject{picture.file.filename().string(),
-                                picture.roomFromCamera,
-                                photo::readPicture(picture.file),
-                                {},
-                                {}};
-                if (!picture.depthFile.empty()) {
-                    subject.depth = photo::readDepthPng(picture.depthFile);
-                }
-                if (subject.picture.width() != camera.width() ||
-                    subject.picture.height() != camera.height()) {
-                    throw Error(ErrorKind::InvalidInput,
-                                text("The picture ", picture.file.string(), " has not the camera's ",
-                                     camera.width(), " x ", camera.height(), " pixels."));
-                }
-                return subject;
-            }};
+std::vector<SceneKind> wantedScenes(const MeasureOptions& options, const render::DatasetInfo& info) {
+    const std::vector<SceneKind> there = render::scenesOf(info);
+    if (!options.scene) {
+        return there;
+    }
+    if (std::find(there.begin(), there.end(), *options.scene) == there.end()) {
+        throw Error(ErrorKind::InvalidInput, text("The dataset has no ", name(*options.scene),
+                                                  " scene model; use another, or export it with one."));
+    }
+    return {*options.scene};
 }
 
-Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& renderer,
-                         const CameraModel& camera) {
-    const std::size_t all = renderer.dataset().info().photos.size();
-    const std::size_t photos = std::min(all, static_cast<std::size_t>(options.mostPhotos));
-    const auto directions = static_cast<std::size_t>(options.directions);
-    return {all < 2 ? 0 : photos * directions, [=, &renderer, &camera, &options](std::size_t i) {
-                const std::size_t photo = i / directions * all / photos;
-                const render::DatasetPhoto& of = renderer.dataset().info().photos[photo];
-                const double turn = 2 * std::numbers::pi * static_cast<double>(i % directions) /
-                                    static_cast<double>(directions);
-                const Rigid3 pose{(yawRotation(Radians(turn)) * bodyFromOptical()).normalized(),
-                                  of.roomFromPhoto.translation};
-                render::ViewOptions view;
-                view.scene = render::SceneKind::None; // from its own place a photo is the truth
-                view.sampling = options.sampling;
-                view.threads = options.threads;
-                return Subject{text(of.file, " ", std::lround(turn * 180 / std::numbers::pi), " deg"),
-                               pose,
-                               renderer.render(camera, pose, view).picture,
-                               {},
-                               photo};
-            }};
-}
-
-/// One scene model's views, and all of their displacements.
-class SceneMeasurement {
+/// One set of subjects being compared.
+class Measurement {
   public:
-    explicit SceneMeasurement(render::SceneKind scene) { m_result.scene = scene; }
-
-    void add(const Subject& subject, const render::Renderer& renderer, const CameraModel& camera,
-             const MeasureOptions& options) {
-        render::ViewOptions wanted;
-        wanted.scene = m_result.scene;
-        wanted.sampling = options.sampling;
-        wanted.threads = options.threads;
-        wanted.without = subject.without;
-        wanted.wantsDepth = !subject.depth.empty();
-        const render::View view = renderer.render(camera, subject.roomFromCamera, wanted);
-        const std::vector<Displacement> matched =
-            measure::matchedDisplacements(subject.picture, view.picture);
-        ViewLikeness likeness;
-        likeness.subject = subject.name;
-        likeness.photo = view.report.file;
-        likeness.offsetM = view.report.offsetM;
-        likeness.psnrDb = photo::psnr(subject.picture, view.picture);
-        likeness.ssim = photo::structuralSimilarity(subject.picture, view.picture);
-        likeness.medianPx = measure::quantile(matched, 0.5);
-        likeness.p95Px = measure::quantile(matched, 0.95);
-        likeness.matches = matched.size();
-        likeness.renderMs = view.report.renderMs;
-        m_matched.insert(m_matched.end(), matched.begin(), matched.end());
-        if (!subject.depth.empty()) {
-            const Eigen::Vector3d photoAt =
-                renderer.dataset().info().photos[view.report.photo].roomFromPhoto.translation;
-            const std::vector<Displacement> exact = measure::exactDisplacements(
-                camera, subject.roomFromCamera, photoAt, subject.depth, view.depth);
-            likeness.exactMedianPx = measure::quantile(exact, 0.5);
-            likeness.exactP95Px = measure::quantile(exact, 0.95);
-            m_exact.insert(m_exact.end(), exact.begin(), exact.end());
+    Measurement(const render::Renderer& renderer, const CameraModel& camera, const MeasureOptions& options,
+                Subjects subjects)
+        : m_renderer(renderer),
+          m_camera(camera),
+          m_options(options),
+          m_subjects(std::move(subjects)),
+          m_cache(options.cacheFolder, renderer.dataset().info(), camera.intrinsics()),
+          m_scenes(wantedScenes(options, renderer.dataset().info())),
+          m_results(m_subjects.count) {
+        if (m_subjects.count == 0) {
+            throw Error(ErrorKind::InvalidInput,
+                        "Could not measure: with a single photo there is nothing to compare it with.");
         }
-        m_result.views.push_back(std::move(likeness));
     }
 
-    SceneLikeness result() {
-        std::vector<double> ms;
-        std::vector<double> medians;
-        const auto count = static_cast<double>(m_result.views.size());
-        m_result.worstPsnrDb = std::numeric_limits<double>::infinity();
-        for (const ViewLikeness& view : m_result.views) {
-            m_result.meanPsnrDb += view.psnrDb / count;
-            m_result.meanSsim += view.ssim / count;
-            if (view.medianPx) {
-                medians.push_back(*view.medianPx);
-            }
-            m_result.worstPsnrDb = std::min(m_result.worstPsnrDb, view.psnrDb);
-            ms.push_back(view.renderMs);
+    MeasureReport run(ProgressSink& progress, const std::stop_token& stop) {
+        ProgressStep comparing(progress, 0, 0.95);
+        compareAll(comparing, stop);
+        ProgressStep timing(progress, 0.95, 1);
+        MeasureReport report = summarised();
+        timeAll(report, timing, stop);
+        return report;
+    }
+
+    /// The views of a scene model that are farthest from the truth.
+    std::vector<ShownView> worstViews(const SceneLikeness& scene) const {
+        std::vector<const ViewLikeness*> views;
+        for (const ViewLikeness& view : scene.views) {
+            views.push_back(&view);
         }
-        if (!medians.empty()) {
-            m_result.medianPx =
-                std::accumulate(medians.begin(), medians.end(), 0.0) / static_cast<double>(medians.size());
+        const std::size_t count = std::min(views.size(), m_options.worst);
+        std::partial_sort(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(count), views.end(),
+                          [](const ViewLikeness* a, const ViewLikeness* b) {
+                              return a->p95Px.value_or(0) > b->p95Px.value_or(0);
+                          });
+        views.resize(count);
+        std::vector<ShownView> result;
+        for (const ViewLikeness* likeness : views) {
+            const Subject subject = m_subjects.get(likeness->index);
+            result.push_back(
+                shownView(*likeness, subject.picture,
+                          viewOf(subject, m_renderer, m_camera, {scene.scene, scene.sampling}).picture));
         }
-        m_result.p95Px = measure::quantile(m_matched, 0.95);
-        m_result.exactMedianPx = measure::quantile(m_exact, 0.5);
-        m_result.exactP95Px = measure::quantile(m_exact, 0.95);
-        m_result.medianRenderMs = median(ms);
-        return std::move(m_result);
+        return result;
     }
 
   private:
-    SceneLikeness m_result;
-    std::vector<Displacement> m_matched;
-    std::vector<Displacement> m_exact;
-};
+    /// What is to be compared with a subject: all scene models, on some subjects with all samplings.
+    std::vector<SceneAndSampling> rungs(std::size_t subject) const {
+        std::vector<SceneAndSampling> result;
+        const std::size_t some = samplingViews();
+        const bool isOne = some > 0 && (subject * some) % m_subjects.count < some;
+        for (const SceneKind scene : m_scenes) {
+            result.emplace_back(scene, m_options.sampling);
+            for (const Sampling sampling : kSamplings) {
+                if (isOne && sampling != m_options.sampling) {
+                    result.emplace_back(scene, sampling);
+                }
+            }
+        }
+        return result;
+    }
 
-/// The 95th percentile that counts: the exact one where it is known. Infinity where nothing could be
-/// compared.
-double errorOf(const SceneLikeness& scene) {
-    return scene.exactP95Px.value_or(scene.p95Px.value_or(std::numeric_limits<double>::infinity()));
-}
+    std::size_t samplingViews() const {
+        return std::min(m_subjects.count, static_cast<std::size_t>(m_options.samplingViews));
+    }
 
-void choose(MeasureReport& report) {
-    for (const SceneLikeness& scene : report.scenes) {
-        if (!report.choice && !scene.views.empty() && errorOf(scene) <= report.tolerancePx) {
-            report.choice = scene.scene;
-            report.reason = text("The scene model \"", std::string(name(scene.scene)),
-                                 "\" is the cheapest whose 95th percentile, ", fixed(errorOf(scene), 2),
-                                 " px, is within ", fixed(report.tolerancePx, 2), " px.");
+    void compareAll(ProgressSink& progress, const std::stop_token& stop) {
+        std::mutex mutex;
+        std::size_t done = 0;
+        parallelFor(static_cast<int>(m_subjects.count), 1, m_options.threads, [&](int i, int /*end*/) {
+            const bool isReused = compareOne(static_cast<std::size_t>(i), stop);
+            const std::scoped_lock lock(mutex);
+            m_reused += isReused ? 1 : 0;
+            progress.progress(static_cast<double>(++done) / static_cast<double>(m_subjects.count),
+                              text("Comparing view ", done, " of ", m_subjects.count));
+        });
+    }
+
+    /// Whether all was known from an earlier run.
+    bool compareOne(std::size_t i, const std::stop_token& stop) {
+        const std::string key = m_subjects.key(i);
+        Comparisons known = m_cache.read(key);
+        std::vector<SceneAndSampling> missing = rungs(i);
+        std::erase_if(missing, [&](const SceneAndSampling& rung) { return known.contains(rung); });
+        throwIfStopped(stop);
+        if (!missing.empty()) {
+            Subject subject = m_subjects.get(i);
+            measure::PictureFeatures features(subject.picture);
+            const KnownSubject with{std::move(subject), std::move(features)};
+            for (const SceneAndSampling& rung : missing) {
+                throwIfStopped(stop);
+                known[rung] = compared(with, m_renderer, m_camera, rung);
+            }
+            m_cache.write(key, known);
+        }
+        m_results[i] = std::move(known);
+        return missing.empty();
+    }
+
+    MeasureReport summarised() const {
+        const render::DatasetInfo& info = m_renderer.dataset().info();
+        MeasureReport report;
+        report.dataset = info.name;
+        report.photos = info.photos.size();
+        report.directions = m_options.directions;
+        report.reusedViews = m_reused;
+        report.sphereRadiusM = info.sphereRadiusM;
+        report.focalPx = std::max(m_camera.intrinsics().fx, m_camera.intrinsics().fy);
+        report.samplingViews = samplingViews();
+        for (const SceneKind scene : m_scenes) {
+            SceneSummary summary(scene, m_options.sampling);
+            std::map<Sampling, SamplingSummary> samplings;
+            for (std::size_t i = 0; i < m_subjects.count; ++i) {
+                const Comparison& comparison = m_results[i].at({scene, m_options.sampling});
+                summary.add(comparison, likenessOf(i, comparison));
+                for (const SceneAndSampling& rung : rungs(i)) {
+                    if (rung.first == scene && rung.second != m_options.sampling) {
+                        samplings[rung.second].add(m_results[i].at(rung), comparison);
+                    }
+                }
+            }
+            report.scenes.push_back(summary.result());
+            for (const Sampling sampling : kSamplings) {
+                const std::optional<double> errorPx = report.scenes.back().errorPx();
+                report.rungs.push_back({scene, sampling, errorPx, 0, bytesWith(scene)});
+                if (sampling != m_options.sampling) {
+                    report.rungs.back().errorPx = samplings[sampling].scaled(errorPx);
+                }
+            }
+        }
+        return report;
+    }
+
+    /// What is known of a view before it was compared.
+    ViewLikeness likenessOf(std::size_t i, const Comparison& comparison) const {
+        const Subjects::Place place = m_subjects.place(i);
+        const render::DatasetPhoto& from = m_renderer.dataset().info().photos[comparison.photo];
+        ViewLikeness view;
+        view.subject = place.name;
+        view.photo = from.file;
+        view.index = i;
+        view.leftOut = place.without;
+        view.axis = place.roomFromCamera.rotation * Eigen::Vector3d::UnitZ();
+        view.at = place.roomFromCamera.translation;
+        view.offset = view.at - from.roomFromPhoto.translation;
+        return view;
+    }
+
+    std::uint64_t bytesWith(SceneKind scene) const {
+        std::uint64_t bytes = 0;
+        for (const render::DatasetPhoto& photo : m_renderer.dataset().info().photos) {
+            bytes += photo.sizeBytes;
+            if (scene == SceneKind::Depth && !photo.depth.empty()) {
+                bytes += std::filesystem::file_size(m_renderer.dataset().folder() / photo.depth);
+            }
+        }
+        return bytes;
+    }
+
+    /// One after the other, all rungs in turns, so that what else the machine does meets all alike.
+    void timeAll(MeasureReport& report, ProgressSink& progress, const std::stop_token& stop) const {
+        std::vector<std::vector<double>> ms(report.rungs.size());
+        const std::size_t count = std::min(m_subjects.count, kTimedViews);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Subjects::Place place = m_subjects.place(k * m_subjects.count / count);
+            for (int round = -1; round < kTimedRounds; ++round) { // the first decodes
+                for (std::size_t r = 0; r < report.rungs.size(); ++r) {
+                    throwIfStopped(stop);
+                    render::ViewOptions wanted;
+                    wanted.scene = report.rungs[r].scene;
+                    wanted.sampling = report.rungs[r].sampling;
+                    wanted.threads = m_options.threads;
+                    wanted.without = place.without;
+                    const double took =
+                        m_renderer.render(m_camera, place.roomFromCamera, wanted).report.renderMs;
+                    if (round >= 0) {
+                        ms[r].push_back(took);
+                    }
+                }
+            }
+            progress.progress(static_cast<double>(k + 1) / static_cast<double>(count), "Timing views");
+        }
+        for (std::size_t r = 0; r < report.rungs.size(); ++r) {
+            report.rungs[r].renderMs = median(ms[r]);
         }
     }
-    if (report.choice || report.scenes.empty()) {
-        return;
+
+    const render::Renderer& m_renderer;
+    const CameraModel& m_camera;
+    const MeasureOptions& m_options;
+    Subjects m_subjects;
+    ComparisonCache m_cache;
+    std::vector<SceneKind> m_scenes;
+    std::vector<Comparisons> m_results;
+    std::size_t m_reused = 0;
+};
+
+MeasureReport measured(const render::Renderer& renderer, const CameraModel& camera,
+                       const MeasureOptions& options, bool isLeaveOneOut, ProgressSink& progress,
+                       const std::stop_token& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    Measurement measurement(renderer, camera, options,
+                            isLeaveOneOut ? leftOutSubjects(options, renderer, camera)
+                                          : robotSubjects(options, camera));
+    MeasureReport report = measurement.run(progress, stop);
+    report.isLeaveOneOut = isLeaveOneOut;
+    report.choice = chosen(report, options.tolerancePx);
+    for (const double tolerancePx : kTolerancesPx) {
+        report.choices.push_back(chosen(report, tolerancePx));
     }
-    const auto best = std::min_element(
-        report.scenes.begin(), report.scenes.end(),
-        [](const SceneLikeness& a, const SceneLikeness& b) { return errorOf(a) < errorOf(b); });
-    if (!std::isfinite(errorOf(*best))) {
-        report.reason = "Nothing could be compared: the pictures have too little in common with the views.";
-        return;
+    if (report.choice.rung) {
+        const SceneKind scene = report.rungs[*report.choice.rung].scene;
+        for (const SceneLikeness& of : report.scenes) {
+            if (of.scene == scene) {
+                report.worst = measurement.worstViews(of);
+            }
+        }
     }
-    report.reason = text("No scene model of this dataset is within ", fixed(report.tolerancePx, 2),
-                         " px; the best, \"", std::string(name(best->scene)), "\", reaches ",
-                         fixed(errorOf(*best), 2), " px in 95 of 100 places. Take photos closer together.");
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
 }
 
 } // namespace
@@ -202,46 +287,52 @@ std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
     return pictures;
 }
 
+void MeasureOptions::validate() const {
+    if (mostViews < 1 || directions < 1 || samplingViews < 0 || !(tolerancePx > 0) ||
+        sampling == Sampling::Auto) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not measure: at least one view, one direction, a tolerance above 0 and a sampling "
+                    "other than auto are needed.");
+    }
+}
+
 MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel& camera,
                              const MeasureOptions& options, ProgressSink& progress,
                              const std::stop_token& stop) {
-    if (options.mostPhotos < 1 || options.directions < 1 || !(options.tolerancePx > 0)) {
-        throw Error(
-            ErrorKind::InvalidInput,
-            "Could not measure: at least one photo, one direction and a tolerance above 0 are needed.");
+    options.validate();
+    if (options.pictures.empty()) {
+        return measured(renderer, camera, options, true, progress, stop);
     }
-    const auto begin = std::chrono::steady_clock::now();
-    const render::DatasetInfo& info = renderer.dataset().info();
-    MeasureReport report;
-    report.isLeaveOneOut = options.pictures.empty();
-    report.photos = info.photos.size();
-    report.sphereRadiusM = info.sphereRadiusM;
-    report.tolerancePx = options.tolerancePx;
-    const Subjects subjects =
-        report.isLeaveOneOut ? leftOutSubjects(options, renderer, camera) : robotSubjects(options, camera);
-    if (subjects.count == 0) {
-        throw Error(ErrorKind::InvalidInput,
-                    "Could not measure: with a single photo there is nothing to compare it with.");
+    ProgressStep comparing(progress, 0, 0.4);
+    MeasureReport report = measured(renderer, camera, options, false, comparing, stop);
+    if (renderer.dataset().info().photos.size() > 1) {
+        ProgressStep leaving(progress, 0.4, 1);
+        MeasureOptions leftOut = options;
+        leftOut.worst = 0;
+        auto foretold =
+            std::make_shared<MeasureReport>(measured(renderer, camera, leftOut, true, leaving, stop));
+        report.predictions = predictions(*foretold, report);
+        report.leaveOneOut = std::move(foretold);
     }
-    std::vector<SceneMeasurement> scenes;
-    for (const render::SceneKind scene : render::scenesOf(info)) {
-        scenes.emplace_back(scene);
-    }
-    for (std::size_t i = 0; i < subjects.count; ++i) {
-        throwIfStopped(stop);
-        const Subject subject = subjects.get(i);
-        for (SceneMeasurement& scene : scenes) {
-            scene.add(subject, renderer, camera, options);
-        }
-        progress.progress(static_cast<double>(i + 1) / static_cast<double>(subjects.count),
-                          text("Comparing view ", i + 1, " of ", subjects.count));
-    }
-    for (SceneMeasurement& scene : scenes) {
-        report.scenes.push_back(scene.result());
-    }
-    choose(report);
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
+}
+
+void storeChoice(const std::filesystem::path& dataset, const MeasureReport& report) {
+    const std::optional<render::ViewChoice> choice = viewChoice(report);
+    if (!choice) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("There is no choice to store in ", dataset.string(), ": ", report.choice.reason));
+    }
+    const std::filesystem::path file = dataset / render::kDatasetFile;
+    Json description = parseJson(readTextFile(file), file.string());
+    std::map<SceneKind, double> errors;
+    for (const SceneLikeness& scene : report.scenes) {
+        if (scene.errorPx()) {
+            errors[scene.scene] = *scene.errorPx();
+        }
+    }
+    render::putMeasured(description, *choice, errors, report.choice.photoScenes);
+    writeFile(file, bytesOf(description.dump(1) + "\n"));
 }
 
 } // namespace spherewalk::jobs

@@ -42,6 +42,14 @@ std::string number(double value) {
     return fixed(value, 1);
 }
 
+std::string pointsText(const std::vector<SvgPoint>& points) {
+    std::string result;
+    for (const SvgPoint& point : points) {
+        result += text(result.empty() ? "" : " ", number(point.x), ",", number(point.y));
+    }
+    return result;
+}
+
 std::string attribute(std::string_view name, std::string_view value) {
     return value.empty() ? "" : text(" ", name, "=\"", value, "\"");
 }
@@ -84,6 +92,18 @@ void Svg::circle(const SvgPoint& centre, double radius, std::string_view colour)
     m_text +=
         spherewalk::text("<circle", attribute("cx", number(centre.x)), attribute("cy", number(centre.y)),
                          attribute("r", number(radius)), attribute("fill", colour), "/>\n");
+}
+
+void Svg::polygon(const std::vector<SvgPoint>& corners, std::string_view colour, std::optional<Line> line) {
+    m_text += spherewalk::text("<polygon", attribute("class", line ? nameOf(kLineClasses, *line) : ""),
+                               attribute("points", pointsText(corners)),
+                               attribute("fill", colour.empty() ? "none" : colour), "/>\n");
+}
+
+void Svg::path(const std::vector<SvgPoint>& points, Line kind, std::string_view colour) {
+    m_text += spherewalk::text("<polyline", attribute("class", nameOf(kLineClasses, kind)),
+                               attribute("points", pointsText(points)), attribute("stroke", colour),
+                               " fill=\"none\"/>\n");
 }
 
 void Svg::text(const SvgPoint& at, std::string_view words, Text kind, SvgAnchor anchor, bool turned) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,10 +19,24 @@ struct Displacement {
     double errorPx = 0;
 };
 
+/// Features of a picture, found once to be matched several times. Threads: const, any number.
+class PictureFeatures {
+  public:
+    /// Errors: Internal, for what OpenCV refuses.
+    explicit PictureFeatures(const RgbImage& picture);
+
+  private:
+    friend std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth,
+                                                          const PictureFeatures& computed);
+    struct Found;
+    std::shared_ptr<const Found> m_found;
+};
+
 /// Displacements of features that are found in both pictures: SIFT, each the other's best by far, and moved
 /// about as two of its nearest neighbours are, since parallax is even where surfaces are and wrong matches
 /// are not. Errors: InvalidInput if the sizes differ; Internal, for what OpenCV refuses.
 std::vector<Displacement> matchedDisplacements(const RgbImage& truth, const RgbImage& computed);
+std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth, const PictureFeatures& computed);
 
 /// Displacements where the true depth is known, of every `every`th pixel of every `every`th row. At each
 /// pixel, the photo shows what lies in the direction that the depth taken leads to, at about the distance at

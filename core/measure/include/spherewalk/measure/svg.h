@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,11 @@ class Svg {
     void line(const SvgPoint& from, const SvgPoint& to, Line kind, std::string_view colour = {});
     void rectangle(const SvgBox& box, std::string_view colour);
     void circle(const SvgPoint& centre, double radius, std::string_view colour);
+    /// Filled with the colour, "" for no filling; line: of its edge.
+    void polygon(const std::vector<SvgPoint>& corners, std::string_view colour,
+                 std::optional<Line> line = std::nullopt);
+    /// From point to point.
+    void path(const std::vector<SvgPoint>& points, Line kind, std::string_view colour = {});
     /// turned: by a quarter to the left.
     void text(const SvgPoint& at, std::string_view words, Text kind, SvgAnchor anchor = SvgAnchor::Start,
               bool turned = false);

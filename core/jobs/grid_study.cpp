@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/grid_study.h"
+
+#include "grid_lattice.h"
+#include "grid_study_words.h"
+#include "measure_summary.h"
+#include "subset_dataset.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/survey/plan_report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+using render::SceneKind;
+
+constexpr double kDepthShare = 0.7; ///< of a step's time, where depth is estimated
+
+/// What is compared of one split.
+struct HeldOutView {
+    std::size_t photo;
+    Radians turn;
+};
+
+std::vector<HeldOutView> viewsOf(const GridSplit& split, std::size_t most, int directions) {
+    const auto all = split.heldOut.size() * static_cast<std::size_t>(directions);
+    const std::size_t count = std::min(all, most);
+    const std::size_t spread = std::min(split.heldOut.size(), count);
+    std::vector<HeldOutView> views;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = k % spread;
+        const auto direction = static_cast<double>((i + k / spread) % static_cast<std::size_t>(directions));
+        views.push_back({split.heldOut[i * split.heldOut.size() / spread],
+                         Radians(2 * std::numbers::pi * direction / directions)});
+    }
+    return views;
+}
+
+class Study {
+  public:
+    Study(const render::Renderer& renderer, const CameraModel& camera, const GridStudyOptions& options,
+          const std::stop_token& stop)
+        : m_renderer(renderer), m_camera(camera), m_options(options), m_stop(stop) {
+        for (const render::DatasetPhoto& photo : photos()) {
+            m_places.push_back(photo.roomFromPhoto.translation);
+        }
+    }
+
+    GridStudy run(ProgressSink& progress) {
+        const GridLattice lattice(m_places);
+        std::vector<std::vector<GridSplit>> steps;
+        for (int every = 1; every <= m_options.largest; ++every) {
+            steps.push_back(bestSplits(lattice, every, m_options.mostOffsets));
+        }
+        std::erase_if(steps, [](const auto& splits) { return splits.empty(); });
+        if (steps.empty()) {
+            throw Error(ErrorKind::InvalidInput,
+                        "The photos form no grid with a photo between others: take a block of 3 x 3 or more, "
+                        "5 x 5 best, at the finest step that you would scan with.");
+        }
+        GridStudy study;
+        study.gridStepM = lattice.stepM();
+        study.photos = m_places.size();
+        study.tolerancePx = m_options.tolerancePx;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const auto all = static_cast<double>(steps.size());
+            ProgressStep step(progress, static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+            studyStep(steps[i], lattice.stepM(), step, study);
+        }
+        return study;
+    }
+
+  private:
+    const std::vector<render::DatasetPhoto>& photos() const { return m_renderer.dataset().info().photos; }
+
+    void studyStep(const std::vector<GridSplit>& splits, double gridStepM, ProgressSink& progress,
+                   GridStudy& study) {
+        std::map<SceneKind, SceneSummary> summaries;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < splits.size(); ++i) {
+            const auto all = static_cast<double>(splits.size());
+            ProgressStep part(progress, static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+            kept += splits[i].kept.size();
+            studySplit(splits[i], static_cast<std::size_t>(m_options.mostViews) / splits.size() + 1,
+                       text(fixed(100 * splits[i].grid.stepM(gridStepM), 0), " cm"), part, summaries);
+        }
+        for (const auto& [scene, summary] : summaries) {
+            const SceneLikeness found = summary.result();
+            study.rows.push_back({splits.front().grid.stepM(gridStepM), scene, kept, found.views.size(),
+                                  found.meanPsnrDb, found.medianPx, found.p95Px});
+        }
+    }
+
+    void studySplit(const GridSplit& split, std::size_t mostViews, const std::string& step,
+                    ProgressSink& progress, std::map<SceneKind, SceneSummary>& summaries) {
+        const double shareOfDepth = m_options.withDepth ? kDepthShare : 0;
+        ProgressStep finding(progress, 0, shareOfDepth);
+        const std::optional<SurveyDepth> depth = depthOf(split, finding);
+        const SubsetDataset subset(m_renderer.dataset(), split.kept, depth ? &*depth : nullptr);
+        const render::DatasetInfo& info = subset.renderer().dataset().info();
+        const ComparisonCache cache(m_options.cacheFolder, info, m_camera.intrinsics());
+        const std::vector<HeldOutView> views = viewsOf(split, mostViews, m_options.directions);
+        std::vector<Comparisons> results(views.size());
+        ProgressStep comparing(progress, shareOfDepth, 1);
+        std::mutex mutex;
+        std::size_t done = 0;
+        parallelFor(static_cast<int>(views.size()), 1, m_options.threads, [&](int i, int /*end*/) {
+            const auto k = static_cast<std::size_t>(i);
+            results[k] = compareView(views[k], subset.renderer(), render::scenesOf(info), cache);
+            const std::scoped_lock lock(mutex);
+            comparing.progress(static_cast<double>(++done) / static_cast<double>(views.size()),
+                               text("Grid of ", step, ": comparing view ", done, " of ", views.size()));
+        });
+        for (const Comparisons& result : results) {
+            for (const auto& [with, comparison] : result) {
+                summaries.try_emplace(with.first, with.first, with.second)
+                    .first->second.add(comparison, ViewLikeness{});
+            }
+        }
+    }
+
+    /// From the kept photos alone.
+    std::optional<SurveyDepth> depthOf(const GridSplit& split, ProgressSink& progress) {
+        if (!m_options.withDepth) {
+            return std::nullopt;
+        }
+        std::vector<DepthInput> inputs;
+        for (const std::size_t photo : split.kept) {
+            inputs.push_back({m_renderer.dataset().folder() / photos()[photo].file, photos()[photo].sha256,
+                              photos()[photo].roomFromPhoto});
+        }
+        DepthOptions depth;
+        depth.cacheFolder = m_options.cacheFolder;
+        depth.drawnOutline = m_renderer.dataset().info().outline;
+        depth.sweep.threads = m_options.threads;
+        return surveyDepth(inputs, depth, progress, m_stop);
+    }
+
+    Comparisons compareView(const HeldOutView& view, const render::Renderer& from,
+                            const std::vector<SceneKind>& scenes, const ComparisonCache& cache) const {
+        const std::string key =
+            text("held out ", photos()[view.photo].sha256, " ", view.photo, " ", view.turn.value());
+        Comparisons known = cache.read(key);
+        std::vector<SceneAndSampling> missing;
+        for (const SceneKind scene : scenes) {
+            if (!known.contains({scene, m_options.sampling})) {
+                missing.emplace_back(scene, m_options.sampling);
+            }
+        }
+        throwIfStopped(m_stop);
+        if (missing.empty()) {
+            return known;
+        }
+        const Rigid3 pose = levelPose(photos()[view.photo], view.turn);
+        Subject subject{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
+        measure::PictureFeatures features(subject.picture);
+        const KnownSubject with{std::move(subject), std::move(features)};
+        for (const SceneAndSampling& rung : missing) {
+            throwIfStopped(m_stop);
+            known[rung] = compared(with, from, m_camera, rung);
+        }
+        cache.write(key, known);
+        return known;
+    }
+
+    const render::Renderer& m_renderer;
+    const CameraModel& m_camera;
+    const GridStudyOptions& m_options;
+    std::stop_token m_stop;
+    std::vector<Eigen::Vector3d> m_places;
+};
+
+std::optional<GridCost> costOf(const GridStudyOptions& options, double stepM) {
+    if (options.room.outline.empty()) {
+        return std::nullopt;
+    }
+    survey::PlanOptions plan = options.plan;
+    plan.stepM = stepM;
+    const survey::PlanReport report = survey::report(options.room, plan, survey::plan(options.room, plan));
+    return GridCost{stepM, report.stations, report.minutes};
+}
+
+/// Where the error passes the tolerance between two steps, as a power of the step.
+double crossing(const GridRow& holds, const GridRow& fails, double tolerancePx) {
+    constexpr double kLeastPx = 0.01;
+    const double low = std::log(std::max(kLeastPx, *holds.p95Px));
+    const double high = std::log(*fails.p95Px);
+    const double share = (std::log(tolerancePx) - low) / (high - low);
+    return holds.stepM * std::pow(fails.stepM / holds.stepM, std::clamp(share, 0.0, 1.0));
+}
+
+GridAnswer answerOf(const GridStudy& study, SceneKind scene, const GridStudyOptions& options) {
+    GridAnswer answer{scene, {}, true, {}};
+    const GridRow* last = nullptr;
+    for (const GridRow& row : study.rows) {
+        if (row.scene != scene) {
+            continue;
+        }
+        if (!row.p95Px || *row.p95Px > study.tolerancePx) {
+            answer.isLargest = false;
+            if (last != nullptr && row.p95Px) {
+                answer.stepM = crossing(*last, row, study.tolerancePx);
+            }
+            break;
+        }
+        answer.stepM = row.stepM;
+        last = &row;
+    }
+    if (answer.stepM) {
+        answer.stepM = std::floor(100 * *answer.stepM) / 100; // whole centimetres, on the safe side
+        answer.cost = costOf(options, *answer.stepM);
+    }
+    return answer;
+}
+
+} // namespace
+
+void GridStudyOptions::validate() const {
+    if (!(tolerancePx > 0) || largest < 2 || largest > 20 || mostOffsets < 1 || mostViews < 1 ||
+        directions < 1 || sampling == render::Sampling::Auto || (withDepth && cacheFolder.empty())) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The grid cannot be studied: a tolerance above 0, 2 to 20 as the largest step, at least "
+                    "one offset, view and direction, a sampling other than auto, and a folder for depths are "
+                    "needed.");
+    }
+}
+
+GridStudy gridStudy(const render::Renderer& renderer, const CameraModel& camera,
+                    const GridStudyOptions& options, ProgressSink& progress, const std::stop_token& stop) {
+    options.validate();
+    const auto begin = std::chrono::steady_clock::now();
+    GridStudy study = Study(renderer, camera, options, stop).run(progress);
+    for (const GridRow& row : study.rows) {
+        if (study.costs.empty() || study.costs.back().stepM != row.stepM) {
+            if (const auto cost = costOf(options, row.stepM)) {
+                study.costs.push_back(*cost);
+            }
+        }
+    }
+    for (const SceneKind scene : {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth}) {
+        if (std::any_of(study.rows.begin(), study.rows.end(),
+                        [&](const GridRow& row) { return row.scene == scene; })) {
+            study.answers.push_back(answerOf(study, scene, options));
+        }
+    }
+    study.reason = gridStudyReason(study);
+    study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return study;
+}
+
+} // namespace spherewalk::jobs

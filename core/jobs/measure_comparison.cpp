@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure_comparison.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr int kMethod = 1; ///< grows when the same dataset and subject give other comparisons
+constexpr double kMostDb = 99;
+constexpr std::uint64_t kLargestFile = 64ULL << 20;
+constexpr int kMostHundredths = 10'000'000;
+constexpr std::size_t kMostValues = 10'000'000;
+
+std::vector<int> hundredths(const std::vector<measure::Displacement>& displacements) {
+    std::vector<int> result;
+    result.reserve(displacements.size());
+    for (const measure::Displacement& displacement : displacements) {
+        result.push_back(
+            static_cast<int>(std::lround(std::min(100 * displacement.errorPx, double{kMostHundredths}))));
+    }
+    return result;
+}
+
+std::vector<int> integers(const JsonReader& list) {
+    std::vector<int> result;
+    const std::size_t count = list.arraySize(kMostValues);
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back(static_cast<int>(list.element(i).asInteger(0, kMostHundredths)));
+    }
+    return result;
+}
+
+Json jsonOf(const Comparisons& comparisons) {
+    Json result = Json::array();
+    for (const auto& [with, comparison] : comparisons) {
+        result.push_back({{"scene", name(with.first)},
+                          {"sampling", name(with.second)},
+                          {"photo", comparison.photo},
+                          {"psnr_db", comparison.psnrDb},
+                          {"ssim", comparison.ssim},
+                          {"matched", comparison.matched},
+                          {"exact", comparison.exact}});
+    }
+    return result;
+}
+
+Comparisons comparisonsOf(const JsonReader& list, std::size_t photos) {
+    Comparisons result;
+    for (std::size_t i = 0; i < list.arraySize(kMostValues); ++i) {
+        const JsonReader entry = list.element(i);
+        result[{render::sceneKind(entry.string("scene")), render::sampling(entry.string("sampling"))}] = {
+            static_cast<std::size_t>(entry.integer("photo", 0, static_cast<std::int64_t>(photos) - 1)),
+            entry.number("psnr_db"), entry.number("ssim"), integers(entry.member("matched")),
+            integers(entry.member("exact"))};
+    }
+    return result;
+}
+
+/// The dataset as views depend on it: not on what was measured.
+std::string contextOf(render::DatasetInfo info, const CameraIntrinsics& camera) {
+    info.choice.reset();
+    info.measuredErrorPx.clear();
+    for (render::DatasetPhoto& photo : info.photos) {
+        photo.scene.reset();
+    }
+    std::string lens = text(camera.width, " ", camera.height, " ", camera.fx, " ", camera.fy, " ", camera.cx,
+                            " ", camera.cy, " ", name(camera.lens));
+    for (const double parameter : camera.distortion) {
+        lens += text(" ", parameter);
+    }
+    return sha256Hex(bytesOf(text("measure ", kMethod, "\n", lens, "\n", render::toJson(info).dump())));
+}
+
+} // namespace
+
+render::View viewOf(const Subject& subject, const render::Renderer& renderer, const CameraModel& camera,
+                    const SceneAndSampling& with) {
+    render::ViewOptions wanted;
+    wanted.scene = with.first;
+    wanted.sampling = with.second;
+    wanted.threads = 1; // subjects are compared beside each other
+    wanted.without = subject.without;
+    wanted.wantsDepth = !subject.depth.empty();
+    return renderer.render(camera, subject.roomFromCamera, wanted);
+}
+
+Comparison compared(const KnownSubject& known, const render::Renderer& renderer, const CameraModel& camera,
+                    const SceneAndSampling& with) {
+    const Subject& subject = known.subject;
+    const render::View view = viewOf(subject, renderer, camera, with);
+    Comparison result;
+    result.photo = view.report.photo;
+    result.psnrDb = std::min(kMostDb, photo::psnr(subject.picture, view.picture));
+    result.ssim = photo::structuralSimilarity(subject.picture, view.picture);
+    result.matched =
+        hundredths(measure::matchedDisplacements(known.features, measure::PictureFeatures(view.picture)));
+    if (!subject.depth.empty()) {
+        const Eigen::Vector3d photoAt =
+            renderer.dataset().info().photos[result.photo].roomFromPhoto.translation;
+        result.exact = hundredths(
+            measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth));
+    }
+    return result;
+}
+
+ComparisonCache::ComparisonCache(std::filesystem::path folder, const render::DatasetInfo& info,
+                                 const CameraIntrinsics& camera)
+    : m_folder(std::move(folder)), m_photos(info.photos.size()) {
+    if (m_folder.empty()) {
+        return;
+    }
+    m_context = contextOf(info, camera);
+    std::error_code failure;
+    std::filesystem::create_directories(m_folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::Io, text("Could not make the folder ", m_folder.string(),
+                                        " to keep results in: ", failure.message(), "; name another."));
+    }
+}
+
+std::filesystem::path ComparisonCache::fileOf(const std::string& subjectKey) const {
+    return m_folder / (sha256Hex(bytesOf(m_context + "\n" + subjectKey)).substr(0, 32) + ".cbor");
+}
+
+Comparisons ComparisonCache::read(const std::string& subjectKey) const {
+    if (m_folder.empty() || !std::filesystem::is_regular_file(fileOf(subjectKey))) {
+        return {};
+    }
+    const std::filesystem::path file = fileOf(subjectKey);
+    const Bytes bytes = readFile(file, kLargestFile);
+    try {
+        const Json json = Json::from_cbor(bytes);
+        return comparisonsOf(JsonReader(json, file.string()), m_photos);
+    } catch (const Json::exception& /*damaged*/) {
+        return {};
+    } catch (const Error& /*damaged*/) {
+        return {};
+    }
+}
+
+void ComparisonCache::write(const std::string& subjectKey, const Comparisons& comparisons) const {
+    if (!m_folder.empty()) {
+        writeFile(fileOf(subjectKey), Json::to_cbor(jsonOf(comparisons)));
+    }
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "measure_subjects.h"
+
+#include "spherewalk/measure/displacement.h"
+
+#include <map>
+#include <utility>
+
+namespace spherewalk::jobs {
+
+using SceneAndSampling = std::pair<render::SceneKind, render::Sampling>;
+
+/// One view beside its subject.
+struct Comparison {
+    std::size_t photo = 0; ///< that the view was made from
+    double psnrDb = 0;
+    double ssim = 0;
+    std::vector<int> matched; ///< displacements of features, hundredths of a pixel
+    std::vector<int> exact;   ///< of pixels whose depth is known
+};
+
+/// One subject's comparisons.
+using Comparisons = std::map<SceneAndSampling, Comparison>;
+
+/// A subject and its features, found once.
+struct KnownSubject {
+    Subject subject;
+    measure::PictureFeatures features;
+};
+
+/// The view that stands for the subject.
+render::View viewOf(const Subject& subject, const render::Renderer& renderer, const CameraModel& camera,
+                    const SceneAndSampling& with);
+
+Comparison compared(const KnownSubject& known, const render::Renderer& renderer, const CameraModel& camera,
+                    const SceneAndSampling& with);
+
+/// Comparisons that are kept in files, named after all that they depend on. Threads: any, for different keys.
+class ComparisonCache {
+  public:
+    /// folder: empty for none. Errors: Io.
+    ComparisonCache(std::filesystem::path folder, const render::DatasetInfo& info,
+                    const CameraIntrinsics& camera);
+
+    /// What is there of this subject; a file that is damaged counts as none.
+    Comparisons read(const std::string& subjectKey) const;
+    void write(const std::string& subjectKey, const Comparisons& comparisons) const;
+
+  private:
+    std::filesystem::path fileOf(const std::string& subjectKey) const;
+
+    std::filesystem::path m_folder;
+    std::size_t m_photos;
+    std::string m_context;
+};
+
+} // namespace spherewalk::jobs

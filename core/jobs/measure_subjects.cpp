@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure_subjects.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+std::string poseText(const Rigid3& pose) {
+    const Eigen::Quaterniond& q = pose.rotation;
+    const Eigen::Vector3d& t = pose.translation;
+    return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
+}
+
+Subject robotSubject(const RobotPicture& picture, const CameraModel& camera) {
+    Subject subject{picture.roomFromCamera, photo::readPicture(picture.file), {}, {}};
+    if (!picture.depthFile.empty()) {
+        subject.depth = photo::readDepthPng(picture.depthFile);
+    }
+    if (subject.picture.width() != camera.width() || subject.picture.height() != camera.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The picture ", picture.file.string(), " has not the camera's ", camera.width(),
+                         " x ", camera.height(), " pixels."));
+    }
+    return subject;
+}
+
+std::string fileKey(const std::filesystem::path& file) {
+    return file.empty() ? "-" : sha256HexOfFile(file);
+}
+
+/// Photo and direction.
+using LeftOut = std::pair<std::size_t, std::size_t>;
+
+std::vector<LeftOut> leftOutViews(std::size_t photos, const MeasureOptions& options) {
+    const auto directions = static_cast<std::size_t>(options.directions);
+    const std::size_t count = std::min(photos * directions, static_cast<std::size_t>(options.mostViews));
+    const std::size_t spread = std::min(photos, count);
+    std::set<LeftOut> views;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = k % spread;
+        views.emplace(i * photos / spread, (i + k / spread) % directions);
+    }
+    return {views.begin(), views.end()};
+}
+
+} // namespace
+
+Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera) {
+    return {options.pictures.size(),
+            [&](std::size_t i) {
+                const RobotPicture& picture = options.pictures[i];
+                return Subjects::Place{picture.file.filename().string(), picture.roomFromCamera, {}};
+            },
+            [&](std::size_t i) { return robotSubject(options.pictures[i], camera); },
+            [&](std::size_t i) {
+                const RobotPicture& picture = options.pictures[i];
+                return text(fileKey(picture.file), " ", fileKey(picture.depthFile), " ",
+                            poseText(picture.roomFromCamera));
+            }};
+}
+
+Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn) {
+    return {(yawRotation(turn) * bodyFromOptical()).normalized(), photo.roomFromPhoto.translation};
+}
+
+RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+                        const Rigid3& roomFromCamera) {
+    const double photoPxPerRad = renderer.dataset().info().photos[photo].width / (2 * std::numbers::pi);
+    render::ViewOptions view;
+    view.scene = render::SceneKind::None; // from its own place a photo is the truth
+    view.sampling =
+        photoPxPerRad < camera.intrinsics().fx ? render::Sampling::Bicubic : render::Sampling::Footprint;
+    view.threads = 1;
+    return renderer.render(camera, roomFromCamera, view).picture;
+}
+
+Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& renderer,
+                         const CameraModel& camera) {
+    const std::vector<render::DatasetPhoto>& photos = renderer.dataset().info().photos;
+    if (photos.size() < 2) {
+        return {};
+    }
+    const std::vector<LeftOut> views = leftOutViews(photos.size(), options);
+    const double step = 2 * std::numbers::pi / options.directions;
+    const auto place = [=, &photos](std::size_t i) {
+        const std::size_t photo = views[i].first;
+        const Radians turn(step * static_cast<double>(views[i].second));
+        return Subjects::Place{text(photos[photo].file, " ", std::lround(Degrees(turn).value()), " deg"),
+                               levelPose(photos[photo], turn), photo};
+    };
+    const auto get = [=, &renderer, &camera](std::size_t i) {
+        const Subjects::Place at = place(i);
+        return Subject{at.roomFromCamera,
+                       truthFromPhoto(renderer, *at.without, camera, at.roomFromCamera),
+                       {},
+                       at.without};
+    };
+    const auto key = [=](std::size_t i) {
+        return text("left out ", views[i].first, " ", step * static_cast<double>(views[i].second));
+    };
+    return {views.size(), place, get, key};
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/jobs/measure_dataset.h"
+
+#include <functional>
+#include <string>
+
+namespace spherewalk::jobs {
+
+/// A true picture, where it was taken, and what the dataset must not use for it.
+struct Subject {
+    Rigid3 roomFromCamera;
+    RgbImage picture;
+    DepthImage depth; ///< empty: not known
+    std::optional<std::size_t> without;
+};
+
+/// How many subjects there are, and each when it is its turn: they are large. Threads: any.
+struct Subjects {
+    /// What is known of a subject without its picture.
+    struct Place {
+        std::string name;
+        Rigid3 roomFromCamera;
+        std::optional<std::size_t> without;
+    };
+
+    std::size_t count = 0;
+    std::function<Place(std::size_t)> place;
+    std::function<Subject(std::size_t)> get;
+    std::function<std::string(std::size_t)> key; ///< all that a subject depends on but dataset and camera
+};
+
+Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera);
+
+/// Photos as a level camera at their place would see them. Each photo once before any twice, neighbours in
+/// different directions; in the order of the photos. Owner: renderer and camera must outlive them.
+Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& renderer,
+                         const CameraModel& camera);
+
+/// The photo as a camera there would see it, with the best sampling for it.
+RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+                        const Rigid3& roomFromCamera);
+
+/// A level camera at the photo's place that looks this far to the left of the room's x axis.
+Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn);
+
+} // namespace spherewalk::jobs

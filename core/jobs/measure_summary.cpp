@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure_summary.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr double kMedian = 0.5;
+constexpr double kNearlyAll = 0.95;
+constexpr double kLeastRatioPx = 0.05; ///< below it, features are not known well enough for ratios
+
+void append(std::vector<int>& all, const std::vector<int>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+std::optional<double> quantilePx(std::vector<int> hundredths, double share) {
+    if (hundredths.empty()) {
+        return std::nullopt;
+    }
+    const auto place = std::min(hundredths.size() - 1,
+                                static_cast<std::size_t>(share * static_cast<double>(hundredths.size())));
+    const auto at = hundredths.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(hundredths.begin(), at, hundredths.end());
+    return 0.01 * *at;
+}
+
+SceneSummary::SceneSummary(render::SceneKind scene, render::Sampling sampling) {
+    m_result.scene = scene;
+    m_result.sampling = sampling;
+}
+
+void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
+    view.psnrDb = comparison.psnrDb;
+    view.ssim = comparison.ssim;
+    view.matches = comparison.matched.size();
+    view.medianPx = quantilePx(comparison.matched, kMedian);
+    view.p95Px = quantilePx(comparison.matched, kNearlyAll);
+    view.exactMedianPx = quantilePx(comparison.exact, kMedian);
+    view.exactP95Px = quantilePx(comparison.exact, kNearlyAll);
+    append(m_matched, comparison.matched);
+    append(m_exact, comparison.exact);
+    if (view.leftOut) {
+        append(m_ofPhotos[*view.leftOut], comparison.matched);
+    }
+    m_result.views.push_back(std::move(view));
+}
+
+SceneLikeness SceneSummary::result() const {
+    SceneLikeness result = m_result;
+    std::vector<double> medians;
+    const auto count = static_cast<double>(result.views.size());
+    result.worstPsnrDb = std::numeric_limits<double>::max();
+    for (const ViewLikeness& view : result.views) {
+        result.meanPsnrDb += view.psnrDb / count;
+        result.meanSsim += view.ssim / count;
+        result.worstPsnrDb = std::min(result.worstPsnrDb, view.psnrDb);
+        if (view.medianPx) {
+            medians.push_back(*view.medianPx);
+        }
+    }
+    if (!medians.empty()) {
+        result.medianPx =
+            std::accumulate(medians.begin(), medians.end(), 0.0) / static_cast<double>(medians.size());
+    }
+    result.p95Px = quantilePx(m_matched, kNearlyAll);
+    result.exactMedianPx = quantilePx(m_exact, kMedian);
+    result.exactP95Px = quantilePx(m_exact, kNearlyAll);
+    for (const auto& [photo, errors] : m_ofPhotos) {
+        result.photos.push_back({photo, quantilePx(errors, kNearlyAll), errors.size()});
+    }
+    return result;
+}
+
+void SamplingSummary::add(const Comparison& comparison, const Comparison& usual) {
+    append(m_errors, comparison.matched);
+    append(m_usual, usual.matched);
+}
+
+std::optional<double> SamplingSummary::scaled(const std::optional<double>& usualPx) const {
+    const std::optional<double> own = quantilePx(m_errors, kNearlyAll);
+    const std::optional<double> usual = quantilePx(m_usual, kNearlyAll);
+    if (!own || !usual || !usualPx) {
+        return std::nullopt;
+    }
+    return *usualPx * std::max(*own, kLeastRatioPx) / std::max(*usual, kLeastRatioPx);
+}
+
+ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view) {
+    constexpr int kGrey = 128;
+    ShownView shown{likeness.subject,
+                    likeness.p95Px,
+                    likeness.psnrDb,
+                    truth,
+                    view,
+                    RgbImage(truth.width(), truth.height())};
+    for (std::size_t i = 0; i < truth.values().size(); ++i) {
+        const int difference = view.values()[i] - truth.values()[i];
+        shown.difference.values()[i] = static_cast<std::uint8_t>(std::clamp(kGrey + difference, 0, 255));
+    }
+    return shown;
+}
+
+} // namespace spherewalk::jobs

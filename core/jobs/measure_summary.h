@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "measure_comparison.h"
+
+#include "spherewalk/jobs/measure_report.h"
+
+#include <map>
+
+namespace spherewalk::jobs {
+
+/// The value that this share of them does not exceed, in pixels; nothing if there are none.
+std::optional<double> quantilePx(std::vector<int> hundredths, double share);
+
+/// Views of one scene model, put together.
+class SceneSummary {
+  public:
+    SceneSummary(render::SceneKind scene, render::Sampling sampling);
+
+    /// view: all but what the comparison says.
+    void add(const Comparison& comparison, ViewLikeness view);
+    SceneLikeness result() const;
+
+  private:
+    SceneLikeness m_result;
+    std::vector<int> m_matched;
+    std::vector<int> m_exact;
+    std::map<std::size_t, std::vector<int>> m_ofPhotos;
+};
+
+/// Views of one sampling beside the same ones of the sampling that scene models were compared with.
+class SamplingSummary {
+  public:
+    void add(const Comparison& comparison, const Comparison& usual);
+
+    /// The error that was found with the usual sampling as this one changes it. Nothing if either is not
+    /// known.
+    std::optional<double> scaled(const std::optional<double>& usualPx) const;
+
+  private:
+    std::vector<int> m_errors;
+    std::vector<int> m_usual;
+};
+
+ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view);
+
+} // namespace spherewalk::jobs

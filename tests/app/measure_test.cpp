@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_run.h"
+#include "photographed_survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk {
+
+using test::CliResult;
+using test::runCli;
+using testing::HasSubstr;
+
+namespace {
+
+std::string writeCamera(const test::PhotographedSurvey& survey) {
+    const std::filesystem::path file = survey / "c.yaml";
+    writeFile(file, bytesOf("image_width: 160\nimage_height: 120\n"
+                            "camera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}\n"));
+    return file;
+}
+
+} // namespace
+
+TEST(MeasureCommand, ExportsASurveyMeasuresItAndReusesBoth) {
+    const test::PhotographedSurvey survey;
+    const std::string camera = writeCamera(survey);
+    const std::vector<std::string> arguments{
+        "measure",  survey.path(), "--camera",         camera, "--scene", "sphere", "--views", "3",
+        "--report", survey / "r",  "--sampling-views", "1",    "--json"};
+    const CliResult first = runCli(arguments);
+    ASSERT_EQ(first.status, 0) << first.errors;
+    EXPECT_EQ(first.json()["reused_views"], 0);
+    EXPECT_EQ(first.json()["scenes"].size(), 1U);
+    EXPECT_EQ(first.json()["rungs"].size(), 5U);
+    for (const char* file : {"report.html", "report.pdf", "report.json"}) {
+        EXPECT_TRUE(std::filesystem::exists(survey / "r" / file)) << file;
+    }
+    EXPECT_EQ(runCli(arguments).json()["reused_views"], 3);
+}
+
+TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
+    const test::PhotographedSurvey survey;
+    const std::string camera = writeCamera(survey);
+    const CliResult refused = runCli({"measure", survey.path(), "--camera", camera, "--store"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("this is a survey"));
+    const std::string dataset = survey / "d";
+    ASSERT_EQ(runCli({"export", survey.path(), dataset}).status, 0);
+    const CliResult stored =
+        runCli({"measure", dataset, "--camera", camera, "--views", "3", "--sampling-views", "1",
+                "--tolerance", "900", "--cache", survey / "cache", "--store"});
+    ASSERT_EQ(stored.status, 0) << stored.errors;
+    EXPECT_THAT(stored.output, HasSubstr("Stored the choice"));
+    const CliResult viewed = runCli({"view", dataset, "--camera", camera, "--pose",
+                                     "2 2 1.3 -0.5 0.5 -0.5 0.5", "--out", survey / "v.png", "--json"});
+    ASSERT_EQ(viewed.status, 0) << viewed.errors;
+    EXPECT_EQ(viewed.json()["scene"], "none"); // enough for a tolerance of 900 px
+}
+
+TEST(GridStudyCommand, SaysWhatBlockItNeeds) {
+    const test::PhotographedSurvey survey(2);
+    const CliResult result =
+        runCli({"grid-study", survey.path(), "--camera", writeCamera(survey), "--no-depth"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.errors, HasSubstr("5 x 5 best"));
+}
+
+} // namespace spherewalk

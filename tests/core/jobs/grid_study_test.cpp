@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "grid_lattice.h"
+#include "practice_dataset.h"
+#include "random.h"
+
+#include "spherewalk/jobs/grid_study.h"
+
+#include <set>
+
+namespace spherewalk::jobs {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// A turned block of so many columns and rows, each photo up to `off` metres beside its point.
+std::vector<Vector3d> block(int columns, int rows, double turn, double off) {
+    test::Random random(5);
+    std::vector<Vector3d> places;
+    for (int i = 0; i < columns * rows; ++i) {
+        const Vector3d place(0.2 * (i % columns), 0.2 * (i / columns), 1.2);
+        const Vector3d error(random.uniform(-off, off), random.uniform(-off, off), 0);
+        places.push_back(Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * (place + error) + Vector3d(1e5, 3, 0));
+    }
+    return places;
+}
+
+} // namespace
+
+TEST(GridLattice, FindsStepAndPointsOfATurnedAndUnevenBlock) {
+    const GridLattice lattice(block(5, 4, 0.3, 0.005));
+    EXPECT_NEAR(lattice.stepM(), 0.2, 0.01);
+    EXPECT_EQ(lattice.photos().size(), 20U);
+    std::set<int> columns;
+    for (const auto& [point, photo] : lattice.photos()) {
+        columns.insert(point[0]);
+    }
+    EXPECT_TRUE(columns.size() == 5 || columns.size() == 4); // an axis may be the other one
+}
+
+TEST(GridLattice, OfPhotosAtOnePlaceHasNoStep) {
+    const GridLattice lattice(std::vector<Vector3d>{{1, 1, 1}, {1, 1, 1}});
+    EXPECT_EQ(lattice.stepM(), 0);
+    EXPECT_TRUE(lattice.photos().empty());
+}
+
+TEST(GridSplit, HoldsOutOnlyWhatStandsBetweenKeptPhotos) {
+    const std::vector<Vector3d> places = block(5, 5, 0, 0);
+    const GridLattice lattice(places);
+    const GridSplit second = bestSplits(lattice, 2, 1).at(0);
+    EXPECT_EQ(second.kept.size(), 9U);
+    EXPECT_EQ(second.heldOut.size(), 16U);
+    const GridSplit fourth = bestSplits(lattice, 4, 1).at(0);
+    EXPECT_EQ(fourth.kept.size(), 4U);
+    EXPECT_EQ(fourth.heldOut.size(), 21U);
+    const GridSplit chess = bestSplits(lattice, 1, 1).at(0);
+    EXPECT_NEAR(chess.grid.stepM(0.2), 0.283, 1e-3);
+    for (const std::size_t photo : chess.heldOut) { // none at the edge, which would have too few about it
+        EXPECT_GT(places[photo].x() - 1e5, 0.1);
+        EXPECT_LT(places[photo].x() - 1e5, 0.7);
+    }
+    EXPECT_TRUE(bestSplits(lattice, 5, 3).empty());
+}
+
+TEST(GridSplit, NeedsAllCornersOfACell) {
+    std::vector<Vector3d> places = block(3, 3, 0, 0);
+    places.erase(places.begin() + 8); // a corner
+    const GridSplit split = bestSplits(GridLattice(places), 2, 1).at(0);
+    EXPECT_EQ(split.kept.size(), 3U);
+    EXPECT_EQ(split.heldOut.size(), 2U); // on the two edges that have both ends, not the one in the middle
+}
+
+TEST(GridStudy, FindsThatErrorsGrowWithTheStepAndWhatAGridCosts) {
+    const test::PracticeDataset dataset(5, false);
+    GridStudyOptions options;
+    options.withDepth = false;
+    options.tolerancePx = 1000;
+    options.mostOffsets = 1;
+    options.mostViews = 6;
+    options.room = {dataset.renderer().dataset().info().outline, {}, 2.6};
+    const GridStudy study =
+        gridStudy(dataset.renderer(), test::PracticeDataset::camera(), options, noProgress(), {});
+    EXPECT_NEAR(study.gridStepM, 0.2, 1e-6);
+    std::vector<double> sphere;
+    for (const GridRow& row : study.rows) {
+        if (row.scene == render::SceneKind::Sphere) {
+            sphere.push_back(row.meanPsnrDb);
+        }
+    }
+    ASSERT_EQ(sphere.size(), 4U); // 28, 40, 60 and 80 cm
+    EXPECT_GT(sphere.front(), sphere.back());
+    ASSERT_EQ(study.costs.size(), 4U);
+    EXPECT_GT(study.costs.front().minutes, 2 * study.costs.back().minutes);
+    for (const GridAnswer& answer : study.answers) {
+        EXPECT_TRUE(answer.isLargest);
+        EXPECT_NEAR(answer.stepM.value(), 0.8, 0.011);
+        EXPECT_NEAR(answer.cost.value().photos, study.costs.back().photos, 2);
+    }
+}
+
+TEST(GridStudy, RefusesPhotosWithNothingBetweenThem) {
+    const test::PracticeDataset dataset(2, false);
+    GridStudyOptions options;
+    options.withDepth = false;
+    test::expectError(ErrorKind::InvalidInput, "5 x 5", [&] {
+        gridStudy(dataset.renderer(), test::PracticeDataset::camera(), options, noProgress(), {});
+    });
+}
+
+} // namespace spherewalk::jobs

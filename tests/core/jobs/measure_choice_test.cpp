@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure_prediction.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk::jobs {
+
+using render::Sampling;
+using render::SceneKind;
+using testing::HasSubstr;
+
+namespace {
+
+/// A report of two photos, with these rungs; the scene models' own errors are those with the first sampling.
+MeasureReport reportOf(std::vector<Rung> rungs) {
+    MeasureReport report;
+    report.photos = 2;
+    report.focalPx = 500;
+    for (const Rung& rung : rungs) {
+        if (report.scenes.empty() || report.scenes.back().scene != rung.scene) {
+            SceneLikeness scene;
+            scene.scene = rung.scene;
+            scene.p95Px = rung.errorPx;
+            scene.photos = {{0, rung.errorPx, 100}, {1, rung.errorPx, 100}};
+            report.scenes.push_back(scene);
+        }
+    }
+    report.rungs = std::move(rungs);
+    return report;
+}
+
+const std::vector<Rung> kLadder{{SceneKind::Sphere, Sampling::Nearest, 9.0, 0.5, 100},
+                                {SceneKind::Sphere, Sampling::Footprint, 6.0, 1.0, 100},
+                                {SceneKind::Depth, Sampling::Nearest, 3.0, 15.0, 200},
+                                {SceneKind::Depth, Sampling::Footprint, 2.0, 20.0, 200}};
+
+ViewLikeness viewAt(double x, double offsetY, double medianPx) {
+    ViewLikeness view;
+    view.at = {x, 0, 0};
+    view.offset = {0, offsetY, 0};
+    view.medianPx = medianPx;
+    return view;
+}
+
+} // namespace
+
+TEST(MeasureChoice, IsTheCheapestRungWithinTheTolerance) {
+    const MeasureReport report = reportOf(kLadder);
+    EXPECT_EQ(chosen(report, 10).rung, 0U);
+    EXPECT_EQ(chosen(report, 7).rung, 1U);
+    EXPECT_EQ(chosen(report, 4).rung, 2U);
+    EXPECT_EQ(chosen(report, 2).rung, 3U);
+    EXPECT_TRUE(chosen(report, 2).isWithin);
+}
+
+TEST(MeasureChoice, SaysThatNoneHoldsAndNamesTheBest) {
+    const Choice choice = chosen(reportOf(kLadder), 1);
+    EXPECT_FALSE(choice.isWithin);
+    EXPECT_EQ(choice.rung, 3U);
+    EXPECT_THAT(choice.reason, HasSubstr("No option of this dataset holds 1.00 px"));
+    EXPECT_THAT(choice.reason, HasSubstr("depth with sampling footprint, reaches 2.00 px"));
+}
+
+TEST(MeasureChoice, SaysWhatTheBestOfTheCheaperOnesReaches) {
+    EXPECT_THAT(chosen(reportOf(kLadder), 4).reason, HasSubstr("reaches 6.00 px"));
+}
+
+TEST(MeasureChoice, TakesTheSmallerDatasetOfTwoThatAreAboutAsFast) {
+    const MeasureReport report = reportOf({{SceneKind::Room, Sampling::Bilinear, 3.0, 10.5, 100},
+                                           {SceneKind::Depth, Sampling::Bilinear, 2.0, 10.0, 200}});
+    EXPECT_EQ(chosen(report, 4).rung, 0U);
+}
+
+TEST(MeasureChoice, SaysSoWhereNothingCouldBeCompared) {
+    const MeasureReport report = reportOf({{SceneKind::None, Sampling::Bilinear, std::nullopt, 1, 100}});
+    EXPECT_FALSE(chosen(report, 4).rung);
+    EXPECT_FALSE(viewChoice(report));
+    EXPECT_THAT(chosen(report, 4).reason, HasSubstr("Nothing could be compared"));
+}
+
+TEST(MeasureChoice, GivesAPhotoTheCheaperSceneModelThatIsEnoughAboutIt) {
+    MeasureReport report = reportOf(kLadder);
+    report.scenes[0].photos = {{0, 12.0, 100}, {1, 1.0, 100}}; // with sampling nearest, as the scenes' errors
+    const Choice choice = chosen(report, 4);
+    ASSERT_EQ(choice.photoScenes.size(), 2U);
+    EXPECT_FALSE(choice.photoScenes[0]);
+    EXPECT_EQ(choice.photoScenes[1], SceneKind::Sphere);
+    EXPECT_DOUBLE_EQ(choice.meanRenderMs, (15 + 0.5) / 2);
+}
+
+TEST(MeasureChoice, BelievesNoPhotoOfWhichLittleWasCompared) {
+    MeasureReport report = reportOf(kLadder);
+    report.scenes[0].photos = {{0, 1.0, 3}, {1, 1.0, 3}};
+    EXPECT_TRUE(chosen(report, 4).photoScenes.empty());
+}
+
+TEST(MeasurePrediction, GrowsWithTheOffsetAcrossTheAxis) {
+    SceneLikeness leftOut;
+    leftOut.views = {viewAt(0, 0.2, 4)};
+    EXPECT_DOUBLE_EQ(foretoldPx(leftOut, viewAt(0, 0.1, 0)).value(), 2);
+    ViewLikeness along = viewAt(0, 0, 0);
+    along.offset = {0.1, 0, 0};
+    EXPECT_LT(foretoldPx(leftOut, along).value(), 1);
+}
+
+TEST(MeasurePrediction, ListensToTheNearestViewsMost) {
+    SceneLikeness leftOut;
+    leftOut.views = {viewAt(0, 0.2, 1), viewAt(1, 0.2, 10)};
+    EXPECT_LT(foretoldPx(leftOut, viewAt(0.1, 0.2, 0)).value(), 1.1);
+    EXPECT_GT(foretoldPx(leftOut, viewAt(0.9, 0.2, 0)).value(), 9.9);
+    leftOut.views[1].at = leftOut.views[0].at;
+    leftOut.views[1].axis = -leftOut.views[0].axis;
+    EXPECT_LT(foretoldPx(leftOut, viewAt(0, 0.2, 0)).value(), 1.1);
+}
+
+TEST(MeasurePrediction, IsUnknownWithoutAViewThatWasCompared) {
+    SceneLikeness leftOut;
+    leftOut.views = {ViewLikeness{}};
+    EXPECT_FALSE(foretoldPx(leftOut, viewAt(0, 0.1, 0)));
+}
+
+} // namespace spherewalk::jobs

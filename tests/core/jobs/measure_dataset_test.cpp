@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "practice_dataset.h"
+#include "random.h"
+
+#include "spherewalk/jobs/measure_dataset.h"
+#include "spherewalk/jobs/measure_page.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+
+namespace spherewalk::jobs {
+
+using render::SceneKind;
+using test::PracticeDataset;
+using testing::HasSubstr;
+
+namespace {
+
+const PracticeDataset& room() {
+    static const PracticeDataset dataset(3);
+    return dataset;
+}
+
+MeasureOptions quick() {
+    MeasureOptions options;
+    options.mostViews = 9;
+    options.samplingViews = 1;
+    return options;
+}
+
+MeasureReport measuredWith(const MeasureOptions& options, const std::stop_token& stop = {}) {
+    return measureDataset(room().renderer(), PracticeDataset::camera(), options, noProgress(), stop);
+}
+
+/// Errors alone: times differ from run to run.
+std::vector<double> errorsOf(const MeasureReport& report) {
+    std::vector<double> errors;
+    for (const SceneLikeness& scene : report.scenes) {
+        for (const ViewLikeness& view : scene.views) {
+            errors.insert(errors.end(), {view.psnrDb, view.ssim, view.p95Px.value_or(-1)});
+        }
+    }
+    return errors;
+}
+
+std::size_t filesIn(const std::filesystem::path& folder) {
+    const std::filesystem::directory_iterator files(folder);
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+} // namespace
+
+TEST(MeasureDataset, RanksTheSceneModels) {
+    const MeasureReport report = measuredWith(quick());
+    ASSERT_EQ(report.scenes.size(), 4U);
+    EXPECT_EQ(report.scenes.front().views.size(), 9U);
+    EXPECT_GT(report.scenes[0].p95Px.value(), 2 * report.scenes[3].p95Px.value());
+    EXPECT_GT(report.scenes[3].meanPsnrDb, report.scenes[1].meanPsnrDb);
+    EXPECT_EQ(report.rungs.size(), 20U);
+    for (const Rung& rung : report.rungs) {
+        EXPECT_GT(rung.renderMs, 0);
+    }
+    EXPECT_GT(report.rungs.back().bytes, report.rungs.front().bytes);
+}
+
+TEST(MeasureDataset, LeavesOutEveryPhotoBeforeAnyTwice) {
+    const MeasureReport report = measuredWith(quick());
+    EXPECT_EQ(report.scenes.front().photos.size(), 9U);
+    std::vector<double> turns;
+    for (const ViewLikeness& view : report.scenes.front().views) {
+        turns.push_back(std::round(std::atan2(view.axis.y(), view.axis.x()) / 1.57));
+    }
+    std::sort(turns.begin(), turns.end());
+    EXPECT_GE(std::unique(turns.begin(), turns.end()) - turns.begin(), 4);
+}
+
+TEST(MeasureDataset, GoesOnWhereItWasStoppedWithTheSameErrors) {
+    const test::TemporaryFolder folder;
+    MeasureOptions options = quick();
+    options.cacheFolder = folder / "results";
+    options.threads = 1;
+
+    struct StopAtHalf : ProgressSink {
+        void progress(double fraction, std::string_view /*activity*/) override {
+            if (fraction > 0.5) {
+                source.request_stop();
+            }
+        }
+
+        void warning(std::string_view /*sentence*/) override {}
+
+        std::stop_source source;
+    } half;
+
+    test::expectError(ErrorKind::Stopped, "", [&] {
+        measureDataset(room().renderer(), PracticeDataset::camera(), options, half, half.source.get_token());
+    });
+    const std::size_t kept = filesIn(options.cacheFolder);
+    EXPECT_GT(kept, 3U);
+    const MeasureReport report = measuredWith(options);
+    EXPECT_EQ(report.reusedViews, kept);
+    EXPECT_EQ(errorsOf(report), errorsOf(measuredWith(quick())));
+}
+
+TEST(MeasureDataset, MakesDamagedResultsAnew) {
+    const test::TemporaryFolder folder;
+    MeasureOptions options = quick();
+    options.mostViews = 2;
+    options.cacheFolder = folder.path();
+    const MeasureReport first = measuredWith(options);
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+        writeFile(file.path(), bytesOf("\x9f\x01 no such thing"));
+    }
+    const MeasureReport second = measuredWith(options);
+    EXPECT_EQ(second.reusedViews, 0U);
+    EXPECT_EQ(errorsOf(first), errorsOf(second));
+    EXPECT_EQ(measuredWith(options).reusedViews, 2U);
+}
+
+TEST(MeasureDataset, StoresTheChoiceForViewsThatAskForNone) {
+    const PracticeDataset dataset(2);
+    const auto sceneOf = [&] {
+        return dataset.renderer()
+            .render(PracticeDataset::camera(), {bodyFromOptical(), {1.95, 1.7, 1.2}})
+            .report.scene;
+    };
+    EXPECT_EQ(sceneOf(), SceneKind::Depth); // the best
+    MeasureOptions options = quick();
+    options.mostViews = 4;
+    options.tolerancePx = 900;
+    const MeasureReport report =
+        measureDataset(dataset.renderer(), PracticeDataset::camera(), options, noProgress(), {});
+    storeChoice(dataset.path(), report);
+    EXPECT_EQ(sceneOf(), SceneKind::None); // enough for such a tolerance
+    const render::Renderer renderer = dataset.renderer();
+    EXPECT_EQ(renderer.dataset().info().choice, viewChoice(report));
+    EXPECT_EQ(renderer.dataset().info().measuredErrorPx.size(), 3U);
+    render::ViewOptions automatic;
+    automatic.sampling = render::Sampling::Auto;
+    EXPECT_EQ(renderer.render(PracticeDataset::camera(), {bodyFromOptical(), {1.95, 1.7, 1.2}}, automatic)
+                  .report.sampling,
+              report.rungs[*report.choice.rung].sampling);
+}
+
+// What is chosen by leaving photos out holds for pictures from between them, and tells their order.
+TEST(MeasureDataset, ForetellsTheErrorsOfPicturesFromBetweenThePhotos) {
+    const test::TemporaryFolder folder;
+    test::Random random(17);
+    MeasureOptions options = quick();
+    options.mostViews = 36;
+    options.samplingViews = 3;
+    for (int i = 0; i < 10; ++i) {
+        const double reach = 0.02 + 0.008 * i; // from near a photo to half way to the next
+        const Rigid3 pose{(yawRotation(Radians(random.uniform(-3, 3))) * bodyFromOptical()).normalized(),
+                          {2.1 + reach, 1.9 + reach, 1.2}};
+        const std::filesystem::path file = folder / (std::to_string(i) + ".png");
+        photo::writePng(file, room().room().view(PracticeDataset::camera(), pose));
+        options.pictures.push_back({file, {}, pose});
+    }
+    const MeasureReport report = measuredWith(options);
+    EXPECT_FALSE(report.isLeaveOneOut);
+    ASSERT_TRUE(report.leaveOneOut);
+    ASSERT_EQ(report.predictions.size(), 4U);
+    EXPECT_GT(report.predictions[1].rankCorrelation.value(), 0.8);
+    for (const Choice& choice : report.leaveOneOut->choices) {
+        if (choice.isWithin) {
+            EXPECT_LE(report.rungs[*choice.rung].errorPx.value(), choice.tolerancePx);
+        }
+    }
+    EXPECT_TRUE(report.leaveOneOut->choices.back().isWithin);
+}
+
+TEST(MeasureDataset, RefusesPicturesOfAnotherSize) {
+    const test::TemporaryFolder folder;
+    photo::writePng(folder / "p.png", RgbImage(20, 20));
+    MeasureOptions options = quick();
+    options.pictures = {{folder / "p.png", {}, {}}};
+    test::expectError(ErrorKind::InvalidInput, "240 x 180", [&] { measuredWith(options); });
+}
+
+TEST(MeasurePage, NeedsNoNetworkAndShowsWhatWasFound) {
+    const test::TemporaryFolder folder;
+    MeasureOptions options = quick();
+    options.worst = 1;
+    const MeasureReport report = measuredWith(options);
+    const render::Renderer renderer = room().renderer();
+    writeReport({&renderer.dataset().info(), &report, nullptr}, folder.path());
+    const std::string page = readTextFile(folder / "report.html");
+    EXPECT_THAT(page, HasSubstr("<svg"));
+    EXPECT_THAT(page, HasSubstr("report-3.jpg"));
+    EXPECT_THAT(page, HasSubstr("Error by direction"));
+    EXPECT_EQ(photo::readPicture(folder / "report-1.jpg").width(), 240);
+    for (std::size_t at = page.find("http"); at != std::string::npos; at = page.find("http", at + 1)) {
+        EXPECT_EQ(page.substr(at, 26), "http://www.w3.org/2000/svg"); // a name, never fetched
+    }
+    EXPECT_THAT(readTextFile(folder / "report.pdf"), testing::StartsWith("%PDF"));
+    EXPECT_EQ(parseJson(readTextFile(folder / "report.json"), "x")["measured"]["photos"], 9);
+}
+
+} // namespace spherewalk::jobs
