@@ -139,7 +139,7 @@ class Study {
                               photos()[photo].roomFromPhoto});
         }
         DepthOptions depth;
-        depth.cacheFolder = m_options.cacheFolder;
+        depth.cacheFolder = m_options.cacheFolder.empty() ? m_ownFolder.path() : m_options.cacheFolder;
         depth.drawnOutline = m_renderer.dataset().info().outline;
         depth.sweep.threads = m_options.threads;
         return surveyDepth(inputs, depth, progress, m_stop);
@@ -177,10 +177,11 @@ class Study {
     const GridStudyOptions& m_options;
     std::stop_token m_stop;
     std::vector<Eigen::Vector3d> m_places;
+    TemporaryFolder m_ownFolder{"spherewalk-grid"};
 };
 
 std::optional<GridCost> costOf(const GridStudyOptions& options, double stepM) {
-    if (options.room.outline.empty()) {
+    if (options.room.outline.empty() || !(options.room.ceilingM > 0)) {
         return std::nullopt;
     }
     survey::PlanOptions plan = options.plan;
@@ -226,11 +227,10 @@ GridAnswer answerOf(const GridStudy& study, SceneKind scene, const GridStudyOpti
 
 void GridStudyOptions::validate() const {
     if (!(tolerancePx > 0) || largest < 2 || largest > 20 || mostOffsets < 1 || mostViews < 1 ||
-        directions < 1 || sampling == render::Sampling::Auto || (withDepth && cacheFolder.empty())) {
+        directions < 1 || sampling == render::Sampling::Auto) {
         throw Error(ErrorKind::InvalidInput,
                     "The grid cannot be studied: a tolerance above 0, 2 to 20 as the largest step, at least "
-                    "one offset, view and direction, a sampling other than auto, and a folder for depths are "
-                    "needed.");
+                    "one offset, view and direction, and a sampling other than auto are needed.");
     }
 }
 

@@ -29,7 +29,7 @@ sheet::Table table(const WordTable& words, std::size_t leftColumns) {
 
 /// How much of the floor is near a photo, in a sentence; "" if the room is not known.
 std::string coverageWords(const render::DatasetInfo& info) {
-    if (info.outline.empty() || !(info.ceilingM > 0) || !(info.stepM > 0)) {
+    if (info.outline.empty() || defect(info.outline) || !(info.ceilingM > 0) || !(info.stepM > 0)) {
         return {};
     }
     survey::Plan plan;

@@ -74,20 +74,25 @@ struct PictureFeatures::Found {
 
 namespace {
 
+using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::Map<const RowMatrix> rowsOf(const cv::Mat& descriptors) {
+    return {descriptors.ptr<float>(), descriptors.rows, descriptors.cols};
+}
+
 template <class Found>
 std::vector<Moved> bestOfEachOther(const Found& a, const Found& b) {
     std::vector<Moved> result;
     if (a.points.size() < 2 || b.points.size() < 2) {
         return result;
     }
-    cv::Mat products;
-    cv::gemm(a.descriptors, b.descriptors, 1, cv::noArray(), 0, products, cv::GEMM_2_T);
+    const RowMatrix products = rowsOf(a.descriptors) * rowsOf(b.descriptors).transpose();
     std::vector<Partners> there(a.points.size());
     std::vector<Partners> back(b.points.size());
-    for (int i = 0; i < products.rows; ++i) {
-        const auto* row = products.ptr<float>(i);
+    for (int i = 0; i < products.rows(); ++i) {
+        const float* row = products.row(i).data();
         const auto k = static_cast<std::size_t>(i);
-        for (int j = 0; j < products.cols; ++j) {
+        for (int j = 0; j < products.cols(); ++j) {
             const float squared =
                 a.squares.template at<float>(i) + b.squares.template at<float>(j) - 2 * row[j];
             there[k].offer(j, squared);

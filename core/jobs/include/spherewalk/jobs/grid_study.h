@@ -25,7 +25,8 @@ struct GridStudyOptions {
     render::Sampling sampling = render::Sampling::Footprint;
     survey::Room room;        ///< to be scanned; without an outline nothing is said of photos and minutes
     survey::PlanOptions plan; ///< its stepM is not used
-    /// Where depths and results are kept, so that a run that was stopped goes on where it was.
+    /// Where depths and results are kept, so that a run that was stopped goes on where it was; empty:
+    /// nowhere.
     std::filesystem::path cacheFolder;
     int threads = 0;
 
