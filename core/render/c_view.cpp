@@ -96,7 +96,9 @@ spherewalk_report cReport(const ViewReport& source) {
 ViewOptions viewOptions(const spherewalk_view_options* options, const CameraIntrinsics& camera,
                         std::vector<Overlay>& overlays) {
     const auto source = takenOrDefaults(options);
-    checkReserved(source.reserved);
+    if (source.photo_colours != 0 && source.photo_colours != 1) {
+        throw Error(ErrorKind::InvalidInput, "The photo_colours of a view must be 0 or 1.");
+    }
     if (source.threads < 0 || source.threads > kMostThreads) {
         throw Error(ErrorKind::InvalidInput, text("A view cannot be made by ", source.threads,
                                                   " threads; give 0 for all, or up to ", kMostThreads, "."));
@@ -110,6 +112,7 @@ ViewOptions viewOptions(const spherewalk_view_options* options, const CameraIntr
     result.sampling = samplingOf(source.sampling);
     result.toleranceDb = source.tolerance_db;
     result.exact = source.is_exact != 0;
+    result.correctsColour = source.photo_colours == 0;
     result.compose = {source.overlay_tolerance_m, source.overlay_tolerance_share,
                       edgesOf(source.overlay_edges)};
     takeOverlays(source, camera, overlays);

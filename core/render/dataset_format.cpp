@@ -411,7 +411,7 @@ Json toJson(const DatasetInfo& info) {
         {"grid", {{"step_m", info.stepM}}},
         {"scene_models", models},
         {"choice", info.choice ? toJson(*info.choice) : Json()},
-        {"colour_correction", nullptr},
+        {"colour_correction", info.colour ? toJson(*info.colour) : Json()},
         {"suggested_cameras", cameras},
         {"photos", photos}};
 }
@@ -430,6 +430,9 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     readSceneModels(root.member("scene_models"), info);
     if (!root.isAbsent("choice")) {
         info.choice = parseViewChoice(root.member("choice"));
+    }
+    if (!root.isAbsent("colour_correction")) {
+        info.colour = parseColourCorrection(root.member("colour_correction"));
     }
     const JsonReader cameras = root.member("suggested_cameras");
     for (std::size_t i = 0; i < cameras.arraySize(1000); ++i) {

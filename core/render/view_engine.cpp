@@ -49,6 +49,9 @@ ViewEngine::ViewEngine(std::shared_ptr<const Dataset> dataset, const RendererOpt
       m_store(m_photos, options.cacheBytes),
       m_thumbnails(std::make_shared<Thumbnails>(m_dataset)),
       m_surfaces(m_dataset) {
+    if (m_dataset->info().colour) {
+        m_colour.emplace(*m_dataset->info().colour);
+    }
 }
 
 ViewRequest ViewEngine::checked(const CameraModel& camera, const Rigid3& roomFromCamera,
@@ -185,13 +188,23 @@ void ViewEngine::drawExactly(const ViewRequest& request, const ViewPlan& plan, c
     pool.run(picture.height(), threads, [&](int y, int) { exactRow(projection, photo, y, picture); });
 }
 
-/// Depth, overlays and trust, as far as they are wanted. depth: of the view, if it is known already.
+void ViewEngine::correctColour(const ViewRequest& request, WorkerPool& pool, int threads, View& view) {
+    if (m_colour && request.options.correctsColour) {
+        const auto rays = m_pixelRays.get(request.camera.intrinsics(),
+                                          [&] { return PixelRays(request.camera, pool, threads); });
+        m_colour->apply(view.picture, *rays, pool, threads);
+    }
+}
+
+/// The dataset's colour correction; then, as far as they are wanted, depth, overlays and trust. depth: of the
+/// view, if it is known already.
 void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
                            WorkerPool& pool, int threads, DepthImage depth, View& view) {
     const ViewOptions& options = request.options;
     view.depth = {};
     view.trust = {};
     view.overlaid = {};
+    correctColour(request, pool, threads, view);
     if (!options.wantsDepth && !options.wantsTrust && options.overlays.empty()) {
         return;
     }

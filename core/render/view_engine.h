@@ -80,6 +80,7 @@ class ViewEngine {
               int threads, Workspace& workspace, View& view);
     void drawExactly(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo,
                      WorkerPool& pool, int threads, RgbImage& picture) const;
+    void correctColour(const ViewRequest& request, WorkerPool& pool, int threads, View& view);
     void addLayers(const ViewRequest& request, const ViewPlan& plan, const PlaneView& photo, WorkerPool& pool,
                    int threads, DepthImage depth, View& view);
     void drawSurfaces(const ViewRequest& request, const ViewPlan& plan, WorkerPool& pool, int threads,
@@ -93,6 +94,7 @@ class ViewEngine {
     RecentlyUsed<CameraIntrinsics, ViewFootprint> m_footprints{kCamerasKept};
     RecentlyUsed<CameraIntrinsics, PixelRays> m_pixelRays{kCamerasKept};
     Surfaces m_surfaces;
+    std::optional<ColourTables> m_colour;
     Composer m_composer;
     std::mutex m_drawing; ///< of pool and workspace
     WorkerPool m_pool;

@@ -332,8 +332,8 @@ TEST_F(CMisuse, ListsOfOverlaysThatAreNoneAreRefused) {
     options.overlay_edges = 2;
     expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "edges");
     options = ready(spherewalk_view_options_init);
-    options.reserved = 1;
-    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "reserved");
+    options.photo_colours = 2;
+    expectStatus(render(kHere, &options), SPHEREWALK_INVALID_INPUT, "photo_colours");
 }
 
 TEST_F(CMisuse, NumbersThatMeanNothingAreRefused) {

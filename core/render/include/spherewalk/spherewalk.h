@@ -284,7 +284,7 @@ typedef struct spherewalk_view_options {
     double overlay_tolerance_m;
     double overlay_tolerance_share;
     int32_t overlay_edges; ///< SPHEREWALK_EDGES_SOFT
-    int32_t reserved;      ///< 0
+    int32_t photo_colours; ///< 0. 1: the photos' own colours, without the dataset's correction
 } spherewalk_view_options;
 
 SPHEREWALK_API spherewalk_status spherewalk_view_options_init(spherewalk_view_options* options, size_t size);

@@ -6,6 +6,7 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/room_shape.h"
 #include "spherewalk/render/scene_model.h"
 #include "spherewalk/render/view_choice.h"
@@ -70,6 +71,7 @@ struct DatasetInfo {
     std::optional<RoomShape> roomShape;          ///< of the room scene model, if the dataset has one
     std::map<SceneKind, double> measuredErrorPx; ///< as ViewChoice::errorPx; of those that were measured
     std::optional<ViewChoice> choice;            ///< if it was measured
+    std::optional<ColourCorrection> colour;      ///< from the photos' colours to the robot's, if it is known
     std::vector<SuggestedCamera> cameras;
     std::vector<DatasetPhoto> photos;
 };

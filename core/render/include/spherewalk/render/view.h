@@ -19,6 +19,7 @@ struct ViewOptions {
     int threads = 0;                ///< 0: all that the machine has; the pixels are the same for any number
     Sampling sampling = Sampling::Footprint;
     double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
+    bool correctsColour = true; ///< as the dataset says; false: the photos' own colours
     /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
     bool exact = false;
     bool wantsDepth = false; ///< View::depth
