@@ -5,13 +5,8 @@
 
 #include "spherewalk/base/error.h"
 
-#include <opencv2/features2d.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
-#include <utility>
 
 namespace spherewalk::measure {
 
@@ -20,30 +15,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kFeatures = 1500;
-constexpr float kByFar = 0.75F; ///< of the second best distance
 constexpr std::size_t kBeside = 6;
 constexpr int kWitnesses = 2;
 
 struct Moved {
     Vector2d from;
     Vector2d by;
-};
-
-/// The best and the second best partner of a feature, by squared distance.
-struct Partners {
-    int best = -1;
-    float distance = FLT_MAX;
-    float second = FLT_MAX;
-
-    void offer(int partner, float d) {
-        if (d < distance) {
-            second = std::exchange(distance, d);
-            best = partner;
-        } else if (d < second) {
-            second = d;
-        }
-    }
 };
 
 /// Whether neighbours moved alike.
@@ -64,100 +41,26 @@ bool hasWitnesses(const std::vector<Moved>& all, std::size_t of) {
 
 } // namespace
 
-struct PictureFeatures::Found {
-    int width = 0;
-    int height = 0;
-    std::vector<cv::KeyPoint> points;
-    cv::Mat descriptors;
-    cv::Mat squares; ///< of the descriptors' lengths, a row
-};
-
-namespace {
-
-using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMatrix> rowsOf(const cv::Mat& descriptors) {
-    return {descriptors.ptr<float>(), descriptors.rows, descriptors.cols};
-}
-
-template <class Found>
-std::vector<Moved> bestOfEachOther(const Found& a, const Found& b) {
-    std::vector<Moved> result;
-    if (a.points.size() < 2 || b.points.size() < 2) {
-        return result;
-    }
-    const RowMatrix products = rowsOf(a.descriptors) * rowsOf(b.descriptors).transpose();
-    std::vector<Partners> there(a.points.size());
-    std::vector<Partners> back(b.points.size());
-    for (int i = 0; i < products.rows(); ++i) {
-        const float* row = products.row(i).data();
-        const auto k = static_cast<std::size_t>(i);
-        for (int j = 0; j < products.cols(); ++j) {
-            const float squared =
-                a.squares.template at<float>(i) + b.squares.template at<float>(j) - 2 * row[j];
-            there[k].offer(j, squared);
-            back[static_cast<std::size_t>(j)].offer(i, squared);
-        }
-    }
-    for (std::size_t i = 0; i < there.size(); ++i) {
-        const auto partner = static_cast<std::size_t>(there[i].best);
-        if (there[i].distance < kByFar * kByFar * there[i].second &&
-            back[partner].best == static_cast<int>(i)) {
-            const cv::Point2f from = a.points[i].pt;
-            const cv::Point2f to = b.points[partner].pt;
-            result.push_back({{from.x, from.y}, {to.x - from.x, to.y - from.y}});
-        }
-    }
-    return result;
-}
-
-[[noreturn]] void refused(const cv::Exception& error) {
-    throw Error(ErrorKind::Internal, "Could not match pictures: OpenCV refused them; please report this.",
-                error.what());
-}
-
-} // namespace
-
-PictureFeatures::PictureFeatures(const RgbImage& picture) {
-    Found found{picture.width(), picture.height(), {}, {}, {}};
-    try {
-        const cv::Mat rgb(picture.height(), picture.width(), CV_8UC3,
-                          const_cast<std::uint8_t*>(picture.values().data()));
-        cv::Mat grey;
-        cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
-        cv::SIFT::create(kFeatures)->detectAndCompute(grey, cv::noArray(), found.points, found.descriptors);
-        if (!found.points.empty()) {
-            cv::reduce(found.descriptors.mul(found.descriptors), found.squares, 1, cv::REDUCE_SUM);
-        }
-    } catch (const cv::Exception& error) {
-        refused(error);
-    }
-    m_found = std::make_shared<const Found>(std::move(found));
-}
-
 std::vector<Displacement> matchedDisplacements(const RgbImage& truth, const RgbImage& computed) {
     return matchedDisplacements(PictureFeatures(truth), PictureFeatures(computed));
 }
 
 std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth,
                                                const PictureFeatures& computed) {
-    const PictureFeatures::Found& a = *truth.m_found;
-    const PictureFeatures::Found& b = *computed.m_found;
-    if (a.width != b.width || a.height != b.height) {
+    if (truth.width() != computed.width() || truth.height() != computed.height()) {
         throw Error(ErrorKind::InvalidInput, "Pictures of different sizes cannot be compared.");
     }
-    try {
-        const std::vector<Moved> all = bestOfEachOther(a, b);
-        std::vector<Displacement> result;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (hasWitnesses(all, i)) {
-                result.push_back({all[i].from, all[i].by.norm()});
-            }
-        }
-        return result;
-    } catch (const cv::Exception& error) {
-        refused(error);
+    std::vector<Moved> all;
+    for (const PictureMatch& match : pictureMatches(truth, computed)) {
+        all.push_back({match.inA, match.inB - match.inA});
     }
+    std::vector<Displacement> result;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (hasWitnesses(all, i)) {
+            result.push_back({all[i].from, all[i].by.norm()});
+        }
+    }
+    return result;
 }
 
 std::vector<Displacement> exactDisplacements(const CameraModel& camera, const Rigid3& roomFromCamera,

@@ -4,10 +4,10 @@
 #include "spherewalk/base/image.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/measure/picture_matches.h"
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,19 +17,6 @@ namespace spherewalk::measure {
 struct Displacement {
     Eigen::Vector2d pixel;
     double errorPx = 0;
-};
-
-/// Features of a picture, found once to be matched several times. Threads: const, any number.
-class PictureFeatures {
-  public:
-    /// Errors: Internal, for what OpenCV refuses.
-    explicit PictureFeatures(const RgbImage& picture);
-
-  private:
-    friend std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth,
-                                                          const PictureFeatures& computed);
-    struct Found;
-    std::shared_ptr<const Found> m_found;
 };
 
 /// Displacements of features that are found in both pictures: SIFT, each the other's best by far, and moved
