@@ -15,7 +15,7 @@ set_package_properties(hwy PROPERTIES PURPOSE "Highway, SIMD for every processor
 set_package_properties(yaml-cpp PROPERTIES PURPOSE "ROS camera-info files (core/render)")
 
 if(NOT SPHEREWALK_RENDER_ONLY)
-  find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d)
+  find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d)
   find_package(Ceres 2.1 REQUIRED)
   find_package(exiv2 REQUIRED)
   find_package(SQLite3 3.40 REQUIRED)
