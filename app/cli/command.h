@@ -65,6 +65,7 @@ void addView(Commands& commands);
 void addWalk(Commands& commands);
 void addMeasure(Commands& commands);
 void addGridStudy(Commands& commands);
+void addCompare(Commands& commands);
 void addBench(Commands& commands);
 void addCamera(Commands& commands);
 void addPracticeCamera(Commands& commands);

@@ -30,6 +30,7 @@ void declareCommands(Commands& commands) {
     addWalk(commands);
     addMeasure(commands);
     addGridStudy(commands);
+    addCompare(commands);
     addBench(commands);
     addCamera(commands);
     addPracticeCamera(commands);

@@ -92,4 +92,15 @@ std::vector<CsvLine> parseCsv(std::string_view csv, const std::string& source) {
     return reader.finish(source);
 }
 
+std::string csvField(std::string_view words) {
+    if (words.find_first_of(",\"\r\n") == std::string_view::npos) {
+        return std::string(words);
+    }
+    std::string quoted = "\"";
+    for (const char letter : words) {
+        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    return quoted + "\"";
+}
+
 } // namespace spherewalk::jobs

@@ -16,4 +16,7 @@ struct CsvLine {
 /// out and blanks around unquoted fields removed. Errors: InvalidInput for a quote that is not closed.
 std::vector<CsvLine> parseCsv(std::string_view csv, const std::string& source);
 
+/// A field as parseCsv() reads it back, quoted if it has to be.
+std::string csvField(std::string_view words);
+
 } // namespace spherewalk::jobs

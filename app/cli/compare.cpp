@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+#include "dataset_options.h"
+
+#include "spherewalk/jobs/compare_robot.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+constexpr std::size_t kShown = 12;
+
+struct Options {
+    DatasetOptions dataset;
+    std::string pictures;
+    std::string report;
+    std::string poses;
+    bool refinesPoses = false;
+    bool fitsColour = false;
+    bool stores = false;
+};
+
+/// What was asked for and could not be had is a failure, though the report tells the rest.
+bool succeeded(const jobs::CompareReport& report, const Options& options) {
+    return (!options.refinesPoses || report.refined > 0) && (!options.fitsColour || report.fit->correction);
+}
+
+Result compare(const Options& options, Context& context) {
+    jobs::CompareOptions wanted;
+    wanted.pictures = jobs::readRobotPictures(options.pictures);
+    for (jobs::RobotPicture& picture : wanted.pictures) {
+        picture.roomFromCamera = options.dataset.opticalPose(picture.roomFromCamera);
+    }
+    wanted.refinesPoses = options.refinesPoses;
+    wanted.fitsColour = options.fitsColour;
+    wanted.view = options.dataset.viewOptions();
+    wanted.shown = options.report.empty() ? 0 : kShown;
+    const render::Renderer renderer = options.dataset.renderer(context);
+    const jobs::CompareReport report =
+        compareRobot(renderer, options.dataset.cameraModel(), wanted, context.progress, context.stop);
+    if (!options.report.empty()) {
+        writeComparison(report, options.report);
+    }
+    if (!options.poses.empty()) {
+        writePoses(report, options.poses);
+    }
+    Result result{toJson(report), compareText(report), succeeded(report, options)};
+    const bool isStored = options.stores && report.fit->correction;
+    if (isStored) {
+        jobs::storeColour(renderer.dataset().folder(), *report.fit->correction);
+        result.text += "Stored the colour correction in the dataset; views are corrected from now on.\n";
+    }
+    result.json["stored"] = isStored;
+    return result;
+}
+
+} // namespace
+
+void addCompare(Commands& commands) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command =
+        commands.add("compare", "Compare a dataset's views with a robot camera's own pictures",
+                     [options](Context& context) { return compare(*options, context); });
+    options->dataset.declare(command);
+    command
+        .add_option("--pictures", options->pictures,
+                    "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz")
+        ->required();
+    command.add_flag("--refine-poses", options->refinesPoses,
+                     "The poses are approximate (some 10 cm and 5 degrees): find out the true ones");
+    CLI::Option* fit = command.add_flag("--fit-colour", options->fitsColour,
+                                        "Fit what makes the photos' colours those of the robot's camera");
+    command.add_flag("--store", options->stores, "Keep the fitted correction in the dataset, for all views")
+        ->needs(fit);
+    command.add_option("--poses", options->poses,
+                       "CSV to write the refined poses to, in the form of --pictures, beside the pictures");
+    command.add_option(
+        "--report", options->report,
+        "Folder to write a page into, with pictures and views side by side (HTML, PDF and JSON)");
+}
+
+} // namespace spherewalk::cli

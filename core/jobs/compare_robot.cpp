@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/compare_robot.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/measure/displacement.h"
+#include "spherewalk/measure/pose_refinement.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr std::size_t kFewestOfTwoHalves = 4;
+constexpr int kShownWidth = 480; ///< pixels
+
+RgbImage readFitting(const RobotPicture& picture, const CameraModel& camera) {
+    RgbImage result = photo::readPicture(picture.file);
+    if (result.width() != camera.width() || result.height() != camera.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The picture ", picture.file.string(), " has ", result.width(), " x ",
+                         result.height(), " pixels, not the camera's ", camera.width(), " x ",
+                         camera.height(), "."));
+    }
+    return result;
+}
+
+/// What differs, four times as much, on grey.
+RgbImage difference(const RgbImage& a, const RgbImage& b) {
+    RgbImage result(a.width(), a.height());
+    for (std::size_t i = 0; i < result.values().size(); ++i) {
+        result.values()[i] = static_cast<std::uint8_t>(
+            std::clamp(128 + 4 * (int{a.values()[i]} - int{b.values()[i]}), 0, 255));
+    }
+    return result;
+}
+
+/// The mean of what there is.
+class Mean {
+  public:
+    void add(const std::optional<double>& value) {
+        m_sum += value.value_or(0);
+        m_count += value ? 1 : 0;
+    }
+
+    std::optional<double> value() const {
+        return m_count == 0 ? std::nullopt : std::optional(m_sum / m_count);
+    }
+
+  private:
+    double m_sum = 0;
+    int m_count = 0;
+};
+
+CompareSummary summary(const std::vector<ComparedPicture>& pictures,
+                       PictureLikeness ComparedPicture::*which) {
+    Mean psnr;
+    Mean median;
+    Mean p95;
+    Mean colour;
+    for (const ComparedPicture& picture : pictures) {
+        const PictureLikeness& likeness = picture.*which;
+        psnr.add(likeness.psnrDb);
+        median.add(likeness.medianPx);
+        p95.add(likeness.p95Px);
+        colour.add(likeness.colourError);
+    }
+    return {psnr.value().value_or(0), median.value(), p95.value(), colour.value()};
+}
+
+/// The error of each half's colours after the correction that the other half tells.
+std::optional<double> heldOutError(const std::vector<measure::ColourSamples>& samples) {
+    if (samples.size() < kFewestOfTwoHalves) {
+        return std::nullopt;
+    }
+    std::array<measure::ColourSamples, 2> halves;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        halves[i % 2].add(samples[i]);
+    }
+    Mean mean;
+    for (std::size_t half = 0; half < 2; ++half) {
+        const measure::ColourFit fit = measure::fittedColour(halves[1 - half]);
+        if (!fit.correction) {
+            return std::nullopt;
+        }
+        mean.add(measure::colourError(halves[half].samples, *fit.correction));
+    }
+    return mean.value();
+}
+
+class Comparison {
+  public:
+    Comparison(const render::Renderer& renderer, const CameraModel& camera, const CompareOptions& options)
+        : m_renderer(renderer),
+          m_camera(camera),
+          m_options(options),
+          m_pool(std::max(1, options.view.threads)),
+          m_rays(camera, m_pool) {}
+
+    CompareReport run(ProgressSink& progress, const std::stop_token& stop) {
+        const std::size_t count = m_options.pictures.size();
+        ProgressStep first(progress, 0, 0.7);
+        for (std::size_t i = 0; i < count; ++i) {
+            throwIfStopped(stop);
+            look(m_options.pictures[i], stop);
+            first.progress(static_cast<double>(i + 1) / static_cast<double>(count),
+                           text("Comparing picture ", i + 1, " of ", count));
+        }
+        fitColour();
+        ProgressStep second(progress, 0.7, 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            throwIfStopped(stop);
+            lookAgain(i);
+            second.progress(static_cast<double>(i + 1) / static_cast<double>(count),
+                            text("Comparing picture ", i + 1, " of ", count, " again"));
+        }
+        m_report.before = summary(m_report.pictures, &ComparedPicture::before);
+        m_report.after = summary(m_report.pictures, &ComparedPicture::after);
+        return std::move(m_report);
+    }
+
+  private:
+    render::View viewFrom(const Rigid3& pose) const {
+        render::ViewOptions view = m_options.view;
+        view.wantsTrust = true;
+        view.correctsColour = false;
+        return m_renderer.render(m_camera, pose, view);
+    }
+
+    static PictureLikeness likeness(const RgbImage& picture, const RgbImage& view,
+                                    const std::optional<double>& colourError) {
+        const std::vector<measure::Displacement> moved = measure::matchedDisplacements(picture, view);
+        return {photo::psnr(picture, view), measure::quantile(moved, 0.5), measure::quantile(moved, 0.95),
+                moved.size(), colourError};
+    }
+
+    /// From the given pose; and its refined pose, and its colours.
+    void look(const RobotPicture& picture, const std::stop_token& stop) {
+        const RgbImage taken = readFitting(picture, m_camera);
+        ComparedPicture compared;
+        compared.file = picture.file;
+        compared.given = picture.roomFromCamera;
+        const render::View view = viewFrom(compared.given);
+        compared.photo = view.report.file;
+        measure::ColourSamples colours = measure::colourSamples(view.picture, view.trust, taken);
+        compared.before = likeness(taken, view.picture, measure::colourError(colours.samples));
+        if (m_options.refinesPoses) {
+            measure::PoseRefinementOptions refinement;
+            refinement.view = m_options.view;
+            compared.refined =
+                measure::refinedPose(m_renderer, m_camera, taken, compared.given, refinement, stop);
+            m_report.refined += compared.refined->isFitted ? 1 : 0;
+        }
+        if (m_options.fitsColour) {
+            if (compared.refined && compared.refined->isFitted) {
+                const render::View better = viewFrom(compared.used());
+                colours = measure::colourSamples(better.picture, better.trust, taken);
+            }
+            if (!compared.refined || compared.refined->isFitted) {
+                m_colours.push_back(std::move(colours));
+            }
+        }
+        m_report.pictures.push_back(std::move(compared));
+    }
+
+    void fitColour() {
+        m_report.colour = m_renderer.dataset().info().colour;
+        if (m_options.fitsColour) {
+            measure::ColourSamples all;
+            for (const measure::ColourSamples& samples : m_colours) {
+                all.add(samples);
+            }
+            m_report.fit = measure::fittedColour(all);
+            m_report.colour = m_report.fit->correction;
+            m_report.heldOutColourError = heldOutError(m_colours);
+        }
+        if (m_report.colour) {
+            m_tables.emplace(*m_report.colour);
+        }
+    }
+
+    /// From the pose that was found, in the colours that were found.
+    void lookAgain(std::size_t index) {
+        ComparedPicture& compared = m_report.pictures[index];
+        const bool isMoved = compared.refined && compared.refined->isFitted;
+        if (!isMoved && !m_tables && !isShown(index)) {
+            compared.after = compared.before;
+            return;
+        }
+        const RgbImage taken = readFitting(m_options.pictures[index], m_camera);
+        render::View view = viewFrom(compared.used());
+        const measure::ColourSamples colours = measure::colourSamples(view.picture, view.trust, taken);
+        if (m_tables) {
+            m_tables->apply(view.picture, m_rays, m_pool);
+        }
+        compared.after = likeness(taken, view.picture,
+                                  m_report.colour ? measure::colourError(colours.samples, *m_report.colour)
+                                                  : measure::colourError(colours.samples));
+        if (isShown(index)) {
+            show(taken, view.picture, compared);
+        }
+    }
+
+    void show(const RgbImage& taken, const RgbImage& after, const ComparedPicture& compared) {
+        const auto small = [&](const RgbImage& picture) {
+            return picture.width() <= kShownWidth
+                       ? picture
+                       : photo::resized(picture, kShownWidth,
+                                        std::max(1, kShownWidth * picture.height() / picture.width()));
+        };
+        m_report.shown.push_back({compared.file.filename().string(), small(taken),
+                                  small(viewFrom(compared.given).picture), small(after),
+                                  small(difference(after, taken))});
+    }
+
+    bool isShown(std::size_t index) const {
+        const std::size_t all = m_options.pictures.size();
+        const std::size_t shown = std::min(all, m_options.shown);
+        return (index + 1) * shown / all > index * shown / all;
+    }
+
+    const render::Renderer& m_renderer;
+    const CameraModel& m_camera;
+    const CompareOptions& m_options;
+    WorkerPool m_pool;
+    render::PixelRays m_rays;
+    std::vector<measure::ColourSamples> m_colours; ///< of pictures whose pose is good
+    std::optional<render::ColourTables> m_tables;
+    CompareReport m_report;
+};
+
+} // namespace
+
+CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& camera,
+                           const CompareOptions& options, ProgressSink& progress,
+                           const std::stop_token& stop) {
+    if (options.pictures.empty()) {
+        throw Error(ErrorKind::InvalidInput, "There are no robot's pictures to compare with.");
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    CompareReport report = Comparison(renderer, camera, options).run(progress, stop);
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+void storeColour(const std::filesystem::path& dataset, const render::ColourCorrection& correction) {
+    correction.validate();
+    const std::filesystem::path file = dataset / render::kDatasetFile;
+    Json description = parseJson(readTextFile(file), file.string());
+    render::parseDatasetInfo(description, file.string());
+    description["colour_correction"] = render::toJson(correction);
+    writeFile(file, bytesOf(description.dump(1) + "\n"));
+}
+
+} // namespace spherewalk::jobs

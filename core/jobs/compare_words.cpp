@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare_words.h"
+
+#include "csv.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/compare_robot.h"
+
+namespace spherewalk::jobs {
+
+namespace {
+
+std::string optionalNumber(const std::optional<double>& value, int digits = 2) {
+    return value ? fixed(*value, digits) : "-";
+}
+
+std::string change(const std::optional<double>& before, const std::optional<double>& after, int digits) {
+    return text(optionalNumber(before, digits), " > ", optionalNumber(after, digits));
+}
+
+double turnedDeg(const ComparedPicture& picture) {
+    return Degrees(angleBetween(picture.given.rotation, picture.used().rotation)).value();
+}
+
+double movedM(const ComparedPicture& picture) {
+    return (picture.used().translation - picture.given.translation).norm();
+}
+
+const std::vector<std::string> kTitles{"picture", "agree",     "moved mm", "+-",      "turned deg",
+                                       "+-",      "median px", "95 % px",  "PSNR dB", "colour"};
+
+std::vector<std::string> poseCells(const ComparedPicture& picture) {
+    if (!picture.refined) {
+        return {"-", "-", "-", "-", "-"};
+    }
+    const measure::PoseFit& fit = *picture.refined;
+    if (!fit.isFitted) {
+        return {text(fit.inliers, " of ", fit.points), "refused", "-", "-", "-"};
+    }
+    return {text(fit.inliers, " of ", fit.points), fixed(1000 * movedM(picture), 1),
+            fixed(1000 * fit.sigmaPositionM, 1), fixed(turnedDeg(picture), 2),
+            fixed(Degrees(fit.sigmaRotation).value(), 3)};
+}
+
+template <class Likeness>
+std::vector<std::string> likenessCells(const Likeness& before, const Likeness& after) {
+    return {change(before.medianPx, after.medianPx, 2), change(before.p95Px, after.p95Px, 1),
+            change(before.psnrDb, after.psnrDb, 1), change(before.colourError, after.colourError, 1)};
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+Json optionalJson(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+template <class Likeness>
+Json likenessJson(const Likeness& likeness) {
+    return {{"psnr_db", likeness.psnrDb},
+            {"median_px", optionalJson(likeness.medianPx)},
+            {"p95_px", optionalJson(likeness.p95Px)},
+            {"colour_error", optionalJson(likeness.colourError)}};
+}
+
+Json poseJson(const Rigid3& pose) {
+    const Eigen::Vector3d& at = pose.translation;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {{"position_m", {at.x(), at.y(), at.z()}},
+            {"room_from_camera", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}}};
+}
+
+Json refinementJson(const measure::PoseFit& fit) {
+    return {{"refined", fit.isFitted},
+            {"why", fit.isFitted ? Json() : Json(fit.why)},
+            {"matches", fit.points},
+            {"inliers", fit.inliers},
+            {"residual_px", fit.residualPx},
+            {"sigma_position_m", fit.isFitted ? Json(fit.sigmaPositionM) : Json()},
+            {"sigma_rotation_deg", fit.isFitted ? Json(Degrees(fit.sigmaRotation).value()) : Json()}};
+}
+
+Json pictureJson(const ComparedPicture& picture) {
+    return {{"picture", picture.file.filename().string()},
+            {"photo", picture.photo},
+            {"given", poseJson(picture.given)},
+            {"pose", poseJson(picture.used())},
+            {"refinement", picture.refined ? refinementJson(*picture.refined) : Json()},
+            {"before", likenessJson(picture.before)},
+            {"after", likenessJson(picture.after)}};
+}
+
+Json fitJson(const CompareReport& report) {
+    if (!report.fit) {
+        return {};
+    }
+    return {{"fitted", report.fit->correction.has_value()},
+            {"why", report.fit->correction ? Json() : Json(report.fit->why)},
+            {"spots", report.fit->samples},
+            {"hue_spread", report.fit->hueSpread},
+            {"error_before", report.fit->errorBefore},
+            {"error_after", report.fit->correction ? Json(report.fit->errorAfter) : Json()},
+            {"error_held_out", optionalJson(report.heldOutColourError)}};
+}
+
+} // namespace
+
+WordTable compareTable(const CompareReport& report) {
+    WordTable table{kTitles, {}};
+    for (const ComparedPicture& picture : report.pictures) {
+        table.rows.push_back(joined(joined({picture.file.filename().string()}, poseCells(picture)),
+                                    likenessCells(picture.before, picture.after)));
+    }
+    table.rows.push_back(joined({"mean", "", "", "", "", ""}, likenessCells(report.before, report.after)));
+    return table;
+}
+
+std::vector<std::string> compareSentences(const CompareReport& report) {
+    std::vector<std::string> result;
+    for (const ComparedPicture& picture : report.pictures) {
+        if (picture.refined && !picture.refined->isFitted) {
+            result.push_back(text(picture.file.filename().string(),
+                                  " keeps the pose that was given: ", picture.refined->why));
+        }
+    }
+    if (report.fit && report.fit->correction) {
+        result.push_back(text("The colour correction takes the spots' mean error from ",
+                              fixed(report.fit->errorBefore, 1), " to ", fixed(report.fit->errorAfter, 1),
+                              " grey levels (", report.fit->samples, " spots",
+                              report.heldOutColourError ? text("; ", fixed(*report.heldOutColourError, 1),
+                                                               " on pictures that it was not made from")
+                                                        : "",
+                              ")."));
+    } else if (report.fit) {
+        result.push_back(report.fit->why);
+    }
+    return result;
+}
+
+std::string compareText(const CompareReport& report) {
+    std::string result = tableText(compareTable(report), 1);
+    for (const std::string& sentence : compareSentences(report)) {
+        result += sentence + "\n";
+    }
+    return result;
+}
+
+Json toJson(const CompareReport& report) {
+    Json pictures = Json::array();
+    for (const ComparedPicture& picture : report.pictures) {
+        pictures.push_back(pictureJson(picture));
+    }
+    return {{"pictures", pictures},
+            {"refined", report.refined},
+            {"before", likenessJson(report.before)},
+            {"after", likenessJson(report.after)},
+            {"colour_fit", fitJson(report)},
+            {"colour_correction", report.colour ? toJson(*report.colour) : Json()},
+            {"seconds", report.seconds}};
+}
+
+void writePoses(const CompareReport& report, const std::filesystem::path& file) {
+    std::string csv = "file,x_m,y_m,z_m,qw,qx,qy,qz\n";
+    for (const ComparedPicture& picture : report.pictures) {
+        const Rigid3 pose = picture.used();
+        const Eigen::Vector3d& at = pose.translation;
+        const Eigen::Quaterniond& q = pose.rotation;
+        const auto name = std::filesystem::absolute(picture.file)
+                              .lexically_relative(std::filesystem::absolute(file).parent_path());
+        csv += csvField(name.string());
+        for (const double number : {at.x(), at.y(), at.z(), q.w(), q.x(), q.y(), q.z()}) {
+            csv += text(",", number);
+        }
+        csv += "\n";
+    }
+    writeFile(file, bytesOf(csv));
+}
+
+} // namespace spherewalk::jobs
