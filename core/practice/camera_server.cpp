@@ -21,6 +21,7 @@ constexpr std::size_t kMaxBody = 1 << 20;
 constexpr std::size_t kChunk = 64 * 1024;
 constexpr double kDownloadBytesPerSecond = 1e6; ///< 2.4 GHz
 constexpr std::uint64_t kMaxPhotoBytes = 256ULL << 20;
+constexpr const char* kPreviewCommand = "camera.getLivePreview";
 constexpr std::string_view kRealAddress = "http://192.168.1.1";
 
 void reply(httplib::Response& response, const OscReply& answer) {
@@ -162,14 +163,22 @@ std::string CameraServer::baseUrl(const httplib::Request& request) const {
     return "http://" + (isHost(host) ? host : text(m_options.host, ":", m_port));
 }
 
-void CameraServer::answer(const std::string& call, httplib::Response& response,
-                          const std::function<OscReply()>& act) {
+/// Whether a fault keeps the call from being done.
+bool CameraServer::isRefused(const std::string& call, httplib::Response& response) {
     if (m_faults.take(FaultKind::DropBeforeExecuting, call)) {
         CameraSocket::current().drop();
-        return;
+        return true;
     }
     if (m_faults.take(FaultKind::ServiceUnavailable, call)) {
         reply(response, refusal(call, OscCode::ServiceUnavailable));
+        return true;
+    }
+    return false;
+}
+
+void CameraServer::answer(const std::string& call, httplib::Response& response,
+                          const std::function<OscReply()>& act) {
+    if (isRefused(call, response)) {
         return;
     }
     const OscReply given = act();
@@ -212,6 +221,9 @@ void CameraServer::routeCamera() {
             const std::scoped_lock lock(m_statsMutex);
             ++m_stats.commands[command];
         }
+        if (command == kPreviewCommand) {
+            return servePreview(response);
+        }
         answer(command, response, [&] {
             OscReply given = m_device.execute(body, baseUrl(request));
             const Json& results = given.body.contains("results") ? given.body["results"] : given.body;
@@ -236,13 +248,53 @@ void CameraServer::routeCamera() {
     });
 }
 
-void CameraServer::serveFile(const httplib::Request& request, httplib::Response& response) {
-    if (m_faults.take(FaultKind::DropBeforeExecuting, "/files")) {
-        CameraSocket::current().drop();
+void CameraServer::servePreview(httplib::Response& response) {
+    if (isRefused(kPreviewCommand, response)) {
         return;
     }
-    if (m_faults.take(FaultKind::ServiceUnavailable, "/files")) {
-        reply(response, refusal("unknown", OscCode::ServiceUnavailable));
+    const auto preview = m_device.beginPreview();
+    if (!preview) {
+        return reply(response, refusal(kPreviewCommand, OscCode::DisabledCommand));
+    }
+    constexpr double kFirstPicture = 0.5;
+    m_device.pause(kFirstPicture);
+    response.set_header("X-Content-Type-Options", "nosniff");
+    response.set_chunked_content_provider(
+        kPreviewType, [this, preview = *preview](std::size_t /*sent*/, httplib::DataSink& sink) {
+            return sendPicture(preview, sink);
+        });
+}
+
+/// The next picture of the preview, or the end of it. False closes the connection.
+bool CameraServer::sendPicture(std::uint64_t preview, httplib::DataSink& sink) {
+    std::shared_ptr<const Bytes> picture;
+    try {
+        picture = m_device.nextPreviewPicture(preview);
+    } catch (const Error&) { // stopped, or the photo that was to be shown cannot be read
+        return false;
+    }
+    if (!picture) {
+        sink.done();
+        return true;
+    }
+    if (m_faults.take(FaultKind::PreviewStall, kPreviewCommand)) {
+        constexpr std::chrono::milliseconds kGlance(20);
+        while (m_device.isPreviewing(preview)) {
+            std::this_thread::sleep_for(kGlance);
+        }
+        return false;
+    }
+    PreviewPart part{true, picture->size()};
+    part.hasBoundary = !m_faults.take(FaultKind::PreviewWithoutBoundary, kPreviewCommand);
+    if (const auto wrong = m_faults.take(FaultKind::PreviewWrongLength, kPreviewCommand)) {
+        part.statedBytes = wrong->byte;
+    }
+    const Bytes bytes = framed(*picture, part);
+    return sink.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+void CameraServer::serveFile(const httplib::Request& request, httplib::Response& response) {
+    if (isRefused("/files", response)) {
         return;
     }
     const auto path = m_device.fileOf(request.path);

@@ -33,7 +33,10 @@ class CameraServer : private httplib::Server {
 
     void routeCamera();
     void routePractice();
+    void servePreview(httplib::Response& response);
+    bool sendPicture(std::uint64_t preview, httplib::DataSink& sink);
     void serveFile(const httplib::Request& request, httplib::Response& response);
+    bool isRefused(const std::string& call, httplib::Response& response);
     void answer(const std::string& call, httplib::Response& response, const std::function<OscReply()>& act);
     void count(const httplib::Request& request);
     std::string baseUrl(const httplib::Request& request) const;

@@ -36,6 +36,8 @@ class CameraStorage {
     /// "/files/<id>/", with which the path of every file's URL begins.
     const std::string& urlFolder() const { return m_urlFolder; }
 
+    int nextShotNumber() const { return m_nextShot; }
+
     /// The number of the next shot, never given again, not even after a restart.
     int takeShotNumber();
     static std::string fileName(int shot);

@@ -8,6 +8,7 @@
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/theta_jpeg.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace spherewalk::practice {
 namespace {
 
 constexpr std::uint64_t kMaxPhotoBytes = 256ULL << 20;
+constexpr int kPreviewQuality = 80;
+constexpr int kPreviewReduction = 4;  ///< of a photo that is shown as a preview
 constexpr double kPoseNoiseDeg = 0.3; ///< of the accelerometer behind GPano's pitch and roll
 
 /// GPano's signs: pitch > 0 looks up, which is our pitch below zero; roll is ours.
@@ -28,6 +31,19 @@ void describePose(ThetaTags& tags, const YawPitchRoll& angles, bool levelled, Pr
     tags.inclinationRollDeg = roll;
     tags.posePitchDeg = levelled ? 0 : pitch;
     tags.poseRollDeg = levelled ? 0 : roll;
+}
+
+/// The nearest pixels, which is good enough to see where a camera stands.
+RgbImage sampled(const RgbImage& picture, const EquirectSize& size) {
+    RgbImage result(size.width, size.height);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const std::uint8_t* pixel =
+                picture.at(x * picture.width() / size.width, y * picture.height() / size.height);
+            std::copy_n(pixel, RgbImage::kChannels, result.at(x, y));
+        }
+    }
+    return result;
 }
 
 } // namespace
@@ -55,12 +71,36 @@ ExposedPhoto Exposer::expose(const ExposureSettings& settings, const std::stop_t
     return photo;
 }
 
-ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_token& stop) const {
+/// How the picture is turned: by the zenith correction, if that is on.
+Rigid3 Exposer::poseOf(const ExposureSettings& settings) const {
     Rigid3 pose = m_options.errors.truePose(settings.nominalPositionM, settings.shot);
-    const YawPitchRoll bodyAngles = yawPitchRoll(pose.rotation);
     if (settings.levelled) {
-        pose.rotation = yawRotation(bodyAngles.yaw);
+        pose.rotation = yawRotation(yawPitchRoll(pose.rotation).yaw);
     }
+    return pose;
+}
+
+RgbImage Exposer::draw(const Rigid3& pose, const EquirectSize& size, const std::stop_token& stop) const {
+    RgbImage picture =
+        m_room->spherical(pose, size, {Content::RoomAndObjects, m_options.threads}, noProgress(), stop);
+    throwIfStopped(stop);
+    return picture;
+}
+
+Bytes Exposer::preview(const ExposureSettings& settings, const EquirectSize& size,
+                       const std::stop_token& stop) const {
+    if (m_room) {
+        return jpeg::encode(draw(poseOf(settings), size, stop), kPreviewQuality);
+    }
+    const auto file = m_options.photoFolder / nearestPhoto(settings.nominalPositionM).file;
+    const RgbImage photo = jpeg::decode(readFile(file, kMaxPhotoBytes), file.string(), kPreviewReduction);
+    return jpeg::encode(sampled(photo, size), kPreviewQuality);
+}
+
+ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_token& stop) const {
+    const YawPitchRoll bodyAngles =
+        yawPitchRoll(m_options.errors.truePose(settings.nominalPositionM, settings.shot).rotation);
+    const Rigid3 pose = poseOf(settings);
     ThetaTags tags;
     Prng random(m_options.errors.seed ^ 0x6a09e667f3bcc908ULL, static_cast<std::uint64_t>(settings.shot));
     describePose(tags, bodyAngles, settings.levelled, random);
@@ -70,10 +110,7 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     tags.exposureTimeS = settings.exposureTimeS > 0 ? settings.exposureTimeS : 1.0 / 60;
     tags.isoSpeed = settings.isoSpeed > 0 ? settings.isoSpeed : 200;
     tags.exposureBias = settings.exposureBias;
-    const RgbImage picture =
-        m_room->spherical(pose, {m_options.width, m_options.width / 2},
-                          {Content::RoomAndObjects, m_options.threads}, noProgress(), stop);
-    throwIfStopped(stop);
+    const RgbImage picture = draw(pose, {m_options.width, m_options.width / 2}, stop);
     ExposedPhoto photo;
     photo.jpeg = thetaJpeg(picture, tags, m_options.jpegQuality);
     photo.truth.positionM = pose.translation;
@@ -81,13 +118,17 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     return photo;
 }
 
-ExposedPhoto Exposer::taken(const ExposureSettings& settings) const {
+const PlacedPhoto& Exposer::nearestPhoto(const Eigen::Vector3d& positionM) const {
     const auto distance = [&](const PlacedPhoto& photo) {
-        return (photo.positionM - settings.nominalPositionM).squaredNorm();
+        return (photo.positionM - positionM).squaredNorm();
     };
-    const PlacedPhoto& nearest = *std::min_element(
+    return *std::min_element(
         m_options.photos.begin(), m_options.photos.end(),
         [&](const PlacedPhoto& a, const PlacedPhoto& b) { return distance(a) < distance(b); });
+}
+
+ExposedPhoto Exposer::taken(const ExposureSettings& settings) const {
+    const PlacedPhoto& nearest = nearestPhoto(settings.nominalPositionM);
     ExposedPhoto photo;
     photo.jpeg = readFile(m_options.photoFolder / nearest.file, kMaxPhotoBytes);
     photo.truth.positionM = nearest.positionM;

@@ -36,9 +36,16 @@ class Exposer {
 
     ExposedPhoto expose(const ExposureSettings& settings, const std::stop_token& stop) const;
 
+    /// The picture of that photo alone, small, as a JPEG. Errors: also Stopped.
+    Bytes preview(const ExposureSettings& settings, const EquirectSize& size,
+                  const std::stop_token& stop) const;
+
   private:
     ExposedPhoto drawn(const ExposureSettings& settings, const std::stop_token& stop) const;
     ExposedPhoto taken(const ExposureSettings& settings) const;
+    Rigid3 poseOf(const ExposureSettings& settings) const;
+    RgbImage draw(const Rigid3& pose, const EquirectSize& size, const std::stop_token& stop) const;
+    const PlacedPhoto& nearestPhoto(const Eigen::Vector3d& positionM) const;
 
     const PracticeCameraOptions& m_options;
     std::optional<PracticeRoom> m_room;

@@ -18,6 +18,9 @@ constexpr std::array kNames = {
     std::pair{FaultKind::ServiceUnavailable, std::string_view("service-unavailable")},
     std::pair{FaultKind::CutDownload, std::string_view("cut-download")},
     std::pair{FaultKind::ForgetIds, std::string_view("forget-ids")},
+    std::pair{FaultKind::PreviewWithoutBoundary, std::string_view("preview-without-boundary")},
+    std::pair{FaultKind::PreviewWrongLength, std::string_view("preview-wrong-length")},
+    std::pair{FaultKind::PreviewStall, std::string_view("preview-stall")},
 };
 
 } // namespace

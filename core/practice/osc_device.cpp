@@ -247,6 +247,7 @@ OscReply OscDevice::takePicture() {
     const double countdown = m_settings.value("exposureDelay").get<double>();
     m_phase = countdown > 0 ? Phase::Countdown : Phase::Shooting;
     m_countdown = {};
+    m_preview.end();
     changed();
     const double busy = busySeconds(settings);
     m_worker = std::jthread([this, id, settings, countdown, busy](const std::stop_token& stop) {
@@ -380,6 +381,34 @@ void OscDevice::forgetIds() {
     m_captures.clear();
 }
 
+std::optional<std::uint64_t> OscDevice::beginPreview() {
+    const std::scoped_lock lock(m_mutex);
+    return m_phase ? std::nullopt : std::optional(m_preview.begin());
+}
+
+bool OscDevice::isPreviewing(std::uint64_t preview) const {
+    return !m_stop.stop_requested() && m_preview.isCurrent(preview);
+}
+
+std::shared_ptr<const Bytes> OscDevice::nextPreviewPicture(std::uint64_t preview) {
+    ExposureSettings settings;
+    Json format;
+    {
+        const std::scoped_lock lock(m_mutex);
+        settings = settingsNow(m_storage.nextShotNumber());
+        format = m_settings.value("previewFormat");
+    }
+    // However fast the camera's time runs, who looks on needs no more pictures.
+    const double period = std::max(1.0, m_options.timeScale) / format["framerate"].get<double>();
+    m_clock.sleep(std::chrono::duration_cast<Clock::Duration>(std::chrono::duration<double>(period)),
+                  m_stop.get_token());
+    if (!isPreviewing(preview)) {
+        return nullptr;
+    }
+    const EquirectSize size{format["width"].get<int>(), format["height"].get<int>()};
+    return m_preview.picture(settings, size, m_stop.get_token());
+}
+
 OscReply OscDevice::getOptions(const Json& parameters) const {
     const Json& names = required(parameters, "optionNames");
     if (!names.is_array() || names.size() > 256) {
@@ -406,6 +435,9 @@ OscReply OscDevice::setOptions(const Json& parameters) {
         throw OscError(OscCode::InvalidParameterValue);
     }
     m_settings.set(options);
+    if (options.contains("captureMode") || options.contains("previewFormat")) {
+        m_preview.end();
+    }
     if (options.contains("dateTimeZone")) {
         const ZonedTime set = *parseDateTimeZone(options["dateTimeZone"].get<std::string>());
         m_clockOffset = set.utc - m_clock.utc();

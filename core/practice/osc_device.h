@@ -4,6 +4,7 @@
 #include "camera_options.h"
 #include "camera_storage.h"
 #include "exposure.h"
+#include "live_preview.h"
 #include "osc_error.h"
 
 #include <chrono>
@@ -28,6 +29,13 @@ class OscDevice {
     OscReply execute(const Json& request, const std::string& baseUrl);
     OscReply status(const std::string& body, const std::string& baseUrl);
     void forgetIds();
+
+    /// Begins a live preview, which ends the one before; nothing while a picture is taken.
+    std::optional<std::uint64_t> beginPreview();
+    /// False once a picture was taken, the mode or the preview's format was changed, or another began.
+    bool isPreviewing(std::uint64_t preview) const;
+    /// The preview's next picture, at its rate; null once it has ended.
+    std::shared_ptr<const Bytes> nextPreviewPicture(std::uint64_t preview);
 
     /// Where the bytes of a file URL's path lie; nothing if there is no such file.
     std::optional<std::filesystem::path> fileOf(const std::string& urlPath) const;
@@ -82,6 +90,7 @@ class OscDevice {
     const PracticeCameraOptions& m_options;
     Clock& m_clock;
     Exposer m_exposer;
+    LivePreview m_preview{m_exposer};
     Clock::TimePoint m_boot;
     std::stop_source m_stop;
 

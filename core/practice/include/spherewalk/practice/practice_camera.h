@@ -63,7 +63,8 @@ struct PracticeCameraStats {
 
 /// A Theta V over real HTTP that photographs the practice room, or serves a folder of photos by position. It
 /// speaks the Open Spherical Camera API, level 2: /osc/info, /osc/state, /osc/checkForUpdates,
-/// /osc/commands/execute and /status, and the files. An exposure shows the room from where the cart stood
+/// /osc/commands/execute and /status, the files, and the live preview, which shows the next photo from where
+/// the cart stands and ends when a picture is taken. An exposure shows the room from where the cart stood
 /// when takePicture arrived, off by the seeded errors; the truth is on the disk before the file can be seen.
 ///
 /// Besides, outside the camera's own API:
