@@ -36,10 +36,10 @@ using Easy = std::unique_ptr<CURL, decltype(&curl_easy_cleanup)>;
 using Multi = std::unique_ptr<CURLM, decltype(&curl_multi_cleanup)>;
 using HeaderList = std::unique_ptr<curl_slist, decltype(&curl_slist_free_all)>;
 
-HeaderList jsonHeaders() {
+HeaderList jsonHeaders(const char* accept) {
     curl_slist* list = nullptr;
-    for (const char* header : {"Content-Type: application/json;charset=utf-8", "Accept: application/json",
-                               "X-XSRF-Protected: 1", "Expect:"}) {
+    for (const char* header :
+         {"Content-Type: application/json;charset=utf-8", accept, "X-XSRF-Protected: 1", "Expect:"}) {
         curl_slist* longer = curl_slist_append(list, header);
         requireCurl(longer != nullptr);
         list = longer;
@@ -82,10 +82,44 @@ struct HttpClient::Handles {
     Easy easy{curl_easy_init(), &curl_easy_cleanup};
 };
 
+namespace {
+
+/// Notices when too few bytes arrive for too long.
+class StallWatch {
+  public:
+    using Steady = std::chrono::steady_clock;
+
+    explicit StallWatch(std::chrono::milliseconds limit) : m_limit(limit) {}
+
+    bool hasStalled(std::uint64_t receivedBytes) {
+        const auto now = Steady::now();
+        if (receivedBytes >= m_bytesAtStart + kStallBytes) {
+            m_bytesAtStart = receivedBytes;
+            m_start = now;
+        }
+        return now - m_start > m_limit;
+    }
+
+  private:
+    std::chrono::milliseconds m_limit;
+    Steady::time_point m_start = Steady::now();
+    std::uint64_t m_bytesAtStart = 0;
+};
+
+void setBody(CURL* easy, curl_slist* headers, const std::string& json) {
+    bool worked = curl_easy_setopt(easy, CURLOPT_HTTPHEADER, headers) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_POSTFIELDS, json.c_str()) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_POSTFIELDSIZE, static_cast<long>(json.size())) == CURLE_OK;
+    requireCurl(worked);
+}
+
+} // namespace
+
 /// One request and what has come back so far. libcurl's callbacks, which must not throw, work on it.
 struct HttpClient::Transfer {
     CURL* easy = nullptr;
-    Sink sink; ///< of a download
+    Sink sink; ///< of a download or a stream
+    Tick tick; ///< whether to wait longer; throws if not
     std::uint64_t maxBytes = 0;
     std::chrono::milliseconds timeout{0}; ///< 0: only the stall timeout
     HttpResponse response;
@@ -180,15 +214,11 @@ HttpResponse HttpClient::send(std::string_view path, const std::string& json, Re
     transfer.maxBytes = m_options.maxAnswerBytes;
     transfer.timeout = timeout;
     prepare(transfer, path);
-    const HeaderList headers = jsonHeaders();
+    const HeaderList headers = jsonHeaders("Accept: application/json");
+    setBody(transfer.easy, headers.get(), json);
     const long isOwnConnection = repeat == Repeat::Never ? 1 : 0;
-    CURL* easy = transfer.easy;
-    bool worked = curl_easy_setopt(easy, CURLOPT_HTTPHEADER, headers.get()) == CURLE_OK;
-    worked &= curl_easy_setopt(easy, CURLOPT_POSTFIELDS, json.c_str()) == CURLE_OK;
-    worked &= curl_easy_setopt(easy, CURLOPT_POSTFIELDSIZE, static_cast<long>(json.size())) == CURLE_OK;
-    worked &= curl_easy_setopt(easy, CURLOPT_FRESH_CONNECT, isOwnConnection) == CURLE_OK;
-    worked &= curl_easy_setopt(easy, CURLOPT_FORBID_REUSE, isOwnConnection) == CURLE_OK;
-    requireCurl(worked);
+    requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FRESH_CONNECT, isOwnConnection) == CURLE_OK &&
+                curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, isOwnConnection) == CURLE_OK);
     return perform(transfer, stop);
 }
 
@@ -207,35 +237,34 @@ HttpResponse HttpClient::download(std::string_view path, std::uint64_t maxBytes,
     Transfer transfer;
     transfer.maxBytes = maxBytes;
     transfer.sink = sink;
+    transfer.tick = [this, &transfer, watch = StallWatch(m_options.stallTimeout)]() mutable {
+        if (watch.hasStalled(transfer.response.receivedBytes)) {
+            throw Error(ErrorKind::Timeout,
+                        text("The download from the camera at ", m_endpoint.name(), " stood still for ",
+                             seconds(m_options.stallTimeout), "; move closer to the camera and try again."));
+        }
+    };
     prepare(transfer, path);
     // What a server sends beyond the length that it announced must not be read as the next answer.
     requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
     return perform(transfer, stop);
 }
 
+HttpResponse HttpClient::stream(std::string_view path, const std::string& json, const Sink& sink,
+                                const Tick& tick, const std::stop_token& stop) {
+    Transfer transfer;
+    transfer.maxBytes = UINT64_MAX;
+    transfer.sink = sink;
+    transfer.tick = tick;
+    prepare(transfer, path);
+    const HeaderList headers = jsonHeaders("Accept: multipart/x-mixed-replace, application/json");
+    setBody(transfer.easy, headers.get(), json);
+    requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FRESH_CONNECT, 1L) == CURLE_OK &&
+                curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
+    return perform(transfer, stop);
+}
+
 namespace {
-
-/// Notices when too few bytes arrive for too long.
-class StallWatch {
-  public:
-    using Steady = std::chrono::steady_clock;
-
-    explicit StallWatch(std::chrono::milliseconds limit) : m_limit(limit) {}
-
-    bool hasStalled(std::uint64_t receivedBytes) {
-        const auto now = Steady::now();
-        if (receivedBytes >= m_bytesAtStart + kStallBytes) {
-            m_bytesAtStart = receivedBytes;
-            m_start = now;
-        }
-        return now - m_start > m_limit;
-    }
-
-  private:
-    std::chrono::milliseconds m_limit;
-    Steady::time_point m_start = Steady::now();
-    std::uint64_t m_bytesAtStart = 0;
-};
 
 /// Takes the handle out of the multi handle at the end, which also breaks off what is unfinished.
 class Attachment {
@@ -273,17 +302,14 @@ HttpResponse HttpClient::perform(Transfer& transfer, const std::stop_token& stop
     CURLM* multi = m_handles->multi.get();
     const Attachment attachment(multi, transfer.easy);
     const std::stop_callback wakeUp(stop, [multi] { curl_multi_wakeup(multi); });
-    StallWatch watch(m_options.stallTimeout);
     for (int running = 1;;) {
         requireCurl(curl_multi_perform(multi, &running) == CURLM_OK);
         if (running == 0) {
             break;
         }
         throwIfStopped(stop);
-        if (transfer.sink && watch.hasStalled(transfer.response.receivedBytes)) {
-            throw Error(ErrorKind::Timeout,
-                        text("The download from the camera at ", m_endpoint.name(), " stood still for ",
-                             seconds(m_options.stallTimeout), "; move closer to the camera and try again."));
+        if (transfer.tick) {
+            transfer.tick();
         }
         requireCurl(curl_multi_poll(multi, nullptr, 0, kTickMs, nullptr) == CURLM_OK);
     }

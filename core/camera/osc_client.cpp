@@ -283,6 +283,27 @@ CommandReply OscClient::status(const std::string& id, const std::stop_token& sto
                       stop);
 }
 
+void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Tick& tick,
+                              const std::stop_token& stop) {
+    settle(stop);
+    constexpr std::size_t kMostHead = 4096;
+    std::string head; // some cameras send a refusal with the status of a success
+    const auto keepHead = [&](ByteView bytes) {
+        head += textOf(bytes.first(std::min(bytes.size(), kMostHead - head.size())));
+        sink(bytes);
+    };
+    const std::string body = Json{{"name", "camera.getLivePreview"}}.dump();
+    HttpResponse response = m_http.stream(kExecutePath, body, keepHead, tick, stop);
+    if (response.status == 200 && !response.contentType.starts_with("application/json")) {
+        return;
+    }
+    response.body += head;
+    const Answer answer = readAnswer(response, m_http.endpoint());
+    if (answer.error != OscErrorCode::None) {
+        throw refusal("show its preview", answer.error, answer.errorMessage);
+    }
+}
+
 HttpResponse OscClient::download(std::string_view fileUrl, std::uint64_t maxBytes,
                                  const HttpClient::Sink& sink, const std::stop_token& stop) {
     HttpResponse response = m_http.download(pathOfUrl(fileUrl), maxBytes, sink, stop);

@@ -41,6 +41,7 @@ struct HttpResponse {
 class HttpClient {
   public:
     using Sink = std::function<void(ByteView)>;
+    using Tick = std::function<void()>;
 
     /// Errors: InvalidInput.
     explicit HttpClient(Endpoint endpoint, HttpOptions options = {});
@@ -66,6 +67,12 @@ class HttpClient {
     /// looks complete: the caller must verify.
     HttpResponse download(std::string_view path, std::uint64_t maxBytes, const Sink& sink,
                           const std::stop_token& stop);
+
+    /// Sends JSON, as postOnce() does, and gives the endless body of a 200 answer to the sink, until the
+    /// server ends it. tick: called at least ten times a second, from the first moment; how long to wait for
+    /// what is its to say, by throwing. Errors: also whatever sink and tick throw.
+    HttpResponse stream(std::string_view path, const std::string& json, const Sink& sink, const Tick& tick,
+                        const std::stop_token& stop);
 
   private:
     struct Handles;

@@ -68,6 +68,15 @@ class OscClient {
     /// How far a command is. A refusal (a forgotten id) is returned, not thrown.
     CommandReply status(const std::string& id, const std::stop_token& stop);
 
+    /// One attempt to make the camera send its live preview: the bytes of its endless answer, until the
+    /// camera ends it, as it does when it takes a picture; see HttpClient::stream. Errors: also the refusal.
+    void streamPreview(const HttpClient::Sink& sink, const HttpClient::Tick& tick,
+                       const std::stop_token& stop);
+
+    /// To be told when the camera was busy with something else than this client's commands, such as a preview
+    /// on another connection: the next picture waits as after a changed option.
+    void noteDisturbed() { m_optionsSetAt = m_clock.now(); }
+
     /// One attempt; see HttpClient::download. Errors: also NotFound.
     HttpResponse download(std::string_view fileUrl, std::uint64_t maxBytes, const HttpClient::Sink& sink,
                           const std::stop_token& stop);
