@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera_options.h"
 #include "command.h"
+#include "profile_help.h"
 #include "terminal.h"
 
 #include "spherewalk/base/error.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace spherewalk::cli {
@@ -22,6 +24,7 @@ struct Options {
     bool practice = false;
     int most = 0;
     std::vector<std::string> again;
+    std::optional<std::string> profile;
 };
 
 /// A person at the terminal, who brings the camera to the station and presses Enter.
@@ -89,6 +92,9 @@ Result capture(const Options& options, Context& context) {
         captureOptions = jobs::practiceCaptureOptions(options.camera.timeScale());
     }
     captureOptions.most = options.most;
+    if (options.profile) {
+        store.setCaptureProfile(survey::parseProfile(*options.profile));
+    }
     captureOptions.again = stationsNamed(store, options.again);
     const jobs::CaptureSurveyReport report = jobs::captureSurvey(
         store, *client, *people, systemClock(), captureOptions, context.progress, context.stop);
@@ -115,6 +121,8 @@ void addCapture(Commands& commands) {
     command.add_option(
         "--again", options->again,
         "Station to take besides, although it has a photo: \"rail 3, stop 5\"; can be repeated");
+    command.add_option("--profile", options->profile,
+                       text("Change how the camera is set for this survey. ", kProfileHelp));
 }
 
 } // namespace spherewalk::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "plan_text.h"
+#include "profile_help.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -21,6 +22,7 @@ struct Options {
     std::string outline;
     double ceilingM = 0;
     survey::PlanOptions plan;
+    std::string profile = "auto";
 };
 
 survey::Room roomOf(const Options& options) {
@@ -53,12 +55,15 @@ Result create(const Options& options) {
     const survey::Room room = roomOf(options);
     room.validate();
     options.plan.validate(room);
+    const std::optional<survey::CaptureProfile> profile = survey::parseProfile(options.profile);
     const survey::Plan plan = survey::plan(room, options.plan);
     const survey::PlanReport report = survey::report(room, options.plan, plan);
     const std::filesystem::path folder = options.survey;
-    const auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, plan);
+    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, plan);
+    store.setCaptureProfile(profile);
     Json json = planJson(report, options.plan);
     json["survey"] = options.survey;
+    json["profile"] = survey::profileText(profile);
     json["id"] = store.info().uuid;
     return {json, text("Made the survey ", options.survey, ".\n", planText(report, options.plan))};
 }
@@ -85,6 +90,8 @@ void addNew(Commands& commands) {
         ->delimiter(',')
         ->capture_default_str();
     command.add_option("--rail-stops", options->plan.railStops, "Stops of the cart on the rail")
+        ->capture_default_str();
+    command.add_option("--profile", options->profile, text("How the camera is set. ", kProfileHelp))
         ->capture_default_str();
     command.add_option("--clearance", options->plan.clearanceM, "From a stop to walls and obstacles, metres")
         ->capture_default_str();

@@ -34,8 +34,11 @@ Result status(const std::string& survey) {
     }
     words += solution ? text("\nRotations: ", solution->source, " (", solution->model, ").")
                       : "\nRotations: none yet.";
+    const std::string profile = survey::profileText(store.captureProfile());
+    words += text("\nThe camera is set: ", profile, ".");
     return {{{"name", store.info().name},
              {"id", store.info().uuid},
+             {"profile", profile},
              {"stations", counts.stations},
              {"stations_with_photo", counts.stationsWithPhoto},
              {"photos", counts.photos},

@@ -9,6 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <condition_variable>
+#include <iterator>
+#include <mutex>
+#include <set>
+#include <thread>
 #include <utility>
 
 namespace spherewalk::camera {
@@ -67,7 +72,7 @@ void removeLeftovers(const std::filesystem::path& target) {
 
 struct Capture::Parts {
     Parts(OscClient& client, Clock& clock, const CaptureOptions& options)
-        : guard(client), settler(client, clock, options) {}
+        : guard(client, options.profile), settler(client, clock, options) {}
 
     SettingsGuard guard;
     ShotSettler settler;
@@ -200,12 +205,18 @@ std::vector<ShotOutcome> Capture::makeReady(std::vector<std::string>& warnings, 
     return settled;
 }
 
-std::chrono::milliseconds Capture::checkBeforeShot(const std::stop_token& stop) {
+std::chrono::milliseconds Capture::checkBeforeShot(std::vector<std::string>& warnings,
+                                                   const std::stop_token& stop) {
     m_parts->settler.waitUntilIdle(stop);
-    std::vector<std::string> names = kTimingOptions;
-    names.emplace_back("remainingPictures");
-    const Json options = m_parts->guard.read(names, stop);
+    std::set<std::string> names = m_parts->guard.heldNames();
+    names.insert(kTimingOptions.begin(), kTimingOptions.end());
+    names.insert("remainingPictures");
+    Json options = m_parts->guard.read({names.begin(), names.end()}, stop);
     requireStorage(wholeNumber(options, "remainingPictures"));
+    if (std::vector<std::string> changed = m_parts->guard.hold(options, stop); !changed.empty()) {
+        std::move(changed.begin(), changed.end(), std::back_inserter(warnings));
+        options.update(m_parts->guard.read(kTimingOptions, stop));
+    }
     m_client.settle(stop);
     return m_options.allowance.of(options);
 }
@@ -264,7 +275,7 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
         }
     }
     for (int refusals = 0;; ++refusals) {
-        const auto allowance = checkBeforeShot(stop);
+        const auto allowance = checkBeforeShot(warnings, stop);
         const Baseline before = baseline(stop);
         throwIfStopped(stop);
         const Shot shot = m_journal.begin(station, m_camera->serialNumber, before);
@@ -367,6 +378,23 @@ ShotOutcome Capture::shoot(std::int64_t station, const std::stop_token& stop) {
     fetched.warnings = std::move(exposed.warnings);
     fetched.exposing = exposed.exposing;
     return fetched;
+}
+
+bool Capture::disconnectWithin(std::chrono::milliseconds time) {
+    std::stop_source end;
+    const std::jthread timer([&](const std::stop_token& isDone) {
+        std::mutex mutex;
+        std::condition_variable_any never;
+        std::unique_lock lock(mutex);
+        never.wait_for(lock, isDone, time, [] { return false; });
+        end.request_stop();
+    });
+    try {
+        disconnect(end.get_token());
+        return true;
+    } catch (const Error&) { // there is an error or a stop already, which the caller reports
+        return false;
+    }
 }
 
 void Capture::disconnect(const std::stop_token& stop) {

@@ -41,6 +41,9 @@ void CaptureOptions::validate() const {
     requireNumber("batteryWarning", batteryWarning, 1);
     requireNumber("batteryMinimum", batteryMinimum, 1);
     download.validate();
+    if (profile) {
+        profile->validate();
+    }
 }
 
 CaptureOptions CaptureOptions::scaled(double factor) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/settings_guard.h"
 
+#include "profile_options.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
@@ -23,9 +25,11 @@ std::int64_t sphericalWidth(const Json& format) {
     return isSpherical ? *width : 0;
 }
 
-/// The largest spherical JPEG that the camera offers; null if it offers none or does not say.
-Json largestFormat(const Json& present) {
+/// The spherical JPEG of this width that the camera offers, or its largest; null if it offers none or does
+/// not say. Errors: InvalidInput if it offers others.
+Json formatOf(const Json& present, std::optional<int> width) {
     Json best;
+    std::string widths;
     std::int64_t bestWidth = 0;
     const JsonReader options(present, "The camera's settings");
     if (!options.has("fileFormatSupport") || !present["fileFormatSupport"].is_array()) {
@@ -35,10 +39,18 @@ Json largestFormat(const Json& present) {
     const std::size_t count = offered.arraySize(kMaxFormats);
     for (std::size_t i = 0; i < count; ++i) {
         const Json& format = offered.element(i).value();
-        if (sphericalWidth(format) > bestWidth) {
-            bestWidth = sphericalWidth(format);
+        const std::int64_t formatWidth = sphericalWidth(format);
+        if (formatWidth > 0) {
+            widths += text(widths.empty() ? "" : ", ", formatWidth);
+        }
+        if (formatWidth > bestWidth && (!width || formatWidth == *width)) {
+            bestWidth = formatWidth;
             best = format;
         }
+    }
+    if (width && best.is_null() && !widths.empty()) {
+        throw Error(ErrorKind::InvalidInput, text("The camera takes no photos ", *width, " pixels wide, but ",
+                                                  widths, ". Change the survey's capture profile."));
     }
     return best;
 }
@@ -48,6 +60,17 @@ bool isSame(const Json& wanted, const Json& present) {
         return wanted == present;
     }
     return sphericalWidth(wanted) > 0 && sphericalWidth(wanted) == sphericalWidth(present);
+}
+
+void requireStillPhotos(const Json& now) {
+    if (const auto mode = shortText(now, "captureMode"); mode && *mode != "image") {
+        throw Error(ErrorKind::Unsupported, text("The camera stays in the mode \"", printable(*mode),
+                                                 "\"; set it to still pictures by its mode button."));
+    }
+    if (now.contains("fileFormat") && sphericalWidth(now["fileFormat"]) == 0) {
+        throw Error(ErrorKind::Unsupported, "The camera does not take spherical JPEGs twice as wide as high; "
+                                            "set it to stitched JPEG photos.");
+    }
 }
 
 double secondsIn(const Json& options, std::string_view key) {
@@ -84,9 +107,22 @@ void SettingsGuard::applyImageMode(const std::stop_token& stop) {
     m_client.settle(stop);
 }
 
-Json SettingsGuard::wanted(const Json& present) const {
+void SettingsGuard::keepOriginal(const Json& present) {
+    if (!m_original.is_null()) {
+        return;
+    }
+    m_original = Json::object();
+    for (const char* delay : {"sleepDelay", "offDelay"}) {
+        if (present.contains(delay)) {
+            m_original[delay] = present[delay];
+        }
+    }
+}
+
+Json SettingsGuard::basics(const Json& present) const {
     Json settings = Json::object();
-    if (Json format = largestFormat(present); !format.is_null()) {
+    const auto width = m_profile ? m_profile->photoWidth : std::nullopt;
+    if (Json format = formatOf(present, width); !format.is_null()) {
         settings["fileFormat"] = std::move(format);
     }
     for (const char* delay : {"sleepDelay", "offDelay"}) {
@@ -97,23 +133,50 @@ Json SettingsGuard::wanted(const Json& present) const {
     return settings;
 }
 
-std::vector<std::string> SettingsGuard::differences(const Json& wanted, const std::stop_token& stop) {
-    const Json now = read({"captureMode", "fileFormat", "sleepDelay", "offDelay"}, stop);
-    if (const auto mode = shortText(now, "captureMode"); mode && *mode != "image") {
-        throw Error(ErrorKind::Unsupported, text("The camera stays in the mode \"", printable(*mode),
-                                                 "\"; set it to still pictures by its mode button."));
+/// The profile as options. The program is set on the way, as it decides which values the camera offers.
+Json SettingsGuard::exposure(std::vector<std::string>& lacks, const std::stop_token& stop) {
+    if (!m_profile) {
+        return Json::object();
     }
-    if (now.contains("fileFormat") && sphericalWidth(now["fileFormat"]) == 0) {
-        throw Error(ErrorKind::Unsupported, "The camera does not take spherical JPEGs twice as wide as high; "
-                                            "set it to stitched JPEG photos.");
+    Json known = read(profileOptionNames(), stop);
+    const Json program = exposureProgram(*m_profile);
+    const bool isAutomatic = !m_profile->iso && !m_profile->shutterS;
+    Json first = Json::object();
+    if (known.contains("exposureProgram") && !isSameOption(known["exposureProgram"], program)) {
+        first["exposureProgram"] = program;
     }
+    if (!isAutomatic && known.value("_filter", Json("off")) != "off") {
+        first["_filter"] = "off"; // it would force the automatic program
+    }
+    if (!first.empty()) {
+        m_client.setOptions(first, stop);
+    }
+    known.update(read(profileSupportNames(), stop));
+    lacks = profileLacks(*m_profile, known);
+    return profileOptions(*m_profile, known);
+}
+
+void SettingsGuard::set(const std::stop_token& stop) {
+    for (const Json* settings : {&m_basics, &m_exposure}) {
+        if (!settings->empty()) {
+            m_client.setOptions(*settings, stop);
+        }
+    }
+}
+
+/// How what the camera says differs from what it was set to.
+std::vector<std::string> SettingsGuard::differences(const Json& present) const {
     std::vector<std::string> sentences;
-    for (const auto& [name, value] : wanted.items()) {
+    for (const auto& [name, value] : m_basics.items()) {
         // 0 is the other way to say "never" for the power-off time.
-        const bool isNever = name == "offDelay" && now.contains(name) && now[name] == 0;
-        if (!isNever && (!now.contains(name) || !isSame(value, now[name]))) {
-            sentences.push_back(text("The camera did not keep the setting ", name,
-                                     "; keep an eye on it, it may fall asleep or change its photos."));
+        const bool isNever = name == "offDelay" && present.contains(name) && present[name] == 0;
+        if (!isNever && (!present.contains(name) || !isSame(value, present[name]))) {
+            sentences.push_back(text("The camera did not keep the setting ", name));
+        }
+    }
+    for (const auto& [name, value] : m_exposure.items()) {
+        if (!present.contains(name) || !isSameOption(value, present[name])) {
+            sentences.push_back(optionDifference(name, value, present.value(name, Json())));
         }
     }
     return sentences;
@@ -122,19 +185,47 @@ std::vector<std::string> SettingsGuard::differences(const Json& wanted, const st
 std::vector<std::string> SettingsGuard::apply(const std::stop_token& stop) {
     applyImageMode(stop); // first: in video mode the other settings mean video
     const Json present = read({"fileFormatSupport", "sleepDelay", "offDelay"}, stop);
-    if (m_original.is_null()) {
-        m_original = Json::object();
-        for (const char* delay : {"sleepDelay", "offDelay"}) {
-            if (present.contains(delay)) {
-                m_original[delay] = present[delay];
-            }
+    keepOriginal(present);
+    m_basics = basics(present);
+    std::vector<std::string> sentences;
+    m_exposure = exposure(sentences, stop);
+    set(stop);
+    std::set<std::string> names = heldNames();
+    names.insert({"captureMode", "fileFormat"});
+    const Json now = read({names.begin(), names.end()}, stop);
+    requireStillPhotos(now);
+    for (const std::string& difference : differences(now)) {
+        sentences.push_back(
+            text(difference, "; keep an eye on it, it may fall asleep or change its photos."));
+    }
+    return sentences;
+}
+
+std::set<std::string> SettingsGuard::heldNames() const {
+    std::set<std::string> names;
+    for (const Json* settings : {&m_basics, &m_exposure}) {
+        for (const auto& setting : settings->items()) {
+            names.insert(setting.key());
         }
     }
-    const Json settings = wanted(present);
-    if (!settings.empty()) {
-        m_client.setOptions(settings, stop);
+    return names;
+}
+
+std::vector<std::string> SettingsGuard::hold(const Json& present, const std::stop_token& stop) {
+    std::vector<std::string> sentences = differences(present);
+    if (sentences.empty()) {
+        return sentences;
     }
-    return differences(settings, stop);
+    set(stop);
+    const std::set<std::string> names = heldNames();
+    const std::vector<std::string> left = differences(read({names.begin(), names.end()}, stop));
+    const bool isRepaired = left.empty();
+    sentences = isRepaired ? sentences : left;
+    for (std::string& sentence : sentences) {
+        sentence += isRepaired ? "; it was set again before the photo."
+                               : "; the camera does not keep it, so that the photo may not fit the others.";
+    }
+    return sentences;
 }
 
 void SettingsGuard::restore(const std::stop_token& stop) {

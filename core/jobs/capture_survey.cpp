@@ -39,12 +39,7 @@ class Run {
         const camera::CameraInfo camera = m_capture.connect(m_stop);
         settle();
         if (const auto stations = stationsToTake(); !stations.empty()) {
-            const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
-            warn(readiness.warnings);
-            m_people.cameraReady(camera, readiness);
-            take(stations);
-            settle(); // what was taken but could not be downloaded at once
-            m_capture.disconnect(m_stop);
+            takeAll(camera, stations);
         }
         const store::Counts counts = m_store.counts();
         m_report.stations = counts.stations;
@@ -54,6 +49,25 @@ class Run {
     }
 
   private:
+    /// However it ends, the camera may sleep again.
+    void takeAll(const camera::CameraInfo& camera, const std::vector<store::StationRecord>& stations) {
+        try {
+            const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
+            warn(readiness.warnings);
+            m_people.cameraReady(camera, readiness);
+            take(stations);
+            settle(); // what was taken but could not be downloaded at once
+        } catch (...) {
+            constexpr std::chrono::milliseconds kHurry(150); // a stop must not take longer than 200
+            if (!m_capture.disconnectWithin(kHurry)) {
+                m_progress.warning("The camera could not be told that it may sleep again; switch it off and "
+                                   "on if it is not used soon.");
+            }
+            throw;
+        }
+        m_capture.disconnect(m_stop);
+    }
+
     void warn(const std::vector<std::string>& sentences) {
         for (const std::string& sentence : sentences) {
             m_progress.warning(sentence);
@@ -144,6 +158,7 @@ CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& 
                                   Clock& clock, CaptureSurveyOptions options, ProgressSink& progress,
                                   const std::stop_token& stop) {
     options.camera.download.check = photoCheck();
+    options.camera.profile = store.captureProfile();
     return Run(store, client, people, clock, options, progress, stop).run();
 }
 

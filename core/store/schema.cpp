@@ -141,7 +141,20 @@ CREATE TABLE review (
 ) STRICT;
 )sql";
 
-constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}};
+/// How the camera is set; without a row, as it is. What is NULL is the camera's to choose.
+constexpr const char* kVersion3 = R"sql(
+CREATE TABLE capture_profile (
+    id INTEGER PRIMARY KEY CHECK (id = 1),
+    iso INTEGER,
+    shutter_s REAL,
+    compensation_ev REAL NOT NULL,
+    white_balance TEXT NOT NULL,
+    colour_temperature_k INTEGER,
+    photo_width INTEGER
+) STRICT;
+)sql";
+
+constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3}};
 
 void apply(const Database& database, const Migration& migration) {
     Transaction transaction(database);

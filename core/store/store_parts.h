@@ -45,6 +45,9 @@ std::string nowUtc();
 void insertPlan(const Database& database, const survey::Room& room, const survey::PlanOptions& options,
                 const survey::Plan& plan);
 
+/// In place of what was there, inside the caller's transaction.
+void insertProfile(const Database& database, const std::optional<survey::CaptureProfile>& profile);
+
 /// Errors: InvalidInput, for a plan whose stations and placements do not fit each other or the numbers are
 /// not finite.
 void checkPlan(const survey::Plan& plan);

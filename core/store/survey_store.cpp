@@ -215,6 +215,7 @@ SurveyStore SurveyStore::create(const fs::path& folder, const std::string& name,
         database.run("INSERT INTO survey VALUES (1, ?, ?, ?, 0, 0, 0, 0, 0, 0)", randomUuid(), name,
                      nowUtc());
         insertPlan(database, room, options, plan);
+        insertProfile(database, survey::CaptureProfile{});
         transaction.commit();
         database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
     }

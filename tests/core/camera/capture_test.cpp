@@ -165,6 +165,35 @@ TEST_F(CaptureTest, AppliesItsSettingsAgainAfterARestartOfTheCamera) {
     EXPECT_EQ(camera.options["sleepDelay"], 180);
 }
 
+TEST_F(CaptureTest, HoldsTheProfileAtEveryShot) {
+    camera.options.update(Json::parse(R"({"exposureProgram": 2, "iso": 0, "whiteBalance": "auto"})"));
+    options.profile = survey::parseProfile("iso=200");
+    start();
+    EXPECT_TRUE(capture().shoot(1, {}).warnings.empty());
+    camera.options["iso"] = 0; // as after sleep
+    const int before = camera.count("camera.getOptions");
+    EXPECT_TRUE(capture().shoot(2, {}).warnings.size() == 1);
+    EXPECT_EQ(camera.options["iso"], 200);
+    EXPECT_EQ(camera.count("camera.getOptions"), before + 3); // the check, its repair's, and the times'
+    EXPECT_TRUE(capture().shoot(3, {}).warnings.empty());
+    EXPECT_EQ(camera.count("camera.getOptions"), before + 4);
+}
+
+TEST_F(CaptureTest, LetsTheCameraSleepAgainAfterAStop) {
+    capture().prepare({});
+    EXPECT_EQ(camera.options["sleepDelay"], 65535);
+    EXPECT_TRUE(capture().disconnectWithin(10s));
+    EXPECT_EQ(camera.options["sleepDelay"], 180);
+}
+
+TEST_F(CaptureTest, DoesNotWaitLongForACameraThatIsGone) {
+    capture().prepare({});
+    camera.fault("camera.setOptions", answering(test::neverAnswer()), 10);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_FALSE(capture().disconnectWithin(20ms));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 180ms);
+}
+
 TEST_F(CaptureTest, RefusesToShootWithAnotherCamera) {
     capture().shoot(1, {});
     camera.serial = "00999999";

@@ -80,6 +80,104 @@ TEST_F(SettingsGuardTest, RefusesACameraWithoutSphericalJpegs) {
     expectError(ErrorKind::Unsupported, "spherical JPEG", [&] { guard.apply({}); });
 }
 
+class ProfileTest : public SettingsGuardTest {
+  protected:
+    ProfileTest() {
+        camera.options.update(Json::parse(R"({
+            "exposureProgram": 2, "iso": 0, "isoSupport": [0, 64, 200, 400], "shutterSpeed": 0,
+            "shutterSpeedSupport": [0, 0.01, 0.01666666, 0.5], "exposureCompensation": 0.7,
+            "exposureCompensationSupport": [-0.3, 0.0, 0.3], "whiteBalance": "shade",
+            "whiteBalanceSupport": ["auto", "daylight"], "_colorTemperature": 5000})"));
+    }
+
+    std::vector<std::string> apply(const std::string& profile) {
+        return m_guard.emplace(client, survey::parseProfile(profile)).apply({});
+    }
+
+    Json held() {
+        const auto names = m_guard->heldNames();
+        return m_guard->read({names.begin(), names.end()}, {});
+    }
+
+    std::vector<std::string> hold() { return m_guard->hold(held(), {}); }
+
+  private:
+    std::optional<SettingsGuard> m_guard;
+};
+
+TEST_F(ProfileTest, TheAutomaticOneLeavesNothingAsItHappensToBe) {
+    camera.options["exposureProgram"] = 1;
+    camera.options["iso"] = 400;
+    EXPECT_TRUE(apply("auto").empty());
+    EXPECT_EQ(camera.options["exposureProgram"], 2);
+    EXPECT_EQ(camera.options["exposureCompensation"], 0.0);
+    EXPECT_EQ(camera.options["whiteBalance"], "auto");
+}
+
+TEST_F(ProfileTest, WithoutOneTheExposureStaysAsItIs) {
+    EXPECT_TRUE(apply("camera").empty());
+    EXPECT_EQ(camera.options["whiteBalance"], "shade");
+    EXPECT_EQ(camera.options["exposureCompensation"], 0.7);
+}
+
+TEST_F(ProfileTest, FixedValuesAreSetAsTheCameraSpellsThem) {
+    camera.options["_filter"] = "hdr";
+    EXPECT_TRUE(apply("iso=200,shutter=1/60,white-balance=4200K").empty());
+    EXPECT_EQ(camera.options["exposureProgram"], 1);
+    EXPECT_EQ(camera.options["iso"], 200);
+    EXPECT_EQ(camera.options["shutterSpeed"], 0.01666666);
+    EXPECT_EQ(camera.options["whiteBalance"], "_colorTemperature");
+    EXPECT_EQ(camera.options["_colorTemperature"], 4200);
+    EXPECT_EQ(camera.options["_filter"], "off");
+}
+
+TEST_F(ProfileTest, OneFixedValueLeavesTheOtherToTheCamera) {
+    apply("iso=64,ev=-0.33");
+    EXPECT_EQ(camera.options["exposureProgram"], 9);
+    EXPECT_EQ(camera.options["exposureCompensation"], -0.3);
+    apply("shutter=0.5");
+    EXPECT_EQ(camera.options["exposureProgram"], 4);
+}
+
+TEST_F(ProfileTest, SaysWhatTheCameraOffersInstead) {
+    expectError(ErrorKind::InvalidInput, "ISO 100; the nearest are 64 and 200", [&] { apply("iso=100"); });
+    expectError(ErrorKind::InvalidInput, "shutter time 1/80 s; the nearest are 1/100 s and 1/60 s",
+                [&] { apply("shutter=1/80"); });
+    expectError(ErrorKind::InvalidInput, "white balance cloudy", [&] { apply("white-balance=cloudy"); });
+    expectError(ErrorKind::InvalidInput, "no photos 1000 pixels wide, but 5376",
+                [&] { apply("width=1000"); });
+}
+
+TEST_F(ProfileTest, SaysWhatTheCameraCannotBeTold) {
+    for (const char* name : {"iso", "isoSupport", "exposureProgram", "whiteBalance"}) {
+        camera.options.erase(name);
+    }
+    EXPECT_THAT(apply("iso=200"), testing::ElementsAre(testing::HasSubstr("does not let its ISO be set")));
+    EXPECT_TRUE(apply("auto").empty());
+}
+
+TEST_F(ProfileTest, WhatTheCameraForgotIsSetAgain) {
+    apply("iso=200,shutter=1/60");
+    EXPECT_TRUE(hold().empty());
+    camera.options["iso"] = 0;
+    camera.options["sleepDelay"] = 180;
+    EXPECT_THAT(hold(), testing::ElementsAre(
+                            "The camera did not keep the setting sleepDelay; it was set again before "
+                            "the photo.",
+                            "The camera's ISO is 0 instead of 200; it was set again before the photo."));
+    EXPECT_EQ(camera.options["iso"], 200);
+    EXPECT_EQ(camera.options["sleepDelay"], 65535);
+}
+
+TEST_F(ProfileTest, WhatTheCameraDoesNotKeepIsSaid) {
+    apply("iso=200");
+    camera.options["iso"] = 64;
+    camera.fault(
+        "camera.setOptions", [](const auto&) { return test::answerJson(R"({"state":"done"})"); }, 2);
+    EXPECT_THAT(hold(), testing::ElementsAre(
+                            testing::HasSubstr("ISO is 64 instead of 200; the camera does not keep")));
+}
+
 TEST(ShotAllowance, GrowsWithTimerExposureAndFilter) {
     const ShotAllowance allowance;
     EXPECT_EQ(allowance.of(Json::object()), 30s);

@@ -6,6 +6,7 @@
 #include "spherewalk/camera/capture_options.h"
 #include "spherewalk/camera/osc_client.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,9 +24,11 @@ namespace spherewalk::camera {
 // only
 //    downloaded; one that is Intended or Started is resolved as in step 7.
 // 3. Prepare. Check errors, plug-in, battery and storage; save sleep and power-off times; set still mode, the
-//    largest spherical JPEG, never asleep; read back. Again whenever the camera has restarted.
-// 4. Intend. Before each shot: same serial number, camera idle, storage left, one second since the last
-//    setting. Note what the camera holds (newest file and count) and write the shot to the journal, durably.
+//    spherical JPEG and the exposure of the profile, never asleep; read back. Again whenever the camera has
+//    restarted.
+// 4. Intend. Before each shot: same serial number, camera idle, storage left, settings as they were set (else
+//    set again, with a warning), one second since the last setting. Note what the camera holds (newest file
+//    and count) and write the shot to the journal, durably.
 // 5. Trigger. takePicture is sent exactly once, on a connection of its own. A refusal by the camera that
 //    proves that nothing was done ends the shot as NotTaken; a momentary one is tried again as a new shot. A
 //    running command's id is written to the journal. Anything else is "unknown" and goes to step 7.
@@ -93,6 +96,9 @@ class Capture {
     ShotOutcome fetch(const Shot& shot, const std::stop_token& stop);
     /// Step 9. Errors: those of the client; the camera keeps the changed settings then.
     void disconnect(const std::stop_token& stop);
+    /// The same after a stop or an error, tried for at most this long. False if the camera may keep the
+    /// changed settings.
+    bool disconnectWithin(std::chrono::milliseconds time);
 
   private:
     struct Parts;
@@ -100,7 +106,8 @@ class Capture {
     std::vector<ShotOutcome> settleExposures(const std::stop_token& stop);
     void checkHealth(CameraReadiness& readiness, const std::stop_token& stop);
     std::vector<ShotOutcome> makeReady(std::vector<std::string>& warnings, const std::stop_token& stop);
-    std::chrono::milliseconds checkBeforeShot(const std::stop_token& stop);
+    std::chrono::milliseconds checkBeforeShot(std::vector<std::string>& warnings,
+                                              const std::stop_token& stop);
     Baseline baseline(const std::stop_token& stop);
     std::optional<CommandReply> trigger(const std::stop_token& stop);
     bool mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop);

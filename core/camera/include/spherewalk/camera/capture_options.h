@@ -3,8 +3,10 @@
 
 #include "spherewalk/camera/photo_download.h"
 #include "spherewalk/camera/settings_guard.h"
+#include "spherewalk/survey/capture_profile.h"
 
 #include <chrono>
+#include <optional>
 
 namespace spherewalk::camera {
 
@@ -24,6 +26,7 @@ struct CaptureOptions {
     double batteryMinimum = 0.15;
     int remainingWarning = 50; ///< photos left on the camera
     DownloadOptions download;
+    std::optional<survey::CaptureProfile> profile; ///< none: the exposure stays as the camera is set
 
     /// Errors: InvalidInput, with the option and its range.
     void validate() const;

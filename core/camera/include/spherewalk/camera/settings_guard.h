@@ -3,26 +3,37 @@
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/camera/osc_client.h"
+#include "spherewalk/survey/capture_profile.h"
 
 #include <chrono>
+#include <optional>
 #include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::camera {
 
-/// Brings a camera into the state in which a survey is taken (still pictures, the largest spherical JPEG,
-/// never asleep), proves it by reading back, and puts sleep and power-off times back at the end.
-/// Errors: those of OscClient. Threads: those of its client.
+/// Brings a camera into the state in which a survey is taken (still pictures, a spherical JPEG, exposed as
+/// the survey's profile says, never asleep), proves it by reading back, and puts sleep and power-off times
+/// back at the end. Errors: those of OscClient. Threads: those of its client.
 class SettingsGuard {
   public:
     /// Owner: the client must outlive the guard.
-    explicit SettingsGuard(OscClient& client) : m_client(client) {}
+    /// profile: none leaves the exposure as the camera is set.
+    explicit SettingsGuard(OscClient& client, std::optional<survey::CaptureProfile> profile = {})
+        : m_client(client), m_profile(std::move(profile)) {}
 
     /// Applies and reads back. What the camera lacks or changes without harm is returned as sentences.
-    /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG.
+    /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG; InvalidInput if
+    /// it does not offer what the profile asks for.
     std::vector<std::string> apply(const std::stop_token& stop);
+    /// The options that apply() has set.
+    std::set<std::string> heldNames() const;
+    /// Compares these options with what apply() has set, and sets it again if they differ: a camera forgets
+    /// its settings when it sleeps. What differed, as sentences.
+    std::vector<std::string> hold(const Json& present, const std::stop_token& stop);
     /// Only the mode, after a camera has refused to take a picture.
     void applyImageMode(const std::stop_token& stop);
     /// Puts back what apply() found at its first call; nothing if it was not called. A program that was
@@ -33,12 +44,18 @@ class SettingsGuard {
     Json read(const std::vector<std::string>& names, const std::stop_token& stop);
 
   private:
-    Json wanted(const Json& present) const;
-    std::vector<std::string> differences(const Json& wanted, const std::stop_token& stop);
+    void keepOriginal(const Json& present);
+    Json basics(const Json& present) const;
+    Json exposure(std::vector<std::string>& lacks, const std::stop_token& stop);
+    void set(const std::stop_token& stop);
+    std::vector<std::string> differences(const Json& present) const;
 
     OscClient& m_client;
+    std::optional<survey::CaptureProfile> m_profile;
     std::set<std::string> m_unknown;
-    Json m_original; ///< null until apply()
+    Json m_original;                  ///< null until apply()
+    Json m_basics = Json::object();   ///< set by apply(): the photos' format, and no sleep
+    Json m_exposure = Json::object(); ///< set by apply(), in one call, as the values depend on each other
 };
 
 /// The time that a shot may take before it counts as lost: the base, the self-timer, twice the exposure, and

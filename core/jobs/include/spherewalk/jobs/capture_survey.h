@@ -37,7 +37,7 @@ class Operator {
 };
 
 struct CaptureSurveyOptions {
-    camera::CaptureOptions camera;        ///< its download check is set by the job
+    camera::CaptureOptions camera;        ///< its download check and profile are set by the job
     int most = 0;                         ///< photos to take at most; 0: all that are missing
     std::vector<std::int64_t> again = {}; ///< stations to take besides, although they have a photo
 };
@@ -61,10 +61,10 @@ struct CaptureSurveyReport {
     double secondsFetching = 0; ///< downloads and checks
 };
 
-/// Takes the missing photos of the survey, and those asked for again, in walking order, after settling what
-/// an earlier run left open. It can be killed at any instant and called again. Errors: NotFound for an
-/// unknown station to take again; those of camera::Capture and of the store; Stopped, with all that is
-/// complete kept.
+/// Takes the missing photos of the survey, with the camera set by the survey's capture profile, and those
+/// asked for again, in walking order, after settling what an earlier run left open. It can be killed at any
+/// instant and called again. Errors: NotFound for an unknown station to take again; those of camera::Capture
+/// and of the store; Stopped, with all that is complete kept.
 CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& client, Operator& people,
                                   Clock& clock, CaptureSurveyOptions options, ProgressSink& progress,
                                   const std::stop_token& stop);

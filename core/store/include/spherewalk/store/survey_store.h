@@ -4,6 +4,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/store/records.h"
 #include "spherewalk/store/survey_check.h"
+#include "spherewalk/survey/capture_profile.h"
 #include "spherewalk/survey/plan.h"
 #include "spherewalk/survey/room.h"
 
@@ -71,6 +72,12 @@ class SurveyStore {
     survey::Plan plan() const;
     /// Errors: InvalidInput once there is a photo or a shot, which belong to stations of the present plan.
     void replacePlan(const survey::Room& room, const survey::PlanOptions& options, const survey::Plan& plan);
+
+    /// How the camera is to be set for the photos: automatic in a new survey; nothing where it stays as it
+    /// is, as in surveys from before there were profiles.
+    std::optional<survey::CaptureProfile> captureProfile() const;
+    /// Errors: InvalidInput for a profile that cannot be.
+    void setCaptureProfile(const std::optional<survey::CaptureProfile>& profile);
 
     /// In walking order, as everywhere below.
     std::vector<StationRecord> stations() const;
