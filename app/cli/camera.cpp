@@ -7,6 +7,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/capture.h"
+#include "spherewalk/camera/discovery.h"
 #include "spherewalk/jobs/capture_survey.h"
 
 #include <memory>
@@ -83,10 +84,38 @@ Result shoot(const Options& options, Context& context) {
                  humanBytes(photo.sizeBytes), ".")};
 }
 
+Result find(Context& context) {
+    const camera::FindReport report = camera::findCameras({}, context.stop);
+    Json cameras = Json::array();
+    std::string words;
+    for (const camera::FoundCamera& found : report.cameras) {
+        const std::string address = found.place.endpoint.name();
+        cameras.push_back({{"address", address},
+                           {"why", found.place.why},
+                           {"model", found.info.model},
+                           {"serial_number", found.info.serialNumber}});
+        words += text(words.empty() ? "" : "\n", address, "  ", printable(found.info.model),
+                      ", serial number ", printable(found.info.serialNumber), " (", found.place.why, ")");
+    }
+    if (report.cameras.empty()) {
+        words = "No camera answers at";
+        for (const camera::CameraPlace& place : report.silent) {
+            words += text(&place == report.silent.data() ? " " : " or ", place.endpoint.name());
+        }
+        words += ". Switch the camera on, connect this computer to its WiFi, and look again.";
+    }
+    if (!report.note.empty()) {
+        context.progress.warning(report.note);
+    }
+    return {{{"cameras", cameras}, {"note", report.note}}, words, !report.cameras.empty()};
+}
+
 } // namespace
 
 void addCamera(Commands& commands) {
-    CLI::App& group = commands.addGroup("camera", "Ask a camera, or take one picture with it");
+    CLI::App& group = commands.addGroup("camera", "Find or ask a camera, or take one picture with it");
+    commands.addFlag(group, "--find",
+                     "Look where cameras usually are, and for those that announce themselves", find);
     const auto options = std::make_shared<Options>();
     const auto add = [&](const std::string& name, const std::string& description, auto run) -> CLI::App& {
         CLI::App& command = commands.add(

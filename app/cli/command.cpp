@@ -18,4 +18,19 @@ CLI::App& Commands::addGroup(const std::string& name, const std::string& descrip
     return group;
 }
 
+void Commands::addFlag(CLI::App& group, const std::string& flag, const std::string& description, Run run) {
+    const CLI::Option* given = group.add_flag(flag, description);
+    group.add_flag("--json", m_json, "Print one JSON object on standard output");
+    group.require_subcommand(0, 1);
+    group.callback([this, &group, given, flag, run = std::move(run)] {
+        if (!group.get_subcommands().empty()) {
+            return;
+        }
+        if (given->empty()) {
+            throw CLI::RequiredError(flag + " or a subcommand");
+        }
+        m_chosen = run;
+    });
+}
+
 } // namespace spherewalk::cli

@@ -40,6 +40,8 @@ class Commands {
                   CLI::App* parent = nullptr);
     /// A command that only groups others.
     CLI::App& addGroup(const std::string& name, const std::string& description);
+    /// A flag of a group that is a command by itself, with --json.
+    void addFlag(CLI::App& group, const std::string& flag, const std::string& description, Run run);
 
     bool json() const { return m_json; }
 
