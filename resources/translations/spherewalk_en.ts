@@ -40,6 +40,16 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::CameraFinder</name>
+    <message numerus="yes">
+        <source>%n camera(s) found</source>
+        <translation>
+            <numerusform>%n camera found</numerusform>
+            <numerusform>%n cameras found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CameraPanel</name>
     <message numerus="yes">
         <source>%n photo(s)</source>

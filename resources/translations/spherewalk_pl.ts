@@ -443,6 +443,29 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::CameraFinder</name>
+    <message>
+        <source>Looking for cameras...</source>
+        <translation>Szukanie kamer...</translation>
+    </message>
+    <message>
+        <source>Looking for cameras</source>
+        <translation>Szukanie kamer</translation>
+    </message>
+    <message>
+        <source>No camera answers. Switch it on, connect this computer to its WiFi, and look again.</source>
+        <translation>Żadna kamera nie odpowiada. Włącz ją, połącz ten komputer z jej siecią WiFi i poszukaj ponownie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n camera(s) found</source>
+        <translation>
+            <numerusform>Znaleziono %n kamerę</numerusform>
+            <numerusform>Znaleziono %n kamery</numerusform>
+            <numerusform>Znaleziono %n kamer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CameraPanel</name>
     <message>
         <source>&amp;Connect</source>
@@ -547,6 +570,42 @@
     <message>
         <source>normal</source>
         <translation>w normie</translation>
+    </message>
+    <message>
+        <source>Looks where cameras usually are, and for those that announce themselves on the network.</source>
+        <translation>Szuka tam, gdzie kamery zwykle są, oraz tych, które ogłaszają się w sieci.</translation>
+    </message>
+    <message>
+        <source>Cameras that were found</source>
+        <translation>Znalezione kamery</translation>
+    </message>
+    <message>
+        <source>Choose the camera to connect to.</source>
+        <translation>Wybierz kamerę do połączenia.</translation>
+    </message>
+    <message>
+        <source>How the camera is set for the photos of this survey.</source>
+        <translation>Jak ustawiona jest kamera dla zdjęć tego pomiaru.</translation>
+    </message>
+    <message>
+        <source>&amp;Live preview</source>
+        <translation>Pod&amp;gląd na żywo</translation>
+    </message>
+    <message>
+        <source>What the camera sees, until the picture is taken.</source>
+        <translation>Co widzi kamera, do chwili zrobienia zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wybierz...</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd cameras</source>
+        <translation>Z&amp;najdź kamery</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure: %1</source>
+        <translation>Ek&amp;spozycja: %1</translation>
     </message>
 </context>
 <context>
@@ -1588,6 +1647,13 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PreviewFeed</name>
+    <message>
+        <source>The camera sent no picture; start the preview again.</source>
+        <translation>Kamera nie przysłała obrazu; uruchom podgląd ponownie.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PreviewMode</name>
     <message>
         <source>Preview</source>
@@ -1835,6 +1901,132 @@
             <numerusform>Zapisano %n klatki w %1.</numerusform>
             <numerusform>Zapisano %n klatek w %1.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewView</name>
+    <message>
+        <source>The preview rests while a picture is taken.</source>
+        <translation>Podgląd odpoczywa, gdy robione jest zdjęcie.</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera&apos;s first picture...</source>
+        <translation>Czekanie na pierwszy obraz z kamery...</translation>
+    </message>
+    <message>
+        <source>The camera has ended its preview.</source>
+        <translation>Kamera zakończyła podgląd.</translation>
+    </message>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Co widzi kamera</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ProfileForm</name>
+    <message>
+        <source>automatic</source>
+        <translation>automatycznie</translation>
+    </message>
+    <message>
+        <source>daylight</source>
+        <translation>światło dzienne</translation>
+    </message>
+    <message>
+        <source>shade</source>
+        <translation>cień</translation>
+    </message>
+    <message>
+        <source>cloudy</source>
+        <translation>pochmurno</translation>
+    </message>
+    <message>
+        <source>incandescent</source>
+        <translation>żarówka</translation>
+    </message>
+    <message>
+        <source>fluorescent, white</source>
+        <translation>świetlówka, biała</translation>
+    </message>
+    <message>
+        <source>fluorescent, warm white</source>
+        <translation>świetlówka, ciepła biała</translation>
+    </message>
+    <message>
+        <source>fluorescent, daylight</source>
+        <translation>świetlówka, światło dzienne</translation>
+    </message>
+    <message>
+        <source>fluorescent, day white</source>
+        <translation>świetlówka, dzienna biała</translation>
+    </message>
+    <message>
+        <source>fluorescent bulb</source>
+        <translation>świetlówka kompaktowa</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation>EV</translation>
+    </message>
+    <message>
+        <source>as the camera is set</source>
+        <translation>tak, jak ustawiono kamerę</translation>
+    </message>
+    <message>
+        <source>Leave it as the camera is set</source>
+        <translation>Pozostaw tak, jak ustawiono kamerę</translation>
+    </message>
+    <message>
+        <source>Exposure of the photos</source>
+        <translation>Ekspozycja zdjęć</translation>
+    </message>
+    <message>
+        <source>Photos of one room fit each other best if all are exposed alike: fix ISO, shutter time and white balance where the light does not change.</source>
+        <translation>Zdjęcia jednego pomieszczenia najlepiej pasują do siebie, gdy wszystkie są naświetlone tak samo: ustal ISO, czas migawki i balans bieli tam, gdzie światło się nie zmienia.</translation>
+    </message>
+    <message>
+        <source>&amp;ISO</source>
+        <translation>&amp;ISO</translation>
+    </message>
+    <message>
+        <source>Fixed, or chosen by the camera for each photo.</source>
+        <translation>Stałe albo dobierane przez kamerę do każdego zdjęcia.</translation>
+    </message>
+    <message>
+        <source>&amp;Shutter time</source>
+        <translation>&amp;Czas migawki</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Jasność</translation>
+    </message>
+    <message>
+        <source>How much brighter or darker than the camera thinks right.</source>
+        <translation>O ile jaśniej lub ciemniej, niż kamera uważa za właściwe.</translation>
+    </message>
+    <message>
+        <source>&amp;White balance</source>
+        <translation>&amp;Balans bieli</translation>
+    </message>
+    <message>
+        <source>The colour of the light.</source>
+        <translation>Barwa światła.</translation>
+    </message>
+    <message>
+        <source>&amp;Photo size</source>
+        <translation>&amp;Rozmiar zdjęć</translation>
+    </message>
+    <message>
+        <source>Of those that the camera offers.</source>
+        <translation>Spośród tych, które kamera oferuje.</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>największy</translation>
     </message>
 </context>
 <context>

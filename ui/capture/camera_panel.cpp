@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/camera_panel.h"
 
+#include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
 #include "ui/look/icon_label.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,9 +25,10 @@ constexpr auto kHideKey = "camera/hideSeconds";
 
 } // namespace
 
-CameraPanel::CameraPanel(CaptureDesk& desk, QWidget* parent)
+CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* parent)
     : QWidget(parent),
       m_desk(desk),
+      m_finder(finder),
       m_address(new QLineEdit(QSettings().value(kAddressKey, "192.168.1.1").toString(), this)),
       m_connect(new QPushButton(ui::icon("connect"), tr("&Connect"), this)),
       m_practice(new QPushButton(ui::icon("capture"), tr("&Practice camera"), this)),
@@ -59,12 +62,14 @@ CameraPanel::CameraPanel(CaptureDesk& desk, QWidget* parent)
     hideRow->addStretch();
     hideRow->addWidget(m_automatic);
     grid->addLayout(hideRow, 1, 0, 1, 3);
-    grid->addWidget(makeStatus(), 2, 0, 1, 3);
+    m_preview = new PreviewView(m_desk.preview(), this);
+    m_preview->setObjectName("livePreview");
+    grid->addWidget(makeFinder(), 2, 0, 1, 3);
+    grid->addWidget(makeStatus(), 3, 0, 1, 3);
+    grid->addWidget(makeExposure(), 4, 0, 1, 3);
+    grid->addWidget(m_preview, 5, 0, 1, 3);
     grid->setColumnStretch(0, 1);
-    const auto connectCamera = [this] {
-        QSettings().setValue(kAddressKey, m_address->text());
-        m_desk.connectTo(m_address->text());
-    };
+    const auto connectCamera = [this] { connectAt(m_address->text()); };
     connect(m_connect, &QPushButton::clicked, this, connectCamera);
     connect(m_address, &QLineEdit::returnPressed, this, connectCamera);
     connect(m_practice, &QPushButton::clicked, this, [this] { m_desk.connectToPractice(); });
@@ -75,7 +80,82 @@ CameraPanel::CameraPanel(CaptureDesk& desk, QWidget* parent)
     m_hide->setValue(QSettings().value(kHideKey, 0).toInt());
     connect(m_automatic, &QCheckBox::toggled, this, [this](bool isOn) { m_desk.setAutomatic(isOn); });
     connect(&m_desk, &CaptureDesk::changed, this, &CameraPanel::showAll);
+    connect(&m_finder, &CameraFinder::changed, this, &CameraPanel::showFound);
+    showFound();
     showAll();
+}
+
+void CameraPanel::connectAt(const QString& address) {
+    QSettings().setValue(kAddressKey, address);
+    m_desk.connectTo(address);
+}
+
+QWidget* CameraPanel::makeFinder() {
+    auto* finder = new QWidget(this);
+    auto* row = new QHBoxLayout(finder);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_find = new QPushButton(tr("Fi&nd cameras"), finder);
+    m_find->setObjectName("findCameras");
+    m_find->setToolTip(tr("Looks where cameras usually are, and for those that announce themselves on the "
+                          "network."));
+    m_found = new QComboBox(finder);
+    m_found->setObjectName("foundCameras");
+    m_found->setAccessibleName(tr("Cameras that were found"));
+    m_found->setToolTip(tr("Choose the camera to connect to."));
+    m_findWords = new QLabel(finder);
+    m_findWords->setObjectName("findWords");
+    m_findWords->setWordWrap(true);
+    row->addWidget(m_find);
+    row->addWidget(m_found);
+    row->addWidget(m_findWords, 1);
+    connect(m_find, &QPushButton::clicked, &m_finder, &CameraFinder::find);
+    connect(m_found, &QComboBox::activated, this, [this](int index) {
+        if (index > 0) {
+            m_address->setText(m_found->itemData(index).toString());
+            connectAt(m_address->text());
+        }
+    });
+    return finder;
+}
+
+QWidget* CameraPanel::makeExposure() {
+    auto* exposure = new QWidget(this);
+    auto* row = new QHBoxLayout(exposure);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_profile = new QPushButton(exposure);
+    m_profile->setObjectName("captureProfile");
+    m_profile->setToolTip(tr("How the camera is set for the photos of this survey."));
+    m_showPreview = new QPushButton(tr("&Live preview"), exposure);
+    m_showPreview->setObjectName("showPreview");
+    m_showPreview->setCheckable(true);
+    // A click must not take the key away from the page.
+    for (QPushButton* button : {m_profile, m_showPreview}) {
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    m_showPreview->setToolTip(tr("What the camera sees, until the picture is taken."));
+    row->addWidget(m_profile, 1);
+    row->addWidget(m_showPreview);
+    connect(m_profile, &QPushButton::clicked, this, &CameraPanel::editProfile);
+    connect(m_showPreview, &QPushButton::toggled, this, [this](bool isOn) { m_desk.setShowsPreview(isOn); });
+    return exposure;
+}
+
+void CameraPanel::editProfile() {
+    auto* form = new ProfileForm(m_desk.profile(), this);
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    connect(form, &QDialog::accepted, this, [this, form] { m_desk.setProfile(form->profile()); });
+    form->open();
+}
+
+void CameraPanel::showFound() {
+    m_find->setEnabled(!m_finder.isLooking());
+    m_findWords->setText(m_finder.sentence());
+    m_found->clear();
+    m_found->addItem(tr("Choose..."));
+    for (const camera::FoundCamera& camera : m_finder.cameras()) {
+        m_found->addItem(CameraFinder::words(camera), QString::fromStdString(camera.place.endpoint.name()));
+    }
+    m_found->setVisible(m_found->count() > 1);
 }
 
 QWidget* CameraPanel::makeStatus() {
@@ -102,10 +182,14 @@ QWidget* CameraPanel::makeStatus() {
 
 void CameraPanel::showAll() {
     const bool isFree = !m_desk.isRunning() && m_desk.state() != CaptureDesk::State::Connecting;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_address, m_connect, m_practice, m_automatic}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_address, m_connect, m_practice, m_automatic, m_found}) {
         widget->setEnabled(isFree);
     }
     m_automatic->setVisible(m_desk.hasPracticeCamera());
+    m_profile->setText(tr("E&xposure: %1").arg(profileWords(m_desk.profile())));
+    m_profile->setEnabled(m_desk.session() != nullptr && !m_desk.isRunning());
+    m_preview->setVisible(m_desk.showsPreview());
     const auto& status = m_desk.camera();
     const bool isConnecting = m_desk.state() == CaptureDesk::State::Connecting;
     const QString unknown = QString::fromUtf8("–");

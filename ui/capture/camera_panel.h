@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/capture/camera_finder.h"
 #include "ui/capture/capture_desk.h"
+#include "ui/capture/preview_view.h"
 
 #include <QWidget>
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -13,18 +16,24 @@ class QSpinBox;
 
 namespace spherewalk::ui {
 
-/// Which camera, and how it is.
+/// Which camera, how it is, how it is set, and what it sees.
 class CameraPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit CameraPanel(CaptureDesk& desk, QWidget* parent = nullptr);
+    CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* parent = nullptr);
 
   private:
     QWidget* makeStatus();
+    QWidget* makeFinder();
+    QWidget* makeExposure();
+    void connectAt(const QString& address);
+    void editProfile();
     void showAll();
+    void showFound();
 
     CaptureDesk& m_desk;
+    CameraFinder& m_finder;
     QLineEdit* m_address;
     QPushButton* m_connect;
     QPushButton* m_practice;
@@ -34,6 +43,12 @@ class CameraPanel : public QWidget {
     QLabel* m_battery = nullptr;
     QLabel* m_storage = nullptr;
     QLabel* m_heat = nullptr;
+    QPushButton* m_find = nullptr;
+    QComboBox* m_found = nullptr;
+    QLabel* m_findWords = nullptr;
+    QPushButton* m_profile = nullptr;
+    QPushButton* m_showPreview = nullptr;
+    PreviewView* m_preview = nullptr;
 };
 
 } // namespace spherewalk::ui

@@ -13,6 +13,7 @@ namespace spherewalk::ui {
 CaptureDesk::CaptureDesk(TaskList& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
     m_timer.setInterval(std::chrono::seconds(1));
     connect(&m_timer, &QTimer::timeout, this, &CaptureDesk::tick);
+    connect(this, &CaptureDesk::changed, this, &CaptureDesk::followWithPreview);
 }
 
 CaptureDesk::~CaptureDesk() {
@@ -69,6 +70,39 @@ void CaptureDesk::read() {
 void CaptureDesk::setState(State state) {
     m_state = state;
     emit changed();
+}
+
+void CaptureDesk::setProfile(const std::optional<survey::CaptureProfile>& profile) {
+    if (!m_session || isRunning()) {
+        return;
+    }
+    try {
+        m_session->write(SurveySession::Profile,
+                         [&](store::SurveyStore& store) { store.setCaptureProfile(profile); });
+    } catch (const Error& error) {
+        failed(QString::fromStdString(error.sentence()));
+    }
+}
+
+void CaptureDesk::setShowsPreview(bool isShown) {
+    m_showsPreview = isShown;
+    emit changed();
+}
+
+/// Begins and ends the preview as the state allows it.
+void CaptureDesk::followWithPreview() {
+    const bool isAtRest = m_state == State::Ready || m_state == State::AtStation ||
+                          m_state == State::AskAgain || m_state == State::Hiding;
+    const bool wants = m_showsPreview && isAtRest;
+    if (wants == m_isPreviewing) {
+        return;
+    }
+    m_isPreviewing = wants;
+    if (wants) {
+        m_preview.start(m_endpoint, timeScale());
+    } else {
+        m_preview.stop();
+    }
 }
 
 void CaptureDesk::connectTo(const QString& address) {
@@ -163,6 +197,7 @@ DeskEvents CaptureDesk::events() {
             emit changed();
         });
     };
+    events.quiet = [this] { return m_preview.endAndWait(); };
     events.noAnswer = [this, post](const QString& sentence) { post([this, sentence] { failed(sentence); }); };
     events.atStation = [this, post](const store::StationRecord& station) {
         post([this, station] {

@@ -5,6 +5,7 @@
 #include "ui/capture/desk_operator.h"
 #include "ui/capture/pace.h"
 #include "ui/capture/practice_host.h"
+#include "ui/capture/preview_feed.h"
 #include "ui/session/survey_session.h"
 #include "ui/tasks/task_list.h"
 
@@ -80,6 +81,21 @@ class CaptureDesk : public QObject {
     /// Shoots without the key; with the practice camera only, which moves its cart by itself.
     void setAutomatic(bool isAutomatic) { m_isAutomatic = isAutomatic; }
 
+    /// How the camera is set for the photos of this survey.
+    std::optional<survey::CaptureProfile> profile() const {
+        return m_session ? m_session->state().profile : std::nullopt;
+    }
+
+    /// Keeps it in the survey; not while a run goes on.
+    void setProfile(const std::optional<survey::CaptureProfile>& profile);
+
+    /// What the camera sees. It rests from the key to the stored photo, as a camera cannot do both.
+    const PreviewFeed& preview() const { return m_preview; }
+
+    bool showsPreview() const { return m_showsPreview; }
+
+    void setShowsPreview(bool isShown);
+
     /// Left of the countdown.
     int countdown() const { return m_countdown; }
 
@@ -122,6 +138,7 @@ class CaptureDesk : public QObject {
 
   private:
     void setState(State state);
+    void followWithPreview();
     void markRails();
     void read();
     void connected(const CameraStatus& status);
@@ -147,6 +164,9 @@ class CaptureDesk : public QObject {
     std::unique_ptr<PracticeHost> m_practice;
     bool m_isPractice = false;
     bool m_isAutomatic = false;
+    PreviewFeed m_preview;
+    bool m_showsPreview = false;
+    bool m_isPreviewing = false;
     std::shared_ptr<ShutterKey> m_key = std::make_shared<ShutterKey>();
     QTimer m_timer;
     int m_hideSeconds = 0;

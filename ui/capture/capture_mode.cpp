@@ -40,9 +40,10 @@ bool isShutterKey(int key) {
 CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
     : Mode("capture", tr("Capture"), tr("Take the photos, station by station"), parent),
       m_desk(tasks),
+      m_finder(tasks),
       m_sounds(std::make_unique<BellSounds>()),
       m_plan(new CapturePlanView(m_desk, this)),
-      m_camera(new CameraPanel(m_desk, this)) {
+      m_camera(new CameraPanel(m_desk, m_finder, this)) {
     auto* side = new QWidget(this);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(16, 12, 16, 12);

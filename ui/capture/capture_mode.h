@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/capture/camera_finder.h"
 #include "ui/capture/capture_desk.h"
 #include "ui/capture/sounds.h"
 #include "ui/shell/mode.h"
@@ -31,6 +32,8 @@ class CaptureMode : public Mode {
 
     CaptureDesk& desk() { return m_desk; }
 
+    CameraFinder& finder() { return m_finder; }
+
     void setSounds(std::unique_ptr<Sounds> sounds) { m_sounds = std::move(sounds); }
 
     /// Connects to the practice camera and takes all photos by itself.
@@ -54,6 +57,7 @@ class CaptureMode : public Mode {
     void toggleAgain();
 
     CaptureDesk m_desk;
+    CameraFinder m_finder;
     std::unique_ptr<Sounds> m_sounds;
     bool m_startsWhenReady = false;
     CaptureDesk::State m_shownState = CaptureDesk::State::NoCamera;

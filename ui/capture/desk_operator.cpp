@@ -57,6 +57,9 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
                 QString::fromStdString(error.sentence())); // the next shot will say more, if it lasts
         }
     }
+    if (m_events.quiet()) {
+        m_client.noteDisturbed();
+    }
 }
 
 void DeskOperator::moveTo(const store::StationRecord& station, const std::stop_token& stop) {

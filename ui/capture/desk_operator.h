@@ -31,6 +31,8 @@ class ShutterKey {
 /// What the capturing thread tells the window. All are called on that thread.
 struct DeskEvents {
     std::function<void(CameraStatus)> status;
+    std::function<bool()>
+        quiet; ///< ends the preview, returns when it has ended, and says whether there was one
     std::function<void(QString)> noAnswer; ///< the camera does not say how it is; why
     std::function<void(store::StationRecord)> atStation;
     std::function<void(store::StationRecord, QString)> askAgain; ///< no picture was taken; why

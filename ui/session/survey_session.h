@@ -23,7 +23,7 @@ class SurveySession : public QObject {
     Q_OBJECT
 
   public:
-    enum Change { Plan = 1, Photos = 2, Reviews = 4, Solutions = 8, Everything = 15 };
+    enum Change { Plan = 1, Photos = 2, Reviews = 4, Solutions = 8, Profile = 16, Everything = 31 };
     Q_DECLARE_FLAGS(Changes, Change)
 
     /// Errors: those of store::SurveyStore::open().

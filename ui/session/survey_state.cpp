@@ -7,6 +7,7 @@ SurveyState readState(const store::SurveyStore& store) {
     SurveyState state;
     state.room = store.room();
     state.options = store.planOptions();
+    state.profile = store.captureProfile();
     state.plan = store.plan();
     state.stations = store.stations();
     for (const store::StationRecord& station : store.stationsWithoutPhoto()) {

@@ -4,6 +4,7 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace spherewalk::ui {
 struct SurveyState {
     survey::Room room;
     survey::PlanOptions options;
+    std::optional<survey::CaptureProfile> profile; ///< how the camera is set for the photos
     survey::Plan plan;
     std::vector<store::StationRecord> stations; ///< in walking order
     std::set<std::int64_t> missing;             ///< stations where a photo is still to be taken

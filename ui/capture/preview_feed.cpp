@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/capture/preview_feed.h"
+
+#include "ui/panorama/picture.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/jpeg/jpeg.h"
+
+#include <utility>
+
+namespace spherewalk::ui {
+
+PreviewFeed::PreviewFeed(QObject* parent)
+    : QObject(parent), m_thread([this](const std::stop_token& end) { run(end); }) {
+}
+
+PreviewFeed::~PreviewFeed() {
+    stop();
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+void PreviewFeed::setState(State state) {
+    m_state = state;
+    emit changed();
+}
+
+void PreviewFeed::start(const camera::Endpoint& endpoint, double timeScale) {
+    ++m_number;
+    m_sentence.clear();
+    m_picture = {};
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_waiting = Request{endpoint, timeScale, m_number};
+        m_current.request_stop();
+    }
+    m_changed.notify_all();
+    setState(State::Starting);
+}
+
+void PreviewFeed::stop() {
+    ++m_number; // what is still on its way counts for nothing
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_waiting.reset();
+        m_current.request_stop();
+    }
+    if (m_state != State::Off) {
+        setState(State::Off);
+    }
+}
+
+bool PreviewFeed::endAndWait() {
+    std::unique_lock lock(m_mutex);
+    const bool wasBusy = m_isBusy;
+    m_waiting.reset();
+    m_current.request_stop();
+    m_changed.wait(lock, [this] { return !m_isBusy; });
+    return wasBusy;
+}
+
+void PreviewFeed::run(const std::stop_token& end) {
+    std::unique_lock lock(m_mutex);
+    while (m_changed.wait(lock, end, [this] { return m_waiting.has_value(); })) {
+        const Request request = *std::exchange(m_waiting, std::nullopt);
+        m_current = std::stop_source();
+        const std::stop_token stop = m_current.get_token();
+        m_isBusy = true;
+        m_newest = {};
+        lock.unlock();
+        const QString sentence = show(request, stop);
+        QMetaObject::invokeMethod(
+            this, [this, number = request.number, sentence] { ended(number, sentence); },
+            Qt::QueuedConnection);
+        lock.lock();
+        m_isBusy = false;
+        m_changed.notify_all();
+    }
+}
+
+/// Until it ends; why, if anything is wrong.
+QString PreviewFeed::show(const Request& request, const std::stop_token& stop) {
+    try {
+        camera::OscClient client(request.endpoint, camera::OscOptions{}.scaled(request.timeScale),
+                                 systemClock());
+        const auto pictures = camera::showLivePreview(
+            client, systemClock(), camera::PreviewOptions{}.scaled(request.timeScale),
+            [&](const camera::PreviewFrame& frame) { publish(request.number, frame); }, stop);
+        return pictures > 0 ? QString() : tr("The camera sent no picture; start the preview again.");
+    } catch (const Error& error) {
+        return error.kind() == ErrorKind::Stopped ? QString() : QString::fromStdString(error.sentence());
+    }
+}
+
+void PreviewFeed::publish(int number, const camera::PreviewFrame& frame) {
+    QImage picture;
+    try {
+        picture = qtImage(jpeg::decode(frame.jpeg, "the preview"));
+    } catch (const Error&) { // damaged on its way; the next comes at once
+        return;
+    }
+    const std::scoped_lock lock(m_mutex);
+    const bool isToBeTold = m_newest.isNull(); // else the window has not yet taken the one before
+    m_newest = std::move(picture);
+    if (isToBeTold) {
+        QMetaObject::invokeMethod(
+            this, [this, number] { showNewest(number); }, Qt::QueuedConnection);
+    }
+}
+
+void PreviewFeed::showNewest(int number) {
+    QImage picture;
+    {
+        const std::scoped_lock lock(m_mutex);
+        picture = std::exchange(m_newest, {});
+    }
+    if (number == m_number && !picture.isNull()) {
+        m_picture = std::move(picture);
+        setState(State::Showing);
+    }
+}
+
+void PreviewFeed::ended(int number, const QString& sentence) {
+    if (number == m_number) {
+        m_sentence = sentence;
+        setState(State::Ended);
+    }
+}
+
+} // namespace spherewalk::ui
