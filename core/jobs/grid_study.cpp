@@ -121,7 +121,7 @@ class Study {
                                text("Grid of ", step, ": comparing view ", done, " of ", views.size()));
         });
         for (const Comparisons& result : results) {
-            for (const auto& [with, comparison] : result) {
+            for (const auto& [with, comparison] : result.views) {
                 summaries.try_emplace(with.first, with.first, with.second)
                     .first->second.add(comparison, ViewLikeness{});
             }
@@ -152,7 +152,7 @@ class Study {
         Comparisons known = cache.read(key);
         std::vector<SceneAndSampling> missing;
         for (const SceneKind scene : scenes) {
-            if (!known.contains({scene, m_options.sampling})) {
+            if (!known.views.contains({scene, m_options.sampling})) {
                 missing.emplace_back(scene, m_options.sampling);
             }
         }
@@ -166,7 +166,7 @@ class Study {
         const KnownSubject with{std::move(subject), std::move(features)};
         for (const SceneAndSampling& rung : missing) {
             throwIfStopped(m_stop);
-            known[rung] = compared(with, from, m_camera, rung);
+            known.views[rung] = compared(with, from, m_camera, rung);
         }
         cache.write(key, known);
         return known;

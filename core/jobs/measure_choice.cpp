@@ -11,7 +11,7 @@ namespace spherewalk::jobs {
 namespace {
 
 constexpr double kAboutAsFast = 1.1;
-constexpr std::size_t kLeastMatches = 40; ///< of a photo, for a scene model of its own
+constexpr std::size_t kLeastPlaces = 40; ///< of a photo, for a scene model of its own
 
 std::string wordsOf(const Rung& rung) {
     return text("scene model ", name(rung.scene), " with sampling ", name(rung.sampling));
@@ -87,7 +87,7 @@ void choosePhotoScenes(const MeasureReport& report, Choice& choice) {
     std::size_t given = 0;
     for (const Cheaper& one : cheaper) {
         for (const PhotoError& photo : one.scene->photos) {
-            if (!scenes[photo.photo] && photo.p95Px && photo.matches >= kLeastMatches &&
+            if (!scenes[photo.photo] && photo.p95Px && photo.places >= kLeastPlaces &&
                 *photo.p95Px * one.ratio <= choice.tolerancePx) {
                 scenes[photo.photo] = one.scene->scene;
                 ms[photo.photo] = one.renderMs;

@@ -14,7 +14,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 1; ///< grows when the same dataset and subject give other comparisons
+constexpr int kMethod = 2; ///< grows when the same dataset and subject give other comparisons
 constexpr double kMostDb = 99;
 constexpr std::uint64_t kLargestFile = 64ULL << 20;
 constexpr int kMostHundredths = 10'000'000;
@@ -41,27 +41,37 @@ std::vector<int> integers(const JsonReader& list) {
 }
 
 Json jsonOf(const Comparisons& comparisons) {
-    Json result = Json::array();
-    for (const auto& [with, comparison] : comparisons) {
-        result.push_back({{"scene", name(with.first)},
-                          {"sampling", name(with.second)},
-                          {"photo", comparison.photo},
-                          {"psnr_db", comparison.psnrDb},
-                          {"ssim", comparison.ssim},
-                          {"matched", comparison.matched},
-                          {"exact", comparison.exact}});
+    Json views = Json::array();
+    for (const auto& [with, comparison] : comparisons.views) {
+        views.push_back({{"scene", name(with.first)},
+                         {"sampling", name(with.second)},
+                         {"photo", comparison.photo},
+                         {"psnr_db", comparison.psnrDb},
+                         {"ssim", comparison.ssim},
+                         {"matched", comparison.matched},
+                         {"exact", comparison.exact}});
     }
-    return result;
+    Json samplings = Json::array();
+    for (const auto& [sampling, errors] : comparisons.samplings) {
+        samplings.push_back({{"sampling", name(sampling)}, {"errors", errors}});
+    }
+    return {{"views", views}, {"samplings", samplings}};
 }
 
-Comparisons comparisonsOf(const JsonReader& list, std::size_t photos) {
+Comparisons comparisonsOf(const JsonReader& reader, std::size_t photos) {
     Comparisons result;
-    for (std::size_t i = 0; i < list.arraySize(kMostValues); ++i) {
-        const JsonReader entry = list.element(i);
-        result[{render::sceneKind(entry.string("scene")), render::sampling(entry.string("sampling"))}] = {
-            static_cast<std::size_t>(entry.integer("photo", 0, static_cast<std::int64_t>(photos) - 1)),
-            entry.number("psnr_db"), entry.number("ssim"), integers(entry.member("matched")),
-            integers(entry.member("exact"))};
+    const JsonReader views = reader.member("views");
+    for (std::size_t i = 0; i < views.arraySize(kMostValues); ++i) {
+        const JsonReader entry = views.element(i);
+        result.views[{render::sceneKind(entry.string("scene")), render::sampling(entry.string("sampling"))}] =
+            {static_cast<std::size_t>(entry.integer("photo", 0, static_cast<std::int64_t>(photos) - 1)),
+             entry.number("psnr_db"), entry.number("ssim"), integers(entry.member("matched")),
+             integers(entry.member("exact"))};
+    }
+    const JsonReader samplings = reader.member("samplings");
+    for (std::size_t i = 0; i < samplings.arraySize(kSamplings.size()); ++i) {
+        const JsonReader entry = samplings.element(i);
+        result.samplings[render::sampling(entry.string("sampling"))] = integers(entry.member("errors"));
     }
     return result;
 }
@@ -111,6 +121,26 @@ Comparison compared(const KnownSubject& known, const render::Renderer& renderer,
             measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth));
     }
     return result;
+}
+
+SamplingErrors samplingErrors(const Subjects::Place& place, const render::Renderer& renderer,
+                              const CameraModel& camera) {
+    render::ViewOptions wanted;
+    wanted.scene = render::SceneKind::None; // the pixels of one photo, wherever they should be
+    wanted.threads = 1;
+    wanted.without = place.without;
+    const auto features = [&](render::Sampling sampling) {
+        wanted.sampling = sampling;
+        return measure::PictureFeatures(renderer.render(camera, place.roomFromCamera, wanted).picture);
+    };
+    const std::size_t photo =
+        renderer.dataset().nearestPhoto(place.roomFromCamera.translation, place.without);
+    const measure::PictureFeatures best = features(bestSampling(renderer, photo, camera));
+    SamplingErrors errors;
+    for (const render::Sampling sampling : kSamplings) {
+        errors[sampling] = hundredths(measure::matchedDisplacements(best, features(sampling)));
+    }
+    return errors;
 }
 
 ComparisonCache::ComparisonCache(std::filesystem::path folder, const render::DatasetInfo& info,

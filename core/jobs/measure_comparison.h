@@ -5,12 +5,19 @@
 
 #include "spherewalk/measure/displacement.h"
 
+#include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace spherewalk::jobs {
 
 using SceneAndSampling = std::pair<render::SceneKind, render::Sampling>;
+
+/// The samplings, cheap to exact; not Auto.
+inline constexpr std::array kSamplings{render::Sampling::Nearest, render::Sampling::Bilinear,
+                                       render::Sampling::Reduced, render::Sampling::Footprint,
+                                       render::Sampling::Bicubic};
 
 /// One view beside its subject.
 struct Comparison {
@@ -21,8 +28,15 @@ struct Comparison {
     std::vector<int> exact;   ///< of pixels whose depth is known
 };
 
-/// One subject's comparisons.
-using Comparisons = std::map<SceneAndSampling, Comparison>;
+/// Displacements that a sampling makes by itself, in hundredths of a pixel: features of a view beside the
+/// same view with the best sampling for it.
+using SamplingErrors = std::map<render::Sampling, std::vector<int>>;
+
+/// What is known of one subject.
+struct Comparisons {
+    std::map<SceneAndSampling, Comparison> views;
+    SamplingErrors samplings; ///< all or none
+};
 
 /// A subject and its features, found once.
 struct KnownSubject {
@@ -36,6 +50,10 @@ render::View viewOf(const Subject& subject, const render::Renderer& renderer, co
 
 Comparison compared(const KnownSubject& known, const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with);
+
+/// Of all samplings, in the view that the nearest photo alone gives from there.
+SamplingErrors samplingErrors(const Subjects::Place& place, const render::Renderer& renderer,
+                              const CameraModel& camera);
 
 /// Comparisons that are kept in files, named after all that they depend on. Threads: any, for different keys.
 class ComparisonCache {

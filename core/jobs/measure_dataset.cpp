@@ -24,8 +24,6 @@ namespace {
 using render::Sampling;
 using render::SceneKind;
 
-constexpr std::array kSamplings{Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced, Sampling::Footprint,
-                                Sampling::Bicubic};
 constexpr std::array kTolerancesPx{1.0, 2.0, 4.0, 8.0};
 constexpr std::size_t kTimedViews = 8;
 constexpr int kTimedRounds = 3;
@@ -78,7 +76,7 @@ class Measurement {
         const std::size_t count = std::min(views.size(), m_options.worst);
         std::partial_sort(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(count), views.end(),
                           [](const ViewLikeness* a, const ViewLikeness* b) {
-                              return a->p95Px.value_or(0) > b->p95Px.value_or(0);
+                              return a->errorPx().value_or(0) > b->errorPx().value_or(0);
                           });
         views.resize(count);
         std::vector<ShownView> result;
@@ -92,20 +90,9 @@ class Measurement {
     }
 
   private:
-    /// What is to be compared with a subject: all scene models, on some subjects with all samplings.
-    std::vector<SceneAndSampling> rungs(std::size_t subject) const {
-        std::vector<SceneAndSampling> result;
-        const std::size_t some = samplingViews();
-        const bool isOne = some > 0 && (subject * some) % m_subjects.count < some;
-        for (const SceneKind scene : m_scenes) {
-            result.emplace_back(scene, m_options.sampling);
-            for (const Sampling sampling : kSamplings) {
-                if (isOne && sampling != m_options.sampling) {
-                    result.emplace_back(scene, sampling);
-                }
-            }
-        }
-        return result;
+    /// Whether the samplings are compared on this subject; evenly spread.
+    bool comparesSamplings(std::size_t subject) const {
+        return (subject * samplingViews()) % m_subjects.count < samplingViews();
     }
 
     std::size_t samplingViews() const {
@@ -128,8 +115,13 @@ class Measurement {
     bool compareOne(std::size_t i, const std::stop_token& stop) {
         const std::string key = m_subjects.key(i);
         Comparisons known = m_cache.read(key);
-        std::vector<SceneAndSampling> missing = rungs(i);
-        std::erase_if(missing, [&](const SceneAndSampling& rung) { return known.contains(rung); });
+        std::vector<SceneAndSampling> missing;
+        for (const SceneKind scene : m_scenes) {
+            if (!known.views.contains({scene, m_options.sampling})) {
+                missing.emplace_back(scene, m_options.sampling);
+            }
+        }
+        const bool lacksSamplings = comparesSamplings(i) && known.samplings.empty();
         throwIfStopped(stop);
         if (!missing.empty()) {
             Subject subject = m_subjects.get(i);
@@ -137,12 +129,18 @@ class Measurement {
             const KnownSubject with{std::move(subject), std::move(features)};
             for (const SceneAndSampling& rung : missing) {
                 throwIfStopped(stop);
-                known[rung] = compared(with, m_renderer, m_camera, rung);
+                known.views[rung] = compared(with, m_renderer, m_camera, rung);
             }
+        }
+        if (lacksSamplings) {
+            known.samplings = samplingErrors(m_subjects.place(i), m_renderer, m_camera);
+        }
+        const bool isReused = missing.empty() && !lacksSamplings;
+        if (!isReused) {
             m_cache.write(key, known);
         }
         m_results[i] = std::move(known);
-        return missing.empty();
+        return isReused;
     }
 
     MeasureReport summarised() const {
@@ -155,25 +153,24 @@ class Measurement {
         report.sphereRadiusM = info.sphereRadiusM;
         report.focalPx = std::max(m_camera.intrinsics().fx, m_camera.intrinsics().fy);
         report.samplingViews = samplingViews();
+        SamplingSummary samplings;
+        for (std::size_t i = 0; i < m_subjects.count; ++i) {
+            if (comparesSamplings(i)) {
+                samplings.add(m_results[i].samplings);
+            }
+        }
         for (const SceneKind scene : m_scenes) {
             SceneSummary summary(scene, m_options.sampling);
-            std::map<Sampling, SamplingSummary> samplings;
             for (std::size_t i = 0; i < m_subjects.count; ++i) {
-                const Comparison& comparison = m_results[i].at({scene, m_options.sampling});
+                const Comparison& comparison = m_results[i].views.at({scene, m_options.sampling});
                 summary.add(comparison, likenessOf(i, comparison));
-                for (const SceneAndSampling& rung : rungs(i)) {
-                    if (rung.first == scene && rung.second != m_options.sampling) {
-                        samplings[rung.second].add(m_results[i].at(rung), comparison);
-                    }
-                }
             }
             report.scenes.push_back(summary.result());
+            const std::optional<double> errorPx = report.scenes.back().errorPx();
             for (const Sampling sampling : kSamplings) {
-                const std::optional<double> errorPx = report.scenes.back().errorPx();
-                report.rungs.push_back({scene, sampling, errorPx, 0, bytesWith(scene)});
-                if (sampling != m_options.sampling) {
-                    report.rungs.back().errorPx = samplings[sampling].scaled(errorPx);
-                }
+                report.rungs.push_back({scene, sampling,
+                                        samplings.errorWith(sampling, m_options.sampling, errorPx), 0,
+                                        bytesWith(scene)});
             }
         }
         return report;

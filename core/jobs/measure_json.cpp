@@ -37,7 +37,7 @@ Json sceneJson(const SceneLikeness& scene) {
     Json photos = Json::array();
     for (const PhotoError& photo : scene.photos) {
         photos.push_back(
-            {{"photo", photo.photo}, {"p95_px", optionalNumber(photo.p95Px)}, {"matches", photo.matches}});
+            {{"photo", photo.photo}, {"p95_px", optionalNumber(photo.p95Px)}, {"places", photo.places}});
     }
     return {{"scene", name(scene.scene)},
             {"sampling", name(scene.sampling)},

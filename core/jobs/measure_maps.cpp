@@ -108,7 +108,7 @@ std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& s
     for (const ViewLikeness& view : scene.views) {
         const double angle = std::atan2(view.axis.y(), view.axis.x());
         plan.svg().polygon(sector(plan, view.at.head<2>(), radiusM, angle - half, angle + half),
-                           measure::errorColour(view.p95Px, tolerancePx), Svg::Line::Grid);
+                           measure::errorColour(view.errorPx(), tolerancePx), Svg::Line::Grid);
     }
     errorLegend(plan, tolerancePx);
     return plan.str();

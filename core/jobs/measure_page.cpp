@@ -70,7 +70,7 @@ void addWorst(const MeasureReport& report, Document& document) {
     for (const ShownView& shown : report.worst) {
         document.blocks.emplace_back(
             sheet::PictureRow{{shown.truth, shown.view, shown.difference},
-                              {shown.subject, text("95 %: ", optionalPx(shown.p95Px), " px"),
+                              {shown.subject, text("95 %: ", optionalPx(shown.errorPx), " px"),
                                text("PSNR ", fixed(shown.psnrDb, 1), " dB")}});
     }
 }

@@ -45,6 +45,26 @@ struct Point {
 
 using Lines = std::map<render::SceneKind, std::vector<Point>>;
 
+/// Words beside a point, where there is room; the tables have all figures.
+void label(Svg& svg, const SvgPoint& point, const std::string& words, std::vector<SvgBox>& taken) {
+    constexpr double kAbovePx = 8;
+    constexpr double kBelowPx = 18;
+    const double width = Svg::extent(point, words, Svg::Text::Small).width;
+    for (const SvgPoint& at :
+         {SvgPoint{point.x + 6, point.y - kAbovePx}, SvgPoint{point.x + 6, point.y + kBelowPx},
+          SvgPoint{point.x - width - 2, point.y - kAbovePx},
+          SvgPoint{point.x - width - 2, point.y + kBelowPx}, SvgPoint{point.x + 6, point.y - 2.5 * kAbovePx},
+          SvgPoint{point.x + 6, point.y + 1.8 * kBelowPx}}) {
+        const SvgBox box = Svg::extent(at, words, Svg::Text::Small);
+        if (!words.empty() && box.x > kFrame.x &&
+            std::none_of(taken.begin(), taken.end(), [&](const SvgBox& t) { return t.overlaps(box); })) {
+            svg.text(at, words, Svg::Text::Small);
+            taken.push_back(box);
+            return;
+        }
+    }
+}
+
 /// A line for each scene model on logarithmic axes, with the tolerance and a legend.
 std::string linesPlot(const std::string& title, const std::string& below, const std::string& xCaption,
                       const Lines& lines, double tolerancePx) {
@@ -68,6 +88,7 @@ std::string linesPlot(const std::string& title, const std::string& below, const 
     svg.line({kFrame.x, chart.y(tolerancePx)}, {right, chart.y(tolerancePx)}, Svg::Line::Dashed);
     svg.text({right + 8, chart.y(tolerancePx) + 4}, text("tolerance ", tolerancePx, " px"), Svg::Text::Small);
     double legend = kFrame.y + 4;
+    std::vector<SvgBox> taken;
     for (const auto& [scene, points] : lines) {
         const auto colour = measure::seriesColour(static_cast<std::size_t>(scene));
         std::vector<SvgPoint> at;
@@ -77,7 +98,7 @@ std::string linesPlot(const std::string& title, const std::string& below, const 
         svg.path(at, Svg::Line::Mark, colour);
         for (std::size_t i = 0; i < at.size(); ++i) {
             svg.circle(at[i], 4.5, colour);
-            svg.text({at[i].x + 7, at[i].y - 6}, points[i].words, Svg::Text::Small);
+            label(svg, at[i], points[i].words, taken);
         }
         svg.rectangle({right + 110, legend - 10, 12, 12}, colour);
         svg.text({right + 128, legend}, name(scene), Svg::Text::Small);

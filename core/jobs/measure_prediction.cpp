@@ -33,9 +33,10 @@ std::optional<double> foretoldPx(const SceneLikeness& leaveOneOut, const ViewLik
     double sum = 0;
     double weights = 0;
     for (const ViewLikeness& from : leaveOneOut.views) {
-        if (from.medianPx) {
+        const std::optional<double>& found = from.exactMedianPx ? from.exactMedianPx : from.medianPx;
+        if (found) {
             const double w = weight(from, view);
-            sum += w * *from.medianPx / std::max(kLeastAcrossM, offsetAcross(from.offset, from.axis));
+            sum += w * *found / std::max(kLeastAcrossM, offsetAcross(from.offset, from.axis));
             weights += w;
         }
     }

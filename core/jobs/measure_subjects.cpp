@@ -39,6 +39,20 @@ std::string fileKey(const std::filesystem::path& file) {
     return file.empty() ? "-" : sha256HexOfFile(file);
 }
 
+/// How far away the photo says things are, along the camera's axis; empty if it says nothing.
+DepthImage depthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+                          const Rigid3& roomFromCamera) {
+    if (renderer.dataset().info().photos[photo].depth.empty()) {
+        return {};
+    }
+    render::ViewOptions view;
+    view.scene = render::SceneKind::Depth;
+    view.sampling = render::Sampling::Nearest; // its pixels are not looked at
+    view.threads = 1;
+    view.wantsDepth = true;
+    return renderer.render(camera, roomFromCamera, view).depth;
+}
+
 /// Photo and direction.
 using LeftOut = std::pair<std::size_t, std::size_t>;
 
@@ -74,13 +88,17 @@ Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn) {
     return {(yawRotation(turn) * bodyFromOptical()).normalized(), photo.roomFromPhoto.translation};
 }
 
+render::Sampling bestSampling(const render::Renderer& renderer, std::size_t photo,
+                              const CameraModel& camera) {
+    const double photoPxPerRad = renderer.dataset().info().photos[photo].width / (2 * std::numbers::pi);
+    return photoPxPerRad < camera.intrinsics().fx ? render::Sampling::Bicubic : render::Sampling::Footprint;
+}
+
 RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
                         const Rigid3& roomFromCamera) {
-    const double photoPxPerRad = renderer.dataset().info().photos[photo].width / (2 * std::numbers::pi);
     render::ViewOptions view;
     view.scene = render::SceneKind::None; // from its own place a photo is the truth
-    view.sampling =
-        photoPxPerRad < camera.intrinsics().fx ? render::Sampling::Bicubic : render::Sampling::Footprint;
+    view.sampling = bestSampling(renderer, photo, camera);
     view.threads = 1;
     return renderer.render(camera, roomFromCamera, view).picture;
 }
@@ -101,10 +119,8 @@ Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& 
     };
     const auto get = [=, &renderer, &camera](std::size_t i) {
         const Subjects::Place at = place(i);
-        return Subject{at.roomFromCamera,
-                       truthFromPhoto(renderer, *at.without, camera, at.roomFromCamera),
-                       {},
-                       at.without};
+        return Subject{at.roomFromCamera, truthFromPhoto(renderer, *at.without, camera, at.roomFromCamera),
+                       depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without};
     };
     const auto key = [=](std::size_t i) {
         return text("left out ", views[i].first, " ", step * static_cast<double>(views[i].second));

@@ -12,7 +12,7 @@ namespace spherewalk::jobs {
 struct Subject {
     Rigid3 roomFromCamera;
     RgbImage picture;
-    DepthImage depth; ///< empty: not known
+    DepthImage depth; ///< along the axis; empty: not known
     std::optional<std::size_t> without;
 };
 
@@ -33,10 +33,14 @@ struct Subjects {
 
 Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera);
 
-/// Photos as a level camera at their place would see them. Each photo once before any twice, neighbours in
+/// Photos as a level camera at their place would see them, with the depths that were estimated for them, if
+/// they were. Each photo once before any twice, neighbours in
 /// different directions; in the order of the photos. Owner: renderer and camera must outlive them.
 Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& renderer,
                          const CameraModel& camera);
+
+/// Footprint where the camera has fewer pixels a degree than the photo, else Bicubic.
+render::Sampling bestSampling(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera);
 
 /// The photo as a camera there would see it, with the best sampling for it.
 RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,

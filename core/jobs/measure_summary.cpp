@@ -2,6 +2,7 @@
 #include "measure_summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.95;
-constexpr double kLeastRatioPx = 0.05; ///< below it, features are not known well enough for ratios
 
 void append(std::vector<int>& all, const std::vector<int>& more) {
     all.insert(all.end(), more.begin(), more.end());
@@ -46,7 +46,7 @@ void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
     append(m_matched, comparison.matched);
     append(m_exact, comparison.exact);
     if (view.leftOut) {
-        append(m_ofPhotos[*view.leftOut], comparison.matched);
+        append(m_ofPhotos[*view.leftOut], comparison.exact.empty() ? comparison.matched : comparison.exact);
     }
     m_result.views.push_back(std::move(view));
 }
@@ -77,24 +77,33 @@ SceneLikeness SceneSummary::result() const {
     return result;
 }
 
-void SamplingSummary::add(const Comparison& comparison, const Comparison& usual) {
-    append(m_errors, comparison.matched);
-    append(m_usual, usual.matched);
+void SamplingSummary::add(const SamplingErrors& errors) {
+    for (const auto& [sampling, values] : errors) {
+        append(m_errors[sampling], values);
+    }
 }
 
-std::optional<double> SamplingSummary::scaled(const std::optional<double>& usualPx) const {
-    const std::optional<double> own = quantilePx(m_errors, kNearlyAll);
-    const std::optional<double> usual = quantilePx(m_usual, kNearlyAll);
-    if (!own || !usual || !usualPx) {
+std::optional<double> SamplingSummary::errorWith(render::Sampling sampling, render::Sampling usual,
+                                                 const std::optional<double>& usualPx) const {
+    if (sampling == usual || !usualPx) {
+        return usualPx;
+    }
+    const auto own = [&](render::Sampling of) {
+        const auto found = m_errors.find(of);
+        return found == m_errors.end() ? std::nullopt : quantilePx(found->second, kNearlyAll);
+    };
+    const std::optional<double> added = own(sampling);
+    const std::optional<double> there = own(usual);
+    if (!added || !there) {
         return std::nullopt;
     }
-    return *usualPx * std::max(*own, kLeastRatioPx) / std::max(*usual, kLeastRatioPx);
+    return std::sqrt(std::max(0.0, *usualPx * *usualPx - *there * *there) + *added * *added);
 }
 
 ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view) {
     constexpr int kGrey = 128;
     ShownView shown{likeness.subject,
-                    likeness.p95Px,
+                    likeness.errorPx(),
                     likeness.psnrDb,
                     truth,
                     view,

@@ -28,18 +28,18 @@ class SceneSummary {
     std::map<std::size_t, std::vector<int>> m_ofPhotos;
 };
 
-/// Views of one sampling beside the same ones of the sampling that scene models were compared with.
+/// What the samplings do to views, put together.
 class SamplingSummary {
   public:
-    void add(const Comparison& comparison, const Comparison& usual);
+    void add(const SamplingErrors& errors);
 
-    /// The error that was found with the usual sampling as this one changes it. Nothing if either is not
-    /// known.
-    std::optional<double> scaled(const std::optional<double>& usualPx) const;
+    /// An error that was found with one sampling as it would be with another: what samplings do comes on top
+    /// of it, in another direction each time. Nothing if it is not known.
+    std::optional<double> errorWith(render::Sampling sampling, render::Sampling usual,
+                                    const std::optional<double>& usualPx) const;
 
   private:
-    std::vector<int> m_errors;
-    std::vector<int> m_usual;
+    SamplingErrors m_errors;
 };
 
 ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view);

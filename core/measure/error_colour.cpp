@@ -10,10 +10,10 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-// Source: Brewer, RdBu with seven classes, its second and sixth, and its middle.
-constexpr Colour kWithin{33, 102, 172};
-constexpr Colour kAtTolerance{247, 247, 247};
-constexpr Colour kBeyond{178, 24, 43};
+// Source: Brewer, RdYlBu: the ends and the middle.
+constexpr Colour kWithin{49, 54, 149};
+constexpr Colour kAtTolerance{255, 255, 191};
+constexpr Colour kBeyond{165, 0, 38};
 
 std::string hex(const Colour& colour) {
     constexpr const char* kDigits = "0123456789abcdef";

@@ -27,7 +27,7 @@ TEST(RankCorrelation, IsUnknownOfFewOrEqualValues) {
 }
 
 TEST(ErrorColour, TellsWithinFromBeyondAndUnknown) {
-    EXPECT_EQ(errorColour(2, 2), "#f7f7f7");
+    EXPECT_EQ(errorColour(2, 2), "#ffffbf");
     EXPECT_EQ(errorColour(0, 2), errorColour(0.5, 2)); // the bluest from a quarter on
     EXPECT_EQ(errorColour(8, 2), errorColour(1e9, 2));
     EXPECT_NE(errorColour(0.5, 2), errorColour(8, 2));

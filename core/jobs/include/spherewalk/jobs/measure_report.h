@@ -29,15 +29,19 @@ struct ViewLikeness {
     std::optional<double> medianPx; ///< of matched features' displacements; nothing without matches
     std::optional<double> p95Px;
     std::size_t matches = 0;
-    std::optional<double> exactMedianPx; ///< of all pixels with a true depth
+    /// Of all pixels with a true depth; where a photo was left out, with the depth that was estimated for it.
+    std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
+
+    /// The 95th percentile that counts: the exact one where it is known.
+    std::optional<double> errorPx() const { return exactP95Px ? exactP95Px : p95Px; }
 };
 
 /// What was found about one photo that was left out, all directions together.
 struct PhotoError {
-    std::size_t photo = 0; ///< index in the dataset
-    std::optional<double> p95Px;
-    std::size_t matches = 0;
+    std::size_t photo = 0;       ///< index in the dataset
+    std::optional<double> p95Px; ///< exact where that is known
+    std::size_t places = 0;      ///< that were compared
 };
 
 /// How like the truth the views of one scene model with one sampling are.
@@ -90,7 +94,7 @@ struct Prediction {
 /// A view that is among the farthest from the truth.
 struct ShownView {
     std::string subject;
-    std::optional<double> p95Px;
+    std::optional<double> errorPx;
     double psnrDb = 0;
     RgbImage truth;
     RgbImage view;

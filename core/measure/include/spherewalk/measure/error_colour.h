@@ -7,7 +7,7 @@
 
 namespace spherewalk::measure {
 
-/// For an error beside a tolerance: blue well within, nearly white at the tolerance, red well beyond, grey if
+/// For an error beside a tolerance: blue well within, light yellow at the tolerance, red well beyond, grey if
 /// it is not known. A quarter and four times the tolerance are the ends. As SVG and CSS take it. Told apart
 /// with any kind of colour vision.
 std::string errorColour(std::optional<double> errorPx, double tolerancePx);
