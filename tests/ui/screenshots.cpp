@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language].
-// With QT_SCALE_FACTOR=2 they are those of a screen of twice the density.
+// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language]. Those of the guide,
+// small: DIR "" guide. With QT_SCALE_FACTOR=2 they are those of a screen of twice the density.
 #include "temporary_folder.h"
 #include "ui/align/align_mode.h"
 #include "ui/capture/capture_mode.h"
 #include "ui/export/export_mode.h"
+#include "ui/panorama/panorama_presenter.h"
 #include "ui/plan/plan_mode.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
@@ -31,6 +32,16 @@ namespace {
 
 constexpr int kPhotos = 12;
 
+/// Which pictures the guide shows.
+const QStringList kGuide{"start-first", "plan",          "capture", "review-slider",
+                         "align",       "preview-split", "export"};
+
+/// As documents can carry it: fewer pixels, and fewer colours, which are packed better.
+QImage small(const QImage& picture) {
+    constexpr int kWidth = 960;
+    return picture.scaledToWidth(kWidth, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB16);
+}
+
 /// Runs the event loop until the condition holds. Errors: Timeout after two minutes.
 void waitUntil(const std::function<bool()>& holds) {
     QElapsedTimer time;
@@ -46,7 +57,8 @@ void waitUntil(const std::function<bool()>& holds) {
 /// The window, led from page to page.
 class Album {
   public:
-    Album(QString folder, QString suffix) : m_folder(std::move(folder)), m_suffix(std::move(suffix)) {
+    Album(QString folder, QString suffix, bool isForGuide)
+        : m_folder(std::move(folder)), m_suffix(std::move(suffix)), m_isForGuide(isForGuide) {
         m_window.resize(1280, 800);
         m_window.show();
     }
@@ -69,11 +81,15 @@ class Album {
 
   private:
     void shoot(const QString& name) {
+        if (m_isForGuide && !kGuide.contains(name)) {
+            return;
+        }
         QElapsedTimer time;
         time.start();
         waitUntil([&] { return time.elapsed() > 300; }); // what is late comes: layouts, thumbnails
         const QString file = m_folder + "/" + name + m_suffix + ".png";
-        if (!m_window.grab().save(file)) {
+        const QImage picture = m_window.grab().toImage();
+        if (!(m_isForGuide ? small(picture) : picture).save(file)) {
             throw Error(ErrorKind::Io, "Could not write " + file.toStdString() + ".");
         }
         std::printf("%s\n", qPrintable(file));
@@ -187,6 +203,7 @@ class Album {
 
     QString m_folder;
     QString m_suffix;
+    bool m_isForGuide;
     MainWindow m_window;
 };
 
@@ -206,12 +223,12 @@ int main(int argc, char** argv) {
     Application app(argc, argv);
     const QStringList words = Application::arguments();
     if (words.size() < 4) {
-        std::fprintf(stderr, "Usage: spherewalk-screenshots DIR SUFFIX light|dark [language]\n");
+        std::fprintf(stderr, "Usage: spherewalk-screenshots DIR SUFFIX light|dark|guide [language]\n");
         return 2;
     }
     applyTheme(words[3] == "dark" ? Theme::Dark : Theme::Light);
     try {
-        Album(words[1], words[2]).shootAll(QString::fromStdString(home.path().string()));
+        Album(words[1], words[2], words[3] == "guide").shootAll(QString::fromStdString(home.path().string()));
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.sentence().c_str());
         return 1;
