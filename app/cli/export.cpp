@@ -48,10 +48,10 @@ Result exportSurvey(const Options& options, Context& context) {
     const dataset::WriteReport& written = report.written;
     const double growth =
         100 * (static_cast<double>(written.photoBytes) / static_cast<double>(written.sourceBytes) - 1);
-    std::string words = text("Exported ", written.photos, " photos to ", options.dataset, ": ",
-                             humanBytes(written.totalBytes), " (the photos take ", fixed(growth, 2),
-                             " % more than in the survey), in ",
-                             humanDuration(std::chrono::duration<double>(written.seconds)), ".");
+    std::string words = text(
+        "Exported ", written.photos, " photos to ", options.dataset, ": ", humanBytes(written.totalBytes),
+        " (the photos take ", fixed(growth, 2), " % more than in the survey), in ",
+        humanDuration(std::chrono::duration<double>(report.depth.seconds + written.seconds)), ".");
     words += report.withoutPhoto == 0
                  ? ""
                  : text("\n", report.withoutPhoto, " stations have no photo and are left out.");

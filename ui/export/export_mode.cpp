@@ -183,10 +183,11 @@ void ExportMode::showAll() {
         return;
     }
     const jobs::ExportReport& report = m_presenter->report();
-    m_result->setText(marked(
-        Standing::Accepted,
-        tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
-            .arg(exported, bytesText(report.written.totalBytes), secondsText(report.written.seconds))));
+    m_result->setText(
+        marked(Standing::Accepted,
+               tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
+                   .arg(exported, bytesText(report.written.totalBytes),
+                        secondsText(report.depth.seconds + report.written.seconds))));
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;
         openFolder();
