@@ -72,12 +72,12 @@ TEST(GridSplit, NeedsAllCornersOfACell) {
 }
 
 TEST(GridStudy, FindsThatErrorsGrowWithTheStepAndWhatAGridCosts) {
-    const test::PracticeDataset dataset(5, false);
+    const test::PracticeDataset dataset(3, false);
     GridStudyOptions options;
     options.withDepth = false;
     options.tolerancePx = 1000;
     options.mostOffsets = 1;
-    options.mostViews = 6;
+    options.mostViews = 8;
     options.room = {dataset.renderer().dataset().info().outline, {}, 2.6};
     const GridStudy study =
         gridStudy(dataset.renderer(), test::PracticeDataset::camera(), options, noProgress(), {});
@@ -88,14 +88,14 @@ TEST(GridStudy, FindsThatErrorsGrowWithTheStepAndWhatAGridCosts) {
             sphere.push_back(row.meanPsnrDb);
         }
     }
-    ASSERT_EQ(sphere.size(), 4U); // 28, 40, 60 and 80 cm
+    ASSERT_EQ(sphere.size(), 2U); // 28 and 40 cm
     EXPECT_GT(sphere.front(), sphere.back());
-    ASSERT_EQ(study.costs.size(), 4U);
-    EXPECT_GT(study.costs.front().minutes, 2 * study.costs.back().minutes);
+    ASSERT_EQ(study.costs.size(), 2U);
+    EXPECT_GT(study.costs.front().minutes, 1.5 * study.costs.back().minutes);
     for (const GridAnswer& answer : study.answers) {
         EXPECT_TRUE(answer.isLargest);
-        EXPECT_NEAR(answer.stepM.value(), 0.8, 0.011);
-        EXPECT_NEAR(answer.cost.value().photos, study.costs.back().photos, 2);
+        EXPECT_NEAR(answer.stepM.value(), 0.4, 0.011);
+        EXPECT_NEAR(answer.cost.value().photos, study.costs.back().photos, 10);
     }
 }
 

@@ -18,13 +18,13 @@ using testing::HasSubstr;
 namespace {
 
 const PracticeDataset& room() {
-    static const PracticeDataset dataset(3);
+    static const PracticeDataset dataset(2);
     return dataset;
 }
 
 MeasureOptions quick() {
     MeasureOptions options;
-    options.mostViews = 9;
+    options.mostViews = 4;
     options.samplingViews = 1;
     return options;
 }
@@ -54,7 +54,7 @@ std::size_t filesIn(const std::filesystem::path& folder) {
 TEST(MeasureDataset, RanksTheSceneModels) {
     const MeasureReport report = measuredWith(quick());
     ASSERT_EQ(report.scenes.size(), 4U);
-    EXPECT_EQ(report.scenes.front().views.size(), 9U);
+    EXPECT_EQ(report.scenes.front().views.size(), 4U);
     EXPECT_GT(report.scenes[0].p95Px.value(), 2 * report.scenes[3].p95Px.value());
     EXPECT_GT(report.scenes[3].meanPsnrDb, report.scenes[1].meanPsnrDb);
     EXPECT_EQ(report.rungs.size(), 20U);
@@ -65,14 +65,16 @@ TEST(MeasureDataset, RanksTheSceneModels) {
 }
 
 TEST(MeasureDataset, LeavesOutEveryPhotoBeforeAnyTwice) {
-    const MeasureReport report = measuredWith(quick());
-    EXPECT_EQ(report.scenes.front().photos.size(), 9U);
+    MeasureOptions options = quick();
+    options.scene = SceneKind::None;
+    const MeasureReport report = measuredWith(options);
+    EXPECT_EQ(report.scenes.front().photos.size(), 4U);
     std::vector<double> turns;
     for (const ViewLikeness& view : report.scenes.front().views) {
         turns.push_back(std::round(std::atan2(view.axis.y(), view.axis.x()) / 1.57));
     }
     std::sort(turns.begin(), turns.end());
-    EXPECT_GE(std::unique(turns.begin(), turns.end()) - turns.begin(), 4);
+    EXPECT_EQ(std::unique(turns.begin(), turns.end()) - turns.begin(), 4); // each in another direction
 }
 
 TEST(MeasureDataset, GoesOnWhereItWasStoppedWithTheSameErrors) {
@@ -97,7 +99,8 @@ TEST(MeasureDataset, GoesOnWhereItWasStoppedWithTheSameErrors) {
         measureDataset(room().renderer(), PracticeDataset::camera(), options, half, half.source.get_token());
     });
     const std::size_t kept = filesIn(options.cacheFolder);
-    EXPECT_GT(kept, 3U);
+    EXPECT_GT(kept, 1U);
+    EXPECT_LT(kept, 4U);
     const MeasureReport report = measuredWith(options);
     EXPECT_EQ(report.reusedViews, kept);
     EXPECT_EQ(errorsOf(report), errorsOf(measuredWith(quick())));
@@ -107,6 +110,7 @@ TEST(MeasureDataset, MakesDamagedResultsAnew) {
     const test::TemporaryFolder folder;
     MeasureOptions options = quick();
     options.mostViews = 2;
+    options.scene = SceneKind::Sphere;
     options.cacheFolder = folder.path();
     const MeasureReport first = measuredWith(options);
     for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
@@ -119,7 +123,7 @@ TEST(MeasureDataset, MakesDamagedResultsAnew) {
 }
 
 TEST(MeasureDataset, StoresTheChoiceForViewsThatAskForNone) {
-    const PracticeDataset dataset(2);
+    const PracticeDataset dataset(2); // of its own, since it is changed
     const auto sceneOf = [&] {
         return dataset.renderer()
             .render(PracticeDataset::camera(), {bodyFromOptical(), {1.95, 1.7, 1.2}})
@@ -127,7 +131,6 @@ TEST(MeasureDataset, StoresTheChoiceForViewsThatAskForNone) {
     };
     EXPECT_EQ(sceneOf(), SceneKind::Depth); // the best
     MeasureOptions options = quick();
-    options.mostViews = 4;
     options.tolerancePx = 900;
     const MeasureReport report =
         measureDataset(dataset.renderer(), PracticeDataset::camera(), options, noProgress(), {});
@@ -148,12 +151,12 @@ TEST(MeasureDataset, ForetellsTheErrorsOfPicturesFromBetweenThePhotos) {
     const test::TemporaryFolder folder;
     test::Random random(17);
     MeasureOptions options = quick();
-    options.mostViews = 36;
-    options.samplingViews = 3;
+    options.mostViews = 16;
+    options.scene = SceneKind::Sphere;
     for (int i = 0; i < 10; ++i) {
-        const double reach = 0.02 + 0.008 * i; // from near a photo to half way to the next
+        const double reach = 0.01 + 0.009 * i; // from near a photo to half way to the next
         const Rigid3 pose{(yawRotation(Radians(random.uniform(-3, 3))) * bodyFromOptical()).normalized(),
-                          {2.1 + reach, 1.9 + reach, 1.2}};
+                          {1.9 + reach, 1.7 + reach, 1.2}};
         const std::filesystem::path file = folder / (std::to_string(i) + ".png");
         photo::writePng(file, room().room().view(PracticeDataset::camera(), pose));
         options.pictures.push_back({file, {}, pose});
@@ -161,14 +164,13 @@ TEST(MeasureDataset, ForetellsTheErrorsOfPicturesFromBetweenThePhotos) {
     const MeasureReport report = measuredWith(options);
     EXPECT_FALSE(report.isLeaveOneOut);
     ASSERT_TRUE(report.leaveOneOut);
-    ASSERT_EQ(report.predictions.size(), 4U);
-    EXPECT_GT(report.predictions[1].rankCorrelation.value(), 0.8);
+    ASSERT_EQ(report.predictions.size(), 1U);
+    EXPECT_GT(report.predictions[0].rankCorrelation.value(), 0.8);
     for (const Choice& choice : report.leaveOneOut->choices) {
         if (choice.isWithin) {
             EXPECT_LE(report.rungs[*choice.rung].errorPx.value(), choice.tolerancePx);
         }
     }
-    EXPECT_TRUE(report.leaveOneOut->choices.back().isWithin);
 }
 
 TEST(MeasureDataset, RefusesPicturesOfAnotherSize) {
@@ -195,7 +197,7 @@ TEST(MeasurePage, NeedsNoNetworkAndShowsWhatWasFound) {
         EXPECT_EQ(page.substr(at, 26), "http://www.w3.org/2000/svg"); // a name, never fetched
     }
     EXPECT_THAT(readTextFile(folder / "report.pdf"), testing::StartsWith("%PDF"));
-    EXPECT_EQ(parseJson(readTextFile(folder / "report.json"), "x")["measured"]["photos"], 9);
+    EXPECT_EQ(parseJson(readTextFile(folder / "report.json"), "x")["measured"]["photos"], 4);
 }
 
 } // namespace spherewalk::jobs

@@ -3,16 +3,15 @@
 
 #include "temporary_folder.h"
 
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/sha256.h"
-#include "spherewalk/dataset/writer.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/render/depth_map.h"
 #include "spherewalk/render/renderer.h"
 
-#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -26,12 +25,14 @@ class PracticeDataset {
     static constexpr int kPhotoWidth = 512;
 
     explicit PracticeDataset(int side, bool hasDepth = true) {
-        dataset::Contents contents{info(), {}};
+        std::filesystem::create_directories(path() / "photos");
+        std::filesystem::create_directories(path() / "depth");
+        render::DatasetInfo description = info();
         for (int i = 0; i < side * side; ++i) {
-            contents.photos.push_back(
+            description.photos.push_back(
                 photo(1.9 + kStepM * (i % side), 1.7 + kStepM * (i / side), i, hasDepth));
         }
-        dataset::writeDataset(contents, path(), {8, 64, 0}, noProgress(), {});
+        write(path() / render::kDatasetFile, bytesOf(render::toJson(description).dump()));
     }
 
     std::filesystem::path path() const { return m_folder / "room.dataset"; }
@@ -63,27 +64,34 @@ class PracticeDataset {
         return info;
     }
 
-    dataset::SourcePhoto photo(double x, double y, int number, bool hasDepth) const {
+    /// Not durably, which takes longer than all the rest.
+    static void write(const std::filesystem::path& file, ByteView bytes) {
+        std::ofstream(file, std::ios::binary) << textOf(bytes);
+    }
+
+    render::DatasetPhoto photo(double x, double y, int number, bool hasDepth) const {
         const EquirectSize size{kPhotoWidth, kPhotoWidth / 2};
         const Rigid3 pose{yawRotation(Radians(0.4 * number)), {x, y, 1.2}};
-        const std::string stem = "P" + std::to_string(100 + number);
-        dataset::SourcePhoto source;
-        source.file = m_folder / (stem + ".jpg");
         const Bytes bytes = jpeg::encode(m_room.spherical(pose, size), 92);
-        writeFile(source.file, bytes);
-        source.sha256 = sha256Hex(bytes);
-        source.entry.roomFromPhoto = pose;
-        source.entry.rotationSource = "imported";
+        render::DatasetPhoto photo;
+        photo.file = "photos/" + std::to_string(100 + number) + ".jpg";
+        photo.sha256 = sha256Hex(bytes);
+        photo.sizeBytes = bytes.size();
+        photo.width = size.width;
+        photo.height = size.height;
+        photo.roomFromPhoto = pose;
+        photo.rotationSource = "imported";
+        write(path() / photo.file, bytes);
         if (hasDepth) {
             Image<float, 1> inverse(size.width, size.height);
             const DepthImage range = m_room.sphericalRange(pose, size);
             for (std::size_t i = 0; i < inverse.values().size(); ++i) {
                 inverse.values()[i] = 1 / range.values()[i];
             }
-            source.depthFile = m_folder / (stem + ".pgm");
-            writeFile(source.depthFile, render::DepthMap(std::move(inverse)).serialised());
+            photo.depth = "depth/" + std::to_string(100 + number) + ".pgm";
+            write(path() / photo.depth, render::DepthMap(std::move(inverse)).serialised());
         }
-        return source;
+        return photo;
     }
 
     TemporaryFolder m_folder;
