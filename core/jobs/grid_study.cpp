@@ -217,7 +217,7 @@ GridAnswer answerOf(const GridStudy& study, SceneKind scene, const GridStudyOpti
         last = &row;
     }
     if (answer.stepM) {
-        answer.stepM = std::floor(100 * *answer.stepM) / 100; // whole centimetres, on the safe side
+        answer.stepM = std::floor(100 * *answer.stepM + 1e-6) / 100; // whole centimetres, on the safe side
         answer.cost = costOf(options, *answer.stepM);
     }
     return answer;

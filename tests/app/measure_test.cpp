@@ -55,7 +55,9 @@ TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
     const CliResult viewed = runCli({"view", dataset, "--camera", camera, "--pose",
                                      "2 2 1.3 -0.5 0.5 -0.5 0.5", "--out", survey / "v.png", "--json"});
     ASSERT_EQ(viewed.status, 0) << viewed.errors;
-    EXPECT_EQ(viewed.json()["scene"], "none"); // enough for a tolerance of 900 px
+    const Json choice = parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json")["choice"];
+    EXPECT_EQ(viewed.json()["scene"], choice["scene"]);
+    EXPECT_LE(choice["error_px"].get<double>(), 900);
 }
 
 TEST(GridStudyCommand, SaysWhatBlockItNeeds) {
