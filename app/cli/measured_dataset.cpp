@@ -22,15 +22,7 @@ bool MeasuredDataset::isSurvey() const {
 }
 
 fs::path MeasuredDataset::cacheFolder() const {
-    if (!m_cache.empty()) {
-        return m_cache;
-    }
-    const fs::path given = m_options.folder();
-    if (isSurvey()) {
-        return given / jobs::kMeasureCacheFolder;
-    }
-    const fs::path named = given.has_filename() ? given : given.parent_path(); // without a slash at the end
-    return fs::path(named.string() + ".measure-cache");
+    return m_cache.empty() ? jobs::measureCacheFolder(m_options.folder()) : fs::path(m_cache);
 }
 
 render::Renderer MeasuredDataset::renderer(render::SceneKind richest, Context& context) const {

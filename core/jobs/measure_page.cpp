@@ -125,6 +125,15 @@ Document documentOf(const ReportContents& contents) {
     return document;
 }
 
+/// What tells whose photos the numbers are of.
+Json datasetJson(const render::DatasetInfo& info) {
+    Json photos = Json::array();
+    for (const render::DatasetPhoto& photo : info.photos) {
+        photos.push_back(photo.file);
+    }
+    return {{"id", info.id}, {"survey_id", info.surveyId}, {"name", info.name}, {"photos", photos}};
+}
+
 } // namespace
 
 void writeReport(const ReportContents& contents, const std::filesystem::path& folder) {
@@ -137,7 +146,8 @@ void writeReport(const ReportContents& contents, const std::filesystem::path& fo
     const Document document = documentOf(contents);
     writeHtml(document, folder, "report");
     writeFile(folder / "report.pdf", sheet::pdf(document));
-    const Json json = {{"measured", contents.measured != nullptr ? toJson(*contents.measured) : Json()},
+    const Json json = {{"dataset", datasetJson(*contents.dataset)},
+                       {"measured", contents.measured != nullptr ? toJson(*contents.measured) : Json()},
                        {"grid_study", contents.grid != nullptr ? toJson(*contents.grid) : Json()}};
     writeFile(folder / "report.json", bytesOf(json.dump(1) + "\n"));
 }

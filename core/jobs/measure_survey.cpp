@@ -60,6 +60,15 @@ bool isSurvey(const fs::path& folder) {
     return fs::exists(folder / "survey.sqlite");
 }
 
+fs::path measureCacheFolder(const fs::path& surveyOrDataset) {
+    if (isSurvey(surveyOrDataset)) {
+        return surveyOrDataset / "measure-cache";
+    }
+    const bool isSlashed = !surveyOrDataset.has_filename();
+    return fs::path((isSlashed ? surveyOrDataset.parent_path() : surveyOrDataset).string() +
+                    ".measure-cache");
+}
+
 fs::path surveyDataset(const store::SurveyStore& store, render::SceneKind richest,
                        const fs::path& cacheFolder, ProgressSink& progress, const std::stop_token& stop) {
     const std::string prefix = text(name(richest), "-");

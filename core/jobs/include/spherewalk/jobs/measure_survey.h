@@ -10,11 +10,12 @@
 
 namespace spherewalk::jobs {
 
-/// In a survey's folder: datasets and results that measuring made, which can be made again.
-constexpr const char* kMeasureCacheFolder = "measure-cache";
-
 /// Whether there is a survey in this folder, rather than a dataset.
 bool isSurvey(const std::filesystem::path& folder);
+
+/// Where datasets and results are kept that measuring makes, and that can be made again: in a survey, beside
+/// a dataset.
+std::filesystem::path measureCacheFolder(const std::filesystem::path& surveyOrDataset);
 
 /// A dataset of the survey as it is now, with this scene model and the cheaper ones, in the cache folder:
 /// the one that is there if nothing has changed since, else a new one in its place. A run that was stopped
