@@ -22,13 +22,16 @@ Document ofEverything(std::size_t rows) {
              PictureRow{{RgbImage(8, 6), RgbImage(8, 6)}, {"left", "right"}}}};
 }
 
-std::size_t pages(const Bytes& pdf) {
-    std::size_t count = 0;
-    const std::string_view all = textOf(pdf);
-    for (std::size_t at = 0; (at = all.find("/Type /Page\n", at)) != std::string_view::npos; ++at) {
-        ++count;
+std::size_t count(std::string_view all, std::string_view part) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = all.find(part, at)) != std::string_view::npos; at += part.size()) {
+        ++found;
     }
-    return count;
+    return found;
+}
+
+std::size_t pages(const Bytes& pdf) {
+    return count(textOf(pdf), "/Type /Page") - count(textOf(pdf), "/Type /Pages"); // the latter is their list
 }
 
 } // namespace

@@ -19,7 +19,6 @@ struct ViewOptions {
     int threads = 0;                ///< 0: all that the machine has; the pixels are the same for any number
     Sampling sampling = Sampling::Footprint;
     double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
-    bool correctsColour = true; ///< as the dataset says; false: the photos' own colours
     /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
     bool exact = false;
     bool wantsDepth = false; ///< View::depth
@@ -29,6 +28,7 @@ struct ViewOptions {
     /// Laid into the picture. Owner: they must live until the view is made.
     std::span<const Overlay> overlays = {};
     ComposeOptions compose = {}; ///< how; its threads are those above
+    bool correctsColour = true;  ///< as the dataset says; false: the photos' own colours
 };
 
 /// What a view's pixels come from.
