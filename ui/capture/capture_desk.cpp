@@ -10,6 +10,17 @@
 
 namespace spherewalk::ui {
 
+namespace {
+
+/// For a practice camera, which draws its pictures on this computer, however busy that is.
+camera::PreviewOptions patientPreview() {
+    camera::PreviewOptions options;
+    options.frameTimeout = std::chrono::minutes(1);
+    return options;
+}
+
+} // namespace
+
 CaptureDesk::CaptureDesk(TaskList& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
     m_timer.setInterval(std::chrono::seconds(1));
     connect(&m_timer, &QTimer::timeout, this, &CaptureDesk::tick);
@@ -99,7 +110,7 @@ void CaptureDesk::followWithPreview() {
     }
     m_isPreviewing = wants;
     if (wants) {
-        m_preview.start(m_endpoint, timeScale());
+        m_preview.start(m_endpoint, timeScale(), m_isPractice ? patientPreview() : camera::PreviewOptions{});
     } else {
         m_preview.stop();
     }

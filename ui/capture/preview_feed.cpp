@@ -25,13 +25,14 @@ void PreviewFeed::setState(State state) {
     emit changed();
 }
 
-void PreviewFeed::start(const camera::Endpoint& endpoint, double timeScale) {
+void PreviewFeed::start(const camera::Endpoint& endpoint, double timeScale,
+                        const camera::PreviewOptions& options) {
     ++m_number;
     m_sentence.clear();
     m_picture = {};
     {
         const std::scoped_lock lock(m_mutex);
-        m_waiting = Request{endpoint, timeScale, m_number};
+        m_waiting = Request{endpoint, timeScale, options, m_number};
         m_current.request_stop();
     }
     m_changed.notify_all();
@@ -84,7 +85,7 @@ QString PreviewFeed::show(const Request& request, const std::stop_token& stop) {
         camera::OscClient client(request.endpoint, camera::OscOptions{}.scaled(request.timeScale),
                                  systemClock());
         const auto pictures = camera::showLivePreview(
-            client, systemClock(), camera::PreviewOptions{}.scaled(request.timeScale),
+            client, systemClock(), request.options.scaled(request.timeScale),
             [&](const camera::PreviewFrame& frame) { publish(request.number, frame); }, stop);
         return pictures > 0 ? QString() : tr("The camera sent no picture; start the preview again.");
     } catch (const Error& error) {

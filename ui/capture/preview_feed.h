@@ -34,7 +34,8 @@ class PreviewFeed : public QObject {
     ~PreviewFeed() override;
 
     /// In place of what runs. timeScale: of a practice camera's times.
-    void start(const camera::Endpoint& endpoint, double timeScale);
+    void start(const camera::Endpoint& endpoint, double timeScale,
+               const camera::PreviewOptions& options = {});
     /// Returns at once; no picture comes after it.
     void stop();
     /// Ends the preview and returns when nothing more is asked of the camera; whether there was any. To be
@@ -56,6 +57,7 @@ class PreviewFeed : public QObject {
     struct Request {
         camera::Endpoint endpoint;
         double timeScale = 1;
+        camera::PreviewOptions options;
         int number = 0;
     };
 
