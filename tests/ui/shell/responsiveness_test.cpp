@@ -51,7 +51,7 @@ void lookAtPhotos(Person& person, const test::EventLoopGap& gap, int photos) {
 
 TEST(Responsiveness, AStalledCameraHoldsNeitherCapturingNorReviewing) {
     const test::PhotographedSurvey survey(3, 2048);
-    Person person({.width = 512, .timeScale = 100, .keepsPhotos = false});
+    Person person({.width = 512, .timeScale = 50, .keepsPhotos = false});
     person.window().openSurvey(pathOf(survey));
     person.choose("Capture");
     person.press("practiceCamera");
