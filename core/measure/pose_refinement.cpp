@@ -104,7 +104,12 @@ PoseFit refinedPose(const render::Renderer& renderer, const CameraModel& camera,
                 "dataset with --scene depth.";
             return fit;
         }
-        fit = fittedPose(pointsOf(seen, picture, camera, from, round > 0), camera, from, options.fit);
+        PoseFit next =
+            fittedPose(pointsOf(seen, picture, camera, from, round > 0), camera, from, options.fit);
+        if (!next.isFitted && fit.isFitted) {
+            break;
+        }
+        fit = std::move(next);
         if (!fit.isFitted || (round > 0 && isStill(from, fit.roomFromCamera))) {
             break;
         }
