@@ -18,4 +18,7 @@ struct CameraPreset {
 /// Cameras that robots often have, from their makers' data sheets: fields of view, not calibrations.
 std::vector<CameraPreset> cameraPresets();
 
+/// The one of them to begin with.
+constexpr int kUsualCamera = 2;
+
 } // namespace spherewalk::ui

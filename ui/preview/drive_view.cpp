@@ -3,6 +3,7 @@
 
 #include "ui/look/plate.h"
 #include "ui/preview/preview_presenter.h"
+#include "ui/preview/rung_words.h"
 
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -36,9 +37,8 @@ QString DriveView::reportText(const render::ViewReport& report) {
                        .arg(100 * report.offsetM, 0, 'f', 1)
                        .arg(report.trust, 0, 'f', 2)
                        .arg(report.renderMs + report.decodeMs, 0, 'f', 1);
-    text += QStringLiteral("\n") + tr("scene %1, sampling %2")
-                                       .arg(QString::fromUtf8(name(report.scene).data()),
-                                            QString::fromUtf8(name(report.sampling).data()));
+    text += QStringLiteral("\n") +
+            tr("scene model %1, sampling %2").arg(sceneWord(report.scene), samplingWord(report.sampling));
     if (report.origin == render::ViewOrigin::Thumbnail) {
         text += tr(", coarse until it is decoded");
     } else if (report.origin == render::ViewOrigin::PreviousPhoto) {

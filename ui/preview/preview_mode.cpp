@@ -3,9 +3,10 @@
 
 #include "ui/plan/plan_view.h"
 #include "ui/plan/station_words.h"
-#include "ui/preview/camera_presets.h"
+#include "ui/preview/camera_box.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_presenter.h"
+#include "ui/preview/rung_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,6 +17,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
+#include <QStandardItemModel>
 
 #include <algorithm>
 #include <cmath>
@@ -159,9 +161,11 @@ PreviewMode::SideChoice PreviewMode::makeSide(const QString& name, QGridLayout& 
     side.scene = new QComboBox(this);
     side.scene->setAccessibleName(tr("Scene model of view %1").arg(name));
     side.scene->setToolTip(tr("What places between photos are computed with, cheap to exact"));
-    side.scene->addItem(tr("Best there is"), kBestScene);
+    side.scene->addItem(autoSceneWords(nullptr, {}), kBestScene);
     side.scene->addItem(tr("None: nearest photo, turned"), static_cast<int>(render::SceneKind::None));
     side.scene->addItem(tr("Sphere"), static_cast<int>(render::SceneKind::Sphere));
+    side.scene->addItem(tr("Room: walls, floor, ceiling"), static_cast<int>(render::SceneKind::Room));
+    side.scene->addItem(tr("Depth of each pixel"), static_cast<int>(render::SceneKind::Depth));
     side.sampling = new QComboBox(this);
     side.sampling->setAccessibleName(tr("Sampling of view %1").arg(name));
     side.sampling->setToolTip(tr("How pixels are made, cheap to exact"));
@@ -170,7 +174,7 @@ PreviewMode::SideChoice PreviewMode::makeSide(const QString& name, QGridLayout& 
     side.sampling->addItem(tr("Reduced"), static_cast<int>(render::Sampling::Reduced));
     side.sampling->addItem(tr("Footprint"), static_cast<int>(render::Sampling::Footprint));
     side.sampling->addItem(tr("Bicubic"), static_cast<int>(render::Sampling::Bicubic));
-    side.sampling->addItem(tr("As needed"), static_cast<int>(render::Sampling::Auto));
+    side.sampling->addItem(autoSamplingWords(nullptr, {}), static_cast<int>(render::Sampling::Auto));
     side.sampling->setCurrentIndex(3);
     auto* label = new QLabel(name, this);
     grid.addWidget(label, row, 0);
@@ -185,17 +189,13 @@ PreviewMode::SideChoice PreviewMode::makeSide(const QString& name, QGridLayout& 
 QWidget* PreviewMode::makeControls() {
     auto* box = new QGroupBox(tr("Camera and view"), this);
     auto* grid = new QGridLayout(box);
-    m_camera = new QComboBox(box);
+    m_camera = new CameraBox(box);
     m_camera->setObjectName("camera");
-    for (const CameraPreset& preset : cameraPresets()) {
-        m_camera->addItem(preset.name);
-    }
-    m_camera->addItem(tr("From a ROS file..."));
-    m_camera->setCurrentIndex(2);
-    m_camera->setAccessibleName(tr("Camera model"));
-    m_camera->setToolTip(tr("The robot's camera; a ROS camera-info YAML has your own one's calibration"));
-    m_camera->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    connect(m_camera, &QComboBox::activated, this, &PreviewMode::choosePreset);
+    connect(m_camera, &CameraBox::message, this, &Mode::message);
+    connect(m_camera, &CameraBox::cameraChanged, this, [this] {
+        m_presenter->setCamera(m_camera->camera());
+        showRungs();
+    });
     grid->addWidget(new QLabel(tr("Camera"), box), 0, 0);
     grid->addWidget(m_camera, 0, 1, 1, 2);
     const auto spin = [&](const QString& name, double least, double most, double step, const QString& suffix,
@@ -257,23 +257,6 @@ void PreviewMode::chooseDataset() {
     }
 }
 
-void PreviewMode::choosePreset(int index) {
-    const std::vector<CameraPreset> presets = cameraPresets();
-    if (index < static_cast<int>(presets.size())) {
-        m_presenter->setCamera(presets[static_cast<std::size_t>(index)].intrinsics);
-    } else {
-        chooseCamera();
-    }
-}
-
-void PreviewMode::chooseCamera() {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("ROS camera-info file"), {}, tr("Camera info (*.yaml *.yml)"));
-    if (!file.isEmpty()) {
-        m_presenter->readCamera(file);
-    }
-}
-
 void PreviewMode::chooseFolder() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
     if (!folder.isEmpty()) {
@@ -332,6 +315,7 @@ void PreviewMode::showDataset() {
     const render::Dataset* dataset = m_presenter->dataset();
     m_make->setEnabled(m_presenter->canMakeDataset());
     m_record->setEnabled(dataset != nullptr);
+    showRungs();
     if (dataset == nullptr) {
         m_map->setRoom({});
         m_map->setStations({});
@@ -350,6 +334,29 @@ void PreviewMode::showDataset() {
                   .arg(QString::fromStdString(info.name)));
     const QSignalBlocker blocker(m_height);
     m_height->setValue(m_presenter->mount().heightM);
+}
+
+/// Offers what the dataset has, and says what is meant by leaving the choice to it.
+void PreviewMode::showRungs() {
+    const render::Dataset* dataset = m_presenter->dataset();
+    const render::DatasetInfo* info = dataset != nullptr ? &dataset->info() : nullptr;
+    const auto isThere = [&](render::SceneKind scene) {
+        const std::vector<render::SceneKind> there = render::scenesOf(*info);
+        return std::find(there.begin(), there.end(), scene) != there.end();
+    };
+    for (const SideChoice& side : m_sides) {
+        side.scene->setItemText(0, autoSceneWords(info, m_presenter->camera()));
+        side.sampling->setItemText(side.sampling->findData(static_cast<int>(render::Sampling::Auto)),
+                                   autoSamplingWords(info, m_presenter->camera()));
+        for (int i = 1; i < side.scene->count(); ++i) {
+            const auto scene = static_cast<render::SceneKind>(side.scene->itemData(i).toInt());
+            const bool canBe = info == nullptr || isThere(scene);
+            qobject_cast<QStandardItemModel*>(side.scene->model())->item(i)->setEnabled(canBe);
+            if (!canBe && side.scene->currentIndex() == i) {
+                side.scene->setCurrentIndex(0);
+            }
+        }
+    }
 }
 
 void PreviewMode::showRobot() {

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace spherewalk::ui {
 
+class CameraBox;
 class DriveView;
 class PlanView;
 class PreviewPresenter;
@@ -47,13 +48,12 @@ class PreviewMode : public Mode {
     QWidget* makeControls();
     SideChoice makeSide(const QString& name, QGridLayout& grid, int row);
     void chooseDataset();
-    void chooseCamera();
-    void choosePreset(int index);
     void chooseFolder();
     void showDataset();
     void showRobot();
     void showViews();
     void showRecording();
+    void showRungs();
     void applyMount();
     void applySides();
     void placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
@@ -66,7 +66,7 @@ class PreviewMode : public Mode {
     QPushButton* m_make = nullptr;
     QLabel* m_what = nullptr;
     QLabel* m_rate = nullptr;
-    QComboBox* m_camera = nullptr;
+    CameraBox* m_camera = nullptr;
     QDoubleSpinBox* m_height = nullptr;
     QDoubleSpinBox* m_pitch = nullptr;
     QCheckBox* m_split = nullptr;

@@ -51,7 +51,7 @@ RobotPlace middleOf(const render::DatasetInfo& info) {
 } // namespace
 
 PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
-    : SurveyPresenter(parent), m_tasks(tasks), m_camera(cameraPresets().at(2).intrinsics) {
+    : SurveyPresenter(parent), m_tasks(tasks), m_camera(cameraPresets().at(kUsualCamera).intrinsics) {
     m_ticking.setInterval(kTick);
     m_ticking.setTimerType(Qt::PreciseTimer);
     connect(&m_ticking, &QTimer::timeout, this, &PreviewPresenter::tick);
@@ -173,16 +173,6 @@ void PreviewPresenter::setCamera(const CameraIntrinsics& camera) {
     m_camera = camera;
     emit robotChanged();
     rebuild();
-}
-
-bool PreviewPresenter::readCamera(const QString& yaml) {
-    try {
-        setCamera(render::readCameraInfo(yaml.toStdString()));
-        return true;
-    } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
-        return false;
-    }
 }
 
 void PreviewPresenter::setSides(const std::vector<ViewSide>& sides) {

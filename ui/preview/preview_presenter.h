@@ -52,8 +52,6 @@ class PreviewPresenter : public SurveyPresenter {
     const CameraIntrinsics& camera() const { return m_camera; }
 
     void setCamera(const CameraIntrinsics& camera);
-    /// Errors are told by message().
-    bool readCamera(const QString& yaml);
 
     /// The first side, and a second one while two are compared.
     void setSides(const std::vector<ViewSide>& sides);

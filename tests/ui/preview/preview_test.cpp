@@ -2,7 +2,7 @@
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "ui/plan/plan_view.h"
-#include "ui/preview/camera_presets.h"
+#include "ui/preview/camera_box.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
@@ -150,7 +150,6 @@ TEST_F(PreviewTest, ChangesTheCameraAndHowItIsCarried) {
     preview();
     auto& camera = widget<QComboBox>("camera");
     camera.setCurrentIndex(0);
-    emit camera.activated(0);
     ASSERT_TRUE(QTest::qWaitFor([&] {
         return !presenter().views().empty() && presenter().views()[0].picture.size() == QSize(1280, 720);
     }));
@@ -163,11 +162,14 @@ TEST_F(PreviewTest, ChangesTheCameraAndHowItIsCarried) {
 TEST_F(PreviewTest, ReadsACameraFromARosFile) {
     CameraIntrinsics own = CameraIntrinsics::pinhole(320, 200, 1);
     writeFile(survey / "own.yaml", bytesOf(render::cameraInfoYaml(own, "own")));
-    EXPECT_TRUE(presenter().readCamera(QString::fromStdString((survey / "own.yaml").string())));
+    auto& camera = widget<CameraBox>("camera");
+    EXPECT_TRUE(camera.readCamera(QString::fromStdString((survey / "own.yaml").string())));
+    EXPECT_EQ(camera.currentText(), "own.yaml");
     EXPECT_EQ(presenter().camera().width, 320);
     QSignalSpy message(&mode, &Mode::message);
-    EXPECT_FALSE(presenter().readCamera("nothing.yaml"));
+    EXPECT_FALSE(camera.readCamera("nothing.yaml"));
     EXPECT_TRUE(message.first().first().toString().contains("nothing.yaml"));
+    EXPECT_EQ(presenter().camera().width, 320);
 }
 
 TEST_F(PreviewTest, LaysABallIntoTheView) {

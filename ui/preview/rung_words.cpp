@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/preview/rung_words.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace spherewalk::ui {
+
+namespace {
+
+/// The words of this file, for translators.
+struct RungWords {
+    Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::RungWords)
+};
+
+bool isMeasured(const render::DatasetInfo* info, const CameraIntrinsics& camera) {
+    return info != nullptr && info->choice && info->choice->isFor(camera);
+}
+
+} // namespace
+
+QString sceneWord(render::SceneKind scene) {
+    switch (scene) {
+    case render::SceneKind::None:
+        return RungWords::tr("none");
+    case render::SceneKind::Sphere:
+        return RungWords::tr("sphere");
+    case render::SceneKind::Room:
+        return RungWords::tr("room");
+    case render::SceneKind::Depth:
+        return RungWords::tr("depth");
+    }
+    return {};
+}
+
+QString samplingWord(render::Sampling sampling) {
+    switch (sampling) {
+    case render::Sampling::Nearest:
+        return RungWords::tr("nearest");
+    case render::Sampling::Bilinear:
+        return RungWords::tr("bilinear");
+    case render::Sampling::Reduced:
+        return RungWords::tr("reduced");
+    case render::Sampling::Footprint:
+        return RungWords::tr("footprint");
+    case render::Sampling::Bicubic:
+        return RungWords::tr("bicubic");
+    case render::Sampling::Auto:
+        return RungWords::tr("as needed");
+    }
+    return {};
+}
+
+QString autoSceneWords(const render::DatasetInfo* info, const CameraIntrinsics& camera) {
+    if (info == nullptr) {
+        return RungWords::tr("Best there is");
+    }
+    if (!isMeasured(info, camera)) {
+        return RungWords::tr("Best there is: %1").arg(sceneWord(render::scenesOf(*info).back()));
+    }
+    const bool isMixed =
+        std::any_of(info->photos.begin(), info->photos.end(),
+                    [](const render::DatasetPhoto& photo) { return photo.scene.has_value(); });
+    const QString scene = sceneWord(info->choice->scene);
+    return isMixed ? RungWords::tr("As measured: %1, cheaper where enough").arg(scene)
+                   : RungWords::tr("As measured: %1").arg(scene);
+}
+
+QString autoSamplingWords(const render::DatasetInfo* info, const CameraIntrinsics& camera) {
+    return isMeasured(info, camera)
+               ? RungWords::tr("As measured: %1").arg(samplingWord(info->choice->sampling))
+               : RungWords::tr("As needed");
+}
+
+} // namespace spherewalk::ui
