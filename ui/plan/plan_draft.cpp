@@ -24,6 +24,11 @@ double railLengthM(int stops, double stepM) {
     return (stops - 1) * stepM;
 }
 
+void changeStep(PlanDraft& draft, double stepM) {
+    draft.options.railStops = railStops(railLengthM(draft.options.railStops, draft.options.stepM), stepM);
+    draft.options.stepM = stepM;
+}
+
 PlanOutcome outcomeOf(const PlanDraft& draft) {
     try {
         draft.room.validate();

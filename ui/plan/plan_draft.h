@@ -20,6 +20,9 @@ PlanDraft firstDraft();
 int railStops(double lengthM, double stepM);
 double railLengthM(int stops, double stepM);
 
+/// Another step; the rail keeps its length.
+void changeStep(PlanDraft& draft, double stepM);
+
 /// What a draft comes to. If there is a problem, the plan is empty.
 struct PlanOutcome {
     survey::Plan plan;

@@ -3,6 +3,7 @@
 
 #include "ui/look/icon.h"
 #include "ui/look/section.h"
+#include "ui/plan/grid_study_panel.h"
 #include "ui/plan/new_survey_form.h"
 #include "ui/plan/plan_panel.h"
 #include "ui/plan/plan_words.h"
@@ -29,6 +30,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     : Mode("plan", tr("Plan"), tr("Draw the room and lay out where photos are to be taken"), parent),
       m_tasks(tasks),
       m_storage(m_editor),
+      m_study(tasks),
       m_view(new PlanEditorView(m_editor, this)) {
     auto* side = new QWidget(this);
     auto* sideLayout = new QVBoxLayout(side);
@@ -39,6 +41,8 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     m_stored->setObjectName("planStored");
     sideLayout->addWidget(m_locked);
     sideLayout->addWidget(new PlanPanel(m_editor, side), 1);
+    auto* study = new GridStudyPanel(m_study, side);
+    sideLayout->addWidget(study);
     sideLayout->addWidget(m_form);
     sideLayout->addWidget(m_stored);
     auto* scroll = new QScrollArea(this);
@@ -71,6 +75,8 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     connect(m_view, &PlanEditorView::scaleDrawn, this, &PlanMode::askLength);
     connect(&m_storage, &PlanStorage::stateChanged, this, &PlanMode::showState);
     connect(&m_storage, &PlanStorage::problem, this, &Mode::message);
+    connect(study, &GridStudyPanel::stepChosen, this, &PlanMode::useStep);
+    connect(&m_study, &GridStudyPresenter::message, this, &Mode::message);
     connect(&m_storage, &PlanStorage::created, this, &Mode::openRequested);
     connect(&m_editor, &PlanEditor::outcomeChanged, this, &PlanMode::showState);
     connect(m_editor.undoStack(), &QUndoStack::cleanChanged, m_view, qOverload<>(&QWidget::update));
@@ -173,9 +179,18 @@ void PlanMode::beginWithThisRoom() {
     emit newRequested();
 }
 
+void PlanMode::useStep(double stepM) {
+    if (m_editor.isLocked()) {
+        m_nextStepM = stepM;
+        return beginWithThisRoom();
+    }
+    m_editor.change(tr("Use step"), [&](PlanDraft& draft) { changeStep(draft, stepM); });
+}
+
 void PlanMode::setSession(SurveySession* session) {
     keepPicture();
     m_storage.setSession(session);
+    m_study.setSession(session);
     m_surveyId = session != nullptr ? QString::fromStdString(session->store().info().uuid) : QString();
     m_surveyName = session != nullptr ? session->name() : QString();
     if (session != nullptr) {
@@ -185,6 +200,9 @@ void PlanMode::setSession(SurveySession* session) {
         m_form->propose();
         if (m_nextDraft) {
             m_editor.begin(*std::exchange(m_nextDraft, std::nullopt));
+            if (m_nextStepM) {
+                useStep(*std::exchange(m_nextStepM, std::nullopt));
+            }
         }
     }
     m_view->fitRoom();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plan/grid_study_presenter.h"
 #include "ui/plan/plan_editor.h"
 #include "ui/plan/plan_editor_view.h"
 #include "ui/plan/plan_storage.h"
@@ -38,6 +39,11 @@ class PlanMode : public Mode {
 
     PlanEditorView& view() { return *m_view; }
 
+    GridStudyPresenter& study() { return m_study; }
+
+    /// As one step of undo; where the plan is fixed, in a new survey with this room.
+    void useStep(double stepM);
+
     /// Writes the marking-out sheet in the background.
     void writeSheet(const QString& file);
 
@@ -60,6 +66,7 @@ class PlanMode : public Mode {
     TaskList& m_tasks;
     PlanEditor m_editor;
     PlanStorage m_storage;
+    GridStudyPresenter m_study;
     PlanEditorView* m_view;
     NewSurveyForm* m_form = nullptr;
     QWidget* m_locked = nullptr;
@@ -73,6 +80,7 @@ class PlanMode : public Mode {
     QString m_surveyId;
     QString m_surveyName;
     std::optional<PlanDraft> m_nextDraft; ///< to begin the next new survey with
+    std::optional<double> m_nextStepM;    ///< to change it to then
 };
 
 } // namespace spherewalk::ui
