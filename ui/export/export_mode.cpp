@@ -2,6 +2,8 @@
 #include "ui/export/export_mode.h"
 
 #include "ui/export/export_presenter.h"
+#include "ui/export/measure_panel.h"
+#include "ui/export/measure_presenter.h"
 #include "ui/look/quantity_text.h"
 #include "ui/look/standing.h"
 #include "ui/tasks/task_bar.h"
@@ -45,6 +47,7 @@ QLabel* wrapped(QWidget* parent, const char* name) {
 ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     : Mode("export", tr("Export"), tr("Make a dataset for simulators"), parent),
       m_presenter(new ExportPresenter(tasks, this)),
+      m_measure(new MeasurePresenter(tasks, this)),
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
@@ -52,6 +55,10 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     column->addWidget(makeWhere());
     column->addWidget(makeBefore());
     column->addWidget(makeAfter());
+    auto* measure = new MeasurePanel(*m_measure, page);
+    connect(measure, &MeasurePanel::message, this, &Mode::message);
+    connect(measure, &MeasurePanel::openRequested, this, &ExportMode::open);
+    column->addWidget(measure);
     column->addStretch(1);
     auto* layout = new QHBoxLayout(this);
     layout->addWidget(page, 1);
@@ -87,6 +94,17 @@ QWidget* ExportMode::makeWhere() {
     auto* label = new QLabel(tr("&Folder"), box);
     label->setBuddy(m_folder);
     form->addRow(label, row);
+    m_scene = new QComboBox(box);
+    m_scene->setObjectName("scene");
+    m_scene->addItem(tr("Sphere (nothing more is computed)"), static_cast<int>(render::SceneKind::Sphere));
+    m_scene->addItem(tr("Room: walls, floor, ceiling (some seconds a photo)"),
+                     static_cast<int>(render::SceneKind::Room));
+    m_scene->addItem(tr("Depth of each pixel (some seconds a photo)"),
+                     static_cast<int>(render::SceneKind::Depth));
+    m_scene->setToolTip(
+        tr("What views of places between photos can be computed with; cheaper ones come with it"));
+    connect(m_scene, &QComboBox::currentIndexChanged, this, &ExportMode::applyOptions);
+    form->addRow(tr("Scene mode&l"), m_scene);
     m_markers = new QComboBox(box);
     m_markers->setObjectName("markers");
     m_markers->addItem(tr("Fastest views (photos grow by about 2 %)"),
@@ -140,7 +158,7 @@ QWidget* ExportMode::makeAfter() {
     m_result = wrapped(box, "result");
     m_openButton = new QPushButton(tr("Open the fol&der"), box);
     m_openButton->setObjectName("open");
-    connect(m_openButton, &QPushButton::clicked, this, &ExportMode::openFolder);
+    connect(m_openButton, &QPushButton::clicked, this, [this] { open(m_presenter->exported()); });
     auto* after = new QHBoxLayout;
     after->addWidget(m_result, 1);
     after->addWidget(m_openButton);
@@ -160,21 +178,23 @@ void ExportMode::chooseFolder() {
 }
 
 void ExportMode::applyOptions() {
-    dataset::WriteOptions options;
-    options.mcusPerInterval = m_markers->currentData().toInt();
+    jobs::ExportOptions options;
+    options.scene = static_cast<render::SceneKind>(m_scene->currentData().toInt());
+    options.write.mcusPerInterval = m_markers->currentData().toInt();
     m_presenter->setOptions(options);
     m_presenter->check();
 }
 
-void ExportMode::openFolder() {
-    if (!m_open(QUrl::fromLocalFile(m_presenter->exported()))) {
-        emit message(tr("No program could open the folder %1.").arg(m_presenter->exported()));
+void ExportMode::open(const QString& path) {
+    if (!m_open(QUrl::fromLocalFile(path))) {
+        emit message(tr("No program could open %1.").arg(path));
     }
 }
 
 void ExportMode::showAll() {
     showFound();
     showTask();
+    m_measure->setDataset(m_presenter->dataset());
     const QString exported = m_presenter->exported();
     m_openButton->setVisible(!exported.isEmpty());
     m_result->setVisible(!exported.isEmpty());
@@ -190,7 +210,7 @@ void ExportMode::showAll() {
                         secondsText(report.depth.seconds + report.written.seconds))));
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;
-        openFolder();
+        open(exported);
     }
 }
 

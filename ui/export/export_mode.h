@@ -15,6 +15,7 @@ class QUrl;
 namespace spherewalk::ui {
 
 class ExportPresenter;
+class MeasurePresenter;
 class TaskBar;
 class TaskList;
 
@@ -39,14 +40,16 @@ class ExportMode : public Mode {
     QWidget* makeAfter();
     void chooseFolder();
     void applyOptions();
-    void openFolder();
+    void open(const QString& path);
     void showAll();
     void showFound();
     void showTask();
 
     ExportPresenter* m_presenter;
+    MeasurePresenter* m_measure;
     std::function<bool(const QUrl&)> m_open;
     QLineEdit* m_folder = nullptr;
+    QComboBox* m_scene = nullptr;
     QComboBox* m_markers = nullptr;
     QCheckBox* m_opens = nullptr;
     QLabel* m_amount = nullptr;

@@ -32,9 +32,14 @@ void ExportPresenter::setFolder(const QString& folder) {
     }
 }
 
-void ExportPresenter::setOptions(const dataset::WriteOptions& options) {
+void ExportPresenter::setOptions(const jobs::ExportOptions& options) {
     m_options = options;
     read();
+}
+
+QString ExportPresenter::dataset() const {
+    const bool isThere = !m_folder.isEmpty() && QFileInfo::exists(m_folder + "/dataset.json");
+    return isThere ? m_folder : m_exported;
 }
 
 /// What was found is no longer so.
@@ -55,7 +60,7 @@ void ExportPresenter::check() {
     m_checking = m_tasks.start(
         tr("Looking before the export"), this,
         [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
-         options = m_options](ProgressSink& progress, const std::stop_token& stop) {
+         options = m_options.write](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             return jobs::checkExport(store, folder, options, progress, stop);
         },
@@ -82,9 +87,7 @@ void ExportPresenter::exportNow() {
         [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
          options = m_options](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
-            jobs::ExportOptions wanted;
-            wanted.write = options;
-            return jobs::exportDataset(store, folder, wanted, progress, stop);
+            return jobs::exportDataset(store, folder, options, progress, stop);
         },
         [this, folder = m_folder](const jobs::ExportReport& report) { done(folder, report); });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] {

@@ -25,7 +25,11 @@ class ExportPresenter : public SurveyPresenter {
     QString folder() const { return m_folder; }
 
     void setFolder(const QString& folder);
-    void setOptions(const dataset::WriteOptions& options);
+    void setOptions(const jobs::ExportOptions& options);
+
+    /// The folder, if there is a dataset in it, else the one that was exported last from here; empty without
+    /// either.
+    QString dataset() const;
 
     /// Looks again at what an export would make.
     void check();
@@ -57,7 +61,7 @@ class ExportPresenter : public SurveyPresenter {
 
     TaskList& m_tasks;
     QString m_folder;
-    dataset::WriteOptions m_options;
+    jobs::ExportOptions m_options;
     std::optional<jobs::ExportCheck> m_found;
     QPointer<Task> m_checking;
     int m_request = 0; ///< of the latest check; what earlier ones find is dropped

@@ -14,6 +14,7 @@ constexpr auto kTheme = "window/theme";
 constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
 constexpr auto kLanguage = "language";
+constexpr auto kMeasured = "measuredReports/";
 
 } // namespace
 
@@ -51,6 +52,18 @@ QByteArray Settings::windowState() const {
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     QSettings().setValue(kGeometry, geometry);
     QSettings().setValue(kState, state);
+}
+
+QString Settings::measuredReport(const QString& surveyId) const {
+    const QString file = QSettings().value(kMeasured + surveyId).toString();
+    return QFileInfo::exists(file) ? file : QString();
+}
+
+void Settings::setMeasuredReport(const QString& surveyId, const QString& file) {
+    if (file.isEmpty()) {
+        return QSettings().remove(kMeasured + surveyId);
+    }
+    QSettings().setValue(kMeasured + surveyId, QFileInfo(file).absoluteFilePath());
 }
 
 QString Settings::language() const {

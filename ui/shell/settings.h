@@ -24,6 +24,11 @@ class Settings {
     QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
 
+    /// report.json of the dataset of this survey that was measured last; empty if there is none any more.
+    QString measuredReport(const QString& surveyId) const;
+    /// Empty: forgets it.
+    void setMeasuredReport(const QString& surveyId, const QString& file);
+
     /// Language code, "pl"; empty: the system's.
     QString language() const;
     void setLanguage(const QString& language);

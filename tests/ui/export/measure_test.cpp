@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+#include "qt_application.h"
+#include "ui/export/export_mode.h"
+#include "ui/export/measure_presenter.h"
+#include "ui/preview/camera_box.h"
+#include "ui/shell/settings.h"
+
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/dataset.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QUrl>
+
+namespace spherewalk::ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class MeasureTest : public testing::Test {
+  protected:
+    MeasureTest() { jobs::exportDataset(survey.open(), dataset.toStdString(), {}, noProgress(), {}); }
+
+    static CameraIntrinsics camera() { return CameraIntrinsics::pinhole(160, 120, 1); }
+
+    void waitForTasks() {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        QCoreApplication::processEvents();
+    }
+
+    test::PhotographedSurvey survey{3};
+    QString dataset = QString::fromStdString((survey / "room.dataset").string());
+    TaskList tasks;
+    MeasurePresenter presenter{tasks};
+};
+
+} // namespace
+
+TEST_F(MeasureTest, StoresTheChoiceAndWritesTheReport) {
+    presenter.measure(camera(), 4); // of no dataset
+    EXPECT_FALSE(tasks.hasRunning());
+    presenter.setDataset(dataset);
+    EXPECT_TRUE(presenter.page().isEmpty());
+    presenter.measure(camera(), 4);
+    EXPECT_FALSE(presenter.canMeasure());
+    waitForTasks();
+    EXPECT_TRUE(presenter.words().contains("holds 4.00 px")) << presenter.words().toStdString();
+    EXPECT_TRUE(presenter.words().contains("Stored"));
+    const auto choice = render::Dataset::open(dataset.toStdString()).info().choice;
+    ASSERT_TRUE(choice.has_value());
+    EXPECT_EQ(choice->tolerancePx, 4);
+    for (const char* file : {"report.html", "report.pdf", "report.json"}) {
+        EXPECT_TRUE(fs::exists(fs::path(dataset.toStdString()) / "report" / file)) << file;
+    }
+    EXPECT_EQ(presenter.page(), dataset + "/report/report.html");
+    EXPECT_EQ(Settings().measuredReport(QString::fromStdString(survey.open().info().uuid)),
+              dataset + "/report/report.json");
+}
+
+TEST_F(MeasureTest, LeavesTheDatasetAsItWasWhenItIsStopped) {
+    presenter.setDataset(dataset);
+    presenter.measure(camera(), 4);
+    presenter.stop();
+    waitForTasks();
+    EXPECT_TRUE(presenter.words().startsWith("Stopped"));
+    EXPECT_FALSE(render::Dataset::open(dataset.toStdString()).info().choice.has_value());
+    EXPECT_TRUE(presenter.page().isEmpty());
+}
+
+TEST_F(MeasureTest, SaysWhatIsWrongWithADataset) {
+    fs::remove(fs::path(dataset.toStdString()) / "dataset.json");
+    presenter.setDataset(dataset);
+    presenter.measure(camera(), 4);
+    waitForTasks();
+    EXPECT_TRUE(presenter.words().contains("dataset.json")) << presenter.words().toStdString();
+}
+
+TEST_F(MeasureTest, IsDoneOnTheExportPageAndOpensTheReport) {
+    writeFile(survey / "small.yaml", bytesOf(render::cameraInfoYaml(camera(), "small")));
+    const auto session = SurveySession::open(QString::fromStdString(survey.path().string()));
+    QStringList opened;
+    ExportMode mode(tasks);
+    mode.setOpener([&](const QUrl& url) {
+        opened << url.toLocalFile();
+        return true;
+    });
+    auto& measure = *mode.findChild<QPushButton*>("measureNow");
+    EXPECT_FALSE(measure.isEnabled());
+    mode.setSession(session.get()); // whose usual folder has a dataset already
+    mode.show();
+    EXPECT_TRUE(measure.isEnabled());
+    mode.findChild<CameraBox*>("measureCamera")
+        ->readCamera(QString::fromStdString((survey / "small.yaml").string()));
+    QTest::mouseClick(&measure, Qt::LeftButton);
+    EXPECT_TRUE(mode.findChild<QPushButton*>("stopMeasuring")->isVisible());
+    waitForTasks();
+    EXPECT_TRUE(mode.findChild<QLabel*>("measureWords")->text().contains("Stored"));
+    QTest::mouseClick(mode.findChild<QPushButton*>("openReport"), Qt::LeftButton);
+    EXPECT_EQ(opened, QStringList{dataset + "/report/report.html"});
+    mode.setSession(nullptr);
+}
+
+} // namespace spherewalk::ui
