@@ -10,10 +10,11 @@ namespace spherewalk::ui {
 namespace {
 
 /// The heat scale does not begin to show differences that matter to nobody.
-constexpr Degrees kLeastHottest{0.05};
+constexpr double kLeastHottestDegrees = 0.05;
+constexpr double kLeastHottestPx = 0.5;
 
-QString degreesText(Radians angle) {
-    return CoverageView::tr("%1°").arg(Degrees(angle).value(), 0, 'f', 3);
+std::optional<double> degreesOf(const std::optional<Radians>& angle) {
+    return angle ? std::optional(Degrees(*angle).value()) : std::nullopt;
 }
 
 } // namespace
@@ -32,32 +33,39 @@ void CoverageView::setMeasure(CoverageMeasure measure) {
     refresh();
 }
 
-std::optional<Radians> CoverageView::measured(const ReviewRow& row) const {
+std::optional<double> CoverageView::measured(const ReviewRow& row) const {
     switch (m_measure) {
     case CoverageMeasure::Standing:
         return std::nullopt;
     case CoverageMeasure::Residual:
-        return row.residual;
+        return degreesOf(row.residual);
     case CoverageMeasure::Sigma:
-        return row.sigmaYaw;
+        return degreesOf(row.sigmaYaw);
+    case CoverageMeasure::Error:
+        return row.errorPx;
     }
     return std::nullopt;
 }
 
-Radians CoverageView::greatest() const {
-    Radians greatest = kLeastHottest;
+double CoverageView::greatest() const {
+    double greatest = m_measure == CoverageMeasure::Error ? kLeastHottestPx : kLeastHottestDegrees;
     for (const ReviewRow& row : m_rows) {
-        greatest = std::max(greatest, measured(row).value_or(Radians(0)));
+        greatest = std::max(greatest, measured(row).value_or(0));
     }
     return greatest;
 }
 
+QString CoverageView::valueText(double value) const {
+    return m_measure == CoverageMeasure::Error ? tr("%L1 px").arg(value, 0, 'f', 1)
+                                               : tr("%1°").arg(value, 0, 'f', 3);
+}
+
 QString CoverageView::hottest() const {
-    return m_measure == CoverageMeasure::Standing ? QString() : degreesText(greatest());
+    return m_measure == CoverageMeasure::Standing ? QString() : valueText(greatest());
 }
 
 std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) const {
-    const Radians scale = greatest();
+    const double scale = greatest();
     std::vector<StationMark> marks;
     for (const ReviewRow& row : m_rows) {
         StationMark mark;
@@ -67,8 +75,8 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
         mark.standing = row.standing;
         mark.note = standingText(row.standing);
         if (const auto value = measured(row)) {
-            mark.heat = value->value() / scale.value();
-            mark.note = degreesText(*value);
+            mark.heat = *value / scale;
+            mark.note = valueText(*value);
         }
         if (!row.flags.isEmpty()) {
             mark.note += QStringLiteral(": ") + row.flags.first();
@@ -105,7 +113,7 @@ void CoverageLegend::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, words.join(QStringLiteral("   ")));
         return;
     }
-    const QString from = tr("0°");
+    const QString from = QStringLiteral("0");
     const int left = inside.left() + fontMetrics().horizontalAdvance(from) + 6;
     const int right = inside.right() - fontMetrics().horizontalAdvance(m_hottest) - 6;
     const QRect bar(left, rect().center().y() - 5, std::max(8, right - left), 10);

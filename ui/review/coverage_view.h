@@ -11,6 +11,7 @@ enum class CoverageMeasure {
     Standing, ///< taken, missing, doubtful, failed, rejected
     Residual, ///< how far the matches of each photo miss, as heat
     Sigma,    ///< how exactly each photo's heading is known, as heat
+    Error,    ///< how far views in place of each photo were measured to be off, as heat
 };
 
 /// How far a survey is, on its plan.
@@ -23,15 +24,17 @@ class CoverageView : public SurveyPlanView {
     void setRows(const std::vector<ReviewRow>& rows);
     void setMeasure(CoverageMeasure measure);
 
-    /// The measure that is at heat 1, as people read it ("0.15°"); empty without heat.
+    /// The measure that is at heat 1, as people read it ("0.15°", "4.2 px"); empty without heat.
     QString hottest() const;
 
   protected:
     std::vector<StationMark> marks(const SurveyState& survey) const override;
 
   private:
-    std::optional<Radians> measured(const ReviewRow& row) const;
-    Radians greatest() const;
+    /// In the unit that people read.
+    std::optional<double> measured(const ReviewRow& row) const;
+    double greatest() const;
+    QString valueText(double value) const;
 
     std::vector<ReviewRow> m_rows;
     CoverageMeasure m_measure = CoverageMeasure::Standing;

@@ -66,7 +66,9 @@ void ReviewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     put(0, index.data(Qt::DisplayRole).toString());
     painter->setFont(option.font);
     const auto standing = static_cast<Standing>(index.data(ReviewModel::StandingRole).toInt());
-    put(1, standingSign(standing) + QLatin1Char(' ') + standingText(standing));
+    const QString error = index.data(ReviewModel::ErrorRole).toString();
+    put(1, standingSign(standing) + QLatin1Char(' ') + standingText(standing) +
+               (error.isEmpty() ? error : QStringLiteral(" · ") + error));
     const QString note = index.data(ReviewModel::NoteRole).toString();
     painter->setOpacity(0.75);
     put(2, note.isEmpty() ? index.data(ReviewModel::ReasonRole).toString() : note);

@@ -8,10 +8,12 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QToolBar>
@@ -54,6 +56,7 @@ void ReviewMode::setSession(SurveySession* session) {
 }
 
 void ReviewMode::activated() {
+    m_presenter->lookForErrors();
     if (m_presenter->current() == nullptr) {
         m_presenter->step(1);
     }
@@ -206,28 +209,55 @@ QWidget* ReviewMode::makePlan() {
     auto* column = new QWidget(this);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
-    auto* measure = new QComboBox(column);
-    measure->setObjectName("measure");
-    measure->setAccessibleName(tr("What the plan shows"));
-    measure->addItem(tr("Coverage"), static_cast<int>(CoverageMeasure::Standing));
-    measure->addItem(tr("Residuals of the alignment"), static_cast<int>(CoverageMeasure::Residual));
-    measure->addItem(tr("Uncertainty of the headings"), static_cast<int>(CoverageMeasure::Sigma));
+    m_measure = new QComboBox(column);
+    m_measure->setObjectName("measure");
+    m_measure->setAccessibleName(tr("What the plan shows"));
+    m_measure->addItem(tr("Coverage"), static_cast<int>(CoverageMeasure::Standing));
+    m_measure->addItem(tr("Residuals of the alignment"), static_cast<int>(CoverageMeasure::Residual));
+    m_measure->addItem(tr("Uncertainty of the headings"), static_cast<int>(CoverageMeasure::Sigma));
+    m_measure->addItem(tr("Measured errors of views"), static_cast<int>(CoverageMeasure::Error));
+    m_report = new QPushButton(tr("Report..."), column);
+    m_report->setObjectName("report");
+    m_report->setToolTip(tr("Take the errors from another report.json"));
+    connect(m_report, &QPushButton::clicked, this, &ReviewMode::chooseReport);
+    m_errorWords = new QLabel(column);
+    m_errorWords->setObjectName("errorWords");
+    m_errorWords->setWordWrap(true);
     m_plan = new CoverageView(column);
     m_plan->setObjectName("coverage");
     m_legend = new CoverageLegend(column);
-    connect(measure, &QComboBox::currentIndexChanged, this, [this, measure] {
-        m_plan->setMeasure(static_cast<CoverageMeasure>(measure->currentData().toInt()));
-        m_legend->setHottest(m_plan->hottest());
-    });
-    layout->addWidget(measure);
+    connect(m_measure, &QComboBox::currentIndexChanged, this, &ReviewMode::showMeasure);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_measure, 1);
+    row->addWidget(m_report);
+    layout->addLayout(row);
     layout->addWidget(m_plan, 1);
     layout->addWidget(m_legend);
+    layout->addWidget(m_errorWords);
+    showMeasure();
     return column;
+}
+
+void ReviewMode::chooseReport() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Report of a measured dataset"), {},
+                                                      tr("Report (report.json *.json)"));
+    if (!file.isEmpty()) {
+        m_presenter->readErrors(file);
+    }
+}
+
+void ReviewMode::showMeasure() {
+    const auto measure = static_cast<CoverageMeasure>(m_measure->currentData().toInt());
+    m_plan->setMeasure(measure);
+    m_legend->setHottest(m_plan->hottest());
+    m_report->setVisible(measure == CoverageMeasure::Error);
+    m_errorWords->setVisible(measure == CoverageMeasure::Error);
+    m_errorWords->setText(m_presenter->errorWords());
 }
 
 void ReviewMode::showRows() {
     m_plan->setRows(m_presenter->model().rows());
-    m_legend->setHottest(m_plan->hottest());
+    showMeasure();
     m_summary->setText(m_presenter->summary());
 }
 

@@ -14,6 +14,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListView;
+class QPushButton;
 
 namespace spherewalk::ui {
 
@@ -46,6 +47,8 @@ class ReviewMode : public Mode {
     void showNote();
     void keepNote();
     void compare(int comparison);
+    void chooseReport();
+    void showMeasure();
 
     PanoramaView* m_viewer;
     ReviewPresenter* m_presenter;
@@ -60,6 +63,9 @@ class ReviewMode : public Mode {
     QComboBox* m_comparison = nullptr;
     CoverageView* m_plan = nullptr;
     CoverageLegend* m_legend = nullptr;
+    QComboBox* m_measure = nullptr;
+    QPushButton* m_report = nullptr;
+    QLabel* m_errorWords = nullptr;
     QList<QAction*> m_decisions;
 };
 

@@ -11,7 +11,22 @@ namespace {
 
 bool isSame(const ReviewRow& a, const ReviewRow& b) {
     return a.station == b.station && a.photo == b.photo && a.sha256 == b.sha256 && a.standing == b.standing &&
-           a.note == b.note && a.flags == b.flags;
+           a.note == b.note && a.flags == b.flags && a.errorPx == b.errorPx;
+}
+
+QString errorText(const ReviewRow& row) {
+    return row.errorPx ? ReviewModel::tr("%L1 px").arg(*row.errorPx, 0, 'f', 1) : QString();
+}
+
+QString toolTip(const ReviewRow& row) {
+    QStringList lines{row.fileName, row.note};
+    if (row.errorPx) {
+        lines << ReviewModel::tr("95 of 100 places of views in its place are displaced by %1 or less.")
+                     .arg(errorText(row));
+    }
+    lines << row.flags;
+    lines.removeAll(QString());
+    return lines.join('\n');
 }
 
 } // namespace
@@ -59,7 +74,7 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1, %2").arg(row.stationName, standingText(row.standing));
     case Qt::ToolTipRole:
-        return (QStringList{row.fileName, row.note} + row.flags).join('\n').trimmed();
+        return toolTip(row);
     case Qt::DecorationRole:
         return row.photo ? m_thumbnails.find(row.file, row.sha256) : QImage();
     case StationRole:
@@ -70,6 +85,8 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
         return row.note;
     case ReasonRole:
         return row.flags.join(' ');
+    case ErrorRole:
+        return errorText(row);
     case UnreadableRole:
         return m_thumbnails.isUnreadable(row.sha256);
     default:

@@ -20,6 +20,7 @@ class ReviewModel : public QAbstractListModel {
         NoteRole,
         ReasonRole, ///< the flags, joined
         UnreadableRole,
+        ErrorRole, ///< "3.4 px"; empty if it was not measured
     };
 
     explicit ReviewModel(ThumbnailCache& thumbnails, QObject* parent = nullptr);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_presenter.h"
 
+#include "ui/preview/rung_words.h"
+#include "ui/shell/settings.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/scene/sphere.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 #include <map>
@@ -53,6 +58,8 @@ void ReviewPresenter::setSession(SurveySession* session) {
     m_reviewer.setSession(session);
     m_watch.setSession(session);
     m_thumbnails.forgetRequests();
+    m_errors.reset();
+    m_errorsFile.clear();
     SurveyPresenter::setSession(session);
     if (session != nullptr) {
         connect(session, &SurveySession::readOnlyChanged, this, &ReviewPresenter::currentChanged);
@@ -62,9 +69,13 @@ void ReviewPresenter::setSession(SurveySession* session) {
 
 void ReviewPresenter::read() {
     try {
-        m_model.setRows(session() != nullptr
-                            ? reviewRows(session()->store(), jobs::activeFindings(session()->store()))
-                            : std::vector<ReviewRow>());
+        std::vector<ReviewRow> rows =
+            session() != nullptr ? reviewRows(session()->store(), jobs::activeFindings(session()->store()))
+                                 : std::vector<ReviewRow>();
+        if (m_errors) {
+            fillErrors(rows, *m_errors);
+        }
+        m_model.setRows(std::move(rows));
         m_viewer.setSphereRadius(session() != nullptr ? radiusOf(session()->store().room(), m_model.rows())
                                                       : std::nullopt);
     } catch (const Error& error) {
@@ -73,6 +84,53 @@ void ReviewPresenter::read() {
     m_list.invalidate();
     showCurrent();
     emit rowsChanged();
+}
+
+QString ReviewPresenter::surveyId() const {
+    return session() != nullptr ? QString::fromStdString(session()->store().info().uuid) : QString();
+}
+
+/// Errors: those of jobs::readMeasuredPhotos(); InvalidInput for another survey's.
+void ReviewPresenter::takeErrors(const QString& reportFile) {
+    m_errorsFile = QFileInfo(reportFile).absoluteFilePath(); // first: what cannot be read is told once
+    m_errorsSince = QFileInfo(reportFile).lastModified();
+    jobs::MeasuredPhotos errors = jobs::readMeasuredPhotos(reportFile.toStdString());
+    if (QString::fromStdString(errors.surveyId) != surveyId()) {
+        throw Error(ErrorKind::InvalidInput, tr("The report %1 is of another survey's dataset, %2.")
+                                                 .arg(reportFile, QString::fromStdString(errors.dataset))
+                                                 .toStdString());
+    }
+    m_errors = std::move(errors);
+    read();
+}
+
+void ReviewPresenter::readErrors(const QString& reportFile) {
+    try {
+        takeErrors(reportFile);
+        Settings().setMeasuredReport(surveyId(), reportFile);
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+    }
+}
+
+void ReviewPresenter::lookForErrors() {
+    const QString file = session() != nullptr ? Settings().measuredReport(surveyId()) : QString();
+    if (!file.isEmpty() && (file != m_errorsFile || QFileInfo(file).lastModified() != m_errorsSince)) {
+        readErrors(file);
+    }
+}
+
+QString ReviewPresenter::errorWords() const {
+    if (!m_errors) {
+        return tr(
+            "No dataset of this survey has been measured yet: do so in Export, or choose the report.json "
+            "of one that was.");
+    }
+    return tr("Displacement of 95 of 100 places, where the photo was left out of %1; scene model %2, "
+              "tolerance "
+              "%L3 px.")
+        .arg(QString::fromStdString(m_errors->dataset), sceneWord(m_errors->scene))
+        .arg(m_errors->tolerancePx, 0, 'f', 1);
 }
 
 const ReviewRow* ReviewPresenter::current() const {

@@ -7,6 +7,8 @@
 #include "ui/review/survey_watch.h"
 #include "ui/session/survey_presenter.h"
 
+#include <QDateTime>
+
 namespace spherewalk::ui {
 
 /// What the review page does: keeps the list and the viewer in step with the survey and the station that all
@@ -43,6 +45,14 @@ class ReviewPresenter : public SurveyPresenter {
     /// Whether decisions can be recorded: a survey is open, and no other program was writing it.
     bool canDecide() const;
 
+    /// Takes measured errors from this report.json, now and when the survey is opened again. If it is not
+    /// one of this survey's, message() says so.
+    void readErrors(const QString& reportFile);
+    /// Looks whether the survey's dataset has been measured since.
+    void lookForErrors();
+    /// What the measured errors are of, or that there are none, and what to do.
+    QString errorWords() const;
+
     /// "12 accepted, 3 rejected, 40 to be reviewed, 5 missing".
     QString summary() const;
 
@@ -54,6 +64,8 @@ class ReviewPresenter : public SurveyPresenter {
   private:
     void read() override;
     void showCurrent();
+    void takeErrors(const QString& reportFile);
+    QString surveyId() const;
 
     PanoramaPresenter& m_viewer;
     ThumbnailCache m_thumbnails;
@@ -63,6 +75,9 @@ class ReviewPresenter : public SurveyPresenter {
     SurveyWatch m_watch;
     std::vector<const ReviewRow*> m_neighbours;
     std::optional<std::size_t> m_compared;
+    std::optional<jobs::MeasuredPhotos> m_errors;
+    QString m_errorsFile;    ///< that they were read from
+    QDateTime m_errorsSince; ///< when that was written
 };
 
 } // namespace spherewalk::ui

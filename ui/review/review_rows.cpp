@@ -88,4 +88,17 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
     return rows;
 }
 
+void fillErrors(std::vector<ReviewRow>& rows, const jobs::MeasuredPhotos& measured) {
+    std::map<std::filesystem::path, std::optional<double>> errorsPx; // by the file's name without its ending
+    for (const jobs::MeasuredPhoto& photo : measured.photos) {
+        errorsPx.emplace(std::filesystem::path(photo.file).stem(), photo.p95Px);
+    }
+    for (ReviewRow& row : rows) {
+        const auto found = errorsPx.find(row.file.stem());
+        if (row.photo && found != errorsPx.end()) {
+            row.errorPx = found->second;
+        }
+    }
+}
+
 } // namespace spherewalk::ui

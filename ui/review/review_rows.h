@@ -4,6 +4,7 @@
 #include "ui/look/standing.h"
 #include "ui/panorama/panorama_presenter.h"
 
+#include "spherewalk/jobs/measured_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -34,6 +35,7 @@ struct ReviewRow {
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
     std::optional<Radians> residual;
+    std::optional<double> errorPx; ///< of views in its place, as it was measured
 
     /// As the viewer needs it; unturned if it is not aligned. Range: a row with a photo.
     ShownPhoto shown() const;
@@ -43,5 +45,9 @@ struct ReviewRow {
 /// the store.
 std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
                                   const std::optional<jobs::SolutionFindings>& findings);
+
+/// Gives rows the errors of photos that the dataset took from their files. Photos that were taken or moved
+/// since have none.
+void fillErrors(std::vector<ReviewRow>& rows, const jobs::MeasuredPhotos& measured);
 
 } // namespace spherewalk::ui
