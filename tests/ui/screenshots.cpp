@@ -7,19 +7,24 @@
 #include "ui/export/export_mode.h"
 #include "ui/panorama/panorama_presenter.h"
 #include "ui/plan/plan_mode.h"
+#include "ui/preview/camera_box.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
+#include "ui/review/coverage_view.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/application.h"
 #include "ui/shell/main_window.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/jobs/demo.h"
 #include "spherewalk/practice/fault.h"
+#include "spherewalk/render/camera_info.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 
 #include <cstdio>
@@ -73,10 +78,12 @@ class Album {
         shootAlign();
         shootPreview();
         shootExport();
+        shootMeasured(place);
         m_window.showMode(nullptr);
         shoot("start");
         open<PlanMode>();
         shoot("plan-fixed");
+        shootGridStudy(place);
     }
 
   private:
@@ -199,6 +206,36 @@ class Album {
         exporting.findChild<QPushButton*>("export")->click();
         waitForTasks();
         shoot("export-done");
+    }
+
+    /// A small camera, so that measuring takes seconds.
+    static void chooseCamera(CameraBox& box, const QString& place) {
+        const QString file = place + "/small.yaml";
+        const auto camera = CameraIntrinsics::pinhole(240, 180, 1);
+        writeFile(file.toStdString(), bytesOf(render::cameraInfoYaml(camera, "small")));
+        box.readCamera(file);
+    }
+
+    void shootMeasured(const QString& place) {
+        auto& exporting = open<ExportMode>();
+        chooseCamera(*exporting.findChild<CameraBox*>("measureCamera"), place);
+        exporting.findChild<QPushButton*>("measureNow")->click();
+        waitForTasks();
+        shoot("export-measured");
+        auto& review = open<ReviewMode>();
+        auto* measure = review.findChild<QComboBox*>("measure");
+        measure->setCurrentIndex(measure->findData(static_cast<int>(CoverageMeasure::Error)));
+        shoot("review-errors");
+    }
+
+    void shootGridStudy(const QString& place) {
+        auto& plan = open<PlanMode>();
+        chooseCamera(*plan.findChild<CameraBox*>("gridCamera"), place);
+        plan.findChild<QCheckBox*>("gridDepth")->setChecked(false);
+        plan.findChild<QPushButton*>("gridStudy")->click();
+        waitForTasks();
+        plan.findChild<QScrollArea*>()->ensureWidgetVisible(plan.findChild<QPushButton*>("gridUse"));
+        shoot("plan-grid");
     }
 
     QString m_folder;
