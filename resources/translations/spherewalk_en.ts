@@ -87,6 +87,36 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::GridStudyModel</name>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2</source>
+        <translation>
+            <numerusform>%1: %n photo, %2</numerusform>
+            <numerusform>%1: %n photos, %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyPresenter</name>
+    <message numerus="yes">
+        <source>This survey has %n photo(s). Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</source>
+        <translation>
+            <numerusform>This survey has %n photo. Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</numerusform>
+            <numerusform>This survey has %n photos. Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+Found in %2: %n photo(s), %L3 cm apart.</source>
+        <translation>
+            <numerusform>%1
+Found in %2: %n photo, %L3 cm apart.</numerusform>
+            <numerusform>%1
+Found in %2: %n photos, %L3 cm apart.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n task(s)</source>
