@@ -4,6 +4,7 @@
 #include "ui/export/export_mode.h"
 #include "ui/export/measure_presenter.h"
 #include "ui/preview/camera_box.h"
+#include "ui/session/survey_session.h"
 #include "ui/shell/settings.h"
 
 #include "spherewalk/jobs/export_dataset.h"
