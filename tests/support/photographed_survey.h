@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 namespace spherewalk::test {
 
@@ -34,11 +35,15 @@ class PhotographedSurvey {
         const std::vector<store::StationRecord> stations = store.stations();
         std::filesystem::create_directories(m_folder / "in");
         std::string csv = "file,x_m,y_m,z_m,yaw_deg\n";
+        std::vector<RgbImage> shades;
+        for (int i = 0; i < std::min(photos, kShades); ++i) {
+            shades.push_back(world(width, 4 * i));
+        }
         for (int i = 0; i < photos; ++i) {
             const std::string name = text("R", 1001 + i, ".JPG");
             const Eigen::Vector3d& at = stations.at(static_cast<std::size_t>(i)).station.positionM;
             writeFile(m_folder / "in" / name,
-                      jpeg::encode(world(width, 4 * (i % kShades)), 90 - i / kShades));
+                      jpeg::encode(shades[static_cast<std::size_t>(i % kShades)], 90 - i / kShades));
             csv += text(name, ",", fixed(at.x(), 4), ",", fixed(at.y(), 4), ",", fixed(at.z(), 4), ",0\n");
         }
         writeFile(m_folder / "p.csv", bytesOf(csv));

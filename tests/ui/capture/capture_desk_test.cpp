@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture_fixture.h"
 #include "event_loop_gap.h"
+#include "stalled_server.h"
 
 #include "spherewalk/practice/fault.h"
-
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace spherewalk::ui {
 
@@ -17,34 +14,6 @@ namespace {
 // Waiting for a camera takes seconds. What is measured, 50 ms being wanted, is recorded: a busy machine adds
 // to it.
 constexpr double kHeldMs = 1000;
-
-/// Takes connections and never answers.
-class StalledServer {
-  public:
-    StalledServer() : m_socket(::socket(AF_INET, SOCK_STREAM, 0)) {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        auto* any = reinterpret_cast<sockaddr*>(&address);
-        if (::bind(m_socket, any, size) != 0 || ::listen(m_socket, 8) != 0 ||
-            ::getsockname(m_socket, any, &size) != 0) {
-            throw std::runtime_error("no socket");
-        }
-        m_address = QString("127.0.0.1:%1").arg(ntohs(address.sin_port));
-    }
-
-    ~StalledServer() { ::close(m_socket); }
-
-    StalledServer(const StalledServer&) = delete;
-    StalledServer& operator=(const StalledServer&) = delete;
-
-    const QString& address() const { return m_address; }
-
-  private:
-    int m_socket;
-    QString m_address;
-};
 
 } // namespace
 
@@ -136,7 +105,7 @@ TEST_F(CaptureDeskTest, AKeyDuringTheCountdownEndsIt) {
 }
 
 TEST_F(CaptureDeskTest, AStalledCameraDoesNotHoldTheWindow) {
-    const StalledServer server;
+    const test::StalledServer server;
     desk().connectTo(server.address());
     ASSERT_EQ(desk().state(), State::Connecting);
     const test::EventLoopGap gap;

@@ -71,6 +71,7 @@ class Person {
 
     void type(const char* name, const QString& text) {
         auto& found = widget<QWidget>(name);
+        QApplication::setActiveWindow(&m_window); // a dialog may have been
         found.setFocus();
         QTest::keyClick(&found, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&found, text);
