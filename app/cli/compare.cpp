@@ -29,10 +29,7 @@ bool succeeded(const jobs::CompareReport& report, const Options& options) {
 
 Result compare(const Options& options, Context& context) {
     jobs::CompareOptions wanted;
-    wanted.pictures = jobs::readRobotPictures(options.pictures);
-    for (jobs::RobotPicture& picture : wanted.pictures) {
-        picture.roomFromCamera = options.dataset.opticalPose(picture.roomFromCamera);
-    }
+    wanted.pictures = options.dataset.robotPictures(options.pictures);
     wanted.refinesPoses = options.refinesPoses;
     wanted.fitsColour = options.fitsColour;
     wanted.view = options.dataset.viewOptions();

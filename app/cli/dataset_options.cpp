@@ -54,6 +54,14 @@ render::ViewOptions DatasetOptions::viewOptions() const {
     return options;
 }
 
+std::vector<jobs::RobotPicture> DatasetOptions::robotPictures(const std::filesystem::path& csv) const {
+    std::vector<jobs::RobotPicture> pictures = jobs::readRobotPictures(csv);
+    for (jobs::RobotPicture& picture : pictures) {
+        picture.roomFromCamera = opticalPose(picture.roomFromCamera);
+    }
+    return pictures;
+}
+
 Rigid3 DatasetOptions::opticalPose(const Rigid3& roomFromGiven) const {
     return m_frame == "body" ? roomFromGiven * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
                              : roomFromGiven;

@@ -3,11 +3,13 @@
 
 #include "command.h"
 
+#include "spherewalk/jobs/robot_pictures.h"
 #include "spherewalk/render/renderer.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace spherewalk::cli {
 
@@ -27,6 +29,10 @@ class DatasetOptions {
 
     /// Of another dataset, in place of the one that was given.
     render::Renderer renderer(Context& context, const std::filesystem::path& dataset) const;
+
+    /// A robot's pictures, whose poses are of the frame that the user named.
+    std::vector<jobs::RobotPicture> robotPictures(const std::filesystem::path& csv) const;
+
     /// The pose of the optical frame that a given pose, of the frame that the user named, stands for.
     Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
 

@@ -34,7 +34,7 @@ jobs::MeasureOptions measureOptions(const Options& options, Context& context) {
     wanted.worst = options.report.empty() ? 0 : kWorstShown;
     wanted.cacheFolder = options.dataset.resultFolder(context);
     if (!options.pictures.empty()) {
-        wanted.pictures = jobs::readRobotPictures(options.pictures);
+        wanted.pictures = options.dataset.options().robotPictures(options.pictures);
     }
     wanted.validate();
     return wanted;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare_words.h"
-#include "document_html.h"
+#include "report_folder.h"
 
-#include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/sheet/document.h"
 
@@ -22,8 +20,7 @@ Document documentOf(const CompareReport& report) {
              ". Pairs are before and after: from the given pose in the photos' colours, and from the refined "
              "pose in "
              "corrected colours. Colour is the mean distance of even spots' colours, in grey levels.")});
-    const WordTable table = compareTable(report);
-    document.blocks.emplace_back(sheet::Table{table.titles, table.rows, 1});
+    document.blocks.emplace_back(compareTable(report));
     for (const std::string& sentence : compareSentences(report)) {
         document.blocks.emplace_back(Paragraph{sentence});
     }
@@ -38,16 +35,7 @@ Document documentOf(const CompareReport& report) {
 } // namespace
 
 void writeComparison(const CompareReport& report, const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
-    }
-    const Document document = documentOf(report);
-    writeHtml(document, folder, "report");
-    writeFile(folder / "report.pdf", sheet::pdf(document));
-    writeFile(folder / "report.json", bytesOf(toJson(report).dump(1) + "\n"));
+    writeReportFolder(documentOf(report), toJson(report), folder);
 }
 
 } // namespace spherewalk::jobs

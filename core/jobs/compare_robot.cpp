@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/compare_robot.h"
 
+#include "description_change.h"
+#include "report_parts.h"
+
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/measure/displacement.h"
 #include "spherewalk/measure/pose_refinement.h"
@@ -19,27 +21,7 @@ namespace {
 
 constexpr std::size_t kFewestOfTwoHalves = 4;
 constexpr int kShownWidth = 480; ///< pixels
-
-RgbImage readFitting(const RobotPicture& picture, const CameraModel& camera) {
-    RgbImage result = photo::readPicture(picture.file);
-    if (result.width() != camera.width() || result.height() != camera.height()) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The picture ", picture.file.string(), " has ", result.width(), " x ",
-                         result.height(), " pixels, not the camera's ", camera.width(), " x ",
-                         camera.height(), "."));
-    }
-    return result;
-}
-
-/// What differs, four times as much, on grey.
-RgbImage difference(const RgbImage& a, const RgbImage& b) {
-    RgbImage result(a.width(), a.height());
-    for (std::size_t i = 0; i < result.values().size(); ++i) {
-        result.values()[i] = static_cast<std::uint8_t>(
-            std::clamp(128 + 4 * (int{a.values()[i]} - int{b.values()[i]}), 0, 255));
-    }
-    return result;
-}
+constexpr int kDifferenceTimes = 4;
 
 /// The mean of what there is.
 class Mean {
@@ -142,7 +124,7 @@ class Comparison {
 
     /// From the given pose; and its refined pose, and its colours.
     void look(const RobotPicture& picture, const std::stop_token& stop) {
-        const RgbImage taken = readFitting(picture, m_camera);
+        const RgbImage taken = readRobotPicture(picture, m_camera);
         ComparedPicture compared;
         compared.file = picture.file;
         compared.given = picture.roomFromCamera;
@@ -193,7 +175,7 @@ class Comparison {
             compared.after = compared.before;
             return;
         }
-        const RgbImage taken = readFitting(m_options.pictures[index], m_camera);
+        const RgbImage taken = readRobotPicture(m_options.pictures[index], m_camera);
         render::View view = viewFrom(compared.used());
         const measure::ColourSamples colours = measure::colourSamples(view.picture, view.trust, taken);
         if (m_tables) {
@@ -216,7 +198,7 @@ class Comparison {
         };
         m_report.shown.push_back({compared.file.filename().string(), small(taken),
                                   small(viewFrom(compared.given).picture), small(after),
-                                  small(difference(after, taken))});
+                                  small(difference(after, taken, kDifferenceTimes))});
     }
 
     bool isShown(std::size_t index) const {
@@ -251,11 +233,8 @@ CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& 
 
 void storeColour(const std::filesystem::path& dataset, const render::ColourCorrection& correction) {
     correction.validate();
-    const std::filesystem::path file = dataset / render::kDatasetFile;
-    Json description = parseJson(readTextFile(file), file.string());
-    render::parseDatasetInfo(description, file.string());
-    description["colour_correction"] = render::toJson(correction);
-    writeFile(file, bytesOf(description.dump(1) + "\n"));
+    changeDescription(
+        dataset, [&](Json& description) { description["colour_correction"] = render::toJson(correction); });
 }
 
 } // namespace spherewalk::jobs

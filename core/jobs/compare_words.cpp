@@ -12,12 +12,8 @@ namespace spherewalk::jobs {
 
 namespace {
 
-std::string optionalNumber(const std::optional<double>& value, int digits = 2) {
-    return value ? fixed(*value, digits) : "-";
-}
-
 std::string change(const std::optional<double>& before, const std::optional<double>& after, int digits) {
-    return text(optionalNumber(before, digits), " > ", optionalNumber(after, digits));
+    return text(orDash(before, digits), " > ", orDash(after, digits));
 }
 
 double turnedDeg(const ComparedPicture& picture) {
@@ -55,16 +51,12 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
     return first;
 }
 
-Json optionalJson(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
-
 template <class Likeness>
 Json likenessJson(const Likeness& likeness) {
     return {{"psnr_db", likeness.psnrDb},
-            {"median_px", optionalJson(likeness.medianPx)},
-            {"p95_px", optionalJson(likeness.p95Px)},
-            {"colour_error", optionalJson(likeness.colourError)}};
+            {"median_px", orNull(likeness.medianPx)},
+            {"p95_px", orNull(likeness.p95Px)},
+            {"colour_error", orNull(likeness.colourError)}};
 }
 
 Json poseJson(const Rigid3& pose) {
@@ -104,13 +96,13 @@ Json fitJson(const CompareReport& report) {
             {"hue_spread", report.fit->hueSpread},
             {"error_before", report.fit->errorBefore},
             {"error_after", report.fit->correction ? Json(report.fit->errorAfter) : Json()},
-            {"error_held_out", optionalJson(report.heldOutColourError)}};
+            {"error_held_out", orNull(report.heldOutColourError)}};
 }
 
 } // namespace
 
-WordTable compareTable(const CompareReport& report) {
-    WordTable table{kTitles, {}};
+sheet::Table compareTable(const CompareReport& report) {
+    sheet::Table table{kTitles, {}, 1};
     for (const ComparedPicture& picture : report.pictures) {
         table.rows.push_back(joined(joined({picture.file.filename().string()}, poseCells(picture)),
                                     likenessCells(picture.before, picture.after)));
@@ -142,7 +134,7 @@ std::vector<std::string> compareSentences(const CompareReport& report) {
 }
 
 std::string compareText(const CompareReport& report) {
-    std::string result = tableText(compareTable(report), 1);
+    std::string result = tableText(compareTable(report));
     for (const std::string& sentence : compareSentences(report)) {
         result += sentence + "\n";
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "measure_words.h"
+#include "report_parts.h"
 
 #include "spherewalk/jobs/compare_robot.h"
 
@@ -11,7 +11,7 @@
 namespace spherewalk::jobs {
 
 /// A line a picture, and the means; before and after in one cell.
-WordTable compareTable(const CompareReport& report);
+sheet::Table compareTable(const CompareReport& report);
 
 /// What is to be said besides, a sentence each: poses that were refused, and the colour correction.
 std::vector<std::string> compareSentences(const CompareReport& report);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/depth_survey.h"
 
+#include "pose_key.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/recently_used.h"
@@ -35,12 +37,6 @@ void keep(const std::filesystem::path& file, const scene::PhotoDepth& depth) {
 scene::PhotoDepth kept(const std::filesystem::path& file) {
     const auto map = render::DepthMap::parse(readFile(file, kLargestFile), file.string());
     return {map.inverseM(), map.sure()};
-}
-
-std::string poseText(const Rigid3& pose) {
-    const Eigen::Quaterniond& q = pose.rotation;
-    const Eigen::Vector3d& t = pose.translation;
-    return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
 }
 
 class DepthJob {
@@ -94,9 +90,9 @@ class DepthJob {
         const scene::SweepOptions& o = m_options.sweep;
         std::string key = text("sweep ", kMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances, " ",
                                o.nearestM, " ", o.farthestM, " ", o.keptShare, "\n", m_photos[photo].sha256,
-                               " ", poseText(m_poses[photo]), "\n");
+                               " ", keyOf(m_poses[photo]), "\n");
         for (const std::size_t other : m_neighbours[photo]) {
-            key += text(m_photos[other].sha256, " ", poseText(m_poses[other]), "\n");
+            key += text(m_photos[other].sha256, " ", keyOf(m_poses[other]), "\n");
         }
         return sha256Hex(bytesOf(key));
     }

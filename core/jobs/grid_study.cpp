@@ -32,15 +32,10 @@ struct HeldOutView {
 };
 
 std::vector<HeldOutView> viewsOf(const GridSplit& split, std::size_t most, int directions) {
-    const auto all = split.heldOut.size() * static_cast<std::size_t>(directions);
-    const std::size_t count = std::min(all, most);
-    const std::size_t spread = std::min(split.heldOut.size(), count);
     std::vector<HeldOutView> views;
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = k % spread;
-        const auto direction = static_cast<double>((i + k / spread) % static_cast<std::size_t>(directions));
-        views.push_back({split.heldOut[i * split.heldOut.size() / spread],
-                         Radians(2 * std::numbers::pi * direction / directions)});
+    for (const SpreadView& view : spreadViews(split.heldOut.size(), directions, most)) {
+        const double share = static_cast<double>(view.direction) / directions;
+        views.push_back({split.heldOut[view.photo], Radians(2 * std::numbers::pi * share)});
     }
     return views;
 }
@@ -150,25 +145,13 @@ class Study {
         const std::string key =
             text("held out ", photos()[view.photo].sha256, " ", view.photo, " ", view.turn.value());
         Comparisons known = cache.read(key);
-        std::vector<SceneAndSampling> missing;
-        for (const SceneKind scene : scenes) {
-            if (!known.views.contains({scene, m_options.sampling})) {
-                missing.emplace_back(scene, m_options.sampling);
-            }
-        }
-        throwIfStopped(m_stop);
-        if (missing.empty()) {
-            return known;
-        }
         const Rigid3 pose = levelPose(photos()[view.photo], view.turn);
-        Subject subject{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
-        measure::PictureFeatures features(subject.picture);
-        const KnownSubject with{std::move(subject), std::move(features)};
-        for (const SceneAndSampling& rung : missing) {
-            throwIfStopped(m_stop);
-            known.views[rung] = compared(with, from, m_camera, rung);
+        const auto subject = [&] {
+            return Subject{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
+        };
+        if (compareMissing(scenes, m_options.sampling, subject, from, m_camera, m_stop, known)) {
+            cache.write(key, known);
         }
-        cache.write(key, known);
         return known;
     }
 

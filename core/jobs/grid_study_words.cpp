@@ -18,10 +18,6 @@ std::string costWords(const GridCost& cost) {
                 humanDuration(std::chrono::duration<double>(60 * cost.minutes)));
 }
 
-Json optionalNumber(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
-
 Json costJson(const GridCost& cost) {
     return {{"step_m", cost.stepM}, {"photos", cost.photos}, {"minutes", cost.minutes}};
 }
@@ -43,7 +39,7 @@ std::string gridStudyReason(const GridStudy& study) {
             });
         return text("None of the steps studied holds ", wanted, " in 95 of 100 places; the best, ",
                     cm(least->stepM), " with the scene model ", name(least->scene), ", reaches ",
-                    optionalPx(least->p95Px), " px. Study a denser block, or allow more.");
+                    orDash(least->p95Px), " px. Study a denser block, or allow more.");
     }
     return text("For ", wanted, " in 95 of 100 places a grid of ", cm(*best->stepM),
                 " is enough with the scene model ", name(best->scene),
@@ -51,9 +47,9 @@ std::string gridStudyReason(const GridStudy& study) {
                 best->cost ? text(": ", costWords(*best->cost)) : "", ".");
 }
 
-WordTable gridTable(const GridStudy& study) {
-    WordTable table{
-        {"step", "scene model", "kept", "views", "PSNR dB", "median px", "95 % px", "photos", "time"}, {}};
+sheet::Table gridTable(const GridStudy& study) {
+    sheet::Table table{
+        {"step", "scene model", "kept", "views", "PSNR dB", "median px", "95 % px", "photos", "time"}, {}, 2};
     double last = 0;
     for (const GridRow& row : study.rows) {
         const auto cost = std::find_if(study.costs.begin(), study.costs.end(),
@@ -64,15 +60,15 @@ WordTable gridTable(const GridStudy& study) {
         table.rows.push_back(
             {isFirst ? cm(row.stepM) : "", std::string(name(row.scene)),
              isFirst ? std::to_string(row.keptPhotos) : "", std::to_string(row.views),
-             fixed(row.meanPsnrDb, 2), optionalPx(row.medianPx), optionalPx(row.p95Px),
+             fixed(row.meanPsnrDb, 2), orDash(row.medianPx), orDash(row.p95Px),
              hasCost ? std::to_string(cost->photos) : "",
              hasCost ? humanDuration(std::chrono::duration<double>(60 * cost->minutes)) : ""});
     }
     return table;
 }
 
-WordTable gridAnswerTable(const GridStudy& study) {
-    WordTable table{{"scene model", "step", "photos", "time"}, {}};
+sheet::Table gridAnswerTable(const GridStudy& study) {
+    sheet::Table table{{"scene model", "step", "photos", "time"}, {}, 1};
     for (const GridAnswer& answer : study.answers) {
         table.rows.push_back(
             {std::string(name(answer.scene)),
@@ -86,9 +82,8 @@ WordTable gridAnswerTable(const GridStudy& study) {
 std::string gridStudyText(const GridStudy& study) {
     return text("Photos ", cm(study.gridStepM), " apart, ", study.photos,
                 " of them; views from where photos were left out, rendered from the kept ones alone:\n",
-                tableText(gridTable(study), 2), "\nThe coarsest grid that holds ",
-                optionalPx(study.tolerancePx), " px:\n", tableText(gridAnswerTable(study), 1), "\n",
-                study.reason);
+                tableText(gridTable(study)), "\nThe coarsest grid that holds ", orDash(study.tolerancePx),
+                " px:\n", tableText(gridAnswerTable(study)), "\n", study.reason);
 }
 
 Json toJson(const GridStudy& study) {
@@ -99,8 +94,8 @@ Json toJson(const GridStudy& study) {
                         {"kept_photos", row.keptPhotos},
                         {"views", row.views},
                         {"mean_psnr_db", row.meanPsnrDb},
-                        {"median_px", optionalNumber(row.medianPx)},
-                        {"p95_px", optionalNumber(row.p95Px)}});
+                        {"median_px", orNull(row.medianPx)},
+                        {"p95_px", orNull(row.p95Px)}});
     }
     Json costs = Json::array();
     for (const GridCost& cost : study.costs) {
@@ -109,7 +104,7 @@ Json toJson(const GridStudy& study) {
     Json answers = Json::array();
     for (const GridAnswer& answer : study.answers) {
         answers.push_back({{"scene", name(answer.scene)},
-                           {"step_m", optionalNumber(answer.stepM)},
+                           {"step_m", orNull(answer.stepM)},
                            {"is_largest_studied", answer.isLargest},
                            {"cost", answer.cost ? costJson(*answer.cost) : Json()}});
     }

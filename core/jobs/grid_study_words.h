@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "measure_words.h"
+#include "report_parts.h"
 
 #include "spherewalk/jobs/grid_study.h"
 
@@ -11,9 +11,9 @@ namespace spherewalk::jobs {
 std::string gridStudyReason(const GridStudy& study);
 
 /// A line a step and scene model.
-WordTable gridTable(const GridStudy& study);
+sheet::Table gridTable(const GridStudy& study);
 
 /// A line a scene model: the step that holds, its photos and minutes.
-WordTable gridAnswerTable(const GridStudy& study);
+sheet::Table gridAnswerTable(const GridStudy& study);
 
 } // namespace spherewalk::jobs

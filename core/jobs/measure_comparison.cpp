@@ -104,16 +104,18 @@ render::View viewOf(const Subject& subject, const render::Renderer& renderer, co
     return renderer.render(camera, subject.roomFromCamera, wanted);
 }
 
-Comparison compared(const KnownSubject& known, const render::Renderer& renderer, const CameraModel& camera,
+namespace {
+
+Comparison compared(const Subject& subject, const measure::PictureFeatures& features,
+                    const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with) {
-    const Subject& subject = known.subject;
     const render::View view = viewOf(subject, renderer, camera, with);
     Comparison result;
     result.photo = view.report.photo;
     result.psnrDb = std::min(kMostDb, photo::psnr(subject.picture, view.picture));
     result.ssim = photo::structuralSimilarity(subject.picture, view.picture);
     result.matched =
-        hundredths(measure::matchedDisplacements(known.features, measure::PictureFeatures(view.picture)));
+        hundredths(measure::matchedDisplacements(features, measure::PictureFeatures(view.picture)));
     if (!subject.depth.empty()) {
         const Eigen::Vector3d photoAt =
             renderer.dataset().info().photos[result.photo].roomFromPhoto.translation;
@@ -121,6 +123,30 @@ Comparison compared(const KnownSubject& known, const render::Renderer& renderer,
             measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth));
     }
     return result;
+}
+
+} // namespace
+
+bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampling sampling,
+                    const std::function<Subject()>& subject, const render::Renderer& renderer,
+                    const CameraModel& camera, const std::stop_token& stop, Comparisons& known) {
+    std::vector<SceneAndSampling> missing;
+    for (const render::SceneKind scene : scenes) {
+        if (!known.views.contains({scene, sampling})) {
+            missing.emplace_back(scene, sampling);
+        }
+    }
+    throwIfStopped(stop);
+    if (missing.empty()) {
+        return false;
+    }
+    const Subject truth = subject();
+    const measure::PictureFeatures features(truth.picture);
+    for (const SceneAndSampling& rung : missing) {
+        throwIfStopped(stop);
+        known.views[rung] = compared(truth, features, renderer, camera, rung);
+    }
+    return true;
 }
 
 SamplingErrors samplingErrors(const Subjects::Place& place, const render::Renderer& renderer,

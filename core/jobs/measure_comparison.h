@@ -6,7 +6,9 @@
 #include "spherewalk/measure/displacement.h"
 
 #include <array>
+#include <functional>
 #include <map>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -38,18 +40,16 @@ struct Comparisons {
     SamplingErrors samplings; ///< all or none
 };
 
-/// A subject and its features, found once.
-struct KnownSubject {
-    Subject subject;
-    measure::PictureFeatures features;
-};
-
 /// The view that stands for the subject.
 render::View viewOf(const Subject& subject, const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with);
 
-Comparison compared(const KnownSubject& known, const render::Renderer& renderer, const CameraModel& camera,
-                    const SceneAndSampling& with);
+/// Compares the views of those scene models that are not known yet. subject: is called if there are some.
+/// Returns whether there were. Errors: those of rendering; Stopped, between two
+/// views.
+bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampling sampling,
+                    const std::function<Subject()>& subject, const render::Renderer& renderer,
+                    const CameraModel& camera, const std::stop_token& stop, Comparisons& known);
 
 /// Of all samplings, in the view that the nearest photo alone gives from there.
 SamplingErrors samplingErrors(const Subjects::Place& place, const render::Renderer& renderer,

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
+#include "description_change.h"
 #include "measure_comparison.h"
 #include "measure_prediction.h"
 #include "measure_summary.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/median.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/positions_csv.h"
 
 #include <algorithm>
 #include <array>
@@ -115,27 +114,14 @@ class Measurement {
     bool compareOne(std::size_t i, const std::stop_token& stop) {
         const std::string key = m_subjects.key(i);
         Comparisons known = m_cache.read(key);
-        std::vector<SceneAndSampling> missing;
-        for (const SceneKind scene : m_scenes) {
-            if (!known.views.contains({scene, m_options.sampling})) {
-                missing.emplace_back(scene, m_options.sampling);
-            }
-        }
         const bool lacksSamplings = comparesSamplings(i) && known.samplings.empty();
-        throwIfStopped(stop);
-        if (!missing.empty()) {
-            Subject subject = m_subjects.get(i);
-            measure::PictureFeatures features(subject.picture);
-            const KnownSubject with{std::move(subject), std::move(features)};
-            for (const SceneAndSampling& rung : missing) {
-                throwIfStopped(stop);
-                known.views[rung] = compared(with, m_renderer, m_camera, rung);
-            }
-        }
+        const bool lackedScenes = compareMissing(
+            m_scenes, m_options.sampling, [&] { return m_subjects.get(i); }, m_renderer, m_camera, stop,
+            known);
         if (lacksSamplings) {
             known.samplings = samplingErrors(m_subjects.place(i), m_renderer, m_camera);
         }
-        const bool isReused = missing.empty() && !lacksSamplings;
+        const bool isReused = !lackedScenes && !lacksSamplings;
         if (!isReused) {
             m_cache.write(key, known);
         }
@@ -267,23 +253,6 @@ MeasureReport measured(const render::Renderer& renderer, const CameraModel& came
 
 } // namespace
 
-std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
-    std::vector<RobotPicture> pictures;
-    for (const PhotoPosition& line : readPositions(csv)) {
-        if (!line.roomFromPhoto) {
-            throw Error(ErrorKind::InvalidInput,
-                        text("Could not use the robot's pictures ", csv.string(), ": line ", line.line,
-                             " states no rotation; give qw,qx,qy,qz of the optical frame."));
-        }
-        RobotPicture picture;
-        picture.file = csv.parent_path() / line.file;
-        picture.depthFile = line.depthFile.empty() ? "" : csv.parent_path() / line.depthFile;
-        picture.roomFromCamera = {*line.roomFromPhoto, line.positionM};
-        pictures.push_back(std::move(picture));
-    }
-    return pictures;
-}
-
 void MeasureOptions::validate() const {
     if (mostViews < 1 || directions < 1 || samplingViews < 0 || !(tolerancePx > 0) ||
         sampling == Sampling::Auto) {
@@ -320,16 +289,15 @@ void storeChoice(const std::filesystem::path& dataset, const MeasureReport& repo
         throw Error(ErrorKind::InvalidInput,
                     text("There is no choice to store in ", dataset.string(), ": ", report.choice.reason));
     }
-    const std::filesystem::path file = dataset / render::kDatasetFile;
-    Json description = parseJson(readTextFile(file), file.string());
     std::map<SceneKind, double> errors;
     for (const SceneLikeness& scene : report.scenes) {
         if (scene.errorPx()) {
             errors[scene.scene] = *scene.errorPx();
         }
     }
-    render::putMeasured(description, *choice, errors, report.choice.photoScenes);
-    writeFile(file, bytesOf(description.dump(1) + "\n"));
+    changeDescription(dataset, [&](Json& description) {
+        render::putMeasured(description, *choice, errors, report.choice.photoScenes);
+    });
 }
 
 } // namespace spherewalk::jobs

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_parts.h"
+
 #include "spherewalk/jobs/measure_report.h"
 
 namespace spherewalk::jobs {
 
 namespace {
-
-Json optionalNumber(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
 
 Json listOf(const Eigen::Vector3d& v) {
     return Json::array({v.x(), v.y(), v.z()});
@@ -22,11 +20,11 @@ Json viewJson(const ViewLikeness& view) {
             {"offset_m", view.offset.norm()},
             {"psnr_db", view.psnrDb},
             {"ssim", view.ssim},
-            {"median_px", optionalNumber(view.medianPx)},
-            {"p95_px", optionalNumber(view.p95Px)},
+            {"median_px", orNull(view.medianPx)},
+            {"p95_px", orNull(view.p95Px)},
             {"matches", view.matches},
-            {"exact_median_px", optionalNumber(view.exactMedianPx)},
-            {"exact_p95_px", optionalNumber(view.exactP95Px)}};
+            {"exact_median_px", orNull(view.exactMedianPx)},
+            {"exact_p95_px", orNull(view.exactP95Px)}};
 }
 
 Json sceneJson(const SceneLikeness& scene) {
@@ -36,18 +34,17 @@ Json sceneJson(const SceneLikeness& scene) {
     }
     Json photos = Json::array();
     for (const PhotoError& photo : scene.photos) {
-        photos.push_back(
-            {{"photo", photo.photo}, {"p95_px", optionalNumber(photo.p95Px)}, {"places", photo.places}});
+        photos.push_back({{"photo", photo.photo}, {"p95_px", orNull(photo.p95Px)}, {"places", photo.places}});
     }
     return {{"scene", name(scene.scene)},
             {"sampling", name(scene.sampling)},
             {"mean_psnr_db", scene.meanPsnrDb},
             {"worst_psnr_db", scene.worstPsnrDb},
             {"mean_ssim", scene.meanSsim},
-            {"median_px", optionalNumber(scene.medianPx)},
-            {"p95_px", optionalNumber(scene.p95Px)},
-            {"exact_median_px", optionalNumber(scene.exactMedianPx)},
-            {"exact_p95_px", optionalNumber(scene.exactP95Px)},
+            {"median_px", orNull(scene.medianPx)},
+            {"p95_px", orNull(scene.p95Px)},
+            {"exact_median_px", orNull(scene.exactMedianPx)},
+            {"exact_p95_px", orNull(scene.exactP95Px)},
             {"photos", photos},
             {"views", views}};
 }
@@ -55,7 +52,7 @@ Json sceneJson(const SceneLikeness& scene) {
 Json rungJson(const Rung& rung) {
     return {{"scene", name(rung.scene)},
             {"sampling", name(rung.sampling)},
-            {"p95_px", optionalNumber(rung.errorPx)},
+            {"p95_px", orNull(rung.errorPx)},
             {"render_ms", rung.renderMs},
             {"bytes", rung.bytes}};
 }
@@ -95,14 +92,14 @@ Json toJson(const MeasureReport& report) {
         predictions.push_back({{"scene", name(prediction.scene)},
                                {"foretold_px", prediction.foretoldPx},
                                {"found_px", prediction.foundPx},
-                               {"rank_correlation", optionalNumber(prediction.rankCorrelation)}});
+                               {"rank_correlation", orNull(prediction.rankCorrelation)}});
     }
     return {{"dataset", report.dataset},
             {"leave_one_out", report.isLeaveOneOut},
             {"photos", report.photos},
             {"directions", report.directions},
             {"reused_views", report.reusedViews},
-            {"sphere_radius_m", optionalNumber(report.sphereRadiusM)},
+            {"sphere_radius_m", orNull(report.sphereRadiusM)},
             {"camera_focal_px", report.focalPx},
             {"scenes", scenes},
             {"sampling_views", report.samplingViews},

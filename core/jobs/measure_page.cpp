@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_page.h"
 
-#include "document_html.h"
 #include "grid_study_words.h"
 #include "measure_plots.h"
 #include "measure_words.h"
+#include "report_folder.h"
 
-#include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/sheet/document.h"
 #include "spherewalk/survey/plan_report.h"
@@ -22,10 +20,6 @@ using sheet::Heading;
 using sheet::Paragraph;
 
 namespace {
-
-sheet::Table table(const WordTable& words, std::size_t leftColumns) {
-    return {words.titles, words.rows, leftColumns};
-}
 
 /// How much of the floor is near a photo, in a sentence; "" if the room is not known.
 std::string coverageWords(const render::DatasetInfo& info) {
@@ -70,7 +64,7 @@ void addWorst(const MeasureReport& report, Document& document) {
     for (const ShownView& shown : report.worst) {
         document.blocks.emplace_back(
             sheet::PictureRow{{shown.truth, shown.view, shown.difference},
-                              {shown.subject, text("95 %: ", optionalPx(shown.errorPx), " px"),
+                              {shown.subject, text("95 %: ", orDash(shown.errorPx), " px"),
                                text("PSNR ", fixed(shown.psnrDb, 1), " dB")}});
     }
 }
@@ -79,15 +73,15 @@ void addMeasured(const ReportContents& contents, Document& document) {
     const MeasureReport& report = *contents.measured;
     document.blocks.emplace_back(Heading{"What to render with"});
     document.blocks.emplace_back(Paragraph{report.choice.reason});
-    document.blocks.emplace_back(table(choiceTable(report), 3));
+    document.blocks.emplace_back(choiceTable(report));
     document.blocks.emplace_back(sheet::Drawing{tradePlot(report)});
     document.blocks.emplace_back(Heading{"How right views are"});
     document.blocks.emplace_back(Paragraph{text("Compared: ", subjectWords(report), ".")});
-    document.blocks.emplace_back(table(sceneTable(report), 1));
+    document.blocks.emplace_back(sceneTable(report));
     if (report.leaveOneOut) {
         document.blocks.emplace_back(Heading{"What leaving photos out foretold"});
         document.blocks.emplace_back(Paragraph{text("Compared: ", subjectWords(*report.leaveOneOut), ".")});
-        document.blocks.emplace_back(table(sceneTable(*report.leaveOneOut), 1));
+        document.blocks.emplace_back(sceneTable(*report.leaveOneOut));
         document.blocks.emplace_back(sheet::Drawing{predictionPlot(report)});
     }
     addMaps(*contents.dataset, report.leaveOneOut ? *report.leaveOneOut : report, document);
@@ -95,15 +89,15 @@ void addMeasured(const ReportContents& contents, Document& document) {
     document.blocks.emplace_back(Heading{"Every scene model with every sampling"});
     document.blocks.emplace_back(
         Paragraph{text("Samplings were compared on ", report.samplingViews, " of the views.")});
-    document.blocks.emplace_back(table(rungTable(report), 2));
+    document.blocks.emplace_back(rungTable(report));
 }
 
 void addGrid(const GridStudy& study, Document& document) {
     document.blocks.emplace_back(Heading{"How dense the grid must be"});
     document.blocks.emplace_back(Paragraph{study.reason});
     document.blocks.emplace_back(sheet::Drawing{gridPlot(study)});
-    document.blocks.emplace_back(table(gridAnswerTable(study), 1));
-    document.blocks.emplace_back(table(gridTable(study), 2));
+    document.blocks.emplace_back(gridAnswerTable(study));
+    document.blocks.emplace_back(gridTable(study));
 }
 
 Document documentOf(const ReportContents& contents) {
@@ -137,19 +131,10 @@ Json datasetJson(const render::DatasetInfo& info) {
 } // namespace
 
 void writeReport(const ReportContents& contents, const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
-    }
-    const Document document = documentOf(contents);
-    writeHtml(document, folder, "report");
-    writeFile(folder / "report.pdf", sheet::pdf(document));
-    const Json json = {{"dataset", datasetJson(*contents.dataset)},
-                       {"measured", contents.measured != nullptr ? toJson(*contents.measured) : Json()},
-                       {"grid_study", contents.grid != nullptr ? toJson(*contents.grid) : Json()}};
-    writeFile(folder / "report.json", bytesOf(json.dump(1) + "\n"));
+    const Json figures = {{"dataset", datasetJson(*contents.dataset)},
+                          {"measured", contents.measured != nullptr ? toJson(*contents.measured) : Json()},
+                          {"grid_study", contents.grid != nullptr ? toJson(*contents.grid) : Json()}};
+    writeReportFolder(documentOf(contents), figures, folder);
 }
 
 } // namespace spherewalk::jobs

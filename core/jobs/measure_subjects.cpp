@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_subjects.h"
 
+#include "pose_key.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
@@ -16,21 +18,10 @@ namespace spherewalk::jobs {
 
 namespace {
 
-std::string poseText(const Rigid3& pose) {
-    const Eigen::Quaterniond& q = pose.rotation;
-    const Eigen::Vector3d& t = pose.translation;
-    return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
-}
-
 Subject robotSubject(const RobotPicture& picture, const CameraModel& camera) {
-    Subject subject{picture.roomFromCamera, photo::readPicture(picture.file), {}, {}};
+    Subject subject{picture.roomFromCamera, readRobotPicture(picture, camera), {}, {}};
     if (!picture.depthFile.empty()) {
         subject.depth = photo::readDepthPng(picture.depthFile);
-    }
-    if (subject.picture.width() != camera.width() || subject.picture.height() != camera.height()) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The picture ", picture.file.string(), " has not the camera's ", camera.width(),
-                         " x ", camera.height(), " pixels."));
     }
     return subject;
 }
@@ -53,22 +44,19 @@ DepthImage depthFromPhoto(const render::Renderer& renderer, std::size_t photo, c
     return renderer.render(camera, roomFromCamera, view).depth;
 }
 
-/// Photo and direction.
-using LeftOut = std::pair<std::size_t, std::size_t>;
+} // namespace
 
-std::vector<LeftOut> leftOutViews(std::size_t photos, const MeasureOptions& options) {
-    const auto directions = static_cast<std::size_t>(options.directions);
-    const std::size_t count = std::min(photos * directions, static_cast<std::size_t>(options.mostViews));
+std::vector<SpreadView> spreadViews(std::size_t photos, int directions, std::size_t most) {
+    const auto turns = static_cast<std::size_t>(directions);
+    const std::size_t count = std::min(photos * turns, most);
     const std::size_t spread = std::min(photos, count);
-    std::set<LeftOut> views;
+    std::set<SpreadView> views;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t i = k % spread;
-        views.emplace(i * photos / spread, (i + k / spread) % directions);
+        views.insert({i * photos / spread, (i + k / spread) % turns});
     }
     return {views.begin(), views.end()};
 }
-
-} // namespace
 
 Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera) {
     return {options.pictures.size(),
@@ -80,7 +68,7 @@ Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera)
             [&](std::size_t i) {
                 const RobotPicture& picture = options.pictures[i];
                 return text(fileKey(picture.file), " ", fileKey(picture.depthFile), " ",
-                            poseText(picture.roomFromCamera));
+                            keyOf(picture.roomFromCamera));
             }};
 }
 
@@ -109,11 +97,12 @@ Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& 
     if (photos.size() < 2) {
         return {};
     }
-    const std::vector<LeftOut> views = leftOutViews(photos.size(), options);
+    const std::vector<SpreadView> views =
+        spreadViews(photos.size(), options.directions, static_cast<std::size_t>(options.mostViews));
     const double step = 2 * std::numbers::pi / options.directions;
     const auto place = [=, &photos](std::size_t i) {
-        const std::size_t photo = views[i].first;
-        const Radians turn(step * static_cast<double>(views[i].second));
+        const std::size_t photo = views[i].photo;
+        const Radians turn(step * static_cast<double>(views[i].direction));
         return Subjects::Place{text(photos[photo].file, " ", std::lround(Degrees(turn).value()), " deg"),
                                levelPose(photos[photo], turn), photo};
     };
@@ -123,7 +112,7 @@ Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& 
                        depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without};
     };
     const auto key = [=](std::size_t i) {
-        return text("left out ", views[i].first, " ", step * static_cast<double>(views[i].second));
+        return text("left out ", views[i].photo, " ", step * static_cast<double>(views[i].direction));
     };
     return {views.size(), place, get, key};
 }

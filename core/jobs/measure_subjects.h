@@ -3,8 +3,10 @@
 
 #include "spherewalk/jobs/measure_dataset.h"
 
+#include <compare>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace spherewalk::jobs {
 
@@ -31,11 +33,22 @@ struct Subjects {
     std::function<std::string(std::size_t)> key; ///< all that a subject depends on but dataset and camera
 };
 
+/// A view of a photo that is left out.
+struct SpreadView {
+    std::size_t photo = 0;
+    std::size_t direction = 0;
+
+    auto operator<=>(const SpreadView&) const = default;
+};
+
+/// So many views at most, spread over photos and directions: each photo once before any twice, neighbours in
+/// different directions; in the order of the photos.
+std::vector<SpreadView> spreadViews(std::size_t photos, int directions, std::size_t most);
+
 Subjects robotSubjects(const MeasureOptions& options, const CameraModel& camera);
 
-/// Photos as a level camera at their place would see them, with the depths that were estimated for them, if
-/// they were. Each photo once before any twice, neighbours in
-/// different directions; in the order of the photos. Owner: renderer and camera must outlive them.
+/// Photos, as spreadViews() says, as a level camera at their place would see them, with the depths that were
+/// estimated for them, if they were. Owner: renderer and camera must outlive them.
 Subjects leftOutSubjects(const MeasureOptions& options, const render::Renderer& renderer,
                          const CameraModel& camera);
 

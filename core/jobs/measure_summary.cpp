@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_summary.h"
 
+#include "report_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -101,18 +103,7 @@ std::optional<double> SamplingSummary::errorWith(render::Sampling sampling, rend
 }
 
 ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view) {
-    constexpr int kGrey = 128;
-    ShownView shown{likeness.subject,
-                    likeness.errorPx(),
-                    likeness.psnrDb,
-                    truth,
-                    view,
-                    RgbImage(truth.width(), truth.height())};
-    for (std::size_t i = 0; i < truth.values().size(); ++i) {
-        const int difference = view.values()[i] - truth.values()[i];
-        shown.difference.values()[i] = static_cast<std::uint8_t>(std::clamp(kGrey + difference, 0, 255));
-    }
-    return shown;
+    return {likeness.subject, likeness.errorPx(), likeness.psnrDb, truth, view, difference(view, truth, 1)};
 }
 
 } // namespace spherewalk::jobs

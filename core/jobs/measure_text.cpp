@@ -9,14 +9,14 @@ namespace {
 
 std::string choicesText(const MeasureReport& report) {
     std::string result = "What to render with, by tolerance:\n";
-    result += tableText(choiceTable(report), 3);
+    result += tableText(choiceTable(report));
     return result;
 }
 
 } // namespace
 
 std::string measureText(const MeasureReport& report) {
-    std::string result = text(subjectWords(report), ":\n", tableText(sceneTable(report), 1), "\n",
+    std::string result = text(subjectWords(report), ":\n", tableText(sceneTable(report)), "\n",
                               choicesText(report), "\n", report.choice.reason);
     if (!report.predictions.empty()) {
         result += "\n";

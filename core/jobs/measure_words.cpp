@@ -2,7 +2,6 @@
 #include "measure_words.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/measure/text_table.h"
 
 #include <algorithm>
 #include <set>
@@ -32,23 +31,10 @@ std::vector<std::string> heldCells(const MeasureReport& pictures, const Rung& ch
     if (same == pictures.rungs.end() || !same->errorPx) {
         return {"-", "-"};
     }
-    return {optionalPx(same->errorPx), *same->errorPx <= tolerancePx ? "yes" : "no"};
+    return {orDash(same->errorPx), *same->errorPx <= tolerancePx ? "yes" : "no"};
 }
 
 } // namespace
-
-std::string tableText(const WordTable& words, std::size_t leftColumns) {
-    measure::TextTable table(leftColumns);
-    table.add(words.titles);
-    for (const std::vector<std::string>& row : words.rows) {
-        table.add(row);
-    }
-    return table.text();
-}
-
-std::string optionalPx(const std::optional<double>& value) {
-    return value ? fixed(*value, 2) : "-";
-}
 
 std::string subjectWords(const MeasureReport& report) {
     const std::string what =
@@ -60,8 +46,8 @@ std::string subjectWords(const MeasureReport& report) {
                 report.reusedViews > 0 ? text("; ", report.reusedViews, " known from before") : "");
 }
 
-WordTable sceneTable(const MeasureReport& report) {
-    WordTable table{
+sheet::Table sceneTable(const MeasureReport& report) {
+    sheet::Table table{
         {"scene model", "PSNR dB", "worst", "SSIM", "median px", "95 % px", "exact px", "exact 95 %", "ms"},
         {}};
     for (const SceneLikeness& scene : report.scenes) {
@@ -70,26 +56,26 @@ WordTable sceneTable(const MeasureReport& report) {
             ms = rung.scene == scene.scene && rung.sampling == scene.sampling ? rung.renderMs : ms;
         }
         table.rows.push_back({std::string(name(scene.scene)), fixed(scene.meanPsnrDb, 2),
-                              fixed(scene.worstPsnrDb, 2), fixed(scene.meanSsim, 3),
-                              optionalPx(scene.medianPx), optionalPx(scene.p95Px),
-                              optionalPx(scene.exactMedianPx), optionalPx(scene.exactP95Px), fixed(ms, 1)});
+                              fixed(scene.worstPsnrDb, 2), fixed(scene.meanSsim, 3), orDash(scene.medianPx),
+                              orDash(scene.p95Px), orDash(scene.exactMedianPx), orDash(scene.exactP95Px),
+                              fixed(ms, 1)});
     }
     return table;
 }
 
-WordTable rungTable(const MeasureReport& report) {
-    WordTable table{{"scene model", "sampling", "ms", "95 % px"}, {}};
+sheet::Table rungTable(const MeasureReport& report) {
+    sheet::Table table{{"scene model", "sampling", "ms", "95 % px"}, {}, 2};
     for (const Rung& rung : report.rungs) {
         table.rows.push_back({std::string(name(rung.scene)), std::string(name(rung.sampling)),
-                              fixed(rung.renderMs, 2), optionalPx(rung.errorPx)});
+                              fixed(rung.renderMs, 2), orDash(rung.errorPx)});
     }
     return table;
 }
 
-WordTable choiceTable(const MeasureReport& report) {
+sheet::Table choiceTable(const MeasureReport& report) {
     const bool hasPictures = report.leaveOneOut != nullptr;
     const MeasureReport& choosing = hasPictures ? *report.leaveOneOut : report;
-    WordTable table{{"tolerance px", "scene model", "sampling", "ms", "95 % px"}, {}};
+    sheet::Table table{{"tolerance px", "scene model", "sampling", "ms", "95 % px"}, {}, 3};
     if (hasPictures) {
         table.titles.insert(table.titles.end(), {"on pictures", "holds"});
     }
@@ -98,7 +84,7 @@ WordTable choiceTable(const MeasureReport& report) {
         if (choice.rung && choice.isWithin) {
             const Rung& rung = choosing.rungs[*choice.rung];
             row.insert(row.end(), {std::string(name(rung.scene)), std::string(name(rung.sampling)),
-                                   fixed(rung.renderMs, 1), optionalPx(rung.errorPx)});
+                                   fixed(rung.renderMs, 1), orDash(rung.errorPx)});
             if (hasPictures) {
                 const std::vector<std::string> held = heldCells(report, rung, choice.tolerancePx);
                 row.insert(row.end(), held.begin(), held.end());

@@ -204,7 +204,7 @@ HWY_INLINE V arcTangent(F d, V t) {
     return mulAdd(hn::Mul(t, s), sum, t);
 }
 
-/// atan2, as fastAngle().
+/// atan2.
 HWY_INLINE V angle(F d, V y, V x) {
     const V across = hn::Abs(x);
     const V up = hn::Abs(y);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_cost.h"
 
+#include "fast_angle.h"
+
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/geometry/fast_angle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -213,10 +213,6 @@
         <translation>Wyznacz, jak obrócone jest każde zdjęcie</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Zatrzymaj</translation>
-    </message>
-    <message>
         <source>Stop; what was found in the pictures is kept for the next run</source>
         <translation>Zatrzymaj; to, co znaleziono na zdjęciach, zostaje na następny raz</translation>
     </message>
@@ -440,6 +436,29 @@
     <message>
         <source>Spherewalk met a defect of its own: %1.</source>
         <translation>Spherewalk natrafił na własny błąd: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CameraBox</name>
+    <message>
+        <source>From a ROS file...</source>
+        <translation>Z pliku ROS...</translation>
+    </message>
+    <message>
+        <source>Camera model</source>
+        <translation>Model kamery</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s camera; a ROS camera-info YAML has your own one&apos;s calibration</source>
+        <translation>Kamera robota; w pliku YAML camera-info z ROS jest kalibracja Twojej własnej</translation>
+    </message>
+    <message>
+        <source>ROS camera-info file</source>
+        <translation>Plik camera-info z ROS</translation>
+    </message>
+    <message>
+        <source>Camera info (*.yaml *.yml)</source>
+        <translation>Camera info (*.yaml *.yml)</translation>
     </message>
 </context>
 <context>
@@ -766,10 +785,6 @@
         <source>Legend of the plan</source>
         <translation>Legenda planu</translation>
     </message>
-    <message>
-        <source>0°</source>
-        <translation>0°</translation>
-    </message>
 </context>
 <context>
     <name>spherewalk::ui::CoverageView</name>
@@ -799,10 +814,6 @@
     <message>
         <source>%1, %2 cm away, trust %3, %4 ms</source>
         <translation>%1, w odległości %2 cm, zaufanie %3, %4 ms</translation>
-    </message>
-    <message>
-        <source>scene %1, sampling %2</source>
-        <translation>scena %1, próbkowanie %2</translation>
     </message>
     <message>
         <source>, coarse until it is decoded</source>
@@ -888,20 +899,12 @@
         <translation>&amp;Eksportuj</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Zatrzymaj</translation>
-    </message>
-    <message>
         <source>Open the fol&amp;der</source>
         <translation>Otwórz fol&amp;der</translation>
     </message>
     <message>
         <source>Folder of the dataset</source>
         <translation>Folder zbioru danych</translation>
-    </message>
-    <message>
-        <source>No program could open the folder %1.</source>
-        <translation>Żaden program nie mógł otworzyć folderu %1.</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n photo(s), %2, in %3.</source>
@@ -959,6 +962,10 @@
         <source>No program could open %1.</source>
         <translation>Żaden program nie mógł otworzyć %1.</translation>
     </message>
+    <message>
+        <source>Stop; nothing of the dataset is left then</source>
+        <translation>Zatrzymaj; nic wtedy nie zostaje ze zbioru danych</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ExportPresenter</name>
@@ -980,6 +987,147 @@
             <numerusform>Wyeksportowano %n zdjęcie do %1: %2.</numerusform>
             <numerusform>Wyeksportowano %n zdjęcia do %1: %2.</numerusform>
             <numerusform>Wyeksportowano %n zdjęć do %1: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyModel</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%L1 px</source>
+        <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>95 of 100 places are displaced by no more: within the tolerance.</source>
+        <translation>95 ze 100 miejsc nie jest przesuniętych bardziej: w granicach tolerancji.</translation>
+    </message>
+    <message>
+        <source>95 of 100 places are displaced by no more: beyond the tolerance.</source>
+        <translation>95 ze 100 miejsc nie jest przesuniętych bardziej: poza tolerancją.</translation>
+    </message>
+    <message>
+        <source>The pictures had too little in common to say.</source>
+        <translation>Obrazy miały zbyt mało wspólnego, by to określić.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Zdjęcia</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 z modelem: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2</source>
+        <translation>
+            <numerusform>%1: %n zdjęcie, %2</numerusform>
+            <numerusform>%1: %n zdjęcia, %2</numerusform>
+            <numerusform>%1: %n zdjęć, %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyPanel</name>
+    <message>
+        <source>How dense?</source>
+        <translation>Jak gęsto?</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s ca&amp;mera</source>
+        <translation>Ka&amp;mera robota</translation>
+    </message>
+    <message>
+        <source>T&amp;olerance</source>
+        <translation>T&amp;olerancja</translation>
+    </message>
+    <message>
+        <source>With &amp;depth (takes minutes)</source>
+        <translation>Z &amp;głębią (trwa minuty)</translation>
+    </message>
+    <message>
+        <source>Also estimate how far away every pixel is, which lets grids be much coarser</source>
+        <translation>Szacuj też odległość każdego piksela, dzięki czemu siatka może być dużo rzadsza</translation>
+    </message>
+    <message>
+        <source>Study the &amp;grid</source>
+        <translation>Zbadaj &amp;siatkę</translation>
+    </message>
+    <message>
+        <source>Leave photos out, render what they would show from the rest, and compare</source>
+        <translation>Pomiń zdjęcia, odtwórz z pozostałych to, co by pokazały, i porównaj</translation>
+    </message>
+    <message>
+        <source>Steps that were studied</source>
+        <translation>Zbadane kroki</translation>
+    </message>
+    <message>
+        <source>Step to plan with</source>
+        <translation>Krok do planowania</translation>
+    </message>
+    <message>
+        <source>The coarsest step that holds the tolerance, for each scene model</source>
+        <translation>Największy krok mieszczący się w tolerancji, dla każdego modelu sceny</translation>
+    </message>
+    <message>
+        <source>&amp;Use this step</source>
+        <translation>&amp;Użyj tego kroku</translation>
+    </message>
+    <message>
+        <source>Plan with this step; where the plan is fixed, a new survey of the same room begins with it</source>
+        <translation>Planuj z tym krokiem; gdy plan jest ustalony, zacznie się nim nowy pomiar tego samego pomieszczenia</translation>
+    </message>
+    <message>
+        <source>Stop; what was found is kept for the next run</source>
+        <translation>Zatrzymaj; co znaleziono, zostaje na następny raz</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyPresenter</name>
+    <message>
+        <source>Open a survey with a small block of photos, 5 x 5 at the finest step that you would use.</source>
+        <translation>Otwórz pomiar z małym blokiem zdjęć, 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This survey has %n photo(s). Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</source>
+        <translation>
+            <numerusform>Ten pomiar ma %n zdjęcie. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
+            <numerusform>Ten pomiar ma %n zdjęcia. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
+            <numerusform>Ten pomiar ma %n zdjęć. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Studying the grid of %1</source>
+        <translation>Badanie siatki: %1</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found is kept: the next study goes on from there.</source>
+        <translation>Zatrzymano. To, co znaleziono, zostaje: następne badanie ruszy od tego miejsca.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+Found in %2: %n photo(s), %L3 cm apart.</source>
+        <translation>
+            <numerusform>%1
+Znaleziono w %2: %n zdjęcie co %L3 cm.</numerusform>
+            <numerusform>%1
+Znaleziono w %2: %n zdjęcia co %L3 cm.</numerusform>
+            <numerusform>%1
+Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         </translation>
     </message>
 </context>
@@ -1124,6 +1272,62 @@
     <message>
         <source>Spherewalk %1, free software under the GNU General Public License, version 3 or later.</source>
         <translation>Spherewalk %1, wolne oprogramowanie na licencji GNU GPL w wersji 3 lub późniejszej.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::MeasurePanel</name>
+    <message>
+        <source>How right its views are</source>
+        <translation>Jak wierne są widoki</translation>
+    </message>
+    <message>
+        <source>Open &amp;report</source>
+        <translation>Otwórz &amp;raport</translation>
+    </message>
+    <message>
+        <source>The page with error maps and trade-offs; the same as PDF lies beside it</source>
+        <translation>Strona z mapami błędów i kosztami; obok leży to samo jako PDF</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancja</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>Z&amp;mierz</translation>
+    </message>
+    <message>
+        <source>Leave photos out, render what they would show from the rest, and compare</source>
+        <translation>Pomiń zdjęcia, odtwórz z pozostałych to, co by pokazały, i porównaj</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s camera</source>
+        <translation>Kamera robota</translation>
+    </message>
+    <message>
+        <source>Export a dataset first, or name the folder of one that is there.</source>
+        <translation>Najpierw wyeksportuj zbiór danych albo podaj folder istniejącego.</translation>
+    </message>
+    <message>
+        <source>Stop; what was found is kept for the next run</source>
+        <translation>Zatrzymaj; co znaleziono, zostaje na następny raz</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::MeasurePresenter</name>
+    <message>
+        <source>Measuring %1</source>
+        <translation>Mierzenie: %1</translation>
+    </message>
+    <message>
+        <source>%1
+Stored: views whose choice is left to the dataset are made so.</source>
+        <translation>%1
+Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found is kept: measuring again goes on from there.</source>
+        <translation>Zatrzymano. To, co znaleziono, zostaje: ponowne mierzenie ruszy od tego miejsca.</translation>
     </message>
 </context>
 <context>
@@ -1748,10 +1952,6 @@
         <translation>Z czego oblicza się miejsca między zdjęciami, od taniego do dokładnego</translation>
     </message>
     <message>
-        <source>Best there is</source>
-        <translation>Najlepszy, jaki jest</translation>
-    </message>
-    <message>
         <source>None: nearest photo, turned</source>
         <translation>Brak: najbliższe zdjęcie, obrócone</translation>
     </message>
@@ -1788,24 +1988,8 @@
         <translation>Dwusześcienne</translation>
     </message>
     <message>
-        <source>As needed</source>
-        <translation>Wedle potrzeby</translation>
-    </message>
-    <message>
         <source>Camera and view</source>
         <translation>Kamera i widok</translation>
-    </message>
-    <message>
-        <source>From a ROS file...</source>
-        <translation>Z pliku ROS...</translation>
-    </message>
-    <message>
-        <source>Camera model</source>
-        <translation>Model kamery</translation>
-    </message>
-    <message>
-        <source>The robot&apos;s camera; a ROS camera-info YAML has your own one&apos;s calibration</source>
-        <translation>Kamera robota; w pliku YAML camera-info z ROS jest kalibracja Twojej własnej</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -1858,14 +2042,6 @@
     <message>
         <source>Open a dataset</source>
         <translation>Otwórz zbiór danych</translation>
-    </message>
-    <message>
-        <source>ROS camera-info file</source>
-        <translation>Plik camera-info z ROS</translation>
-    </message>
-    <message>
-        <source>Camera info (*.yaml *.yml)</source>
-        <translation>Camera info (*.yaml *.yml)</translation>
     </message>
     <message>
         <source>Folder for the frames</source>
@@ -2240,6 +2416,17 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::ReviewModel</name>
+    <message>
+        <source>%L1 px</source>
+        <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>95 of 100 places of views in its place are displaced by %1 or less.</source>
+        <translation>95 ze 100 miejsc widoków z tego punktu jest przesuniętych najwyżej o %1.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::ReviewPresenter</name>
     <message>
         <source>%1 accepted, %2 rejected, %3 to be reviewed, %4 missing</source>
@@ -2256,6 +2443,69 @@
     <message>
         <source>Displacement of 95 of 100 places, where the photo was left out of %1; scene model %2, tolerance %L3 px.</source>
         <translation>Przesunięcie 95 ze 100 miejsc, gdy zdjęcie pominięto w %1; model sceny: %2, tolerancja %L3 px.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RungWords</name>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>kula</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>pomieszczenie</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>głębia</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>najbliższy piksel</translation>
+    </message>
+    <message>
+        <source>bilinear</source>
+        <translation>dwuliniowe</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>zmniejszone</translation>
+    </message>
+    <message>
+        <source>footprint</source>
+        <translation>po polu piksela</translation>
+    </message>
+    <message>
+        <source>bicubic</source>
+        <translation>dwusześcienne</translation>
+    </message>
+    <message>
+        <source>as needed</source>
+        <translation>wedle potrzeby</translation>
+    </message>
+    <message>
+        <source>Best there is</source>
+        <translation>Najlepszy, jaki jest</translation>
+    </message>
+    <message>
+        <source>Best there is: %1</source>
+        <translation>Najlepszy, jaki jest: %1</translation>
+    </message>
+    <message>
+        <source>As measured: %1, cheaper where enough</source>
+        <translation>Jak zmierzono: %1, taniej, gdzie wystarczy</translation>
+    </message>
+    <message>
+        <source>As measured: %1</source>
+        <translation>Jak zmierzono: %1</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Wedle potrzeby</translation>
     </message>
 </context>
 <context>
@@ -2356,16 +2606,20 @@
         <source>%1, %2 left</source>
         <translation>%1, zostało %2</translation>
     </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zatrzymaj</translation>
+    </message>
+    <message>
+        <source>Stop %1</source>
+        <translation>Zatrzymaj: %1</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::TaskPanel</name>
     <message>
         <source>Stop; what is complete stays</source>
         <translation>Zatrzymaj; to, co gotowe, zostaje</translation>
-    </message>
-    <message>
-        <source>Stop %1</source>
-        <translation>Zatrzymaj: %1</translation>
     </message>
     <message>
         <source>done</source>
@@ -2381,191 +2635,7 @@
     </message>
 </context>
 <context>
-    <name>spherewalk::ui::CameraBox</name>
-    <message>
-        <source>From a ROS file...</source>
-        <translation>Z pliku ROS...</translation>
-    </message>
-    <message>
-        <source>Camera model</source>
-        <translation>Model kamery</translation>
-    </message>
-    <message>
-        <source>The robot&apos;s camera; a ROS camera-info YAML has your own one&apos;s calibration</source>
-        <translation>Kamera robota; w pliku YAML camera-info z ROS jest kalibracja Twojej własnej</translation>
-    </message>
-    <message>
-        <source>ROS camera-info file</source>
-        <translation>Plik camera-info z ROS</translation>
-    </message>
-    <message>
-        <source>Camera info (*.yaml *.yml)</source>
-        <translation>Camera info (*.yaml *.yml)</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::GridStudyModel</name>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
-    </message>
-    <message>
-        <source>%L1 px</source>
-        <translation>%L1 px</translation>
-    </message>
-    <message>
-        <source>✓ %1</source>
-        <translation>✓ %1</translation>
-    </message>
-    <message>
-        <source>95 of 100 places are displaced by no more: within the tolerance.</source>
-        <translation>95 ze 100 miejsc nie jest przesuniętych bardziej: w granicach tolerancji.</translation>
-    </message>
-    <message>
-        <source>95 of 100 places are displaced by no more: beyond the tolerance.</source>
-        <translation>95 ze 100 miejsc nie jest przesuniętych bardziej: poza tolerancją.</translation>
-    </message>
-    <message>
-        <source>The pictures had too little in common to say.</source>
-        <translation>Obrazy miały zbyt mało wspólnego, by to określić.</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Krok</translation>
-    </message>
-    <message>
-        <source>Photos</source>
-        <translation>Zdjęcia</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Czas</translation>
-    </message>
-    <message>
-        <source>%1 with %2</source>
-        <translation>%1 z modelem: %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n photo(s), %2</source>
-        <translation>
-            <numerusform>%1: %n zdjęcie, %2</numerusform>
-            <numerusform>%1: %n zdjęcia, %2</numerusform>
-            <numerusform>%1: %n zdjęć, %2</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::GridStudyPanel</name>
-    <message>
-        <source>How dense?</source>
-        <translation>Jak gęsto?</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s ca&amp;mera</source>
-        <translation>Ka&amp;mera robota</translation>
-    </message>
-    <message>
-        <source>T&amp;olerance</source>
-        <translation>T&amp;olerancja</translation>
-    </message>
-    <message>
-        <source>Pixels of the robot&apos;s camera that 95 of 100 places of a view may be displaced by.</source>
-        <translation>O ile pikseli kamery robota może być przesuniętych 95 ze 100 miejsc widoku.</translation>
-    </message>
-    <message>
-        <source>With &amp;depth (takes minutes)</source>
-        <translation>Z &amp;głębią (trwa minuty)</translation>
-    </message>
-    <message>
-        <source>Also estimate how far away every pixel is, which lets grids be much coarser</source>
-        <translation>Szacuj też odległość każdego piksela, dzięki czemu siatka może być dużo rzadsza</translation>
-    </message>
-    <message>
-        <source>Study the &amp;grid</source>
-        <translation>Zbadaj &amp;siatkę</translation>
-    </message>
-    <message>
-        <source>Leave photos out, render what they would show from the rest, and compare</source>
-        <translation>Pomiń zdjęcia, odtwórz z pozostałych to, co by pokazały, i porównaj</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Zatrzymaj</translation>
-    </message>
-    <message>
-        <source>Steps that were studied</source>
-        <translation>Zbadane kroki</translation>
-    </message>
-    <message>
-        <source>Step to plan with</source>
-        <translation>Krok do planowania</translation>
-    </message>
-    <message>
-        <source>The coarsest step that holds the tolerance, for each scene model</source>
-        <translation>Największy krok mieszczący się w tolerancji, dla każdego modelu sceny</translation>
-    </message>
-    <message>
-        <source>&amp;Use this step</source>
-        <translation>&amp;Użyj tego kroku</translation>
-    </message>
-    <message>
-        <source>Plan with this step; where the plan is fixed, a new survey of the same room begins with it</source>
-        <translation>Planuj z tym krokiem; gdy plan jest ustalony, zacznie się nim nowy pomiar tego samego pomieszczenia</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::GridStudyPresenter</name>
-    <message>
-        <source>Open a survey with a small block of photos, 5 x 5 at the finest step that you would use.</source>
-        <translation>Otwórz pomiar z małym blokiem zdjęć, 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę.</translation>
-    </message>
-    <message numerus="yes">
-        <source>This survey has %n photo(s). Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</source>
-        <translation>
-            <numerusform>Ten pomiar ma %n zdjęcie. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
-            <numerusform>Ten pomiar ma %n zdjęcia. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
-            <numerusform>Ten pomiar ma %n zdjęć. Zrób blok 5 x 5 z najmniejszym krokiem, jaki wchodzi w grę (co najmniej 3 x 3), i wtedy zapytaj.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Studying the grid of %1</source>
-        <translation>Badanie siatki: %1</translation>
-    </message>
-    <message>
-        <source>Stopped. What was found is kept: the next study goes on from there.</source>
-        <translation>Zatrzymano. To, co znaleziono, zostaje: następne badanie ruszy od tego miejsca.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1
-Found in %2: %n photo(s), %L3 cm apart.</source>
-        <translation>
-            <numerusform>%1
-Znaleziono w %2: %n zdjęcie co %L3 cm.</numerusform>
-            <numerusform>%1
-Znaleziono w %2: %n zdjęcia co %L3 cm.</numerusform>
-            <numerusform>%1
-Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::MeasurePanel</name>
-    <message>
-        <source>How right its views are</source>
-        <translation>Jak wierne są widoki</translation>
-    </message>
-    <message>
-        <source>Open &amp;report</source>
-        <translation>Otwórz &amp;raport</translation>
-    </message>
-    <message>
-        <source>The page with error maps and trade-offs; the same as PDF lies beside it</source>
-        <translation>Strona z mapami błędów i kosztami; obok leży to samo jako PDF</translation>
-    </message>
+    <name>spherewalk::ui::ToleranceBox</name>
     <message>
         <source> px</source>
         <translation> px</translation>
@@ -2576,118 +2646,7 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     </message>
     <message>
         <source>Pixels of the robot&apos;s camera that 95 of 100 places of a view may be displaced by</source>
-        <translation>O ile pikseli kamery robota może być przesuniętych 95 ze 100 miejsc widoku</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>Z&amp;mierz</translation>
-    </message>
-    <message>
-        <source>Leave photos out, render what they would show from the rest, and compare</source>
-        <translation>Pomiń zdjęcia, odtwórz z pozostałych to, co by pokazały, i porównaj</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>Za&amp;trzymaj</translation>
-    </message>
-    <message>
-        <source>Robot&apos;s camera</source>
-        <translation>Kamera robota</translation>
-    </message>
-    <message>
-        <source>Export a dataset first, or name the folder of one that is there.</source>
-        <translation>Najpierw wyeksportuj zbiór danych albo podaj folder istniejącego.</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::MeasurePresenter</name>
-    <message>
-        <source>Measuring %1</source>
-        <translation>Mierzenie: %1</translation>
-    </message>
-    <message>
-        <source>%1
-Stored: views whose choice is left to the dataset are made so.</source>
-        <translation>%1
-Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</translation>
-    </message>
-    <message>
-        <source>Stopped. What was found is kept: measuring again goes on from there.</source>
-        <translation>Zatrzymano. To, co znaleziono, zostaje: ponowne mierzenie ruszy od tego miejsca.</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::ReviewModel</name>
-    <message>
-        <source>%L1 px</source>
-        <translation>%L1 px</translation>
-    </message>
-    <message>
-        <source>95 of 100 places of views in its place are displaced by %1 or less.</source>
-        <translation>95 ze 100 miejsc widoków z tego punktu jest przesuniętych najwyżej o %1.</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::RungWords</name>
-    <message>
-        <source>none</source>
-        <translation>brak</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>kula</translation>
-    </message>
-    <message>
-        <source>room</source>
-        <translation>pomieszczenie</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>głębia</translation>
-    </message>
-    <message>
-        <source>nearest</source>
-        <translation>najbliższy piksel</translation>
-    </message>
-    <message>
-        <source>bilinear</source>
-        <translation>dwuliniowe</translation>
-    </message>
-    <message>
-        <source>reduced</source>
-        <translation>zmniejszone</translation>
-    </message>
-    <message>
-        <source>footprint</source>
-        <translation>po polu piksela</translation>
-    </message>
-    <message>
-        <source>bicubic</source>
-        <translation>dwusześcienne</translation>
-    </message>
-    <message>
-        <source>as needed</source>
-        <translation>wedle potrzeby</translation>
-    </message>
-    <message>
-        <source>Best there is</source>
-        <translation>Najlepszy, jaki jest</translation>
-    </message>
-    <message>
-        <source>Best there is: %1</source>
-        <translation>Najlepszy, jaki jest: %1</translation>
-    </message>
-    <message>
-        <source>As measured: %1, cheaper where enough</source>
-        <translation>Jak zmierzono: %1, taniej, gdzie wystarczy</translation>
-    </message>
-    <message>
-        <source>As measured: %1</source>
-        <translation>Jak zmierzono: %1</translation>
-    </message>
-    <message>
-        <source>As needed</source>
-        <translation>Wedle potrzeby</translation>
+        <translation>O ile pikseli kamery robota może być przesuniętych 95 na 100 miejsc widoku</translation>
     </message>
 </context>
 </TS>

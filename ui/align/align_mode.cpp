@@ -112,12 +112,8 @@ QWidget* AlignMode::makeBar() {
     m_run->setToolTip(tr("Solve how each photo is turned"));
     connect(m_run, &QPushButton::clicked, this, &AlignMode::run);
     layout->addWidget(m_run);
-    m_stop = new QPushButton(tr("&Stop"), bar);
-    m_stop->setObjectName("stop");
-    m_stop->setToolTip(tr("Stop; what was found in the pictures is kept for the next run"));
-    connect(m_stop, &QPushButton::clicked, m_presenter, &AlignPresenter::stop);
-    layout->addWidget(m_stop);
-    m_progress = new TaskBar(bar);
+    m_progress =
+        new TaskBar("stop", tr("Stop; what was found in the pictures is kept for the next run"), bar);
     layout->addWidget(m_progress, 1);
     layout->addStretch(0);
     setMask({});
@@ -249,10 +245,8 @@ void AlignMode::showFindings() {
 }
 
 void AlignMode::showTask() {
-    Task* task = m_presenter->task();
     m_run->setEnabled(m_presenter->canRun());
-    m_stop->setEnabled(task != nullptr);
-    m_progress->setTask(task);
+    m_progress->setTask(m_presenter->task());
     showProposals();
 }
 

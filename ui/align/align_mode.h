@@ -55,7 +55,6 @@ class AlignMode : public Mode {
     QDoubleSpinBox* m_positionSigma = nullptr;
     QPushButton* m_maskButton = nullptr;
     QPushButton* m_run = nullptr;
-    QPushButton* m_stop = nullptr;
     TaskBar* m_progress = nullptr;
     QLabel* m_summary = nullptr;
     QTableView* m_table = nullptr;

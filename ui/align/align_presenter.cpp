@@ -129,12 +129,6 @@ void AlignPresenter::run(const jobs::AlignOptions& options) {
         }));
 }
 
-void AlignPresenter::stop() {
-    if (m_task) {
-        m_task->stop();
-    }
-}
-
 void AlignPresenter::watch(Task* task) {
     m_task = task;
     connect(task, &Task::ended, this, [this, task] {

@@ -34,7 +34,6 @@ class AlignPresenter : public SurveyPresenter {
     bool canRun() const;
     /// Starts the alignment, unless one runs.
     void run(const jobs::AlignOptions& options);
-    void stop();
 
     /// Of the alignment or of moving photos; null if none runs.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }

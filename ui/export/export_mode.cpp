@@ -147,13 +147,9 @@ QWidget* ExportMode::makeAfter() {
     m_export->setMinimumHeight(36);
     m_export->setDefault(true);
     connect(m_export, &QPushButton::clicked, m_presenter, &ExportPresenter::exportNow);
-    m_progress = new TaskBar(box);
-    m_stop = new QPushButton(tr("&Stop"), box);
-    m_stop->setObjectName("stop");
-    connect(m_stop, &QPushButton::clicked, m_presenter, &ExportPresenter::stop);
+    m_progress = new TaskBar("stop", tr("Stop; nothing of the dataset is left then"), box);
     row->addWidget(m_export);
     row->addWidget(m_progress, 1);
-    row->addWidget(m_stop);
     row->addStretch(0);
     m_result = wrapped(box, "result");
     m_openButton = new QPushButton(tr("Open the fol&der"), box);
@@ -241,10 +237,8 @@ void ExportMode::showFound() {
 }
 
 void ExportMode::showTask() {
-    Task* task = m_presenter->task();
     m_export->setEnabled(m_presenter->canExport());
-    m_stop->setVisible(task != nullptr);
-    m_progress->setTask(task);
+    m_progress->setTask(m_presenter->task());
 }
 
 } // namespace spherewalk::ui

@@ -56,7 +56,6 @@ class ExportMode : public Mode {
     QLabel* m_findings = nullptr;
     QPushButton* m_check = nullptr;
     QPushButton* m_export = nullptr;
-    QPushButton* m_stop = nullptr;
     TaskBar* m_progress = nullptr;
     QLabel* m_result = nullptr;
     QPushButton* m_openButton = nullptr;

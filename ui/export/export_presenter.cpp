@@ -99,12 +99,6 @@ void ExportPresenter::exportNow() {
     emit changed();
 }
 
-void ExportPresenter::stop() {
-    if (m_task) {
-        m_task->stop();
-    }
-}
-
 void ExportPresenter::done(const QString& folder, const jobs::ExportReport& report) {
     m_exported = folder;
     m_report = report;

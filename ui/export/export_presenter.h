@@ -41,7 +41,6 @@ class ExportPresenter : public SurveyPresenter {
 
     bool canExport() const;
     void exportNow();
-    void stop();
 
     /// Of the export; null if none runs.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }

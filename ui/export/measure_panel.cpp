@@ -3,9 +3,9 @@
 
 #include "ui/export/measure_presenter.h"
 #include "ui/preview/camera_box.h"
+#include "ui/preview/tolerance_box.h"
 #include "ui/tasks/task_bar.h"
 
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -36,24 +36,13 @@ void MeasurePanel::makeQuestion() {
     m_camera = new CameraBox(this);
     m_camera->setObjectName("measureCamera");
     connect(m_camera, &CameraBox::message, this, &MeasurePanel::message);
-    m_tolerance = new QDoubleSpinBox(this);
-    m_tolerance->setObjectName("measureTolerance");
-    m_tolerance->setRange(0.1, 1000);
-    m_tolerance->setDecimals(1);
-    m_tolerance->setValue(2);
-    m_tolerance->setSuffix(tr(" px"));
-    m_tolerance->setAccessibleName(tr("Tolerance"));
-    m_tolerance->setToolTip(
-        tr("Pixels of the robot's camera that 95 of 100 places of a view may be displaced by"));
+    m_tolerance = new ToleranceBox("measureTolerance", this);
     m_measure = new QPushButton(tr("&Measure"), this);
     m_measure->setObjectName("measureNow");
     m_measure->setToolTip(tr("Leave photos out, render what they would show from the rest, and compare"));
     connect(m_measure, &QPushButton::clicked, this,
             [this] { m_presenter.measure(m_camera->camera(), m_tolerance->value()); });
-    m_progress = new TaskBar(this);
-    m_stop = new QPushButton(tr("S&top"), this);
-    m_stop->setObjectName("stopMeasuring");
-    connect(m_stop, &QPushButton::clicked, &m_presenter, &MeasurePresenter::stop);
+    m_progress = new TaskBar("stopMeasuring", tr("Stop; what was found is kept for the next run"), this);
     auto* asked = new QHBoxLayout;
     asked->addWidget(new QLabel(tr("Robot's camera"), this));
     asked->addWidget(m_camera, 1);
@@ -62,7 +51,6 @@ void MeasurePanel::makeQuestion() {
     auto* row = new QHBoxLayout;
     row->addWidget(m_measure);
     row->addWidget(m_progress, 1);
-    row->addWidget(m_stop);
     row->addStretch(0);
     static_cast<QVBoxLayout*>(layout())->addLayout(asked);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
@@ -74,7 +62,6 @@ void MeasurePanel::showAll() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_camera, m_tolerance, m_measure}) {
         widget->setEnabled(m_presenter.canMeasure());
     }
-    m_stop->setVisible(task != nullptr);
     m_progress->setTask(task);
     m_words->setText(isNone ? tr("Export a dataset first, or name the folder of one that is there.")
                             : m_presenter.words());

@@ -3,7 +3,6 @@
 
 #include <QGroupBox>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
@@ -12,6 +11,7 @@ namespace spherewalk::ui {
 class CameraBox;
 class MeasurePresenter;
 class TaskBar;
+class ToleranceBox;
 
 /// Asks for camera and tolerance, measures, and shows what was chosen.
 class MeasurePanel : public QGroupBox {
@@ -32,9 +32,8 @@ class MeasurePanel : public QGroupBox {
 
     MeasurePresenter& m_presenter;
     CameraBox* m_camera = nullptr;
-    QDoubleSpinBox* m_tolerance = nullptr;
+    ToleranceBox* m_tolerance = nullptr;
     QPushButton* m_measure = nullptr;
-    QPushButton* m_stop = nullptr;
     TaskBar* m_progress = nullptr;
     QLabel* m_words = nullptr;
     QPushButton* m_open = nullptr;

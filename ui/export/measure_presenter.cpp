@@ -34,8 +34,6 @@ Measured measured(const fs::path& folder, const CameraIntrinsics& camera, double
     options.tolerancePx = tolerancePx;
     options.worst = kWorstShown;
     options.cacheFolder = jobs::measureCacheFolder(folder) / "results";
-    std::error_code none; // writing says best what is wrong with the folder
-    fs::create_directories(options.cacheFolder, none);
     ProgressStep measuring(progress, 0, kMeasuringShare);
     const jobs::MeasureReport report =
         jobs::measureDataset(renderer, CameraModel(camera), options, measuring, stop);
@@ -95,12 +93,6 @@ void MeasurePresenter::ended(const Task& task) {
         m_words = tr("Stopped. What was found is kept: measuring again goes on from there.");
     }
     emit changed();
-}
-
-void MeasurePresenter::stop() {
-    if (m_task) {
-        m_task->stop();
-    }
 }
 
 QString MeasurePresenter::page() const {

@@ -26,7 +26,6 @@ class MeasurePresenter : public QObject {
     bool canMeasure() const { return !m_dataset.isEmpty() && task() == nullptr; }
 
     void measure(const CameraIntrinsics& camera, double tolerancePx);
-    void stop();
 
     /// Null if none runs.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }

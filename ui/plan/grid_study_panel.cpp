@@ -4,10 +4,10 @@
 #include "ui/plan/grid_study_model.h"
 #include "ui/plan/grid_study_presenter.h"
 #include "ui/preview/camera_box.h"
+#include "ui/preview/tolerance_box.h"
 #include "ui/tasks/task_bar.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -33,15 +33,9 @@ void GridStudyPanel::makeQuestion() {
     m_camera = new CameraBox(this);
     m_camera->setObjectName("gridCamera");
     connect(m_camera, &CameraBox::message, &m_presenter, &GridStudyPresenter::message);
-    m_tolerance = new QDoubleSpinBox(this);
-    m_tolerance->setObjectName("gridTolerance");
-    m_tolerance->setRange(0.1, 1000);
-    m_tolerance->setDecimals(1);
-    m_tolerance->setValue(GridQuestion().tolerancePx);
-    m_tolerance->setSuffix(tr(" px"));
+    m_tolerance = new ToleranceBox("gridTolerance", this);
     addRow(form, tr("Robot's ca&mera"), m_camera, m_camera->toolTip());
-    addRow(form, tr("T&olerance"), m_tolerance,
-           tr("Pixels of the robot's camera that 95 of 100 places of a view may be displaced by."));
+    addRow(form, tr("T&olerance"), m_tolerance, m_tolerance->toolTip());
     m_depth = new QCheckBox(tr("With &depth (takes minutes)"), this);
     m_depth->setObjectName("gridDepth");
     m_depth->setChecked(true);
@@ -52,13 +46,9 @@ void GridStudyPanel::makeQuestion() {
     m_study->setObjectName("gridStudy");
     m_study->setToolTip(tr("Leave photos out, render what they would show from the rest, and compare"));
     connect(m_study, &QPushButton::clicked, this, &GridStudyPanel::study);
-    m_progress = new TaskBar(this);
-    m_stop = new QPushButton(tr("Stop"), this);
-    m_stop->setObjectName("gridStop");
-    connect(m_stop, &QPushButton::clicked, &m_presenter, &GridStudyPresenter::stop);
+    m_progress = new TaskBar("gridStop", tr("Stop; what was found is kept for the next run"), this);
     row->addWidget(m_study);
     row->addWidget(m_progress, 1);
-    row->addWidget(m_stop);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
@@ -105,7 +95,6 @@ void GridStudyPanel::showState() {
         widget->setEnabled(canStudy);
     }
     m_study->setVisible(task == nullptr);
-    m_stop->setVisible(task != nullptr);
     m_progress->setTask(task);
     m_words->setText(m_presenter.words());
     m_words->setVisible(!m_words->text().isEmpty());

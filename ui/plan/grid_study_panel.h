@@ -5,7 +5,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QPushButton;
 class QTableView;
 
@@ -15,6 +14,7 @@ class CameraBox;
 class GridStudyModel;
 class GridStudyPresenter;
 class TaskBar;
+class ToleranceBox;
 
 /// "How dense?": asks for camera and tolerance, and shows what a study of the grid found.
 class GridStudyPanel : public Section {
@@ -38,10 +38,9 @@ class GridStudyPanel : public Section {
     GridStudyModel* m_model;
     QLabel* m_obstacle = nullptr;
     CameraBox* m_camera = nullptr;
-    QDoubleSpinBox* m_tolerance = nullptr;
+    ToleranceBox* m_tolerance = nullptr;
     QCheckBox* m_depth = nullptr;
     QPushButton* m_study = nullptr;
-    QPushButton* m_stop = nullptr;
     TaskBar* m_progress = nullptr;
     QLabel* m_words = nullptr;
     QTableView* m_table = nullptr;

@@ -25,8 +25,6 @@ jobs::GridStudy studied(const std::filesystem::path& survey, const GridQuestion&
     options.room = store.room();
     options.plan = store.planOptions();
     options.cacheFolder = cache / "results";
-    std::error_code none; // writing says best what is wrong with the folder
-    std::filesystem::create_directories(options.cacheFolder, none);
     ProgressStep studying(progress, kExportShare, 1);
     return jobs::gridStudy(renderer, CameraModel(question.camera), options, studying, stop);
 }
@@ -81,12 +79,6 @@ void GridStudyPresenter::ended(const Task& task) {
         m_problem = tr("Stopped. What was found is kept: the next study goes on from there.");
     }
     emit changed();
-}
-
-void GridStudyPresenter::stop() {
-    if (m_task) {
-        m_task->stop();
-    }
 }
 
 QString GridStudyPresenter::words() const {

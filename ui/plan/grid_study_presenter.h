@@ -31,7 +31,6 @@ class GridStudyPresenter : public SurveyPresenter {
     QString obstacle() const;
 
     void study(const GridQuestion& question);
-    void stop();
 
     /// Null if none runs.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }

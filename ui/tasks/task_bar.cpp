@@ -3,6 +3,10 @@
 
 #include "ui/look/quantity_text.h"
 
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+
 namespace spherewalk::ui {
 
 namespace {
@@ -11,8 +15,20 @@ constexpr int kSteps = 1000;
 
 } // namespace
 
-TaskBar::TaskBar(QWidget* parent) : QProgressBar(parent) {
-    setRange(0, kSteps);
+TaskBar::TaskBar(const QString& stopName, const QString& stopHint, QWidget* parent)
+    : QWidget(parent), m_progress(new QProgressBar(this)), m_stop(new QPushButton(tr("&Stop"), this)) {
+    m_progress->setRange(0, kSteps);
+    m_stop->setObjectName(stopName);
+    m_stop->setToolTip(stopHint);
+    connect(m_stop, &QPushButton::clicked, this, [this] {
+        if (m_task) {
+            m_task->stop();
+        }
+    });
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_progress, 1);
+    layout->addWidget(m_stop);
     hide();
 }
 
@@ -22,7 +38,8 @@ void TaskBar::setTask(Task* task) {
     }
     m_task = task;
     if (task != nullptr) {
-        setAccessibleName(task->title());
+        m_progress->setAccessibleName(task->title());
+        m_stop->setAccessibleName(tr("Stop %1").arg(task->title()));
         connect(task, &Task::progressed, this, &TaskBar::showTask);
         connect(task, &Task::ended, this, &TaskBar::showTask);
     }
@@ -34,9 +51,9 @@ void TaskBar::showTask() {
     if (!m_task) {
         return;
     }
-    setValue(qRound(kSteps * m_task->fraction()));
+    m_progress->setValue(qRound(kSteps * m_task->fraction()));
     const auto left = m_task->left();
-    setFormat(left ? tr("%1, %2 left").arg(m_task->step(), durationText(*left)) : m_task->step());
+    m_progress->setFormat(left ? tr("%1, %2 left").arg(m_task->step(), durationText(*left)) : m_task->step());
 }
 
 } // namespace spherewalk::ui

@@ -4,16 +4,21 @@
 #include "ui/tasks/task.h"
 
 #include <QPointer>
-#include <QProgressBar>
+#include <QWidget>
+
+class QProgressBar;
+class QPushButton;
 
 namespace spherewalk::ui {
 
-/// How far a task is, what it does, and how long it will take. Hidden while none runs.
-class TaskBar : public QProgressBar {
+/// How far a task is, what it does, how long it will take, and a button that stops it. Hidden while none
+/// runs.
+class TaskBar : public QWidget {
     Q_OBJECT
 
   public:
-    explicit TaskBar(QWidget* parent = nullptr);
+    /// stopName: the button's. stopHint: what is kept of a task that is stopped; may be empty.
+    explicit TaskBar(const QString& stopName, const QString& stopHint = {}, QWidget* parent = nullptr);
 
     /// Null: none.
     void setTask(Task* task);
@@ -22,6 +27,8 @@ class TaskBar : public QProgressBar {
     void showTask();
 
     QPointer<Task> m_task;
+    QProgressBar* m_progress;
+    QPushButton* m_stop;
 };
 
 } // namespace spherewalk::ui

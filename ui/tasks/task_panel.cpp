@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/task_panel.h"
 
-#include "ui/look/icon.h"
 #include "ui/look/icon_label.h"
 #include "ui/tasks/task_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace spherewalk::ui {
@@ -22,23 +20,16 @@ class TaskRow : public QWidget {
         : QWidget(parent),
           m_task(task),
           m_icon(new IconLabel(QString(), kIconPx, this)),
-          m_words(new QLabel(this)),
-          m_stop(new QToolButton(this)) {
+          m_words(new QLabel(this)) {
         auto* row = new QHBoxLayout(this);
         row->setContentsMargins(8, 2, 8, 2);
         m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
         m_words->setWordWrap(true);
-        auto* bar = new TaskBar(this);
+        auto* bar = new TaskBar("stopTask", TaskPanel::tr("Stop; what is complete stays"), this);
         bar->setTask(task);
-        m_stop->setIcon(ui::icon("stop"));
-        m_stop->setAutoRaise(true);
-        m_stop->setToolTip(TaskPanel::tr("Stop; what is complete stays"));
-        m_stop->setAccessibleName(TaskPanel::tr("Stop %1").arg(task->title()));
         row->addWidget(m_icon);
         row->addWidget(m_words, 1);
         row->addWidget(bar, 1);
-        row->addWidget(m_stop);
-        connect(m_stop, &QToolButton::clicked, task, &Task::stop);
         connect(task, &Task::ended, this, [this] { showTask(); });
         connect(task, &QObject::destroyed, this, &QObject::deleteLater);
         showTask();
@@ -60,13 +51,11 @@ class TaskRow : public QWidget {
                              : state == State::Stopped ? "stop"
                                                        : "failed";
         m_icon->setIcon(name);
-        m_stop->setVisible(m_task->isRunning());
     }
 
     Task* m_task;
     IconLabel* m_icon;
     QLabel* m_words;
-    QToolButton* m_stop;
 };
 
 } // namespace

@@ -115,7 +115,7 @@ TEST_F(ExportTest, StopsAndLeavesNothing) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
     const bool isDone = tasks.tasks().last()->state() == Task::State::Done; // it was quicker
     EXPECT_EQ(fs::exists(usual), isDone);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("stop").isHidden(); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !widget<QPushButton>("stop").isVisible(); }));
 }
 
 } // namespace spherewalk::ui

@@ -66,7 +66,7 @@ TEST_F(MeasureTest, StoresTheChoiceAndWritesTheReport) {
 TEST_F(MeasureTest, LeavesTheDatasetAsItWasWhenItIsStopped) {
     presenter.setDataset(dataset);
     presenter.measure(camera(), 4);
-    presenter.stop();
+    presenter.task()->stop();
     waitForTasks();
     EXPECT_TRUE(presenter.words().startsWith("Stopped"));
     EXPECT_FALSE(render::Dataset::open(dataset.toStdString()).info().choice.has_value());

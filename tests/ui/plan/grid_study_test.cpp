@@ -83,7 +83,7 @@ TEST(GridStudyPresenter, SaysThatAStudyWasStopped) {
     presenter.setSession(session.get());
     presenter.study({smallCamera(), 2, true});
     ASSERT_NE(presenter.task(), nullptr);
-    presenter.stop();
+    presenter.task()->stop();
     ASSERT_TRUE(QTest::qWaitFor([&] { return presenter.task() == nullptr; }, 30'000));
     EXPECT_TRUE(presenter.words().startsWith("Stopped"));
     EXPECT_FALSE(presenter.found());

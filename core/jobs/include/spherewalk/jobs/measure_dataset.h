@@ -4,6 +4,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/jobs/measure_report.h"
+#include "spherewalk/jobs/robot_pictures.h"
 #include "spherewalk/render/renderer.h"
 
 #include <filesystem>
@@ -12,17 +13,6 @@
 #include <vector>
 
 namespace spherewalk::jobs {
-
-/// A picture of the robot's camera, to compare views with.
-struct RobotPicture {
-    std::filesystem::path file;
-    std::filesystem::path depthFile; ///< PNG of 16 bits, millimetres along the axis; empty: not known
-    Rigid3 roomFromCamera;           ///< of the optical frame
-};
-
-/// Reads a positions file (readPositions()) in which each line has a rotation, and optionally a depth; files
-/// are relative to it. Errors: as readPositions().
-std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv);
 
 struct MeasureOptions {
     /// Compared with the views from their poses; photos are left out all the same, to see what that foretold.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document_html.h"
+#include "report_folder.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -29,7 +30,7 @@ svg { max-width: 100%; height: auto; display: block; margin: 1em 0 }
 /// A document becoming a page, its pictures files.
 class HtmlPage {
   public:
-    HtmlPage(const std::filesystem::path& folder, const std::string& name) : m_folder(folder), m_name(name) {}
+    explicit HtmlPage(const std::filesystem::path& folder) : m_folder(folder) {}
 
     void write(const sheet::Document& document) {
         m_html =
@@ -39,7 +40,7 @@ class HtmlPage {
         for (const sheet::Block& block : document.blocks) {
             std::visit([&](const auto& one) { add(one); }, block);
         }
-        writeFile(m_folder / (m_name + ".html"), bytesOf(m_html + "</html>\n"));
+        writeFile(m_folder / "report.html", bytesOf(m_html + "</html>\n"));
     }
 
   private:
@@ -70,7 +71,7 @@ class HtmlPage {
     void add(const sheet::PictureRow& pictures) {
         const auto count = static_cast<double>(pictures.pictures.size());
         for (std::size_t i = 0; i < pictures.pictures.size(); ++i) {
-            const std::string file = text(m_name, "-", ++m_pictures, ".jpg");
+            const std::string file = text("report-", ++m_pictures, ".jpg");
             writeFile(m_folder / file, jpeg::encode(pictures.pictures[i], kJpegQuality));
             m_html +=
                 text("<figure style=\"width:", fixed(98 / count - 1, 1), "%\"><img src=\"", file,
@@ -79,16 +80,23 @@ class HtmlPage {
     }
 
     std::filesystem::path m_folder;
-    std::string m_name;
     std::string m_html;
     int m_pictures = 0;
 };
 
 } // namespace
 
-void writeHtml(const sheet::Document& document, const std::filesystem::path& folder,
-               const std::string& name) {
-    HtmlPage(folder, name).write(document);
+void writeReportFolder(const sheet::Document& document, const Json& figures,
+                       const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::Io,
+                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
+    }
+    HtmlPage(folder).write(document);
+    writeFile(folder / "report.pdf", sheet::pdf(document));
+    writeFile(folder / "report.json", bytesOf(figures.dump(1) + "\n"));
 }
 
 } // namespace spherewalk::jobs

@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
-namespace spherewalk {
+namespace spherewalk::scene {
 
 /// std::atan2() in single precision, off by less than 3e-7; 0 for the origin. Written so that compilers do
 /// several at a time, and with the same result on every machine. Source: Abramowitz and Stegun 4.4.49.
@@ -30,4 +30,4 @@ inline float fastAngle(float y, float x) {
     return y < 0 ? -result : result;
 }
 
-} // namespace spherewalk
+} // namespace spherewalk::scene

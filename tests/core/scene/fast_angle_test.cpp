@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast_angle.h"
 #include "random.h"
-
-#include "spherewalk/geometry/fast_angle.h"
-#include "spherewalk/geometry/pose_check.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <numbers>
 
-namespace spherewalk {
+namespace spherewalk::scene {
 
 TEST(FastAngle, IsTheAngleInSinglePrecision) {
     test::Random random(4);
@@ -30,13 +28,4 @@ TEST(FastAngle, IsRightOnTheAxes) {
     EXPECT_EQ(fastAngle(0, 0), 0);
 }
 
-TEST(PoseCheck, AsksForAPlaceAndARotation) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(isPose({}));
-    EXPECT_FALSE(isPose({Eigen::Quaterniond(0, 0, 0, 0), {0, 0, 0}}));
-    EXPECT_FALSE(isPose({Eigen::Quaterniond(kNan, 0, 0, 0), {0, 0, 0}}));
-    EXPECT_FALSE(isPose({Eigen::Quaterniond::Identity(), {0, kNan, 0}}));
-    EXPECT_FALSE(isPose({Eigen::Quaterniond(1.0005, 0, 0, 0), {0, 0, 0}}, 1e-6));
-}
-
-} // namespace spherewalk
+} // namespace spherewalk::scene

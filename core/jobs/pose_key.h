@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rigid3.h"
+
+#include <string>
+
+namespace spherewalk::jobs {
+
+/// A pose's part of the key of what is kept in a cache.
+inline std::string keyOf(const Rigid3& pose) {
+    const Eigen::Quaterniond& q = pose.rotation;
+    const Eigen::Vector3d& t = pose.translation;
+    return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
+}
+
+} // namespace spherewalk::jobs
