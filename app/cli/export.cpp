@@ -27,7 +27,7 @@ jobs::ExportOptions exportOptions(const Options& options) {
 Result check(const Options& options, Context& context) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     const jobs::ExportCheck check =
-        jobs::checkExport(store, options.dataset, options.write.write, context.progress, context.stop);
+        jobs::checkExport(store, options.dataset, exportOptions(options), context.progress, context.stop);
     std::string words = text(check.photos, " photos, about ", humanBytes(check.totalBytes), " and ",
                              humanDuration(std::chrono::duration<double>(check.seconds)), "; ",
                              humanBytes(check.freeBytes), " are free.");

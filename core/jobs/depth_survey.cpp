@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 
 namespace spherewalk::jobs {
 
@@ -23,6 +24,8 @@ namespace {
 constexpr int kMethod = 1; ///< grows when the same photos and options give another depth
 constexpr std::uint64_t kLargestFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
+constexpr std::uint64_t kBytesAPixel = 2;
+constexpr double kWithAgreement = 1.15;     ///< a depth's time with the neighbours' agreement, of the sweep's
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
 /// Files are written under another name and renamed: those that are there are whole.
@@ -63,11 +66,10 @@ class DepthJob {
         const auto begin = std::chrono::steady_clock::now();
         SurveyDepth result;
         result.files.resize(m_photos.size());
-        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+        const std::vector<std::size_t> forScene = photosForScene();
+        const std::vector<std::size_t> photos = wanted();
+        for (const std::size_t i : photos) {
             throwIfStopped(m_stop);
-            if (m_neighbours[i].empty()) {
-                continue;
-            }
             result.files[i] = fileOf(agreedKey(i));
             ++result.report.photos;
             if (isThere(result.files[i])) {
@@ -75,16 +77,65 @@ class DepthJob {
             } else {
                 keep(result.files[i], agreed(i));
             }
-            m_progress.progress(static_cast<double>(i + 1) / static_cast<double>(m_photos.size()),
-                                text("Estimating depth, photo ", i + 1, " of ", m_photos.size()));
+            m_progress.progress(
+                static_cast<double>(result.report.photos) / static_cast<double>(photos.size()),
+                text("Estimating depth, photo ", result.report.photos, " of ", photos.size()));
         }
-        estimateScene(result);
+        estimateScene(forScene, result);
         result.report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
     }
 
+    DepthForecast forecast(bool withTrial) {
+        DepthForecast result;
+        const std::vector<std::size_t> photos = wanted();
+        std::set<std::size_t> missing;
+        for (const std::size_t photo : photos) {
+            if (!isThere(fileOf(agreedKey(photo)))) {
+                addIfUnswept(photo, missing);
+                for (const std::size_t other : agreeing(photo)) {
+                    addIfUnswept(other, missing);
+                }
+            }
+        }
+        result.photos = photos.size();
+        result.missing = missing.size();
+        result.bytes = photos.size() * kBytesAPixel * static_cast<std::uint64_t>(m_options.sweep.width) *
+                       static_cast<std::uint64_t>(m_options.sweep.width / 2);
+        if (withTrial && !missing.empty()) {
+            result.secondsAPhoto = secondsToSweep(*missing.begin());
+        }
+        return result;
+    }
+
   private:
+    std::vector<std::size_t> wanted() const {
+        return m_options.onlyForScene ? photosForScene() : photosWithNeighbours();
+    }
+
+    void addIfUnswept(std::size_t photo, std::set<std::size_t>& to) const {
+        if (!isThere(fileOf(sweptKey(photo)))) {
+            to.insert(photo);
+        }
+    }
+
+    /// Its pictures are read for it alone; in a run each is read for many.
+    double secondsToSweep(std::size_t photo) {
+        using Clock = std::chrono::steady_clock;
+        const auto begin = Clock::now();
+        picture(photo);
+        for (const std::size_t other : m_neighbours[photo]) {
+            picture(other);
+        }
+        const auto read = Clock::now();
+        swept(photo);
+        const std::chrono::duration<double> reading = read - begin;
+        const std::chrono::duration<double> sweeping = Clock::now() - read;
+        return reading.count() / static_cast<double>(1 + m_neighbours[photo].size()) +
+               kWithAgreement * sweeping.count();
+    }
+
     /// All that a photo's own depth depends on.
     std::string sweptKey(std::size_t photo) const {
         const scene::SweepOptions& o = m_options.sweep;
@@ -157,24 +208,36 @@ class DepthJob {
                                     m_options.sweep.threads);
     }
 
-    /// Radius and room from some of the photos that have a depth, spread evenly.
-    void estimateScene(SurveyDepth& result) const {
-        std::vector<std::size_t> all;
-        for (std::size_t i = 0; i < result.files.size(); ++i) {
-            if (!result.files[i].empty()) {
-                all.push_back(i);
+    std::vector<std::size_t> photosWithNeighbours() const {
+        std::vector<std::size_t> photos;
+        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+            if (!m_neighbours[i].empty()) {
+                photos.push_back(i);
             }
         }
+        return photos;
+    }
+
+    /// Those that radius and room are estimated from, spread evenly.
+    std::vector<std::size_t> photosForScene() const {
+        const std::vector<std::size_t> all = photosWithNeighbours();
         const std::size_t count = std::min(all.size(), kPhotosForScene);
-        if (count == 0) {
+        std::vector<std::size_t> chosen;
+        for (std::size_t k = 0; k < count; ++k) {
+            chosen.push_back(all[k * all.size() / count]);
+        }
+        return chosen;
+    }
+
+    void estimateScene(const std::vector<std::size_t>& photos, SurveyDepth& result) const {
+        if (photos.empty()) {
             return;
         }
-        std::vector<scene::PhotoDepth> depths(count);
+        std::vector<scene::PhotoDepth> depths(photos.size());
         std::vector<scene::PosedDepth> posed;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t photo = all[k * all.size() / count];
-            depths[k] = kept(result.files[photo]);
-            posed.push_back({&depths[k], m_poses[photo]});
+        for (std::size_t k = 0; k < photos.size(); ++k) {
+            depths[k] = kept(result.files[photos[k]]);
+            posed.push_back({&depths[k], m_poses[photos[k]]});
         }
         result.radiusM = scene::sphereRadius(posed);
         result.room = scene::fittedRoom(posed, m_options.drawnOutline);
@@ -195,6 +258,11 @@ class DepthJob {
 SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,
                         ProgressSink& progress, const std::stop_token& stop) {
     return DepthJob(photos, options, progress, stop).run();
+}
+
+DepthForecast depthForecast(std::span<const DepthInput> photos, const DepthOptions& options, bool withTrial,
+                            const std::stop_token& stop) {
+    return DepthJob(photos, options, noProgress(), stop).forecast(withTrial);
 }
 
 } // namespace spherewalk::jobs

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export_one.h"
+#include "export_parts.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/temporary_folder.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/export_dataset.h"
 
 #include <algorithm>
 #include <set>
@@ -31,7 +30,7 @@ std::string some(std::size_t count, std::string_view one, std::string_view many)
 
 class Look {
   public:
-    Look(const store::SurveyStore& store, const dataset::WriteOptions& options)
+    Look(const store::SurveyStore& store, const ExportOptions& options)
         : m_store(store), m_options(options), m_photos(store.keptPhotos()) {
         m_check.photos = m_photos.size();
     }
@@ -39,6 +38,10 @@ class Look {
     ExportCheck run(const fs::path& folder, ProgressSink& progress, const std::stop_token& stop) {
         progress.progress(0, "Trying one photo");
         measure(stop);
+        if (!m_photos.empty()) {
+            progress.progress(0.3, "Trying one depth");
+            addDepth(stop);
+        }
         progress.progress(0.9, "Looking at the survey");
         lookAtPlace(folder);
         lookAtStations();
@@ -59,17 +62,25 @@ class Look {
         std::nth_element(bySize.begin(), middle, bySize.end(),
                          [](const auto& a, const auto& b) { return a.sizeBytes < b.sizeBytes; });
         const TemporaryFolder folder("spherewalk-export-check");
-        const dataset::WriteReport one = exportOne(m_store, *middle, folder.path() / "one", m_options, stop);
+        const dataset::WriteReport one =
+            exportOne(m_store, *middle, folder.path() / "one", m_options.write, stop);
         std::uint64_t sourceBytes = 0;
         for (const store::PhotoRecord& photo : m_photos) {
             sourceBytes += photo.sizeBytes;
         }
         const double share = static_cast<double>(sourceBytes) /
                              static_cast<double>(std::max<std::uint64_t>(1, one.sourceBytes));
-        const int threads = std::min(m_options.threads > 0 ? m_options.threads : hardwareThreads(),
-                                     static_cast<int>(m_photos.size()));
+        const int threads =
+            std::min(m_options.write.threads > 0 ? m_options.write.threads : hardwareThreads(),
+                     static_cast<int>(m_photos.size()));
         m_check.totalBytes = static_cast<std::uint64_t>(share * static_cast<double>(one.totalBytes));
         m_check.seconds = share * one.seconds / threads;
+    }
+
+    void addDepth(const std::stop_token& stop) {
+        const DepthForecast depth = exportForecast(m_store, m_options, true, stop);
+        m_check.seconds += depth.seconds();
+        m_check.totalBytes += m_options.scene == render::SceneKind::Depth ? depth.bytes : 0;
     }
 
     void lookAtPlace(const fs::path& folder) {
@@ -141,16 +152,15 @@ class Look {
     }
 
     const store::SurveyStore& m_store;
-    const dataset::WriteOptions& m_options;
+    const ExportOptions& m_options;
     std::vector<store::PhotoRecord> m_photos;
     ExportCheck m_check;
 };
 
 } // namespace
 
-ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder,
-                        const dataset::WriteOptions& options, ProgressSink& progress,
-                        const std::stop_token& stop) {
+ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder, const ExportOptions& options,
+                        ProgressSink& progress, const std::stop_token& stop) {
     return Look(store, options).run(folder, progress, stop);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_dataset.h"
 
-#include "export_one.h"
+#include "export_parts.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -101,26 +101,37 @@ std::optional<double> radiusFor(const survey::Room& room, const std::vector<data
     return scene::sphereRadius(room, positions);
 }
 
-/// Radius, room and depths from what the photos show.
-void addScene(const store::SurveyStore& store, const ExportOptions& options, dataset::Contents& contents,
-              ExportReport& report, ProgressSink& progress, const std::stop_token& stop) {
-    std::vector<DepthInput> inputs;
-    for (const dataset::SourcePhoto& photo : contents.photos) {
-        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto});
-    }
+/// How depths of these photos are found, and where they are kept.
+DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& options) {
     DepthOptions depth = options.depth;
     if (depth.cacheFolder.empty()) {
         depth.cacheFolder = store.folder() / kDepthCacheFolder;
     }
     depth.drawnOutline = store.room().outline;
-    const SurveyDepth found = surveyDepth(inputs, depth, progress, stop);
+    depth.onlyForScene = options.scene != render::SceneKind::Depth;
+    return depth;
+}
+
+std::vector<DepthInput> depthInputs(const dataset::Contents& contents) {
+    std::vector<DepthInput> inputs;
+    for (const dataset::SourcePhoto& photo : contents.photos) {
+        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto});
+    }
+    return inputs;
+}
+
+/// Radius, room and depths from what the photos show.
+void addScene(const store::SurveyStore& store, const ExportOptions& options, dataset::Contents& contents,
+              ExportReport& report, ProgressSink& progress, const std::stop_token& stop) {
+    const DepthOptions depth = depthOptions(store, options);
+    const SurveyDepth found = surveyDepth(depthInputs(contents), depth, progress, stop);
     report.depth = found.report;
     if (found.radiusM) {
         contents.info.sphereRadiusM = found.radiusM;
     }
     contents.info.roomShape = found.room;
     report.roomShape = found.room;
-    for (std::size_t i = 0; i < inputs.size() && options.scene == render::SceneKind::Depth; ++i) {
+    for (std::size_t i = 0; i < contents.photos.size() && !depth.onlyForScene; ++i) {
         contents.photos[i].depthFile = found.files[i];
     }
 }
@@ -178,6 +189,22 @@ dataset::WriteReport exportOne(const store::SurveyStore& store, const store::Pho
                                const std::stop_token& stop) {
     ExportReport report;
     return dataset::writeDataset(contentsOf(store, {photo}, report), folder, options, noProgress(), stop);
+}
+
+DepthForecast exportForecast(const store::SurveyStore& store, const ExportOptions& options, bool withTrial,
+                             const std::stop_token& stop) {
+    if (!render::hasSurfaces(options.scene)) {
+        return {};
+    }
+    ExportReport report;
+    const dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    return depthForecast(depthInputs(contents), depthOptions(store, options), withTrial, stop);
+}
+
+render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& depth) {
+    const ExportOptions options{{}, render::SceneKind::Depth, depth};
+    const DepthForecast forecast = exportForecast(store, options, false, {});
+    return forecast.photos > 0 && forecast.missing == 0 ? options.scene : render::SceneKind::Sphere;
 }
 
 Json toJson(const ExportReport& report) {

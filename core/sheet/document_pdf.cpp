@@ -5,6 +5,7 @@
 #include "spherewalk/sheet/document.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace spherewalk::sheet {
 
@@ -54,10 +55,10 @@ class DocumentPages {
     }
 
     void add(const Table& table) {
-        const std::vector<double> widths = columnWidths(table);
-        row(table.titles, table, widths, true);
+        const Columns columns = columnsOf(table);
+        row(table.titles, table, columns, true);
         for (const std::vector<std::string>& cells : table.rows) {
-            row(cells, table, widths, false);
+            row(cells, table, columns, false);
         }
         m_y += kGapMm;
     }
@@ -87,30 +88,46 @@ class DocumentPages {
         m_y += heightMm + kLine * kTableTextMm + kGapMm;
     }
 
-    std::vector<double> columnWidths(const Table& table) const {
-        std::vector<double> widths;
+    /// How a table is set.
+    struct Columns {
+        std::vector<double> widthsMm;
+        double apartMm = 5;
+        double textMm = kTableTextMm;
+    };
+
+    /// Columns as wide as their words. A table that is wider than the page is set closer, and then smaller.
+    Columns columnsOf(const Table& table) const {
+        Columns columns;
         for (const std::string& title : table.titles) {
-            widths.push_back(m_pages.widthOf(title, kTableTextMm, true));
+            columns.widthsMm.push_back(m_pages.widthOf(title, kTableTextMm, true));
         }
         for (const std::vector<std::string>& cells : table.rows) {
-            for (std::size_t i = 0; i < cells.size() && i < widths.size(); ++i) {
-                widths[i] = std::max(widths[i], m_pages.widthOf(cells[i], kTableTextMm, false));
+            for (std::size_t i = 0; i < cells.size() && i < columns.widthsMm.size(); ++i) {
+                columns.widthsMm[i] =
+                    std::max(columns.widthsMm[i], m_pages.widthOf(cells[i], kTableTextMm, false));
             }
         }
-        return widths;
+        constexpr double kLeastApartMm = 2;
+        const double wordsMm = std::accumulate(columns.widthsMm.begin(), columns.widthsMm.end(), 0.0);
+        const double gaps = std::max(1.0, static_cast<double>(columns.widthsMm.size()) - 1);
+        columns.apartMm = std::clamp((kWidthMm - wordsMm) / gaps, kLeastApartMm, columns.apartMm);
+        const double scale = std::min(1.0, (kWidthMm - gaps * columns.apartMm) / std::max(1.0, wordsMm));
+        columns.textMm *= scale;
+        for (double& width : columns.widthsMm) {
+            width *= scale;
+        }
+        return columns;
     }
 
-    void row(const std::vector<std::string>& cells, const Table& table, const std::vector<double>& widths,
-             bool isBold) {
-        constexpr double kApartMm = 5;
-        need(kLine * kTableTextMm);
-        m_y += kLine * kTableTextMm;
+    void row(const std::vector<std::string>& cells, const Table& table, const Columns& columns, bool isBold) {
+        need(kLine * columns.textMm);
+        m_y += kLine * columns.textMm;
         double x = kMarginMm;
-        for (std::size_t i = 0; i < cells.size() && i < widths.size(); ++i) {
+        for (std::size_t i = 0; i < cells.size() && i < columns.widthsMm.size(); ++i) {
             const bool isLeft = i < table.leftColumns;
-            m_pages.words({isLeft ? x : x + widths[i], m_y}, cells[i], kTableTextMm,
+            m_pages.words({isLeft ? x : x + columns.widthsMm[i], m_y}, cells[i], columns.textMm,
                           isLeft ? Align::Left : Align::Right, isBold);
-            x += widths[i] + kApartMm;
+            x += columns.widthsMm[i] + columns.apartMm;
         }
     }
 

@@ -943,8 +943,8 @@
         <translation>Kula (nic więcej nie jest liczone)</translation>
     </message>
     <message>
-        <source>Room: walls, floor, ceiling (some seconds a photo)</source>
-        <translation>Pomieszczenie: ściany, podłoga, sufit (kilka sekund na zdjęcie)</translation>
+        <source>Room: walls, floor, ceiling (a minute or two)</source>
+        <translation>Pomieszczenie: ściany, podłoga, sufit (minuta lub dwie)</translation>
     </message>
     <message>
         <source>Depth of each pixel (some seconds a photo)</source>

@@ -97,7 +97,7 @@ QWidget* ExportMode::makeWhere() {
     m_scene = new QComboBox(box);
     m_scene->setObjectName("scene");
     m_scene->addItem(tr("Sphere (nothing more is computed)"), static_cast<int>(render::SceneKind::Sphere));
-    m_scene->addItem(tr("Room: walls, floor, ceiling (some seconds a photo)"),
+    m_scene->addItem(tr("Room: walls, floor, ceiling (a minute or two)"),
                      static_cast<int>(render::SceneKind::Room));
     m_scene->addItem(tr("Depth of each pixel (some seconds a photo)"),
                      static_cast<int>(render::SceneKind::Depth));

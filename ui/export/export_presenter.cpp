@@ -60,7 +60,7 @@ void ExportPresenter::check() {
     m_checking = m_tasks.start(
         tr("Looking before the export"), this,
         [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
-         options = m_options.write](ProgressSink& progress, const std::stop_token& stop) {
+         options = m_options](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             return jobs::checkExport(store, folder, options, progress, stop);
         },

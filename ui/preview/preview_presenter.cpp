@@ -108,7 +108,9 @@ void PreviewPresenter::makeDataset() {
         [survey = session()->path()](ProgressSink& progress, const std::stop_token& stop) {
             const auto store = store::SurveyStore::open(survey, store::Access::Read);
             auto folder = std::make_shared<TemporaryFolder>("spherewalk-preview");
-            jobs::exportDataset(store, folder->path() / "dataset", {}, progress, stop);
+            jobs::ExportOptions options;
+            options.scene = jobs::knownScene(store, options.depth);
+            jobs::exportDataset(store, folder->path() / "dataset", options, progress, stop);
             return Made{folder, opened(folder->path() / "dataset", noProgress(), stop)};
         },
         [this](Made made) {

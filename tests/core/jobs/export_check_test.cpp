@@ -43,6 +43,37 @@ TEST_F(ExportCheckTest, SaysWhatTheDatasetWouldLack) {
     EXPECT_THAT(found.doubts, Contains(HasSubstr("1 photo was rejected")));
 }
 
+TEST_F(ExportCheckTest, CountsTheDepthsThatAreNotKnownYet) {
+    ExportOptions options;
+    options.scene = render::SceneKind::Depth;
+    options.depth.sweep.width = 128;
+    options.depth.sweep.coarseWidth = 64;
+    const auto store = survey.open();
+    const ExportCheck before = checkExport(store, survey / "d", options, noProgress(), {});
+    EXPECT_EQ(knownScene(store, options.depth), render::SceneKind::Sphere); // one of three was tried
+    const ExportReport made = exportDataset(store, survey / "d", options, noProgress(), {});
+    EXPECT_EQ(made.depth.photos, 3U);
+    EXPECT_NEAR(static_cast<double>(before.totalBytes) / static_cast<double>(made.written.totalBytes), 1,
+                0.1);
+    EXPECT_EQ(knownScene(store, options.depth), render::SceneKind::Depth);
+    EXPECT_EQ(knownScene(store, {}), render::SceneKind::Sphere) << "depths of another size are none of these";
+}
+
+TEST(ExportScene, FindsTheSameRoomFromADozenPhotosWhetherDepthsAreExportedOrNot) {
+    const test::PhotographedSurvey survey{14};
+    ExportOptions options;
+    options.depth.sweep.width = 128;
+    options.depth.sweep.coarseWidth = 64;
+    options.scene = render::SceneKind::Room;
+    const ExportReport room = exportDataset(survey.open(), survey / "room", options, noProgress(), {});
+    options.scene = render::SceneKind::Depth;
+    const ExportReport depth = exportDataset(survey.open(), survey / "depth", options, noProgress(), {});
+    EXPECT_EQ(room.depth.photos, 12U);
+    EXPECT_EQ(depth.depth.photos, 14U);
+    EXPECT_EQ(room.sphereRadiusM, depth.sphereRadiusM);
+    EXPECT_EQ(room.roomShape, depth.roomShape);
+}
+
 TEST_F(ExportCheckTest, SaysWhyItCannotBeDone) {
     EXPECT_THAT(check(survey.path()).obstacles, Contains(HasSubstr("already")));
     auto store = survey.open(store::Access::Write);

@@ -18,8 +18,8 @@ namespace spherewalk::jobs {
 
 struct ExportOptions {
     dataset::WriteOptions write;
-    /// The richest scene model of the dataset; the cheaper ones come with it. Room and Depth take some
-    /// seconds a photo.
+    /// The richest scene model of the dataset; the cheaper ones come with it. Room takes a
+    /// minute or two, Depth some seconds a photo.
     render::SceneKind scene = render::SceneKind::Sphere;
     DepthOptions depth;
 };
@@ -40,23 +40,27 @@ struct ExportReport {
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
+/// The richest scene model that an export makes without estimating depths: Depth if all are known from an
+/// earlier one with these options, or else Sphere.
+render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& options);
+
 /// What an export would make, and what is to be known before.
 struct ExportCheck {
     std::size_t photos = 0;
     std::uint64_t totalBytes = 0; ///< about; those of the photos and what one of them was found to grow by
     std::uint64_t freeBytes = 0;  ///< where it is to be written
-    double seconds = 0;           ///< about; what one photo took, on all threads
+    double seconds = 0;           ///< about; what one photo took, on all threads, and depths
     std::vector<std::string> obstacles; ///< sentences: why it cannot be done
     std::vector<std::string> doubts;    ///< sentences: what the dataset would lack
 
     bool isPossible() const { return obstacles.empty(); }
 };
 
-/// Looks before an export. Exports one photo to a temporary folder, to know what the photos of this survey
-/// cost on this machine. Errors: those of reading that photo; Stopped.
+/// Looks before an export. Exports one photo to a temporary folder, and estimates the depth of one where
+/// depths are wanted, to know what the photos of this survey cost on this machine. Errors: those of reading
+/// photos; Stopped.
 ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
-                        const dataset::WriteOptions& options, ProgressSink& progress,
-                        const std::stop_token& stop);
+                        const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
 Json toJson(const ExportReport& report);
 Json toJson(const ExportCheck& check);
