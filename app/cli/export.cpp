@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/export_chosen.h"
+#include "spherewalk/jobs/measure_survey.h"
+#include "spherewalk/render/camera_info.h"
 
 #include <memory>
 
@@ -15,12 +18,16 @@ struct Options {
     std::string dataset;
     jobs::ExportOptions write;
     std::string scene = "sphere";
+    std::string camera;
+    jobs::MeasureOptions measure;
     bool isCheck = false;
+
+    bool isChosen() const { return scene == "auto"; }
 };
 
 jobs::ExportOptions exportOptions(const Options& options) {
     jobs::ExportOptions wanted = options.write;
-    wanted.scene = render::sceneKind(options.scene);
+    wanted.scene = options.isChosen() ? render::SceneKind::Depth : render::sceneKind(options.scene);
     return wanted;
 }
 
@@ -39,25 +46,51 @@ Result check(const Options& options, Context& context) {
     return {jobs::toJson(check), words, check.isPossible()};
 }
 
-Result exportSurvey(const Options& options, Context& context) {
-    const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
-    const jobs::ExportReport report =
-        jobs::exportDataset(store, options.dataset, exportOptions(options), context.progress, context.stop);
+Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
     Json json = jobs::toJson(report);
-    json["dataset"] = options.dataset;
+    json["dataset"] = dataset;
     const dataset::WriteReport& written = report.written;
     const double growth =
         100 * (static_cast<double>(written.photoBytes) / static_cast<double>(written.sourceBytes) - 1);
-    std::string words = text(
-        "Exported ", written.photos, " photos to ", options.dataset, ": ", humanBytes(written.totalBytes),
-        " (the photos take ", fixed(growth, 2), " % more than in the survey), in ",
-        humanDuration(std::chrono::duration<double>(report.depth.seconds + written.seconds)), ".");
+    std::string words =
+        text("Exported ", written.photos, " photos to ", dataset, ": ", humanBytes(written.totalBytes),
+             " (the photos take ", fixed(growth, 2), " % more than in the survey), in ",
+             humanDuration(std::chrono::duration<double>(report.depth.seconds + written.seconds)), ".");
     words += report.withoutPhoto == 0
                  ? ""
                  : text("\n", report.withoutPhoto, " stations have no photo and are left out.");
     words +=
         report.rejected == 0 ? "" : text("\n", report.rejected, " photos were rejected and are left out.");
     return {json, words};
+}
+
+/// With the scene model that measuring finds to be enough for the camera.
+Result exportChosen(const Options& options, const store::SurveyStore& store, Context& context) {
+    if (options.camera.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "A scene model can be chosen for a camera only: name the robot's "
+                    "with --camera, or a scene model other than auto.");
+    }
+    jobs::MeasureOptions measure = options.measure;
+    measure.cacheFolder = jobs::measureCacheFolder(store.folder()) / "results";
+    const jobs::ChosenExport chosen =
+        jobs::exportChosen(store, options.dataset, CameraModel(render::readCameraInfo(options.camera)),
+                           measure, options.write.write, context.progress, context.stop);
+    Result result = resultOf(chosen.exported, options.dataset);
+    result.json["scene"] = render::name(chosen.scene);
+    result.json["measured"] = jobs::toJson(chosen.measured);
+    result.text += "\n" + chosen.measured.choice.reason;
+    return result;
+}
+
+Result exportSurvey(const Options& options, Context& context) {
+    const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
+    if (options.isChosen()) {
+        return exportChosen(options, store, context);
+    }
+    return resultOf(
+        jobs::exportDataset(store, options.dataset, exportOptions(options), context.progress, context.stop),
+        options.dataset);
 }
 
 } // namespace
@@ -80,8 +113,16 @@ void addExport(Commands& commands) {
                      "Only say how large it would become, how long it would take, and what it would lack");
     command
         .add_option("--scene", options->scene,
-                    "Richest scene model to export: sphere, room, or depth; the cheaper ones come with it")
-        ->check(CLI::IsMember({"sphere", "room", "depth"}))
+                    "Richest scene model to export: sphere, room, depth, or auto for the cheapest that holds "
+                    "the tolerance; the cheaper ones come with it")
+        ->check(CLI::IsMember({"sphere", "room", "depth", "auto"}))
+        ->capture_default_str();
+    command.add_option("--camera", options->camera,
+                       "Camera that a scene model is chosen for: a ROS camera-info YAML");
+    command
+        .add_option("--tolerance", options->measure.tolerancePx,
+                    "Pixels of that camera that 95 of 100 places may be displaced by")
+        ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
 }
 

@@ -116,13 +116,6 @@ std::vector<std::string> stems(const std::vector<SourcePhoto>& photos) {
     return result;
 }
 
-void checkPlace(const fs::path& folder) {
-    if (fs::exists(fs::symlink_status(folder))) {
-        throw Error(ErrorKind::Exists, text("Could not write the dataset ", folder.string(),
-                                            ": it exists already; choose another name, or remove it first."));
-    }
-}
-
 void write(const Contents& contents, UnfinishedFolder& folder, const WriteOptions& options,
            ProgressSink& progress, const std::stop_token& stop, WriteReport& report) {
     render::DatasetInfo info = contents.info;
@@ -170,19 +163,26 @@ void WriteOptions::validate() const {
     }
 }
 
+void requireAbsent(const fs::path& folder) {
+    if (fs::exists(fs::symlink_status(folder))) {
+        throw Error(ErrorKind::Exists, text("Could not write the dataset ", folder.string(),
+                                            ": it exists already; choose another name, or remove it first."));
+    }
+}
+
 WriteReport writeDataset(const Contents& contents, const fs::path& folder, const WriteOptions& options,
                          ProgressSink& progress, const std::stop_token& stop) {
     options.validate();
     if (contents.photos.empty()) {
         throw Error(ErrorKind::InvalidInput, "There is nothing to export: no station has a photo yet.");
     }
-    checkPlace(folder);
+    requireAbsent(folder);
     const auto begin = std::chrono::steady_clock::now();
     WriteReport report;
     try {
         UnfinishedFolder unfinished(folder);
         write(contents, unfinished, options, progress, stop, report);
-        checkPlace(folder); // somebody may have made it meanwhile; rename would replace an empty folder
+        requireAbsent(folder); // somebody may have made it meanwhile; rename would replace an empty folder
         unfinished.moveIntoPlace();
     } catch (const fs::filesystem_error& failure) {
         const bool full = failure.code() == std::errc::no_space_on_device;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kAlongShare = 0.3; ///< of an offset along the axis, at half way to the picture's edge
 constexpr double kLeastAcrossM = 0.01;
-constexpr double kNearM = 0.25;  ///< at which a view that was left out counts half as much
-constexpr double kTurnRad = 0.5; ///< likewise, about half of a usual field of view
+constexpr double kNearM = 0.5;    ///< at which a view that was left out counts half as much
+constexpr double kTurnRad = 0.35; ///< likewise, a third of a usual field of view
 
 double weight(const ViewLikeness& from, const ViewLikeness& view) {
     const double apart = (from.at - view.at).norm() / kNearM;

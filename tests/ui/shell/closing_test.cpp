@@ -34,6 +34,10 @@ struct Work {
     bool isTask = true;
 };
 
+void PrintTo(const Work& work, std::ostream* out) {
+    *out << work.name;
+}
+
 void beginCapture(Scene& scene) {
     Person& person = scene.person;
     person.choose("Capture");
