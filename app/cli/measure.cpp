@@ -21,6 +21,7 @@ struct Options {
     MeasuredDataset dataset;
     std::string pictures;
     std::string report;
+    std::string places{jobs::name(jobs::Places::Features)};
     bool isStored = false;
     jobs::MeasureOptions measure;
 };
@@ -31,6 +32,7 @@ jobs::MeasureOptions measureOptions(const Options& options, Context& context) {
     wanted.scene = view.scene;
     wanted.sampling = view.sampling;
     wanted.threads = view.threads;
+    wanted.places = jobs::places(options.places);
     wanted.worst = options.report.empty() ? 0 : kWorstShown;
     wanted.cacheFolder = options.dataset.resultFolder(context);
     if (!options.pictures.empty()) {
@@ -82,6 +84,12 @@ void addMeasure(Commands& commands) {
         .add_option("--tolerance", options->measure.tolerancePx,
                     "Pixels of the robot's camera that 95 of 100 places may be displaced by")
         ->check(CLI::Range(0.01, 1000.0))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--places", options->places,
+            "What those places are: features that are found again, or pixels, all whose depth is known")
+        ->check(CLI::IsMember({"features", "pixels"}))
         ->capture_default_str();
     command
         .add_option("--views", options->measure.mostViews,

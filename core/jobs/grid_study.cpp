@@ -117,7 +117,7 @@ class Study {
         });
         for (const Comparisons& result : results) {
             for (const auto& [with, comparison] : result.views) {
-                summaries.try_emplace(with.first, with.first, with.second)
+                summaries.try_emplace(with.first, with.first, with.second, Places::Features)
                     .first->second.add(comparison, ViewLikeness{});
             }
         }

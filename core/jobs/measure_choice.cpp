@@ -68,9 +68,9 @@ std::vector<Cheaper> cheaperThan(const MeasureReport& report, const Rung& chosen
     std::vector<Cheaper> result;
     for (const SceneLikeness& scene : report.scenes) {
         const Rung& rung = withSampling(report, scene.scene, chosen.sampling);
-        if (rung.renderMs * kAboutAsFast < chosen.renderMs && rung.errorPx &&
-            scene.errorPx().value_or(0) > 0) {
-            result.push_back({&scene, rung.renderMs, *rung.errorPx / *scene.errorPx()});
+        const double errorPx = scene.errorPx(report.places).value_or(0);
+        if (rung.renderMs * kAboutAsFast < chosen.renderMs && rung.errorPx && errorPx > 0) {
+            result.push_back({&scene, rung.renderMs, *rung.errorPx / errorPx});
         }
     }
     std::stable_sort(result.begin(), result.end(),

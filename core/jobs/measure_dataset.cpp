@@ -74,15 +74,15 @@ class Measurement {
         }
         const std::size_t count = std::min(views.size(), m_options.worst);
         std::partial_sort(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(count), views.end(),
-                          [](const ViewLikeness* a, const ViewLikeness* b) {
-                              return a->errorPx().value_or(0) > b->errorPx().value_or(0);
+                          [of = m_options.places](const ViewLikeness* a, const ViewLikeness* b) {
+                              return a->errorPx(of).value_or(0) > b->errorPx(of).value_or(0);
                           });
         views.resize(count);
         std::vector<ShownView> result;
         for (const ViewLikeness* likeness : views) {
             const Subject subject = m_subjects.get(likeness->index);
             result.push_back(
-                shownView(*likeness, subject.picture,
+                shownView(*likeness, m_options.places, subject.picture,
                           viewOf(subject, m_renderer, m_camera, {scene.scene, scene.sampling}).picture));
         }
         return result;
@@ -134,6 +134,7 @@ class Measurement {
         MeasureReport report;
         report.dataset = info.name;
         report.photos = info.photos.size();
+        report.places = m_options.places;
         report.directions = m_options.directions;
         report.reusedViews = m_reused;
         report.sphereRadiusM = info.sphereRadiusM;
@@ -146,13 +147,13 @@ class Measurement {
             }
         }
         for (const SceneKind scene : m_scenes) {
-            SceneSummary summary(scene, m_options.sampling);
+            SceneSummary summary(scene, m_options.sampling, m_options.places);
             for (std::size_t i = 0; i < m_subjects.count; ++i) {
                 const Comparison& comparison = m_results[i].views.at({scene, m_options.sampling});
                 summary.add(comparison, likenessOf(i, comparison));
             }
             report.scenes.push_back(summary.result());
-            const std::optional<double> errorPx = report.scenes.back().errorPx();
+            const std::optional<double> errorPx = report.scenes.back().errorPx(m_options.places);
             for (const Sampling sampling : kSamplings) {
                 report.rungs.push_back({scene, sampling,
                                         samplings.errorWith(sampling, m_options.sampling, errorPx), 0,
@@ -291,8 +292,8 @@ void storeChoice(const std::filesystem::path& dataset, const MeasureReport& repo
     }
     std::map<SceneKind, double> errors;
     for (const SceneLikeness& scene : report.scenes) {
-        if (scene.errorPx()) {
-            errors[scene.scene] = *scene.errorPx();
+        if (const auto errorPx = scene.errorPx(report.places)) {
+            errors[scene.scene] = *errorPx;
         }
     }
     changeDescription(dataset, [&](Json& description) {

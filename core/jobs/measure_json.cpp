@@ -97,6 +97,7 @@ Json toJson(const MeasureReport& report) {
     return {{"dataset", report.dataset},
             {"leave_one_out", report.isLeaveOneOut},
             {"photos", report.photos},
+            {"places", name(report.places)},
             {"directions", report.directions},
             {"reused_views", report.reusedViews},
             {"sphere_radius_m", orNull(report.sphereRadiusM)},

@@ -94,13 +94,14 @@ std::string errorMap(const render::DatasetInfo& info, const SceneLikeness& scene
     return plan.str();
 }
 
-std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& scene, int directions,
-                         double tolerancePx) {
+std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& scene,
+                         const MeasureReport& report) {
+    const double tolerancePx = report.choice.tolerancePx;
     PlanDrawing plan(
         info, text("Error by direction, scene model ", name(scene.scene)),
         "Each disc is a photo that was left out, each sector a direction that it was compared in");
     const double radiusM = 0.6 * plan.reachM();
-    const double half = std::numbers::pi / directions;
+    const double half = std::numbers::pi / report.directions;
     plan.walls();
     for (std::size_t i = 0; i < info.photos.size(); ++i) {
         plan.svg().circle(plan.at(placeOf(info, i)), plan.pixels(radiusM), kNoError);
@@ -108,7 +109,7 @@ std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& s
     for (const ViewLikeness& view : scene.views) {
         const double angle = std::atan2(view.axis.y(), view.axis.x());
         plan.svg().polygon(sector(plan, view.at.head<2>(), radiusM, angle - half, angle + half),
-                           measure::errorColour(view.errorPx(), tolerancePx), Svg::Line::Grid);
+                           measure::errorColour(view.errorPx(report.places), tolerancePx), Svg::Line::Grid);
     }
     errorLegend(plan, tolerancePx);
     return plan.str();

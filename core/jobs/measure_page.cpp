@@ -50,8 +50,7 @@ void addMaps(const render::DatasetInfo& info, const MeasureReport& leftOut, Docu
     const SceneLikeness& scene = likenessOf(leftOut, leftOut.rungs[*leftOut.choice.rung].scene);
     document.blocks.emplace_back(Heading{"Where it holds"});
     document.blocks.emplace_back(sheet::Drawing{errorMap(info, scene, leftOut.choice.tolerancePx)});
-    document.blocks.emplace_back(
-        sheet::Drawing{directionMap(info, scene, leftOut.directions, leftOut.choice.tolerancePx)});
+    document.blocks.emplace_back(sheet::Drawing{directionMap(info, scene, leftOut)});
 }
 
 void addWorst(const MeasureReport& report, Document& document) {

@@ -16,8 +16,8 @@ std::string coveragePlot(const render::DatasetInfo& info);
 std::string errorMap(const render::DatasetInfo& info, const SceneLikeness& scene, double tolerancePx);
 
 /// The same, each photo as a disc with a sector a direction.
-std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& scene, int directions,
-                         double tolerancePx);
+std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& scene,
+                         const MeasureReport& report);
 
 /// Error against time: a line a scene model, a point a sampling.
 std::string tradePlot(const MeasureReport& report);

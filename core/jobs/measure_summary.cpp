@@ -3,6 +3,9 @@
 
 #include "report_parts.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,6 +24,27 @@ void append(std::vector<int>& all, const std::vector<int>& more) {
 
 } // namespace
 
+std::string_view name(Places places) {
+    return places == Places::Features ? "features" : "pixels";
+}
+
+Places places(std::string_view name) {
+    for (const Places one : {Places::Features, Places::Pixels}) {
+        if (jobs::name(one) == name) {
+            return one;
+        }
+    }
+    throw Error(ErrorKind::InvalidInput,
+                text("\"", name, "\" are no places to count; name features or pixels."));
+}
+
+std::optional<double> errorPx(Places places, const std::optional<double>& features,
+                              const std::optional<double>& pixels) {
+    const bool isFeatures = places == Places::Features;
+    const std::optional<double>& wanted = isFeatures ? features : pixels;
+    return wanted ? wanted : isFeatures ? pixels : features;
+}
+
 std::optional<double> quantilePx(std::vector<int> hundredths, double share) {
     if (hundredths.empty()) {
         return std::nullopt;
@@ -32,7 +56,8 @@ std::optional<double> quantilePx(std::vector<int> hundredths, double share) {
     return 0.01 * *at;
 }
 
-SceneSummary::SceneSummary(render::SceneKind scene, render::Sampling sampling) {
+SceneSummary::SceneSummary(render::SceneKind scene, render::Sampling sampling, Places places)
+    : m_places(places) {
     m_result.scene = scene;
     m_result.sampling = sampling;
 }
@@ -48,7 +73,8 @@ void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
     append(m_matched, comparison.matched);
     append(m_exact, comparison.exact);
     if (view.leftOut) {
-        append(m_ofPhotos[*view.leftOut], comparison.exact.empty() ? comparison.matched : comparison.exact);
+        const bool isExact = m_places == Places::Pixels && !comparison.exact.empty();
+        append(m_ofPhotos[*view.leftOut], isExact ? comparison.exact : comparison.matched);
     }
     m_result.views.push_back(std::move(view));
 }
@@ -102,8 +128,10 @@ std::optional<double> SamplingSummary::errorWith(render::Sampling sampling, rend
     return std::sqrt(std::max(0.0, *usualPx * *usualPx - *there * *there) + *added * *added);
 }
 
-ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view) {
-    return {likeness.subject, likeness.errorPx(), likeness.psnrDb, truth, view, difference(view, truth, 1)};
+ShownView shownView(const ViewLikeness& likeness, Places places, const RgbImage& truth,
+                    const RgbImage& view) {
+    return {likeness.subject,          likeness.errorPx(places), likeness.psnrDb, truth, view,
+            difference(view, truth, 1)};
 }
 
 } // namespace spherewalk::jobs

@@ -15,13 +15,14 @@ std::optional<double> quantilePx(std::vector<int> hundredths, double share);
 /// Views of one scene model, put together.
 class SceneSummary {
   public:
-    SceneSummary(render::SceneKind scene, render::Sampling sampling);
+    SceneSummary(render::SceneKind scene, render::Sampling sampling, Places places);
 
     /// view: all but what the comparison says.
     void add(const Comparison& comparison, ViewLikeness view);
     SceneLikeness result() const;
 
   private:
+    Places m_places;
     SceneLikeness m_result;
     std::vector<int> m_matched;
     std::vector<int> m_exact;
@@ -42,6 +43,6 @@ class SamplingSummary {
     SamplingErrors m_errors;
 };
 
-ShownView shownView(const ViewLikeness& likeness, const RgbImage& truth, const RgbImage& view);
+ShownView shownView(const ViewLikeness& likeness, Places places, const RgbImage& truth, const RgbImage& view);
 
 } // namespace spherewalk::jobs

@@ -42,7 +42,9 @@ std::string subjectWords(const MeasureReport& report) {
             ? leftOutWords(report)
             : text(viewsOf(report), " pictures of the robot's camera, each beside the view from its pose; ",
                    report.photos, " photos");
-    return text(what, report.sphereRadiusM ? text("; sphere of ", fixed(*report.sphereRadiusM, 2), " m") : "",
+    const bool isOfPixels = report.places == Places::Pixels;
+    return text(what, isOfPixels ? "; pixels are counted, not features" : "",
+                report.sphereRadiusM ? text("; sphere of ", fixed(*report.sphereRadiusM, 2), " m") : "",
                 report.reusedViews > 0 ? text("; ", report.reusedViews, " known from before") : "");
 }
 

@@ -33,18 +33,32 @@ class DocumentPages {
         m_pages.setGrey(0);
         lines(document.title, kTitleTextMm, true);
         m_y += kGapMm;
-        for (const Block& block : document.blocks) {
-            std::visit([&](const auto& one) { add(one); }, block);
+        for (std::size_t i = 0; i < document.blocks.size(); ++i) {
+            const bool isLast = i + 1 == document.blocks.size();
+            m_nextMm = isLast ? 0 : beginMm(document.blocks[i + 1]);
+            std::visit([&](const auto& one) { add(one); }, document.blocks[i]);
         }
         number();
         return m_pages.finish();
     }
 
   private:
+    /// How much of a block is to stand on the page of its heading.
+    double beginMm(const Block& block) const {
+        constexpr double kOfTextMm = 40;
+        const auto* drawing = std::get_if<Drawing>(&block);
+        return drawing == nullptr ? kOfTextMm : sizeMm(*drawing).y();
+    }
+
+    Vector2d sizeMm(const Drawing& drawing) const {
+        const Vector2d pixels = m_pages.sizeOf(drawing.svg);
+        const double widthMm = std::min(kWidthMm, pixels.x() * kMmAPixel);
+        return {widthMm, widthMm * pixels.y() / pixels.x()};
+    }
+
     void add(const Heading& heading) {
-        constexpr double kNextMm = 40; // of what follows, to stand on the same page
         m_y += 2 * kGapMm;
-        need(kHeadingTextMm + kNextMm);
+        need(2 * kLine * kHeadingTextMm + m_nextMm);
         lines(heading.words, kHeadingTextMm, true);
         m_y += 0.5 * kGapMm;
     }
@@ -64,12 +78,10 @@ class DocumentPages {
     }
 
     void add(const Drawing& drawing) {
-        const Vector2d pixels = m_pages.sizeOf(drawing.svg);
-        const double widthMm = std::min(kWidthMm, pixels.x() * kMmAPixel);
-        const double heightMm = widthMm * pixels.y() / pixels.x();
-        need(heightMm);
-        m_pages.drawing({kMarginMm, m_y}, widthMm, drawing.svg);
-        m_y += heightMm + kGapMm;
+        const Vector2d size = sizeMm(drawing);
+        need(size.y());
+        m_pages.drawing({kMarginMm, m_y}, size.x(), drawing.svg);
+        m_y += size.y() + kGapMm;
     }
 
     void add(const PictureRow& row) {
@@ -170,6 +182,7 @@ class DocumentPages {
 
     PdfPages m_pages;
     double m_y = kMarginMm;
+    double m_nextMm = 0; ///< of the next block
     int m_page = 1;
 };
 

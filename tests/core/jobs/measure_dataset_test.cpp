@@ -65,6 +65,27 @@ TEST(MeasureDataset, RanksTheSceneModels) {
     EXPECT_GT(report.rungs.back().bytes, report.rungs.front().bytes);
 }
 
+TEST(MeasureDataset, CountsFeaturesOrPixels) {
+    const auto errorOf = [](const MeasureReport& report, SceneKind scene) {
+        const auto rung = std::find_if(report.rungs.begin(), report.rungs.end(), [&](const Rung& one) {
+            return one.scene == scene && one.sampling == render::Sampling::Footprint;
+        });
+        return rung->errorPx;
+    };
+    MeasureOptions options = quick();
+    const MeasureReport features = measuredWith(options);
+    options.places = Places::Pixels;
+    const MeasureReport pixels = measuredWith(options);
+    for (std::size_t i = 0; i < features.scenes.size(); ++i) {
+        const SceneLikeness& scene = features.scenes[i];
+        EXPECT_EQ(errorOf(features, scene.scene), scene.p95Px);
+        EXPECT_EQ(errorOf(pixels, scene.scene), scene.exactP95Px);
+        EXPECT_GT(pixels.scenes[i].photos.front().places, features.scenes[i].photos.front().places);
+    }
+    EXPECT_EQ(places(name(Places::Pixels)), Places::Pixels);
+    test::expectError(ErrorKind::InvalidInput, "features or pixels", [] { places("voxels"); });
+}
+
 TEST(MeasureDataset, LeavesOutEveryPhotoBeforeAnyTwice) {
     MeasureOptions options = quick();
     options.scene = SceneKind::None;

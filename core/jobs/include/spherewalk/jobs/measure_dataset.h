@@ -21,6 +21,7 @@ struct MeasureOptions {
     int directions = 4;     ///< spread evenly about the horizon
     int samplingViews = 16; ///< of them, that the samplings are compared on
     double tolerancePx = 2; ///< of the robot's camera
+    Places places = Places::Features;
     std::optional<render::SceneKind> scene; ///< this one alone; nothing: all that the dataset has
     render::Sampling sampling = render::Sampling::Footprint; ///< that scene models are compared with
     std::size_t worst = 0;                                   ///< views kept in the report

@@ -11,9 +11,25 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::jobs {
+
+/// What a tolerance is about, of which 95 of 100 must hold it.
+enum class Places {
+    Features, ///< that are found again, which is what programs follow from picture to picture
+    Pixels,   ///< all with a known depth, also those that the view cannot show right, which are lost as
+              ///< features
+};
+
+/// "features" and "pixels". Errors of the latter: InvalidInput.
+std::string_view name(Places places);
+Places places(std::string_view name);
+
+/// The 95th percentile that counts, the other one where it is not known.
+std::optional<double> errorPx(Places places, const std::optional<double>& features,
+                              const std::optional<double>& pixels);
 
 /// How like the truth one view is.
 struct ViewLikeness {
@@ -33,15 +49,14 @@ struct ViewLikeness {
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
 
-    /// The 95th percentile that counts: the exact one where it is known.
-    std::optional<double> errorPx() const { return exactP95Px ? exactP95Px : p95Px; }
+    std::optional<double> errorPx(Places of) const { return jobs::errorPx(of, p95Px, exactP95Px); }
 };
 
 /// What was found about one photo that was left out, all directions together.
 struct PhotoError {
-    std::size_t photo = 0;       ///< index in the dataset
-    std::optional<double> p95Px; ///< exact where that is known
-    std::size_t places = 0;      ///< that were compared
+    std::size_t photo = 0; ///< index in the dataset
+    std::optional<double> p95Px;
+    std::size_t places = 0; ///< that were compared
 };
 
 /// How like the truth the views of one scene model with one sampling are.
@@ -58,9 +73,8 @@ struct SceneLikeness {
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
 
-    /// The 95th percentile that counts: the exact one where it is known. Nothing if there was nothing to
-    /// compare.
-    std::optional<double> errorPx() const { return exactP95Px ? exactP95Px : p95Px; }
+    /// Nothing if there was nothing to compare.
+    std::optional<double> errorPx(Places of) const { return jobs::errorPx(of, p95Px, exactP95Px); }
 };
 
 /// What a scene model with a sampling costs and how far it is off.
@@ -105,8 +119,9 @@ struct MeasureReport {
     std::string dataset; ///< its name
     bool isLeaveOneOut = true;
     std::size_t photos = 0;
-    int directions = 0;          ///< that photos were compared in
-    std::size_t reusedViews = 0; ///< from an earlier run
+    Places places = Places::Features; ///< that were counted
+    int directions = 0;               ///< that photos were compared in
+    std::size_t reusedViews = 0;      ///< from an earlier run
     std::optional<double> sphereRadiusM;
     double focalPx = 0;                ///< of the camera
     std::vector<SceneLikeness> scenes; ///< cheap to exact, those that the dataset has
