@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_chosen.h"
+#include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/jobs/measure_survey.h"
 #include "spherewalk/render/camera_info.h"
 
@@ -20,6 +21,8 @@ struct Options {
     std::string scene = "sphere";
     std::string camera;
     jobs::MeasureOptions measure;
+    std::string format = "spherewalk";
+    bool withFaces = false;
     bool isCheck = false;
 
     bool isChosen() const { return scene == "auto"; }
@@ -83,8 +86,20 @@ Result exportChosen(const Options& options, const store::SurveyStore& store, Con
     return result;
 }
 
+Result exportForeign(const Options& options, const store::SurveyStore& store, Context& context) {
+    const jobs::ForeignReport report =
+        jobs::exportForeign(store, options.dataset, {dataset::poseFormat(options.format), options.withFaces},
+                            context.progress, context.stop);
+    return {{{"photos", report.photos}, {"pictures", report.pictures}, {"folder", options.dataset}},
+            text("Exported ", report.photos, " photos as ", report.pictures, " pictures with poses for ",
+                 options.format, " to ", options.dataset, ".")};
+}
+
 Result exportSurvey(const Options& options, Context& context) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
+    if (options.format != "spherewalk") {
+        return exportForeign(options, store, context);
+    }
     if (options.isChosen()) {
         return exportChosen(options, store, context);
     }
@@ -109,6 +124,15 @@ void addExport(Commands& commands) {
                     "taken")
         ->check(CLI::Range(1, 65535))
         ->capture_default_str();
+    command
+        .add_option(
+            "--format", options->format,
+            "What for: spherewalk's own simulators, or pictures with poses as colmap, nerfstudio, tum, "
+            "kitti or euroc read them")
+        ->check(CLI::IsMember({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc"}))
+        ->capture_default_str();
+    command.add_flag("--faces", options->withFaces,
+                     "With another format, the six faces of a cube instead of each photo");
     command.add_flag("--check", options->isCheck,
                      "Only say how large it would become, how long it would take, and what it would lack");
     command

@@ -19,6 +19,7 @@ struct Options {
     std::string out;
     std::string late = "wait";
     std::string ball;
+    std::vector<std::string> formats;
     double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
@@ -33,6 +34,9 @@ Result walk(const Options& options, Context& context) {
                                   {render::latePolicy(options.late), options.prefetchS}};
     if (!options.ball.empty()) {
         walkOptions.ball = jobs::parseBall(options.ball);
+    }
+    for (const std::string& format : options.formats) {
+        walkOptions.formats.push_back(dataset::poseFormat(format));
     }
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
@@ -62,6 +66,11 @@ void addWalk(Commands& commands) {
         .add_option("--prefetch", options->prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command
+        .add_option("--format", options->formats,
+                    "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "
+                    "nerfstudio; can be repeated")
+        ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio"}));
     command.add_option(
         "--ball", options->ball,
         "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");

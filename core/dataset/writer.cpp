@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/new_folder.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
@@ -16,49 +17,12 @@
 #include <chrono>
 #include <mutex>
 #include <set>
-#include <unistd.h>
 
 namespace spherewalk::dataset {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder that is removed with all that is in it, unless it was moved to its final place.
-class UnfinishedFolder {
-  public:
-    explicit UnfinishedFolder(const fs::path& finalPlace) : m_finalPlace(finalPlace) {
-        m_path = m_finalPlace;
-        m_path += text(".", ::getpid(), ".part");
-        fs::remove_all(m_path);
-        for (const char* name : {"photos", "index", "thumbnails", "depth"}) {
-            fs::create_directories(m_path / name);
-        }
-    }
-
-    ~UnfinishedFolder() {
-        std::error_code
-            ignored; // a leftover with the name .part does no harm and cannot be taken for a dataset
-        fs::remove_all(m_path, ignored);
-    }
-
-    UnfinishedFolder(const UnfinishedFolder&) = delete;
-    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
-
-    const fs::path& path() const { return m_path; }
-
-    void moveIntoPlace() {
-        for (const char* name : {"photos", "index", "thumbnails", "depth", "."}) {
-            syncFolder(m_path / name);
-        }
-        fs::rename(m_path, m_finalPlace);
-        syncFolder(m_finalPlace.has_parent_path() ? m_finalPlace.parent_path() : ".");
-    }
-
-  private:
-    fs::path m_finalPlace;
-    fs::path m_path;
-};
 
 std::uint64_t writeNew(const fs::path& file, ByteView bytes) {
     writeFile(file, bytes, DurableFile::Overwrite::No);
@@ -116,9 +80,12 @@ std::vector<std::string> stems(const std::vector<SourcePhoto>& photos) {
     return result;
 }
 
-void write(const Contents& contents, UnfinishedFolder& folder, const WriteOptions& options,
+void write(const Contents& contents, const fs::path& folder, const WriteOptions& options,
            ProgressSink& progress, const std::stop_token& stop, WriteReport& report) {
     render::DatasetInfo info = contents.info;
+    for (const char* name : {"photos", "index", "thumbnails", "depth"}) {
+        fs::create_directories(folder / name);
+    }
     const std::vector<std::string> names = stems(contents.photos);
     const int count = static_cast<int>(contents.photos.size());
     info.photos.resize(contents.photos.size());
@@ -133,11 +100,10 @@ void write(const Contents& contents, UnfinishedFolder& folder, const WriteOption
             source = photo::withPositionTag(source, *photo.tag, photo.file.string());
         }
         render::DatasetPhoto entry = photo.entry;
-        std::uint64_t others =
-            writePhoto(source, folder.path(), names[k], photo.file.string(), options, entry);
+        std::uint64_t others = writePhoto(source, folder, names[k], photo.file.string(), options, entry);
         if (!photo.depthFile.empty()) {
             entry.depth = text("depth/", names[k], ".pgm");
-            others += writeNew(folder.path() / entry.depth, readFile(photo.depthFile));
+            others += writeNew(folder / entry.depth, readFile(photo.depthFile));
         }
         const std::scoped_lock lock(mutex);
         info.photos[k] = entry;
@@ -149,7 +115,7 @@ void write(const Contents& contents, UnfinishedFolder& folder, const WriteOption
                           text("Writing photo ", report.photos, " of ", count));
     });
     report.totalBytes +=
-        writeNew(folder.path() / render::kDatasetFile, bytesOf(render::toJson(info).dump(1) + "\n"));
+        writeNew(folder / render::kDatasetFile, bytesOf(render::toJson(info).dump(1) + "\n"));
     throwIfStopped(stop);
 }
 
@@ -163,33 +129,17 @@ void WriteOptions::validate() const {
     }
 }
 
-void requireAbsent(const fs::path& folder) {
-    if (fs::exists(fs::symlink_status(folder))) {
-        throw Error(ErrorKind::Exists, text("Could not write the dataset ", folder.string(),
-                                            ": it exists already; choose another name, or remove it first."));
-    }
-}
-
 WriteReport writeDataset(const Contents& contents, const fs::path& folder, const WriteOptions& options,
                          ProgressSink& progress, const std::stop_token& stop) {
     options.validate();
     if (contents.photos.empty()) {
         throw Error(ErrorKind::InvalidInput, "There is nothing to export: no station has a photo yet.");
     }
-    requireAbsent(folder);
     const auto begin = std::chrono::steady_clock::now();
     WriteReport report;
-    try {
-        UnfinishedFolder unfinished(folder);
+    makeFolder(folder, "the dataset", [&](const fs::path& unfinished) {
         write(contents, unfinished, options, progress, stop, report);
-        requireAbsent(folder); // somebody may have made it meanwhile; rename would replace an empty folder
-        unfinished.moveIntoPlace();
-    } catch (const fs::filesystem_error& failure) {
-        const bool full = failure.code() == std::errc::no_space_on_device;
-        throw Error(
-            full ? ErrorKind::Full : ErrorKind::Io,
-            text("Could not write the dataset ", folder.string(), ": ", failure.code().message(), "."));
-    }
+    });
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
 }

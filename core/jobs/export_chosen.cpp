@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_chosen.h"
 
+#include "spherewalk/base/new_folder.h"
 #include "spherewalk/jobs/measure_survey.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folde
                           const MeasureOptions& measure, const dataset::WriteOptions& write,
                           ProgressSink& progress, const std::stop_token& stop) {
     measure.validate();
-    dataset::requireAbsent(folder);
+    requireAbsent(folder, "the dataset");
     const fs::path cache = measureCacheFolder(store.folder());
     ProgressStep exporting(progress, 0, kExported);
     const fs::path all = surveyDataset(store, render::SceneKind::Depth, cache, exporting, stop);

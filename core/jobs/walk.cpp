@@ -5,6 +5,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::string csvLine(std::size_t frame, const TimedPose& pose, const render::View
                 report.isLate ? 1 : 0, "\n");
 }
 
-void makeFolder(const std::filesystem::path& folder) {
+void makeFolders(const std::filesystem::path& folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
@@ -42,12 +43,23 @@ void makeFolder(const std::filesystem::path& folder) {
     }
 }
 
+void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraModel& camera,
+                const std::vector<TimedPose>& path, const std::filesystem::path& folder) {
+    std::vector<dataset::PosedFrame> frames;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        frames.push_back({frameName(i), path[i].timeS, path[i].roomFromCamera});
+    }
+    for (const dataset::PoseFormat format : formats) {
+        writePoseFiles(format, camera.intrinsics(), frames, folder);
+    }
+}
+
 } // namespace
 
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
-    makeFolder(folder);
+    makeFolders(folder);
     render::ViewStream stream(renderer, camera, options.stream);
     render::ViewOptions frame = options.view;
     std::vector<render::Overlay> overlays; ///< that the frame's options point to
@@ -83,6 +95,7 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                           "Rendering the walk");
     }
     writeFile(folder / "index.csv", bytesOf(csv));
+    writePoses(options.formats, camera, path, folder);
     photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
     report.photosUsed = photos.size();
     report.stream = stream.counters();

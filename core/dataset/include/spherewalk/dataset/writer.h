@@ -49,9 +49,6 @@ struct WriteReport {
     double seconds = 0;
 };
 
-/// Errors: Exists if there is something by this name.
-void requireAbsent(const std::filesystem::path& folder);
-
 /// Writes a dataset, version 1, beside its final place, and renames it into place when it is complete and
 /// synced. Errors: Exists if the folder is there already; Corrupt if a photo's bytes have not their hash or
 /// are no 2:1 JPEG; Full, Io, Stopped. After an error nothing is left.

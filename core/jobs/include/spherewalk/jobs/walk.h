@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/dataset/pose_formats.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/render/view_stream.h"
@@ -18,7 +19,8 @@ struct WalkOptions {
     render::ViewOptions view;
     render::StreamOptions
         stream; ///< the poses' times tell how the camera moves; frames are not paced by them
-    std::optional<Ball> ball = {}; ///< laid into each frame
+    std::optional<Ball> ball = {};                 ///< laid into each frame
+    std::vector<dataset::PoseFormat> formats = {}; ///< whose files are written besides
 };
 
 struct WalkReport {
@@ -33,9 +35,9 @@ struct WalkReport {
 };
 
 /// Renders a view at each pose and writes 000000.png ..., index.csv (a line a frame, with its pose and
-/// report) and contact-sheet.png into the folder, which is made if need be; files of these names are
-/// replaced. Frames: the poses are of the optical frame. Errors: those of rendering and writing; Stopped,
-/// with the frames so far kept.
+/// report) and contact-sheet.png into the folder, which is made if need be, and the files of the
+/// formats, for which the room is the world; files of these names are replaced. Frames: the poses are of the
+/// optical frame. Errors: those of rendering and writing; Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/base/new_folder.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+
+#include <system_error>
+#include <unistd.h>
+
+namespace spherewalk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Removed with all that is in it, unless it was moved to its final place.
+class UnfinishedFolder {
+  public:
+    explicit UnfinishedFolder(const fs::path& finalPlace) : m_finalPlace(finalPlace) {
+        m_path = m_finalPlace;
+        m_path += text(".", ::getpid(), ".part");
+        fs::remove_all(m_path);
+        fs::create_directories(m_path);
+    }
+
+    ~UnfinishedFolder() {
+        std::error_code ignored; // a leftover with the name .part does no harm: nothing takes it for whole
+        fs::remove_all(m_path, ignored);
+    }
+
+    UnfinishedFolder(const UnfinishedFolder&) = delete;
+    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+    const fs::path& path() const { return m_path; }
+
+    void moveIntoPlace() {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(m_path)) {
+            if (entry.is_directory()) {
+                syncFolder(entry.path());
+            }
+        }
+        syncFolder(m_path);
+        fs::rename(m_path, m_finalPlace);
+        syncFolder(m_finalPlace.has_parent_path() ? m_finalPlace.parent_path() : ".");
+    }
+
+  private:
+    fs::path m_finalPlace;
+    fs::path m_path;
+};
+
+} // namespace
+
+void requireAbsent(const fs::path& folder, std::string_view what) {
+    if (fs::exists(fs::symlink_status(folder))) {
+        throw Error(ErrorKind::Exists, text("Could not write ", what, " ", folder.string(),
+                                            ": it exists already; choose another name, or remove it first."));
+    }
+}
+
+void makeFolder(const fs::path& folder, std::string_view what,
+                const std::function<void(const fs::path&)>& fill) {
+    try {
+        requireAbsent(folder, what);
+        UnfinishedFolder unfinished(folder);
+        fill(unfinished.path());
+        requireAbsent(folder, what); // somebody may have made it meanwhile; rename would replace an empty one
+        unfinished.moveIntoPlace();
+    } catch (const fs::filesystem_error& failure) {
+        const bool isFull = failure.code() == std::errc::no_space_on_device;
+        throw Error(
+            isFull ? ErrorKind::Full : ErrorKind::Io,
+            text("Could not write ", what, " ", folder.string(), ": ", failure.code().message(), "."));
+    }
+}
+
+} // namespace spherewalk

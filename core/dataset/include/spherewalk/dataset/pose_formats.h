@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/geometry/rigid3.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace spherewalk::dataset {
+
+/// How other programs read pictures with poses.
+enum class PoseFormat {
+    Tum,        ///< groundtruth.txt: time, position, quaternion
+    Kitti,      ///< poses.txt, a 3 x 4 matrix a line relative to the first picture, and times.txt
+    Euroc,      ///< mav0/state_groundtruth_estimate0/data.csv
+    Colmap,     ///< sparse/0/cameras.txt, images.txt, points3D.txt (without points)
+    Nerfstudio, ///< transforms.json
+};
+
+/// "tum", "kitti", "euroc", "colmap", "nerfstudio". Errors of the latter: InvalidInput.
+std::string_view name(PoseFormat format);
+PoseFormat poseFormat(std::string_view name);
+
+/// A picture, by its path relative to the folder that the files are written to.
+struct PosedFrame {
+    std::string file;
+    double timeS = 0;
+    /// Of the optical frame; of a spherical picture, the frame whose z axis goes through the picture's
+    /// middle.
+    Rigid3 roomFromCamera;
+};
+
+/// A pinhole camera with or without distortion, or a whole sphere.
+using FrameCamera = std::variant<CameraIntrinsics, EquirectSize>;
+
+struct TextFile {
+    std::string path; ///< relative
+    std::string text;
+};
+
+/// The files of a format. Numbers have as many digits as they need to be read back exactly. Frames: the room
+/// is the world; KITTI's is the first picture's camera. Pixels: COLMAP and nerfstudio count from the corner
+/// of the first pixel, so their centres are half a pixel greater. COLMAP names pictures within their folder
+/// and numbers them in the order of their names. EuRoC's velocities are differences between neighbours, its
+/// biases 0. Errors: Unsupported for a sphere with COLMAP, and for lenses that a format does not have;
+/// InvalidInput for no frames, and for times of EuRoC that do not rise.
+std::vector<TextFile> poseFiles(PoseFormat format, const FrameCamera& camera,
+                                std::span<const PosedFrame> frames);
+
+} // namespace spherewalk::dataset
