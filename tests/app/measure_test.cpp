@@ -60,23 +60,6 @@ TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
     EXPECT_LE(choice["error_px"].get<double>(), 900);
 }
 
-TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
-    const test::PhotographedSurvey survey{2};
-    const std::string camera = writeCamera(survey);
-    const std::string dataset = survey / "d";
-    const CliResult refused = runCli({"export", survey.path(), dataset, "--scene", "auto"});
-    EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.errors, HasSubstr("--camera"));
-    const CliResult made = runCli({"export", survey.path(), dataset, "--scene", "auto", "--camera", camera,
-                                   "--tolerance", "900", "--json"});
-    ASSERT_EQ(made.status, 0) << made.errors;
-    const Json description = parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json");
-    EXPECT_EQ(made.json()["measured"]["scenes"].size(), 4U) << "all models were compared";
-    EXPECT_NE(description["choice"]["scene"], "depth") << "an endlessly far world needs no depth";
-    EXPECT_EQ(made.json()["scene"], "sphere");
-    EXPECT_EQ(description["scene_models"].size(), 1U);
-}
-
 TEST(GridStudyCommand, SaysWhatBlockItNeeds) {
     const test::PhotographedSurvey survey(2);
     const CliResult result =

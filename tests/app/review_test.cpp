@@ -37,13 +37,4 @@ TEST(RetagCommand, MovesAPhotoToTheStationThatIsNamed) {
     EXPECT_EQ(runCli({"retag", path, "--photo", "R1002.JPG"}).status, 1);
 }
 
-TEST(ExportCommand, OnlyLooksWhenAsked) {
-    const test::PhotographedSurvey survey(2);
-    const CliResult checked =
-        runCli({"export", survey.path().string(), (survey / "d").string(), "--check", "--json"});
-    EXPECT_EQ(checked.status, 0) << checked.errors;
-    EXPECT_EQ(checked.json()["photos"], 2);
-    EXPECT_FALSE(std::filesystem::exists(survey / "d"));
-}
-
 } // namespace spherewalk

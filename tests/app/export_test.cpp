@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_run.h"
+#include "photographed_survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk {
+
+using test::CliResult;
+using test::runCli;
+using testing::HasSubstr;
+
+namespace {
+
+std::string writeCamera(const test::PhotographedSurvey& survey) {
+    const std::filesystem::path file = survey / "c.yaml";
+    writeFile(file, bytesOf("image_width: 160\nimage_height: 120\n"
+                            "camera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}\n"));
+    return file;
+}
+
+} // namespace
+
+TEST(ExportCommand, OnlyLooksWhenAsked) {
+    const test::PhotographedSurvey survey(2);
+    const CliResult checked =
+        runCli({"export", survey.path().string(), (survey / "d").string(), "--check", "--json"});
+    EXPECT_EQ(checked.status, 0) << checked.errors;
+    EXPECT_EQ(checked.json()["photos"], 2);
+    EXPECT_FALSE(std::filesystem::exists(survey / "d"));
+}
+
+TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
+    const test::PhotographedSurvey survey{2};
+    const std::string camera = writeCamera(survey);
+    const std::string dataset = survey / "d";
+    const CliResult refused = runCli({"export", survey.path(), dataset, "--scene", "auto"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.errors, HasSubstr("--camera"));
+    const CliResult made = runCli({"export", survey.path(), dataset, "--scene", "auto", "--camera", camera,
+                                   "--tolerance", "900", "--json"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const Json description = parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json");
+    EXPECT_EQ(made.json()["measured"]["scenes"].size(), 4U) << "all models were compared";
+    EXPECT_NE(description["choice"]["scene"], "depth") << "an endlessly far world needs no depth";
+    EXPECT_EQ(made.json()["scene"], "sphere");
+    EXPECT_EQ(description["scene_models"].size(), 1U);
+}
+
+TEST(ExportCommand, CutsPhotosIntoFacesThatColmapReads) {
+    const test::PhotographedSurvey survey{2};
+    const std::string folder = survey / "faces";
+    const CliResult made = runCli({"export", survey.path(), folder, "--format", "colmap", "--json"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_EQ(made.json()["pictures"], 12);
+    EXPECT_TRUE(std::filesystem::exists(survey / "faces/images/R1001_front.jpg"));
+    test::Program colmap({"/usr/bin/env", "colmap", "model_analyzer", "--path", folder + "/sparse/0"});
+    ASSERT_EQ(colmap.wait(), 0) << colmap.errors();
+    EXPECT_THAT(colmap.output() + colmap.errors(), HasSubstr("Registered images: 12"));
+    const CliResult again = runCli({"export", survey.path(), folder, "--format", "colmap"});
+    EXPECT_EQ(again.status, 1);
+    EXPECT_THAT(again.errors, HasSubstr("exists already"));
+}
+
+TEST(ExportCommand, GivesNerfstudioThePhotosAsTheyAre) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "n", "--format", "nerfstudio"}).status, 0);
+    const Json json = parseJson(readTextFile(survey / "n/transforms.json"), "transforms.json");
+    EXPECT_EQ(json["camera_model"], "EQUIRECTANGULAR");
+    ASSERT_EQ(json["frames"].size(), 2U);
+    for (const Json& frame : json["frames"]) {
+        EXPECT_TRUE(std::filesystem::exists(survey / "n" / frame["file_path"].get<std::string>()));
+    }
+}
+
+TEST(WalkCommand, WritesItsPosesAsOtherProgramsReadThem) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    writeFile(survey / "p.tum", bytesOf("0 2 1.5 1.2 0 0 0 1\n0.1 2.1 1.5 1.2 0 0 0.1 0.995\n"));
+    const CliResult walked = runCli({"walk", survey / "d", "--camera", writeCamera(survey), "--frame", "body",
+                                     "--path", survey / "p.tum", "--out", survey / "w", "--format", "colmap",
+                                     "--format", "kitti", "--format", "tum"});
+    ASSERT_EQ(walked.status, 0) << walked.errors;
+    for (const char* file : {"sparse/0/images.txt", "poses.txt", "times.txt", "groundtruth.txt"}) {
+        EXPECT_TRUE(std::filesystem::exists(survey / "w" / file)) << file;
+    }
+    EXPECT_THAT(readTextFile(survey / "w/sparse/0/images.txt"), HasSubstr(" 1 000001.png\n"));
+}
+
+} // namespace spherewalk
