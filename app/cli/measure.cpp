@@ -22,6 +22,7 @@ struct Options {
     std::string pictures;
     std::string report;
     std::string places{jobs::name(jobs::Places::Features)};
+    std::string shard = "1/1";
     bool isStored = false;
     jobs::MeasureOptions measure;
 };
@@ -55,6 +56,14 @@ Result measure(const Options& options, Context& context) {
     const jobs::MeasureOptions wanted = measureOptions(options, context);
     const CameraModel camera = options.dataset.options().cameraModel();
     const render::Renderer renderer = options.dataset.renderer(richest(wanted.scene), context);
+    const jobs::Shard shard = jobs::Shard::parse(options.shard);
+    if (!shard.isWhole()) {
+        const jobs::MeasuredPart part =
+            measurePart(renderer, camera, wanted, shard, context.progress, context.stop);
+        return {{{"views", part.views}, {"reused_views", part.reused}, {"of_views", part.ofViews}},
+                text("Compared ", part.views, " of ", part.ofViews, " views, ", part.reused,
+                     " known from before. Once all parts are there, measure without --shard.")};
+    }
     const jobs::MeasureReport report =
         measureDataset(renderer, camera, wanted, context.progress, context.stop);
     Result result{toJson(report), measureText(report)};
@@ -103,6 +112,12 @@ void addMeasure(Commands& commands) {
         .add_option("--sampling-views", options->measure.samplingViews,
                     "Views that the samplings are compared on, of those")
         ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--shard", options->shard,
+            "Compare only the i-th of n parts of the views, \"i/n\"; the same command without it puts "
+            "all parts together")
         ->capture_default_str();
     command.add_flag("--store", options->isStored,
                      "Write the choice into the dataset: what --scene auto and --sampling auto stand for");

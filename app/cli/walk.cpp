@@ -20,6 +20,7 @@ struct Options {
     std::string late = "wait";
     std::string ball;
     std::vector<std::string> formats;
+    std::string shard = "1/1";
     double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
@@ -35,15 +36,22 @@ Result walk(const Options& options, Context& context) {
     if (!options.ball.empty()) {
         walkOptions.ball = jobs::parseBall(options.ball);
     }
+    walkOptions.shard = jobs::Shard::parse(options.shard);
     for (const std::string& format : options.formats) {
         walkOptions.formats.push_back(dataset::poseFormat(format));
     }
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
+    const std::string known =
+        report.reused > 0 ? text(", ", report.reused, " of them were there before") : "";
     return {jobs::toJson(report),
-            text("Wrote ", report.frames, " frames, index.csv, and contact-sheet.png to ", options.out,
-                 " (median ", fixed(report.medianRenderMs, 1), " ms to render, ", report.photosUsed,
-                 " photos used, ", report.stream.late, " frames not decoded in time).")};
+            report.isComplete
+                ? text("Wrote ", report.frames, " frames", known, ", index.csv, and contact-sheet.png to ",
+                       options.out, " (median ", fixed(report.medianRenderMs, 1), " ms to render, ",
+                       report.photosUsed, " photos used, ", report.stream.late,
+                       " frames not decoded in time).")
+                : text("Wrote ", report.frames, " frames", known, " to ", options.out,
+                       ". Other parts are still to come; the last one to end writes index.csv.")};
 }
 
 } // namespace
@@ -71,6 +79,11 @@ void addWalk(Commands& commands) {
                     "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "
                     "nerfstudio; can be repeated")
         ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio"}));
+    command
+        .add_option(
+            "--shard", options->shard,
+            "Render only the i-th of n parts of the frames, \"i/n\"; several processes may do so at once")
+        ->capture_default_str();
     command.add_option(
         "--ball", options->ball,
         "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");

@@ -15,6 +15,7 @@
 #include <array>
 #include <chrono>
 #include <mutex>
+#include <numeric>
 
 namespace spherewalk::jobs {
 
@@ -57,9 +58,21 @@ class Measurement {
         }
     }
 
+    /// Only the views of this part, into the cache.
+    MeasuredPart runPart(const Shard& shard, ProgressSink& progress, const std::stop_token& stop) {
+        std::vector<std::size_t> part;
+        for (std::size_t i = shard.index; i < m_subjects.count; i += shard.count) { // alike in what they cost
+            part.push_back(i);
+        }
+        compare(part, progress, stop);
+        return {part.size(), m_reused, m_subjects.count};
+    }
+
     MeasureReport run(ProgressSink& progress, const std::stop_token& stop) {
         ProgressStep comparing(progress, 0, 0.95);
-        compareAll(comparing, stop);
+        std::vector<std::size_t> all(m_subjects.count);
+        std::iota(all.begin(), all.end(), 0);
+        compare(all, comparing, stop);
         ProgressStep timing(progress, 0.95, 1);
         MeasureReport report = summarised();
         timeAll(report, timing, stop);
@@ -98,15 +111,17 @@ class Measurement {
         return std::min(m_subjects.count, static_cast<std::size_t>(m_options.samplingViews));
     }
 
-    void compareAll(ProgressSink& progress, const std::stop_token& stop) {
+    void compare(const std::vector<std::size_t>& subjects, ProgressSink& progress,
+                 const std::stop_token& stop) {
         std::mutex mutex;
         std::size_t done = 0;
-        parallelFor(static_cast<int>(m_subjects.count), 1, m_options.threads, [&](int i, int /*end*/) {
-            const bool isReused = compareOne(static_cast<std::size_t>(i), stop);
+        parallelFor(static_cast<int>(subjects.size()), 1, m_options.threads, [&](int i, int /*end*/) {
+            const bool isReused = compareOne(subjects[static_cast<std::size_t>(i)], stop);
             const std::scoped_lock lock(mutex);
             m_reused += isReused ? 1 : 0;
-            progress.progress(static_cast<double>(++done) / static_cast<double>(m_subjects.count),
-                              text("Comparing view ", done, " of ", m_subjects.count));
+            ++done;
+            progress.progress(static_cast<double>(done) / static_cast<double>(subjects.size()),
+                              text("Comparing view ", done, " of ", subjects.size()));
         });
     }
 
@@ -227,13 +242,16 @@ class Measurement {
     std::size_t m_reused = 0;
 };
 
+Subjects subjectsOf(const render::Renderer& renderer, const CameraModel& camera,
+                    const MeasureOptions& options, bool isLeaveOneOut) {
+    return isLeaveOneOut ? leftOutSubjects(options, renderer, camera) : robotSubjects(options, camera);
+}
+
 MeasureReport measured(const render::Renderer& renderer, const CameraModel& camera,
                        const MeasureOptions& options, bool isLeaveOneOut, ProgressSink& progress,
                        const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
-    Measurement measurement(renderer, camera, options,
-                            isLeaveOneOut ? leftOutSubjects(options, renderer, camera)
-                                          : robotSubjects(options, camera));
+    Measurement measurement(renderer, camera, options, subjectsOf(renderer, camera, options, isLeaveOneOut));
     MeasureReport report = measurement.run(progress, stop);
     report.isLeaveOneOut = isLeaveOneOut;
     report.choice = chosen(report, options.tolerancePx);
@@ -282,6 +300,27 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
         report.leaveOneOut = std::move(foretold);
     }
     return report;
+}
+
+MeasuredPart measurePart(const render::Renderer& renderer, const CameraModel& camera,
+                         const MeasureOptions& options, const Shard& shard, ProgressSink& progress,
+                         const std::stop_token& stop) {
+    options.validate();
+    if (options.cacheFolder.empty()) {
+        throw Error(ErrorKind::InvalidInput, "Part of a measurement needs a folder to keep its results in.");
+    }
+    MeasuredPart all;
+    for (const bool isLeaveOneOut : {false, true}) {
+        if (isLeaveOneOut || !options.pictures.empty()) {
+            ProgressStep step(progress, isLeaveOneOut && !options.pictures.empty() ? 0.5 : 0,
+                              isLeaveOneOut ? 1 : 0.5);
+            const MeasuredPart part =
+                Measurement(renderer, camera, options, subjectsOf(renderer, camera, options, isLeaveOneOut))
+                    .runPart(shard, step, stop);
+            all = {all.views + part.views, all.reused + part.reused, all.ofViews + part.ofViews};
+        }
+    }
+    return all;
 }
 
 void storeChoice(const std::filesystem::path& dataset, const MeasureReport& report) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
+#include "walk_journal.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/median.h"
+#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
@@ -18,20 +21,43 @@ namespace {
 constexpr std::size_t kSheetCells = 24;
 constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
+constexpr int kMethod = 1; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
     const std::string number = std::to_string(frame);
     return std::string(6 - std::min<std::size_t>(6, number.size()), '0') + number + ".png";
 }
 
-std::string csvLine(std::size_t frame, const TimedPose& pose, const render::ViewReport& report) {
+constexpr std::string_view kColumns =
+    "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust";
+constexpr std::string_view kTimeColumns = "frame,decode_ms,render_ms,origin,late";
+
+FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report) {
     const Eigen::Vector3d& t = pose.roomFromCamera.translation;
     const Eigen::Quaterniond& q = pose.roomFromCamera.rotation;
-    return text(frameName(frame), ",", pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(),
-                ",", q.z(), ",", q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
-                name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4), ",",
-                fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), ",", name(report.origin), ",",
-                report.isLate ? 1 : 0, "\n");
+    return {text(pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(), ",", q.z(), ",",
+                 q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
+                 name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4)),
+            text(fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), ",", name(report.origin), ",",
+                 report.isLate ? 1 : 0)};
+}
+
+/// Of all that the frames depend on.
+std::string keyOf(const render::DatasetInfo& info, const CameraModel& camera,
+                  const std::vector<TimedPose>& path, const WalkOptions& options) {
+    const CameraIntrinsics& k = camera.intrinsics();
+    std::string key = text("walk ", kMethod, "\n", render::toJson(info).dump(), "\n", k.width, " ", k.height,
+                           " ", k.fx, " ", k.fy, " ", k.cx, " ", k.cy, " ", name(k.lens));
+    for (const double parameter : k.distortion) {
+        key += text(" ", parameter);
+    }
+    key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
+                name(options.view.sampling), " ", name(options.stream.late));
+    if (options.ball) {
+        const Eigen::Vector3d& at = options.ball->centreM;
+        key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", options.ball->radiusM);
+    }
+    return sha256Hex(bytesOf(key + "\n" + tumText(path)));
 }
 
 void makeFolders(const std::filesystem::path& folder) {
@@ -54,32 +80,58 @@ void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraMod
     }
 }
 
+/// What is written once all frames are there.
+void finish(const WalkJournal& journal, const CameraModel& camera, const std::vector<TimedPose>& path,
+            const WalkOptions& options, const std::filesystem::path& folder) {
+    std::string index = text(kColumns, "\n");
+    std::string times = text(kTimeColumns, "\n");
+    for (const auto& [frame, lines] : journal.frames()) {
+        index += text(frameName(frame), ",", lines.what, "\n");
+        times += text(frameName(frame), ",", lines.times, "\n");
+    }
+    writeFile(folder / "index.csv", bytesOf(index));
+    writeFile(folder / "times.csv", bytesOf(times));
+    writePoses(options.formats, camera, path, folder);
+    const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
+    std::vector<RgbImage> sheet;
+    for (std::size_t i = 0; i < path.size(); i += sheetStep) {
+        sheet.push_back(photo::readPicture(folder / frameName(i)));
+    }
+    photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
+}
+
 } // namespace
 
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
     makeFolders(folder);
+    WalkJournal journal(folder, keyOf(renderer.dataset().info(), camera, path, options), options.shard);
+    const auto isThere = [&](std::size_t frame) {
+        return journal.frames().contains(frame) && std::filesystem::exists(folder / frameName(frame));
+    };
     render::ViewStream stream(renderer, camera, options.stream);
     render::ViewOptions frame = options.view;
     std::vector<render::Overlay> overlays; ///< that the frame's options point to
     WalkReport report;
-    std::string csv = "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust,"
-                      "decode_ms,render_ms,origin,late\n";
     std::set<std::size_t> photos;
     std::vector<double> renderMs;
     std::vector<double> decodeMs;
-    std::vector<RgbImage> sheet;
-    const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
-    for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto [begin, end] = options.shard.range(path.size());
+    for (std::size_t i = begin; i < end; ++i) {
         throwIfStopped(stop);
+        ++report.frames;
+        if (isThere(i)) {
+            ++report.reused;
+            continue;
+        }
         if (options.ball) {
             overlays = {ballOverlay(*options.ball, camera, path[i].roomFromCamera)};
             frame.overlays = overlays;
         }
-        render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, frame);
+        const render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, frame);
         photo::writePng(folder / frameName(i), view.picture);
-        csv += csvLine(i, path[i], view.report);
+        journal.add(i, linesOf(path[i], view.report));
         photos.insert(view.report.photo);
         renderMs.push_back(view.report.renderMs);
         if (view.report.decodeMs > 0) {
@@ -87,16 +139,16 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         }
         report.worstOffsetM = std::max(report.worstOffsetM, view.report.offsetM);
         report.leastTrust = std::min(report.leastTrust, view.report.trust);
-        if (i % sheetStep == 0) {
-            sheet.push_back(std::move(view.picture));
-        }
-        ++report.frames;
-        progress.progress(static_cast<double>(report.frames) / static_cast<double>(path.size()),
+        progress.progress(static_cast<double>(report.frames) / static_cast<double>(end - begin),
                           "Rendering the walk");
     }
-    writeFile(folder / "index.csv", bytesOf(csv));
-    writePoses(options.formats, camera, path, folder);
-    photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
+    report.isComplete = true;
+    for (std::size_t i = 0; i < path.size() && report.isComplete; ++i) {
+        report.isComplete = isThere(i);
+    }
+    if (report.isComplete) {
+        finish(journal, camera, path, options, folder);
+    }
     report.photosUsed = photos.size();
     report.stream = stream.counters();
     report.load = renderer.counters();
@@ -138,6 +190,8 @@ Json toJson(const render::LoadCounters& counters) {
 
 Json toJson(const WalkReport& report) {
     return {{"frames", report.frames},
+            {"reused_frames", report.reused},
+            {"complete", report.isComplete},
             {"photos_used", report.photosUsed},
             {"median_render_ms", report.medianRenderMs},
             {"median_decode_ms", report.medianDecodeMs},

@@ -128,6 +128,26 @@ TEST(MeasureDataset, GoesOnWhereItWasStoppedWithTheSameErrors) {
     EXPECT_EQ(errorsOf(report), errorsOf(measuredWith(quick())));
 }
 
+TEST(MeasureDataset, PutsPartsOfOtherProcessesTogether) {
+    const test::TemporaryFolder folder;
+    MeasureOptions options = quick();
+    options.scene = SceneKind::Sphere;
+    test::expectError(ErrorKind::InvalidInput, "folder", [&] {
+        measurePart(room().renderer(), PracticeDataset::camera(), options, {}, noProgress(), {});
+    });
+    options.cacheFolder = folder.path();
+    for (const char* shard : {"2/3", "1/3", "3/3", "1/3"}) {
+        const MeasuredPart part = measurePart(room().renderer(), PracticeDataset::camera(), options,
+                                              Shard::parse(shard), noProgress(), {});
+        EXPECT_EQ(part.ofViews, 4U);
+        EXPECT_GE(part.views, 1U);
+    }
+    const MeasureReport together = measuredWith(options);
+    EXPECT_EQ(together.reusedViews, 4U);
+    options.cacheFolder.clear();
+    EXPECT_EQ(errorsOf(together), errorsOf(measuredWith(options)));
+}
+
 TEST(MeasureDataset, MakesDamagedResultsAnew) {
     const test::TemporaryFolder folder;
     MeasureOptions options = quick();

@@ -9,6 +9,7 @@
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
+#include <map>
 
 namespace spherewalk::jobs {
 
@@ -48,11 +49,30 @@ class WalkTest : public testing::Test {
         }
     }
 
-    WalkReport run(const std::stop_token& stop = {}) {
+    WalkReport run(const std::stop_token& stop = {}) { return run("out/walk", {}, stop); }
+
+    WalkReport run(const std::string& out, const WalkOptions& options, const std::stop_token& stop = {}) {
         const render::Renderer renderer(
             std::make_shared<const render::Dataset>(render::Dataset::open(folder / "d")));
-        return walk(renderer, CameraModel(CameraIntrinsics::pinhole(32, 24, 1)), path, {},
-                    folder / "out/walk", noProgress(), stop);
+        return walk(renderer, CameraModel(CameraIntrinsics::pinhole(32, 24, 1)), path, options, folder / out,
+                    noProgress(), stop);
+    }
+
+    WalkReport runPart(const std::string& out, const std::string& shard) {
+        WalkOptions options;
+        options.shard = Shard::parse(shard);
+        return run(out, options);
+    }
+
+    /// All files by name, but for those that tell how long it took.
+    std::map<std::string, std::string> filesOf(const std::string& out) {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : std::filesystem::directory_iterator(folder / out)) {
+            if (entry.is_regular_file() && entry.path().filename() != "times.csv") {
+                files[entry.path().filename()] = readTextFile(entry.path());
+            }
+        }
+        return files;
     }
 
     test::TemporaryFolder folder;
@@ -77,6 +97,62 @@ TEST_F(WalkTest, WritesAFrameAPoseWithItsIndexAndASheet) {
     EXPECT_NE(csv.find("\n000003.png,0.30000000000000004,0.75,0,0,0,0,0,1,photos/1.jpg,0.25,none,footprint,"),
               std::string::npos)
         << csv;
+}
+
+TEST_F(WalkTest, IsTheSameInOnePieceAndInParts) {
+    EXPECT_TRUE(run("whole", {}).isComplete);
+    EXPECT_FALSE(runPart("parts", "3/3").isComplete);
+    EXPECT_FALSE(runPart("parts", "1/3").isComplete);
+    EXPECT_FALSE(std::filesystem::exists(folder / "parts/index.csv"));
+    EXPECT_TRUE(runPart("parts", "2/3").isComplete);
+    EXPECT_EQ(filesOf("parts"), filesOf("whole"));
+    EXPECT_EQ(filesOf("whole").size(), 7U); // five frames, index, sheet
+}
+
+TEST_F(WalkTest, GoesOnWithFramesThatAreMissing) {
+    run();
+    std::filesystem::remove(folder / "out/walk/000002.png");
+    const WalkReport again = run();
+    EXPECT_EQ(again.reused, 4U);
+    EXPECT_EQ(again.frames, 5U);
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/walk/000002.png"));
+}
+
+TEST_F(WalkTest, TakesNoFramesOfAnotherWalk) {
+    run();
+    path[1].roomFromCamera.translation.x() = 0.3;
+    EXPECT_EQ(run().reused, 0U);
+    WalkOptions nearest;
+    nearest.view.sampling = render::Sampling::Nearest;
+    EXPECT_EQ(run("out/walk", nearest).reused, 0U);
+}
+
+TEST_F(WalkTest, RendersAgainWhatItsJournalTellsOnlyHalf) {
+    run();
+    for (const auto& part : std::filesystem::directory_iterator(folder / "out/walk/parts")) {
+        const std::string lines = readTextFile(part.path());
+        writeFile(part.path(), bytesOf(lines.substr(0, lines.size() - 3)));
+    }
+    EXPECT_EQ(run().reused, 4U);
+    EXPECT_EQ(run().reused, 5U);
+}
+
+TEST(Shard, PutsEveryItemInOnePart) {
+    for (const std::size_t items : {std::size_t{0}, std::size_t{3}, std::size_t{10}}) {
+        std::size_t next = 0;
+        for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) {
+            const auto [begin, end] = Shard::parse(part).range(items);
+            EXPECT_EQ(begin, next);
+            next = end;
+        }
+        EXPECT_EQ(next, items);
+    }
+}
+
+TEST(Shard, RefusesWhatIsNoPart) {
+    for (const char* text : {"", "1", "0/4", "5/4", "1.5/4", "-1/4", "1/0", "a/b", "1/2/3", "1/"}) {
+        expectError(ErrorKind::InvalidInput, "no part of a job", [&] { Shard::parse(text); });
+    }
 }
 
 TEST_F(WalkTest, KeepsTheFramesSoFarWhenStopped) {

@@ -5,6 +5,7 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/jobs/measure_report.h"
 #include "spherewalk/jobs/robot_pictures.h"
+#include "spherewalk/jobs/shard.h"
 #include "spherewalk/render/renderer.h"
 
 #include <filesystem>
@@ -42,6 +43,19 @@ struct MeasureOptions {
 MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel& camera,
                              const MeasureOptions& options, ProgressSink& progress,
                              const std::stop_token& stop);
+
+struct MeasuredPart {
+    std::size_t views = 0;  ///< of this part
+    std::size_t reused = 0; ///< of them, from an earlier run
+    std::size_t ofViews = 0;
+};
+
+/// Compares a part of the views and keeps what was found in the cache folder, so that several processes share
+/// the work; measureDataset() with the same options then finds all of it there. Errors: InvalidInput without
+/// a cache folder; those of measureDataset().
+MeasuredPart measurePart(const render::Renderer& renderer, const CameraModel& camera,
+                         const MeasureOptions& options, const Shard& shard, ProgressSink& progress,
+                         const std::stop_token& stop);
 
 /// Writes the choice into the dataset's description, for views that are made with "auto". Errors:
 /// InvalidInput if there is none; those of reading and writing the description.

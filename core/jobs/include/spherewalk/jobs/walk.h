@@ -6,6 +6,7 @@
 #include "spherewalk/dataset/pose_formats.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/shard.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
@@ -21,10 +22,13 @@ struct WalkOptions {
         stream; ///< the poses' times tell how the camera moves; frames are not paced by them
     std::optional<Ball> ball = {};                 ///< laid into each frame
     std::vector<dataset::PoseFormat> formats = {}; ///< whose files are written besides
+    Shard shard = {};                              ///< this part of the frames only
 };
 
 struct WalkReport {
-    std::size_t frames = 0;
+    std::size_t frames = 0;     ///< of this part
+    std::size_t reused = 0;     ///< of them, that were there; what follows is of the others
+    bool isComplete = false;    ///< all parts are there
     std::size_t photosUsed = 0; ///< different ones
     double medianRenderMs = 0;
     double medianDecodeMs = 0; ///< of the frames that had to wait for a photo; 0 if none had
@@ -34,10 +38,13 @@ struct WalkReport {
     double leastTrust = 1;
 };
 
-/// Renders a view at each pose and writes 000000.png ..., index.csv (a line a frame, with its pose and
-/// report) and contact-sheet.png into the folder, which is made if need be, and the files of the
-/// formats, for which the room is the world; files of these names are replaced. Frames: the poses are of the
-/// optical frame. Errors: those of rendering and writing; Stopped, with the frames so far kept.
+/// Renders a view at each pose and writes 000000.png ... into the folder, which is made if need be. Frames of
+/// the same walk that are there are kept: a walk that was stopped goes on, and parts may be rendered by
+/// several processes at once. Once all are there, also index.csv (a line a frame, with its pose and what it
+/// was made from), times.csv, contact-sheet.png, and the files of the formats, for which the room is the
+/// world. Files of these names are replaced. With LatePolicy::Wait all but times.csv is the same in every
+/// run, whatever the parts. Frames: the poses are of the optical frame. Errors: those of rendering and
+/// writing; Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
