@@ -65,12 +65,9 @@ class OscDevice {
     };
 
     Capture* capture(const std::string& id);
-    OscReply results(std::string_view command, Json results = {}) const;
     OscReply takePicture();
     OscReply getOptions(const Json& parameters) const;
     OscReply setOptions(const Json& parameters);
-    OscReply listFiles(const Json& parameters, const std::string& baseUrl) const;
-    OscReply deleteFiles(const Json& parameters);
     OscReply stopSelfTimer();
 
     void run(const std::stop_token& stop, const std::string& id, const ExposureSettings& settings,
@@ -83,7 +80,6 @@ class OscDevice {
     ZonedTime now() const;
     std::uint64_t remainingBytes() const;
     std::uint64_t remainingPictures() const;
-    Json entry(const StoredFile& file, bool detail, const std::string& baseUrl) const;
 
     void changed() { ++m_fingerprint; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "osc_error.h"
 
+#include <utility>
+
 namespace spherewalk::practice {
 
 namespace {
@@ -42,6 +44,16 @@ Spelling spelling(OscCode code) {
 }
 
 } // namespace
+
+OscReply done(std::string_view command, Json results) {
+    Json body;
+    body["name"] = command;
+    body["state"] = "done";
+    if (!results.is_null()) {
+        body["results"] = std::move(results);
+    }
+    return {200, body};
+}
 
 OscReply refusal(std::string_view command, OscCode code) {
     const Spelling spelled = spelling(code);

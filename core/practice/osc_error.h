@@ -40,6 +40,8 @@ struct OscReply {
     Json body;
 };
 
+/// results: null for a command that has none.
+OscReply done(std::string_view command, Json results = {});
 /// command: its name, "unknown" where there is none.
 OscReply refusal(std::string_view command, OscCode code);
 
