@@ -89,6 +89,37 @@ Json listedFiles(const CameraStorage& storage, const Json& parameters, const std
     return {{"entries", entries}, {"totalEntries", files.size()}};
 }
 
+Json listedImages(const CameraStorage& storage, const Json& parameters) {
+    const std::int64_t count = wholeNumber(required(parameters, "entryCount"), 1, kMany);
+    std::size_t begin = 0;
+    if (parameters.contains("continuationToken")) {
+        const Json& token = parameters["continuationToken"];
+        const std::string digits = token.is_string() ? token.get<std::string>() : std::string();
+        if (digits.empty() || digits.size() > 9 ||
+            digits.find_first_not_of("0123456789") != std::string::npos) {
+            throw OscError(OscCode::InvalidParameterValue);
+        }
+        begin = std::stoul(digits);
+    }
+    const std::vector<StoredFile>& files = storage.files();
+    Json entries = Json::array();
+    std::size_t i = begin;
+    for (; i < files.size() && static_cast<std::int64_t>(entries.size()) < count; ++i) {
+        const StoredFile& file = files[files.size() - 1 - i];
+        entries.push_back({{"name", file.name},
+                           {"uri", CameraStorage::uri(file.name)},
+                           {"size", file.sizeBytes},
+                           {"dateTimeZone", exifTime(file.time) + zoneText(file.time.zone)},
+                           {"width", file.width},
+                           {"height", file.height}});
+    }
+    Json results = {{"entries", entries}, {"totalEntries", files.size()}};
+    if (i < files.size()) {
+        results["continuationToken"] = std::to_string(i);
+    }
+    return results;
+}
+
 void deleteFiles(CameraStorage& storage, const Json& parameters) {
     const Json& urls = required(parameters, "fileUrls");
     if (!urls.is_array() || urls.empty()) {

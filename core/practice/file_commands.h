@@ -12,6 +12,8 @@ namespace spherewalk::practice {
 
 /// The results of camera.listFiles. baseUrl: "http://host:port", with which file URLs begin.
 Json listedFiles(const CameraStorage& storage, const Json& parameters, const std::string& baseUrl);
+/// The results of camera.listImages of API level 1.
+Json listedImages(const CameraStorage& storage, const Json& parameters);
 /// camera.delete: all of the files or none.
 void deleteFiles(CameraStorage& storage, const Json& parameters);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "osc_device.h"
 
+#include "fault_plan.h"
 #include "file_commands.h"
 #include "osc_parameters.h"
 #include "prng.h"
@@ -26,17 +27,24 @@ std::string serialNumber(std::uint64_t seed) {
     return "00" + std::to_string(100000 + random.next() % 900000);
 }
 
+int firstLevel(CameraModel model) {
+    return model == CameraModel::ThetaV ? 2 : 1;
+}
+
 } // namespace
 
-OscDevice::OscDevice(const PracticeCameraOptions& options, Clock& clock)
+OscDevice::OscDevice(const PracticeCameraOptions& options, FaultPlan& faults, Clock& clock)
     : m_options(options),
+      m_faults(faults),
       m_clock(clock),
       m_exposer(options),
-      m_boot(clock.now()),
       m_storage(options.storageFolder, options.seed),
       m_truthFile(options.truthFile.empty() ? m_storage.folder() / "truth.jsonl" : options.truthFile),
       m_settings(options.width, options.levelled),
-      m_position(options.positionM) {
+      m_position(options.positionM),
+      m_level(firstLevel(options.model)),
+      m_session(clock, options.timeScale),
+      m_boot(clock.now()) {
     // Differs from run to run of one storage, as ids of a rebooted camera do.
     Prng random(options.seed, 0x1d + static_cast<std::uint64_t>(m_storage.files().size()));
     m_nextId = static_cast<int>(100 + random.next() % 9000);
@@ -58,51 +66,95 @@ void OscDevice::stop() {
     worker.request_stop();
 }
 
-void OscDevice::pause(double seconds) const {
-    const double scaled = seconds * m_options.timeScale;
+void OscDevice::pause(double seconds, const std::stop_token& stop) const {
+    double scaled = seconds * m_options.timeScale;
+    {
+        const std::scoped_lock lock(m_mutex);
+        scaled *= m_condition.slowness;
+    }
     if (scaled > 0) {
         m_clock.sleep(std::chrono::duration_cast<Clock::Duration>(std::chrono::duration<double>(scaled)),
-                      m_stop.get_token());
+                      stop);
     }
 }
 
 Json OscDevice::info(int httpPort) const {
+    const std::scoped_lock lock(m_mutex);
+    const bool isV = m_options.model == CameraModel::ThetaV;
     Json body;
     body["manufacturer"] = "RICOH";
-    body["model"] = "RICOH THETA V";
-    body["serialNumber"] = serialNumber(m_options.seed);
-    body["_wlanMacAddress"] = "02:26:73:aa:bb:01";
-    body["_bluetoothMacAddress"] = "02:26:73:aa:bb:02";
-    body["firmwareVersion"] = "3.82.1";
+    body["model"] = isV ? "RICOH THETA V" : "RICOH THETA S";
+    body["serialNumber"] = serialNumber(m_options.seed + m_condition.serialShift);
+    if (isV) {
+        body["_wlanMacAddress"] = "02:26:73:aa:bb:01";
+        body["_bluetoothMacAddress"] = "02:26:73:aa:bb:02";
+    }
+    body["firmwareVersion"] = isV ? "3.82.1" : "01.62";
     body["supportUrl"] = "https://theta360.com/en/support/";
     body["gps"] = false;
-    body["gyro"] = true;
+    body["gyro"] = isV;
     body["uptime"] = std::chrono::duration_cast<std::chrono::seconds>(m_clock.now() - m_boot).count();
     body["api"] = {"/osc/info", "/osc/state", "/osc/checkForUpdates", "/osc/commands/execute",
                    "/osc/commands/status"};
     body["endpoints"] = {{"httpPort", httpPort}, {"httpUpdatesPort", httpPort}};
-    body["apiLevel"] = Json::array({2});
+    if (m_options.model != CameraModel::LevelOne) {
+        body["apiLevel"] = isV ? Json::array({2}) : Json::array({1, 2});
+    }
+    if (m_condition.saysUnknownThings) {
+        body["_newThing"] = {{"a", {1, 2, nullptr}}};
+    }
     return body;
+}
+
+std::string OscDevice::captureStatus() const {
+    if (!m_phase) {
+        return "idle";
+    }
+    return *m_phase == Phase::Countdown    ? "self-timer countdown"
+           : m_condition.saysUnknownThings ? "hyper shooting"
+                                           : "shooting";
+}
+
+Json OscDevice::errors() const {
+    Json errors = Json::array();
+    const auto add = [&](bool isSo, const char* code) {
+        if (isSo) {
+            errors.push_back(code);
+        }
+    };
+    add(m_condition.isOutOfRoom, "NO_MEMORY");
+    add(m_condition.isHot, "HIGH_TEMPERATURE");
+    add(m_condition.isClockUnset, "NO_DATE_SETTING");
+    add(m_condition.saysUnknownThings, "BRAND_NEW_TROUBLE");
+    return errors;
 }
 
 Json OscDevice::state(const std::string& baseUrl) const {
     const std::scoped_lock lock(m_mutex);
     const auto& files = m_storage.files();
     Json state;
-    state["batteryLevel"] = std::max(0.05, 1.0 - 0.01 * (m_exposures / 5));
-    state["_batteryState"] = "disconnect";
-    state["storageUri"] = baseUrl + m_storage.urlFolder();
-    state["_captureStatus"] = !m_phase                       ? "idle"
-                              : *m_phase == Phase::Countdown ? "self-timer countdown"
-                                                             : "shooting";
+    state["batteryLevel"] = m_condition.battery.value_or(std::max(0.05, 1.0 - 0.01 * (m_exposures / 5)));
+    state["_batteryState"] = m_condition.saysUnknownThings ? "wireless" : "disconnect";
+    state["_captureStatus"] = captureStatus();
     state["_recordedTime"] = 0;
     state["_recordableTime"] = 0;
-    state["_capturedPictures"] = 0;
-    state["_latestFileUrl"] = files.empty() ? "" : baseUrl + m_storage.urlPath(files.back().name);
-    state["_apiVersion"] = 2;
-    state["_pluginRunning"] = false;
-    state["_pluginWebServer"] = false;
-    state["_cameraError"] = m_cameraError.empty() ? Json::array() : Json::array({m_cameraError});
+    state["_apiVersion"] = m_level;
+    state["_cameraError"] = errors();
+    if (m_level == 1) {
+        state["sessionId"] = m_session.id();
+        state["storageChanged"] = false;
+        state["_latestFileUri"] = files.empty() ? "" : m_storage.uri(files.back().name);
+    } else {
+        state["storageUri"] = baseUrl + m_storage.urlFolder();
+        state["_capturedPictures"] = 0;
+        state["_latestFileUrl"] = files.empty() ? "" : baseUrl + m_storage.urlPath(files.back().name);
+        state["_pluginRunning"] = m_condition.hasPlugin;
+        state["_pluginWebServer"] = false;
+    }
+    if (m_condition.saysUnknownThings) {
+        state["_boardTemp"] = 41;
+        state["_newThing"] = Json::array({{{"b", "c"}}});
+    }
     Json body;
     body["fingerprint"] = text("FIG_", fixed(m_fingerprint / 1000, 0), fixed(m_fingerprint / 100 % 10, 0),
                                fixed(m_fingerprint / 10 % 10, 0), fixed(m_fingerprint % 10, 0));
@@ -135,33 +187,8 @@ OscReply OscDevice::execute(const Json& request, const std::string& baseUrl) {
             throw OscError(OscCode::InvalidParameterValue);
         }
         const std::scoped_lock lock(m_mutex);
-        if (command == "camera.takePicture") {
-            return takePicture();
-        }
-        if (command == "camera.getOptions") {
-            return getOptions(parameters);
-        }
-        if (command == "camera.setOptions") {
-            return setOptions(parameters);
-        }
-        if (command == "camera.listFiles") {
-            return done(command, listedFiles(m_storage, parameters, baseUrl));
-        }
-        if (command == "camera.delete") {
-            deleteFiles(m_storage, parameters);
-            m_cameraError.clear();
-            changed();
-            return done(command);
-        }
-        if (command == "camera.reset") {
-            m_settings.reset();
-            changed();
-            return done(command);
-        }
-        if (command == "camera._stopSelfTimer") {
-            return stopSelfTimer();
-        }
-        throw OscError(OscCode::UnknownCommand);
+        return m_level == 1 ? executeLevelOne(command, parameters)
+                            : executeLevelTwo(command, parameters, baseUrl);
     } catch (const OscError& error) {
         return refusal(error.code() == OscCode::UnknownCommand ? "unknown" : command, error.code());
     } catch (const Error& failure) {
@@ -169,6 +196,60 @@ OscReply OscDevice::execute(const Json& request, const std::string& baseUrl) {
         reply.body["error"]["message"] = failure.sentence();
         return reply;
     }
+}
+
+OscReply OscDevice::executeLevelTwo(const std::string& command, const Json& parameters,
+                                    const std::string& baseUrl) {
+    if (command == "camera.listFiles") {
+        return done(command, listedFiles(m_storage, parameters, baseUrl));
+    }
+    if (command == "camera.delete") {
+        deleteFiles(m_storage, parameters);
+        m_condition.isOutOfRoom = false;
+        changed();
+        return done(command);
+    }
+    if (command == "camera.reset") {
+        m_settings.reset();
+        changed();
+        return done(command);
+    }
+    return executeAnyLevel(command, parameters);
+}
+
+OscReply OscDevice::executeLevelOne(const std::string& command, const Json& parameters) {
+    if (command == "camera.startSession") {
+        m_preview.end();
+        return done(command, {{"sessionId", m_session.start()}, {"timeout", OscSession::kTimeoutS}});
+    }
+    if (command == "camera.listImages") {
+        return done(command, listedImages(m_storage, parameters));
+    }
+    m_session.use(parameters);
+    if (command == "camera.updateSession") {
+        return done(command, {{"sessionId", m_session.id()}, {"timeout", OscSession::kTimeoutS}});
+    }
+    if (command == "camera.closeSession") {
+        m_session.end();
+        return done(command);
+    }
+    return executeAnyLevel(command, parameters);
+}
+
+OscReply OscDevice::executeAnyLevel(const std::string& command, const Json& parameters) {
+    if (command == "camera.takePicture") {
+        return takePicture();
+    }
+    if (command == "camera.getOptions") {
+        return getOptions(parameters);
+    }
+    if (command == "camera.setOptions") {
+        return setOptions(parameters);
+    }
+    if (command == "camera._stopSelfTimer") {
+        return stopSelfTimer();
+    }
+    throw OscError(OscCode::UnknownCommand);
 }
 
 std::optional<std::uint64_t> OscDevice::beginPreview() {
@@ -216,13 +297,27 @@ OscReply OscDevice::getOptions(const Json& parameters) const {
         {"dateTimeZone", exifTime(time) + zoneText(time.zone)},
         {"_networkType", "AP"},
     };
-    return done("camera.getOptions", Json{{"options", m_settings.get(names, readOnly)}});
+    Json values = m_settings.get(names, readOnly);
+    if (m_condition.saysUnknownThings) {
+        values["_newThing"] = {{"d", true}};
+    }
+    return done("camera.getOptions", Json{{"options", values}});
 }
 
 OscReply OscDevice::setOptions(const Json& parameters) {
     const Json& options = required(parameters, "options");
     if (!options.is_object() || options.empty()) {
         throw OscError(OscCode::InvalidParameterValue);
+    }
+    if (options.contains("clientVersion") && m_level == 1) {
+        if (m_options.model == CameraModel::LevelOne) {
+            throw OscError(OscCode::InvalidParameterName);
+        }
+        m_settings.set(options);
+        m_level = 2;
+        m_session.end();
+        changed();
+        return done("camera.setOptions");
     }
     m_settings.set(options);
     if (options.contains("captureMode") || options.contains("previewFormat")) {
@@ -232,9 +327,23 @@ OscReply OscDevice::setOptions(const Json& parameters) {
         const ZonedTime set = *parseDateTimeZone(options["dateTimeZone"].get<std::string>());
         m_clockOffset = set.utc - m_clock.utc();
         m_zone = set.zone;
+        m_condition.isClockUnset = false;
     }
     changed();
     return done("camera.setOptions");
+}
+
+std::optional<std::filesystem::path> OscDevice::imageOf(const Json& request) const {
+    const std::scoped_lock lock(m_mutex);
+    if (m_level != 1 || !request.is_object() || !request.contains("parameters")) {
+        return std::nullopt;
+    }
+    const Json& uri = request["parameters"].is_object() && request["parameters"].contains("fileUri")
+                          ? request["parameters"]["fileUri"]
+                          : noParameters();
+    const auto file =
+        uri.is_string() ? m_storage.find(m_storage.urlFolder() + uri.get<std::string>()) : std::nullopt;
+    return file ? std::optional(m_storage.path(file->name)) : std::nullopt;
 }
 
 std::optional<std::filesystem::path> OscDevice::fileOf(const std::string& urlPath) const {
@@ -253,6 +362,9 @@ std::uint64_t OscDevice::remainingBytes() const {
 }
 
 std::uint64_t OscDevice::remainingPictures() const {
+    if (m_condition.isFull) {
+        return 0;
+    }
     const double each = kBytesPerPixel * m_options.width * m_options.width / 2;
     return static_cast<std::uint64_t>(static_cast<double>(remainingBytes()) / each);
 }

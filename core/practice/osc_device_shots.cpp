@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the device takes pictures, and what it tells about them.
+#include "fault_plan.h"
 #include "osc_device.h"
 #include "prng.h"
 
@@ -23,6 +24,22 @@ Json inProgress(std::string_view id) {
     return body;
 }
 
+PhotoDefect defectOf(const std::optional<Fault>& fault) {
+    if (!fault) {
+        return PhotoDefect::None;
+    }
+    switch (fault->kind) {
+    case FaultKind::EmptyPhoto:
+        return PhotoDefect::Empty;
+    case FaultKind::SmallPhoto:
+        return PhotoDefect::Small;
+    case FaultKind::NoMakerNote:
+        return PhotoDefect::NoMakerNote;
+    default:
+        return PhotoDefect::HostileMakerNote;
+    }
+}
+
 } // namespace
 
 OscDevice::Capture* OscDevice::capture(const std::string& id) {
@@ -41,15 +58,21 @@ OscReply OscDevice::takePicture() {
                            ? OscCode::ServiceUnavailable
                            : OscCode::DisabledCommand);
     }
+    if (m_condition.hasPlugin || m_condition.isHot) {
+        throw OscError(OscCode::DisabledCommand);
+    }
     if (remainingPictures() == 0) {
-        m_cameraError = "NO_MEMORY";
+        m_condition.isOutOfRoom = true;
         changed();
         throw OscError(OscCode::DisabledCommand);
     }
     if (m_stop.stop_requested()) {
         throw OscError(OscCode::ServiceUnavailable);
     }
-    const ExposureSettings settings = settingsNow(m_storage.takeShotNumber());
+    ExposureSettings settings = settingsNow(m_storage.takeShotNumber());
+    settings.defect = defectOf(m_faults.take(
+        {FaultKind::EmptyPhoto, FaultKind::SmallPhoto, FaultKind::NoMakerNote, FaultKind::HostileMakerNote},
+        "camera.takePicture"));
     const std::string id = std::to_string(m_nextId++);
     while (m_captures.size() >= kKeptCaptures) {
         m_captures.erase(m_captures.begin());
@@ -76,6 +99,7 @@ ExposureSettings OscDevice::settingsNow(int shot) const {
     settings.program = m_settings.value("exposureProgram").get<int>();
     settings.exposureTimeS = m_settings.value("shutterSpeed").get<double>();
     settings.isoSpeed = m_settings.value("iso").get<int>();
+    settings.options = m_settings.exposure();
     settings.exposureBias = m_settings.value("exposureCompensation").get<double>();
     return settings;
 }
@@ -126,21 +150,31 @@ void OscDevice::shoot(const std::stop_token& stop, const std::string& id, const 
         throwIfStopped(stop);
     };
     ExposedPhoto photo = m_exposer.expose(settings, stop);
+    if (!survives("exposing")) {
+        return;
+    }
     waitUntil(0.8);
     {
         const std::scoped_lock lock(m_mutex);
-        photo.truth.file = CameraStorage::fileName(settings.shot);
-        photo.truth.urlPath = m_storage.urlPath(photo.truth.file);
-        TruthFile(m_truthFile).append(photo.truth); // before anybody can see the file
-        m_storage.add(photo.truth.file, photo.jpeg, settings.time);
+        store(photo, settings);
         if (Capture* own = capture(id)) { // not forgotten
             own->urlPath = photo.truth.urlPath;
         }
-        ++m_exposures;
-        changed();
+    }
+    if (!survives("written")) {
+        return;
     }
     waitUntil(1);
     finish(id, Outcome::Done, OscCode::Unexpected, {});
+}
+
+void OscDevice::store(ExposedPhoto& photo, const ExposureSettings& settings) {
+    photo.truth.file = m_storage.fileName(settings.shot);
+    photo.truth.urlPath = m_storage.urlPath(photo.truth.file);
+    TruthFile(m_truthFile).append(photo.truth); // before anybody can see the file
+    m_storage.add(photo.truth.file, photo.jpeg, settings.time);
+    ++m_exposures;
+    changed();
 }
 
 void OscDevice::finish(const std::string& id, Outcome outcome, OscCode code, const std::string& failure) {
@@ -166,19 +200,20 @@ OscReply OscDevice::status(const std::string& body, const std::string& baseUrl) 
         return refusal("unknown", OscCode::InvalidParameterValue);
     }
     const std::scoped_lock lock(m_mutex);
+    meetStatusFaults();
     Capture* const found = capture(id);
     if (found == nullptr) {
         return refusal("unknown", OscCode::InvalidParameterValue);
     }
     const Capture asked = *found;
-    if (asked.outcome == Outcome::Running) {
+    if (asked.outcome == Outcome::Running || asked.isStuck) {
         return {200, inProgress(id)};
     }
     if (m_options.doneAnswers > 0 && ++found->answers >= m_options.doneAnswers) {
         std::erase_if(m_captures, [&](const Capture& one) { return one.id == id; });
     }
     if (asked.outcome == Outcome::Done) {
-        return done("camera.takePicture", Json{{"fileUrl", baseUrl + asked.urlPath}});
+        return done("camera.takePicture", doneResults(asked, baseUrl));
     }
     OscReply reply = refusal("camera.takePicture", asked.code);
     if (asked.code == OscCode::Unexpected) {
@@ -187,9 +222,28 @@ OscReply OscDevice::status(const std::string& body, const std::string& baseUrl) 
     return reply;
 }
 
-void OscDevice::forgetIds() {
-    const std::scoped_lock lock(m_mutex);
-    m_captures.clear();
+void OscDevice::meetStatusFaults() {
+    constexpr std::string_view kCall = "/osc/commands/status";
+    if (m_faults.take(FaultKind::ForgetIds, kCall)) {
+        m_captures.clear();
+    }
+    if (m_faults.take(FaultKind::StuckInProgress, kCall)) {
+        for (Capture& running : m_captures) {
+            running.isStuck = true;
+        }
+    }
+}
+
+Json OscDevice::doneResults(const Capture& capture, const std::string& baseUrl) {
+    const auto fault =
+        m_faults.take({FaultKind::DoneWithoutUrl, FaultKind::UrlOfOtherHost}, "/osc/commands/status");
+    if (fault && fault->kind == FaultKind::DoneWithoutUrl) {
+        return Json::object();
+    }
+    if (m_level == 1) {
+        return {{"fileUri", capture.urlPath.substr(m_storage.urlFolder().size())}};
+    }
+    return {{"fileUrl", (fault ? "http://192.0.2.1:81" : baseUrl) + capture.urlPath}};
 }
 
 OscReply OscDevice::stopSelfTimer() {
