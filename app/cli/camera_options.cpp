@@ -3,10 +3,31 @@
 
 #include "spherewalk/base/clock.h"
 
+#include <cstdlib>
+#include <optional>
+
 namespace spherewalk::cli {
 
+namespace {
+
+/// Neither the command line, which every user of the computer can see, nor a file of the survey.
+std::optional<camera::Credentials> credentialsOfEnvironment() {
+    const char* const user = std::getenv("SPHEREWALK_CAMERA_USER");
+    const char* const password = std::getenv("SPHEREWALK_CAMERA_PASSWORD");
+    if (user == nullptr || password == nullptr) {
+        return std::nullopt;
+    }
+    return camera::Credentials{user, password};
+}
+
+} // namespace
+
 void CameraOptions::declare(CLI::App& command) {
-    command.add_option("--camera", m_address, "Address of the camera, with :PORT if it is not 80")
+    command
+        .add_option(
+            "--camera", m_address,
+            "Address of the camera, with :PORT if it is not 80. One in client mode wants the user name and "
+            "the password that stand in SPHEREWALK_CAMERA_USER and SPHEREWALK_CAMERA_PASSWORD")
         ->capture_default_str();
     command
         .add_option("--time-scale", m_timeScale,
@@ -17,8 +38,9 @@ void CameraOptions::declare(CLI::App& command) {
 }
 
 std::unique_ptr<camera::OscClient> CameraOptions::client() const {
-    return std::make_unique<camera::OscClient>(endpoint(), camera::OscOptions{}.scaled(m_timeScale),
-                                               systemClock());
+    camera::OscOptions options = camera::OscOptions{}.scaled(m_timeScale);
+    options.http.credentials = credentialsOfEnvironment;
+    return std::make_unique<camera::OscClient>(endpoint(), options, systemClock());
 }
 
 camera::CaptureOptions CameraOptions::captureOptions() const {

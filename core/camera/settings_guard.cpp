@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/settings_guard.h"
 
+#include "camera_clock.h"
 #include "profile_options.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 namespace spherewalk::camera {
@@ -14,6 +18,7 @@ namespace spherewalk::camera {
 namespace {
 
 constexpr int kNever = 65535; // the value by which sleepDelay and offDelay say "never"
+constexpr std::array kDelays{"sleepDelay", "offDelay"};
 constexpr std::size_t kMaxFormats = 1000;
 
 /// Width of a spherical JPEG format; 0 for any other.
@@ -107,14 +112,58 @@ void SettingsGuard::applyImageMode(const std::stop_token& stop) {
     m_client.settle(stop);
 }
 
+void SettingsGuard::rememberIn(const std::filesystem::path& folder, std::string_view serialNumber) {
+    std::string name("camera-");
+    for (const char c : serialNumber.substr(0, 64)) {
+        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    }
+    m_memory = folder / (name + ".json");
+}
+
+/// What a program that was killed has not put back; null if there is nothing.
+Json SettingsGuard::remembered() const {
+    constexpr std::uint64_t kMost = 4096;
+    std::error_code failure;
+    if (m_memory.empty() || !std::filesystem::exists(m_memory, failure)) {
+        return nullptr;
+    }
+    try {
+        const Json kept = parseJson(readTextFile(m_memory, kMost), m_memory.string());
+        Json delays = Json::object();
+        for (const char* delay : kDelays) {
+            if (const auto seconds = wholeNumber(kept, delay);
+                seconds && *seconds >= 0 && *seconds <= 604'800) {
+                delays[delay] = *seconds;
+            }
+        }
+        return delays.empty() ? Json() : delays;
+    } catch (const Error&) { // damaged: what the camera is set to now is the next best
+        return nullptr;
+    }
+}
+
 void SettingsGuard::keepOriginal(const Json& present) {
     if (!m_original.is_null()) {
         return;
     }
+    m_original = remembered();
+    if (!m_original.is_null()) {
+        return;
+    }
     m_original = Json::object();
-    for (const char* delay : {"sleepDelay", "offDelay"}) {
+    for (const char* delay : kDelays) {
         if (present.contains(delay)) {
             m_original[delay] = present[delay];
+        }
+    }
+    if (!m_memory.empty() && !m_original.empty()) {
+        try {
+            writeFile(m_memory, bytesOf(m_original.dump()), DurableFile::Overwrite::Yes);
+        } catch (const Error& error) {
+            m_original = nullptr;
+            // A folder of this computer that is not there must not look like something the camera lacks.
+            throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
+                        error.context());
         }
     }
 }
@@ -125,7 +174,7 @@ Json SettingsGuard::basics(const Json& present) const {
     if (Json format = formatOf(present, width); !format.is_null()) {
         settings["fileFormat"] = std::move(format);
     }
-    for (const char* delay : {"sleepDelay", "offDelay"}) {
+    for (const char* delay : kDelays) {
         if (present.contains(delay)) {
             settings[delay] = kNever;
         }
@@ -201,6 +250,54 @@ std::vector<std::string> SettingsGuard::apply(const std::stop_token& stop) {
     return sentences;
 }
 
+std::vector<std::string> SettingsGuard::setClock(std::chrono::system_clock::time_point now,
+                                                 const std::stop_token& stop) {
+    constexpr std::chrono::seconds kTolerance(30);
+    const Json present = read({"dateTimeZone"}, stop);
+    if (!present.contains("dateTimeZone")) {
+        return {};
+    }
+    const auto shown = parseCameraTime(shortText(present, "dateTimeZone").value_or(""));
+    if (shown && std::chrono::abs(*shown - now) < kTolerance) {
+        return {};
+    }
+    try {
+        m_client.setOptions({{"dateTimeZone", cameraTime(now, localZone(now))}},
+                            stop); // by itself, as it must
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Unsupported && error.kind() != ErrorKind::InvalidInput) {
+            throw;
+        }
+        return {
+            "The camera's clock is wrong and cannot be set from here; its photos will carry a wrong time."};
+    }
+    return {};
+}
+
+std::vector<std::string> SettingsGuard::exposureDifferences(const std::stop_token& stop) {
+    if (!m_profile) {
+        return {};
+    }
+    Json known = read(profileOptionNames(), stop);
+    const Json program = exposureProgram(*m_profile);
+    if (known.contains("exposureProgram") && !isSameOption(program, known["exposureProgram"])) {
+        return {optionDifference("exposureProgram", program, known["exposureProgram"])};
+    }
+    Json wanted = m_exposure;
+    if (wanted.empty()) { // not applied by this program: what it would set
+        Json offered = known;
+        offered.update(read(profileSupportNames(), stop));
+        wanted = profileOptions(*m_profile, offered);
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [name, value] : wanted.items()) {
+        if (known.contains(name) && !isSameOption(value, known[name])) {
+            sentences.push_back(optionDifference(name, value, known[name]));
+        }
+    }
+    return sentences;
+}
+
 std::set<std::string> SettingsGuard::heldNames() const {
     std::set<std::string> names;
     for (const Json* settings : {&m_basics, &m_exposure}) {
@@ -231,6 +328,8 @@ std::vector<std::string> SettingsGuard::hold(const Json& present, const std::sto
 void SettingsGuard::restore(const std::stop_token& stop) {
     if (m_original.is_object() && !m_original.empty()) {
         m_client.setOptions(m_original, stop);
+        std::error_code ignored; // what is put back twice does no harm
+        std::filesystem::remove(m_memory, ignored);
     }
     m_original = nullptr;
 }

@@ -98,7 +98,7 @@ void CameraServer::sendFile(std::shared_ptr<Bytes> bytes, httplib::Response& res
         const std::size_t begin = std::min<std::size_t>(fault->byte, bytes->size());
         const std::size_t end = std::min(begin + kDamaged, bytes->size());
         std::fill(bytes->begin() + static_cast<std::ptrdiff_t>(begin),
-                  bytes->begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{0xc7});
+                  bytes->begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{0xff});
     }
     const auto cut = m_faults.take({FaultKind::CutDownload, FaultKind::StallDownload}, "/files");
     const bool isStall = cut && cut->kind == FaultKind::StallDownload;

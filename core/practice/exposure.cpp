@@ -46,14 +46,16 @@ RgbImage sampled(const RgbImage& picture, const EquirectSize& size) {
     return result;
 }
 
-/// Stripes as wide as the shot's number says: no two of a survey's photos are alike.
+/// Stripes as wide as the shot's number says, and a pattern: no two of a survey's photos are alike.
 RgbImage plain(const EquirectSize& size, int shot) {
     RgbImage picture(size.width, size.height);
     const int period = 8 + shot % 97;
     for (int y = 0; y < size.height; ++y) {
         const int shade = 60 + 40 * (y / period % 2) + shot / 97 % 60;
-        std::fill_n(picture.at(0, y), std::size_t(size.width) * RgbImage::kChannels,
-                    static_cast<std::uint8_t>(shade));
+        for (int x = 0; x < size.width; ++x) {
+            std::fill_n(picture.at(x, y), RgbImage::kChannels,
+                        static_cast<std::uint8_t>(shade + (x ^ y) % 16));
+        }
     }
     return picture;
 }

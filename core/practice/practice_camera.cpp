@@ -91,6 +91,13 @@ void PracticeCamera::arm(const Fault& fault) {
     m_state->faults.arm(fault);
 }
 
+void PracticeCamera::befall(const Fault& fault) {
+    fault.validate();
+    require(isOfCamera(fault.kind),
+            text("\"", name(fault.kind), "\" happens to requests, not to the camera."));
+    m_state->device.meet(fault);
+}
+
 void PracticeCamera::disarm() {
     m_state->faults.clear();
     m_state->device.meet({FaultKind::NoMoreTrouble, ""});

@@ -60,6 +60,7 @@ class CaptureJournal {
     virtual void started(std::int64_t shot, const std::string& commandId) = 0;
     virtual void taken(std::int64_t shot, const std::string& fileUrl) = 0;
     virtual void notTaken(std::int64_t shot) = 0;
+    /// Also of a shot that is Taken.
     virtual void unclear(std::int64_t shot, const std::string& why) = 0;
     /// Tags the photo with its station, moves it into the survey, and records it, in one durable step.
     virtual void downloaded(std::int64_t shot, const DownloadedPhoto& photo) = 0;

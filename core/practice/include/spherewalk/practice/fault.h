@@ -39,7 +39,7 @@ enum class FaultKind {
     MissingFile,     ///< [missing-file] answers 404
     CutDownload,     ///< [cut-download, byte] closes the connection there
     StallDownload,   ///< [stall-download, byte] sends nothing from there on, keeps the connection open
-    CorruptDownload, ///< [corrupt-download, byte] replaces the 64 bytes from there on
+    CorruptDownload, ///< [corrupt-download, byte] replaces the 64 bytes from there on, by 0xff
 
     // To the preview; each of its pictures is a call of "camera.getLivePreview".
     PreviewWithoutBoundary, ///< [preview-without-boundary] sends a picture without its boundary

@@ -109,6 +109,8 @@ class PracticeCamera {
 
     void setPosition(const Eigen::Vector3d& positionM);
     void arm(const Fault& fault);
+    /// What happens to the camera itself happens at once, not at a call.
+    void befall(const Fault& fault);
     /// No armed fault is left, and the camera is as it was but for its files and settings.
     void disarm();
     PracticeCameraStats stats() const;
