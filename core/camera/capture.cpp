@@ -155,7 +155,8 @@ ShotOutcome Capture::resolve(Shot shot, Clock::TimePoint deadline, const std::st
     if (resolution.step == ShotStep::Taken) {
         m_parts->watch.notePhoto();
         giveUpOlder(shot, resolution.fileUrl);
-        doubtExposure(shot, resolution, stop);
+        doubtExposure(resolution, stop);
+        resolution.fileUrl = marked(std::move(resolution.fileUrl), stop);
     }
     switch (resolution.step) {
     case ShotStep::Taken:
@@ -176,6 +177,20 @@ ShotOutcome Capture::resolve(Shot shot, Clock::TimePoint deadline, const std::st
     outcome.sentence = std::move(resolution.sentence);
     outcome.problem = resolution.problem;
     return outcome;
+}
+
+/// With what tells the file from a later one of the same name, if the camera lists it.
+std::string Capture::marked(std::string fileUrl, const std::stop_token& stop) {
+    try {
+        if (const auto entry = m_client.findFile(fileUrl, stop)) {
+            return markedUrl(*entry);
+        }
+    } catch (const Error& error) {
+        if (!isCameraTrouble(error.kind())) {
+            throw;
+        }
+    }
+    return fileUrl;
 }
 
 /// A camera whose counter began anew gives a name again: what lay under it is gone, and this photo is not it.

@@ -132,7 +132,7 @@ Baseline Capture::baseline(const std::stop_token& stop) {
     // latest file when they restart.
     Baseline before{{}, newest.totalEntries};
     if (!newest.entries.empty()) {
-        before.latestFileUrl = newest.entries.front().fileUrl;
+        before.latestFileUrl = markedUrl(newest.entries.front());
         pathOfUrl(before.latestFileUrl); // refuses now what could not be compared later
     }
     return before;
@@ -159,7 +159,7 @@ Capture::Ready Capture::readyForShot(std::vector<std::string>& warnings, const s
 
 /// A photo of a camera that has lost the profile since the settings were looked at may be exposed otherwise:
 /// that is for a person to say, not to be passed over.
-void Capture::doubtExposure(const Shot& shot, Resolution& resolution, const std::stop_token& stop) {
+void Capture::doubtExposure(Resolution& resolution, const std::stop_token& stop) {
     const auto differences = [&] {
         try {
             return m_parts->guard.exposureDifferences(stop);
@@ -171,19 +171,14 @@ void Capture::doubtExposure(const Shot& shot, Resolution& resolution, const std:
             return m_parts->guard.exposureDifferences(stop);
         }
     }();
-    if (differences.empty() || hasRestartedSince(shot.intendedAt, stop)) {
-        return; // a camera that restarts after the trigger loses them when the photo is taken
+    if (differences.empty()) {
+        return;
     }
     resolution.step = ShotStep::Unclear;
     resolution.problem = ErrorKind::Corrupt;
     resolution.sentence = text(differences.front(), " after the photo ", fileNameOfUrl(resolution.fileUrl),
                                " was taken: it may be exposed differently from the others. It stays on the "
                                "camera; take it again.");
-}
-
-bool Capture::hasRestartedSince(std::chrono::system_clock::time_point when, const std::stop_token& stop) {
-    const auto uptime = m_client.info(stop).uptimeS;
-    return uptime && m_clock.utc() - std::chrono::seconds(*uptime + 1) > when;
 }
 
 std::optional<std::int64_t> Capture::photosLeft() const {

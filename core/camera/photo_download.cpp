@@ -6,6 +6,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/new_files.h"
 
 #include <algorithm>
 #include <array>
@@ -85,6 +86,10 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
                     text("The camera does not list the photo ", name,
                          "; check that nobody has deleted it, and that this is the same camera."));
     }
+    if (!isFile(fileUrl, *listed)) {
+        throw Error(ErrorKind::NotFound, text("The camera has given the name ", name,
+                                              " to another photo, so that this one is gone; take it again."));
+    }
     const std::unique_ptr<DurableFile> output = create(target);
     DurableFile& file = *output;
     Sha256 hash;
@@ -123,7 +128,7 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
     requireSpherical(name, facts, options);
     DownloadedPhoto photo;
     photo.temporaryFile = target;
-    photo.fileUrl = fileUrl;
+    photo.fileUrl = fileUrl.substr(0, fileUrl.find('#'));
     photo.cameraFileName = name;
     photo.cameraSha256 = sha256;
     photo.sizeBytes = file.sizeBytes();

@@ -5,12 +5,9 @@
 #include "profile_options.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 
 namespace spherewalk::camera {
@@ -18,7 +15,6 @@ namespace spherewalk::camera {
 namespace {
 
 constexpr int kNever = 65535; // the value by which sleepDelay and offDelay say "never"
-constexpr std::array kDelays{"sleepDelay", "offDelay"};
 constexpr std::size_t kMaxFormats = 1000;
 
 /// Width of a spherical JPEG format; 0 for any other.
@@ -113,59 +109,26 @@ void SettingsGuard::applyImageMode(const std::stop_token& stop) {
 }
 
 void SettingsGuard::rememberIn(const std::filesystem::path& folder, std::string_view serialNumber) {
-    std::string name("camera-");
-    for (const char c : serialNumber.substr(0, 64)) {
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    }
-    m_memory = folder / (name + ".json");
-}
-
-/// What a program that was killed has not put back; null if there is nothing.
-Json SettingsGuard::remembered() const {
-    constexpr std::uint64_t kMost = 4096;
-    std::error_code failure;
-    if (m_memory.empty() || !std::filesystem::exists(m_memory, failure)) {
-        return nullptr;
-    }
-    try {
-        const Json kept = parseJson(readTextFile(m_memory, kMost), m_memory.string());
-        Json delays = Json::object();
-        for (const char* delay : kDelays) {
-            if (const auto seconds = wholeNumber(kept, delay);
-                seconds && *seconds >= 0 && *seconds <= 604'800) {
-                delays[delay] = *seconds;
-            }
-        }
-        return delays.empty() ? Json() : delays;
-    } catch (const Error&) { // damaged: what the camera is set to now is the next best
-        return nullptr;
-    }
+    m_memory.emplace(folder, serialNumber);
 }
 
 void SettingsGuard::keepOriginal(const Json& present) {
     if (!m_original.is_null()) {
         return;
     }
-    m_original = remembered();
-    if (!m_original.is_null()) {
-        return;
-    }
-    m_original = Json::object();
-    for (const char* delay : kDelays) {
-        if (present.contains(delay)) {
-            m_original[delay] = present[delay];
+    Json original = m_memory ? m_memory->read() : Json();
+    if (original.is_null()) {
+        original = Json::object();
+        for (const char* delay : kDelayNames) {
+            if (present.contains(delay)) {
+                original[delay] = present[delay];
+            }
+        }
+        if (m_memory && !original.empty()) {
+            m_memory->write(original);
         }
     }
-    if (!m_memory.empty() && !m_original.empty()) {
-        try {
-            writeFile(m_memory, bytesOf(m_original.dump()), DurableFile::Overwrite::Yes);
-        } catch (const Error& error) {
-            m_original = nullptr;
-            // A folder of this computer that is not there must not look like something the camera lacks.
-            throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
-                        error.context());
-        }
-    }
+    m_original = std::move(original);
 }
 
 Json SettingsGuard::basics(const Json& present) const {
@@ -174,7 +137,7 @@ Json SettingsGuard::basics(const Json& present) const {
     if (Json format = formatOf(present, width); !format.is_null()) {
         settings["fileFormat"] = std::move(format);
     }
-    for (const char* delay : kDelays) {
+    for (const char* delay : kDelayNames) {
         if (present.contains(delay)) {
             settings[delay] = kNever;
         }
@@ -328,8 +291,9 @@ std::vector<std::string> SettingsGuard::hold(const Json& present, const std::sto
 void SettingsGuard::restore(const std::stop_token& stop) {
     if (m_original.is_object() && !m_original.empty()) {
         m_client.setOptions(m_original, stop);
-        std::error_code ignored; // what is put back twice does no harm
-        std::filesystem::remove(m_memory, ignored);
+        if (m_memory) {
+            m_memory->forget();
+        }
     }
     m_original = nullptr;
 }

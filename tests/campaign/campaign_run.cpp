@@ -64,9 +64,14 @@ class Run {
         for (int i = 0; i < kLastPrograms && !isComplete(); ++i) {
             test::Program program(m_command);
             ++m_report.programs;
-            expectEnd(program);
+            if (expectEnd(program) != 0) { // what its sentences ask for
+                camera.befall({practice::FaultKind::Reboot, "", 0, 1, 0, 3});
+            }
         }
         camera.stop();
+        if (!isComplete()) {
+            m_report.findings.violations.push_back("the last program said: " + m_lastWords);
+        }
         Findings findings = examine(m_survey, m_folder / "truth.jsonl", profileOptions());
         for (std::string& violation : m_report.findings.violations) {
             findings.violations.push_back(std::move(violation));
@@ -129,18 +134,20 @@ class Run {
         }
     }
 
-    /// However it ends, it ends, and says why.
-    void expectEnd(test::Program& program) {
+    /// However it ends, it ends, and says why. Its exit status.
+    int expectEnd(test::Program& program) {
         if (!program.endsWithin(kHangs)) {
             m_report.findings.violations.push_back("a program does not end: " + program.errors());
             program.signal(SIGKILL);
         }
         const int status = program.wait();
+        m_lastWords = program.errors();
         constexpr int kInterrupted = 128 + SIGINT; // before it could do better
         if (status > 100 && status != kInterrupted) {
             m_report.findings.violations.push_back(
                 text("a program ended with status ", status, ": ", program.errors()));
         }
+        return status;
     }
 
     RunOptions m_options;
@@ -148,6 +155,7 @@ class Run {
     test::TemporaryFolder m_folder;
     std::filesystem::path m_survey;
     std::vector<std::string> m_command;
+    std::string m_lastWords;
     RunReport m_report;
 };
 

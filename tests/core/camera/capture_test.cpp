@@ -295,19 +295,6 @@ TEST_F(CaptureProfileTest, AsksAlsoAboutOneThatAKilledRunLeft) {
     EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Unclear);
 }
 
-TEST_F(CaptureProfileTest, TrustsAPhotoOfACameraThatRestartedAfterIt) {
-    capture().prepare({});
-    camera.fault("/osc/commands/status", [&](const auto& normal) {
-        clock.advance(20s); // the picture is stored, and the camera begins anew
-        const test::ServerAction answer = normal();
-        camera.uptimeS = 3;
-        camera.options["exposureProgram"] = 2;
-        camera.options["iso"] = 0;
-        return answer;
-    });
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
-}
-
 TEST_F(CaptureTest, RefusesToShootWithAnotherCamera) {
     capture().shoot(1, {});
     camera.serial = "00999999";

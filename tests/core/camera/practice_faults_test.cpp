@@ -144,12 +144,22 @@ TEST_F(PracticeFaults, ARestartWhileThePictureIsProcessedLosesItAndIsTold) {
 }
 
 TEST_F(PracticeFaults, ARestartAfterThePictureIsWrittenLosesNothing) {
-    captureOptions.profile.reset(); // else a camera this quick seems to have lost it before the exposure
+    captureOptions.profile.reset();
     runCamera();
     shoot(1);
     arm(FaultKind::Reboot, "written", 1, 10);
     EXPECT_EQ(shoot(2).shot.step, ShotStep::Downloaded);
     EXPECT_EQ(exposuresOf(2), 1);
+}
+
+TEST_F(PracticeFaults, ARestartAfterThePictureIsWrittenLeavesNoProofOfItsExposure) {
+    runCamera();
+    expectRightPhoto(shoot(1));
+    arm(FaultKind::Reboot, "written", 1, 10);
+    const ShotOutcome outcome = shoot(2);
+    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_THAT(outcome.sentence, HasSubstr("R0010002.JPG"));
+    expectRightPhoto(shoot(2));
 }
 
 TEST_F(PracticeFaults, ASleepDuringADownloadOnlyDelaysIt) {
@@ -241,6 +251,20 @@ TEST_F(PracticeFaults, ACounterThatBeginsAnewMixesNothingUp) {
     } else {
         expectRightPhoto(outcome);
     }
+}
+
+TEST_F(PracticeFaults, ANameGivenAgainIsNotTakenForThePhotoThatHadIt) {
+    runCamera();
+    practice().setPosition({1, 0, 1});
+    const Shot taken = capture().expose(1, {}).shot;
+    ASSERT_EQ(taken.step, ShotStep::Taken);
+    practice().befall({FaultKind::RestartCounter, ""});
+    practice().setPosition({2, 0, 1});
+    practice().befall({FaultKind::ExtraPhoto, ""}); // under the same name
+    const ShotOutcome outcome = capture().fetch(taken, {});
+    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_THAT(outcome.sentence, HasSubstr("another photo"));
+    EXPECT_TRUE(journal.photos.empty());
 }
 
 TEST_F(PracticeFaults, ASlowCameraIsWaitedFor) {

@@ -11,7 +11,7 @@ namespace spherewalk::camera {
 
 /// What the camera held before a shot: what is newer afterwards came from the shot.
 struct Baseline {
-    std::string latestFileUrl; ///< "" if none
+    std::string latestFileUrl; ///< marked, see new_files.h; "" if none
     std::int64_t totalEntries = 0;
     bool operator==(const Baseline&) const = default;
 };
@@ -34,7 +34,7 @@ struct Shot {
     std::string cameraSerial;
     Baseline baseline;
     std::string commandId; ///< "" until Started
-    std::string fileUrl;   ///< "" until Taken
+    std::string fileUrl;   ///< "" until Taken; marked, see new_files.h, if the camera listed it
     std::string note;      ///< why Unclear
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/camera/delay_memory.h"
 #include "spherewalk/camera/osc_client.h"
 #include "spherewalk/survey/capture_profile.h"
 
@@ -54,7 +55,6 @@ class SettingsGuard {
 
   private:
     void keepOriginal(const Json& present);
-    Json remembered() const;
     Json basics(const Json& present) const;
     Json exposure(std::vector<std::string>& lacks, const std::stop_token& stop);
     void set(const std::stop_token& stop);
@@ -63,7 +63,7 @@ class SettingsGuard {
     OscClient& m_client;
     std::optional<survey::CaptureProfile> m_profile;
     std::set<std::string> m_unknown;
-    std::filesystem::path m_memory;   ///< empty: none
+    std::optional<DelayMemory> m_memory;
     Json m_original;                  ///< null until apply()
     Json m_basics = Json::object();   ///< set by apply(): the photos' format, and no sleep
     Json m_exposure = Json::object(); ///< set by apply(), in one call, as the values depend on each other
