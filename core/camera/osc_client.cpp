@@ -340,13 +340,12 @@ void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Ti
 
 HttpResponse OscClient::download(std::string_view fileUrl, std::uint64_t maxBytes,
                                  const HttpClient::Sink& sink, const std::stop_token& stop) {
+    const std::string path = pathOfUrl(fileUrl);
     // A name of level 1 became a path, and becomes a name again; a whole URL can be got as it is.
     const bool isName = isLevelOneOnly() && fileUrl.starts_with('/');
     const std::string body =
-        isName ? Json{{"name", "camera.getImage"}, {"parameters", {{"fileUri", fileUrl.substr(1)}}}}.dump()
-               : "";
-    HttpResponse response =
-        m_http.download(isName ? kExecutePath : pathOfUrl(fileUrl), maxBytes, sink, stop, body);
+        isName ? Json{{"name", "camera.getImage"}, {"parameters", {{"fileUri", path.substr(1)}}}}.dump() : "";
+    HttpResponse response = m_http.download(isName ? kExecutePath : path, maxBytes, sink, stop, body);
     if (response.status != 200) {
         const OscErrorCode code = oscErrorCodeOfStatus(response.status);
         throw refusal(text("send ", fileNameOfUrl(fileUrl)),
