@@ -23,7 +23,7 @@ struct Options {
 };
 
 Result info(const Options& options, Context& context) {
-    const camera::CameraInfo info = options.camera.client()->info(context.stop);
+    const camera::CameraInfo info = options.camera.client(context.stop)->info(context.stop);
     const std::string levels = Json(info.apiLevels).dump();
     return {{{"manufacturer", info.manufacturer},
              {"model", info.model},
@@ -36,7 +36,7 @@ Result info(const Options& options, Context& context) {
 }
 
 Result state(const Options& options, Context& context) {
-    const camera::CameraState state = options.camera.client()->state(context.stop);
+    const camera::CameraState state = options.camera.client(context.stop)->state(context.stop);
     const std::string battery =
         state.batteryFraction ? text(fixed(100 * *state.batteryFraction, 0), " %") : "unknown";
     std::string words = text("battery ", battery, ", ", state.isIdle() ? "idle" : state.captureStatus);
@@ -53,7 +53,7 @@ Result state(const Options& options, Context& context) {
 Result list(const Options& options, Context& context) {
     camera::FileQuery query;
     query.entryCount = options.count;
-    const camera::FileList files = options.camera.client()->listFiles(query, context.stop);
+    const camera::FileList files = options.camera.client(context.stop)->listFiles(query, context.stop);
     Json entries = Json::array();
     std::string lines = text(files.totalEntries, " photos on the camera");
     for (const camera::FileEntry& entry : files.entries) {
@@ -68,7 +68,7 @@ Result list(const Options& options, Context& context) {
 }
 
 Result shoot(const Options& options, Context& context) {
-    const auto client = options.camera.client();
+    const auto client = options.camera.client(context.stop);
     camera::CaptureOptions capture = options.camera.captureOptions();
     capture.download.check = jobs::photoCheck();
     SingleShot journal(options.out);

@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera_options.h"
 
+#include "terminal.h"
+
 #include "spherewalk/base/clock.h"
+
+#include <cstdlib>
+#include <optional>
 
 namespace spherewalk::cli {
 
+namespace {
+
+/// Neither the command line, which every user of the computer can see, nor a file of the survey.
+std::optional<camera::Credentials> credentials(const std::stop_token& stop) {
+    const char* const user = std::getenv("SPHEREWALK_CAMERA_USER");
+    const char* const password = std::getenv("SPHEREWALK_CAMERA_PASSWORD");
+    if (user != nullptr && password != nullptr) {
+        return camera::Credentials{user, password};
+    }
+    const auto name =
+        askAtTerminal("User name of the camera (THETA and its serial number): ", Echo::On, stop);
+    const auto secret = name ? askAtTerminal("Password: ", Echo::Off, stop) : std::nullopt;
+    return secret ? std::optional(camera::Credentials{*name, *secret}) : std::nullopt;
+}
+
+} // namespace
+
 void CameraOptions::declare(CLI::App& command) {
-    command.add_option("--camera", m_address, "Address of the camera, with :PORT if it is not 80")
+    command
+        .add_option(
+            "--camera", m_address,
+            "Address of the camera, with :PORT if it is not 80. One in client mode wants the user name and "
+            "the password that stand in SPHEREWALK_CAMERA_USER and SPHEREWALK_CAMERA_PASSWORD, or asks for "
+            "them")
         ->capture_default_str();
     command
         .add_option("--time-scale", m_timeScale,
@@ -16,9 +43,10 @@ void CameraOptions::declare(CLI::App& command) {
         ->capture_default_str();
 }
 
-std::unique_ptr<camera::OscClient> CameraOptions::client() const {
-    return std::make_unique<camera::OscClient>(endpoint(), camera::OscOptions{}.scaled(m_timeScale),
-                                               systemClock());
+std::unique_ptr<camera::OscClient> CameraOptions::client(const std::stop_token& stop) const {
+    camera::OscOptions options = camera::OscOptions{}.scaled(m_timeScale);
+    options.http.credentials = [stop] { return credentials(stop); };
+    return std::make_unique<camera::OscClient>(endpoint(), options, systemClock());
 }
 
 camera::CaptureOptions CameraOptions::captureOptions() const {

@@ -7,6 +7,7 @@
 #include "spherewalk/camera/osc_client.h"
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace spherewalk::cli {
@@ -17,7 +18,9 @@ class CameraOptions {
     void declare(CLI::App& command);
 
     /// Errors: InvalidInput.
-    std::unique_ptr<camera::OscClient> client() const;
+    /// A camera that wants a password gets it from the environment, or asks for it at the terminal until the
+    /// stop.
+    std::unique_ptr<camera::OscClient> client(const std::stop_token& stop) const;
     camera::CaptureOptions captureOptions() const;
 
     double timeScale() const { return m_timeScale; }

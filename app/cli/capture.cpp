@@ -85,7 +85,7 @@ std::vector<std::int64_t> stationsNamed(const store::SurveyStore& store,
 
 Result capture(const Options& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
-    const auto client = options.camera.client();
+    const auto client = options.camera.client(context.stop);
     const auto people = operatorFor(options, context);
     jobs::CaptureSurveyOptions captureOptions{options.camera.captureOptions()};
     if (options.practice) {

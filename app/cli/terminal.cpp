@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <ctime>
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace spherewalk::cli {
@@ -114,6 +115,48 @@ std::optional<std::string> readLine(const std::stop_token& stop) {
         }
         buffer.append(piece.data(), static_cast<std::size_t>(count));
     }
+}
+
+namespace {
+
+/// The terminal shows nothing of what is typed, until the end of the scope.
+class Silence {
+  public:
+    Silence() {
+        if (::tcgetattr(STDIN_FILENO, &m_before) == 0) {
+            termios silent = m_before;
+            silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+            m_isSet = ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent) == 0;
+        }
+    }
+
+    ~Silence() {
+        if (m_isSet) {
+            ::tcsetattr(STDIN_FILENO, TCSANOW, &m_before);
+            print("\n");
+        }
+    }
+
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+  private:
+    termios m_before{};
+    bool m_isSet = false;
+};
+
+} // namespace
+
+std::optional<std::string> askAtTerminal(std::string_view question, Echo echo, const std::stop_token& stop) {
+    if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1) {
+        return std::nullopt;
+    }
+    print(std::string(question));
+    std::optional<Silence> silence;
+    if (echo == Echo::Off) {
+        silence.emplace();
+    }
+    return readLine(stop);
 }
 
 } // namespace spherewalk::cli

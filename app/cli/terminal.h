@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace spherewalk::cli {
@@ -50,5 +51,11 @@ class StopOnSignal {
 
 /// The next line of standard input, without its end; nothing at the end of input. Errors: Stopped.
 std::optional<std::string> readLine(const std::stop_token& stop);
+
+enum class Echo { Off, On };
+
+/// What a person answers; nothing if standard input or standard error is no terminal, or has ended. Errors:
+/// Stopped.
+std::optional<std::string> askAtTerminal(std::string_view question, Echo echo, const std::stop_token& stop);
 
 } // namespace spherewalk::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/capture.h"
 
-#include "shot_settler.h"
+#include "capture_parts.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
@@ -20,38 +20,8 @@ namespace spherewalk::camera {
 
 namespace {
 
-/// What makes a shot take longer.
-const std::vector<std::string> kTimingOptions{"exposureDelay", "shutterSpeed", "_filter"};
-
-void requireLevel2(const CameraInfo& info, const CameraState& state) {
-    // One that speaks both must say that it is in level 2, as it falls back to 1 when it loses the link.
-    if (info.hasApiLevel(2) && state.apiVersion.value_or(info.hasApiLevel(1) ? 1 : 2) >= 2) {
-        return;
-    }
-    throw Error(ErrorKind::Unsupported, text("The camera ", printable(info.model),
-                                             " speaks API level 1, which cannot be used yet; update "
-                                             "its firmware, or use a Theta V or newer."));
-}
-
-void requireStorage(std::optional<std::int64_t> remainingPhotos) {
-    if (remainingPhotos && *remainingPhotos <= 0) {
-        throw Error(ErrorKind::Full, "The camera's storage is full; back its photos up, free some space, and "
-                                     "resume.");
-    }
-}
-
 bool isResolved(const Shot& shot) {
     return shot.step != ShotStep::Intended && shot.step != ShotStep::Started;
-}
-
-/// Tells of settled shots that left no photo.
-void addWarnings(std::vector<std::string>& warnings, const std::vector<ShotOutcome>& settled) {
-    for (const ShotOutcome& outcome : settled) {
-        if (!outcome.sentence.empty()) {
-            warnings.push_back(
-                text("An earlier photo of station ", outcome.shot.station, ": ", outcome.sentence));
-        }
-    }
 }
 
 /// What a killed run left of this shot's download.
@@ -70,14 +40,6 @@ void removeLeftovers(const std::filesystem::path& target) {
 
 } // namespace
 
-struct Capture::Parts {
-    Parts(OscClient& client, Clock& clock, const CaptureOptions& options)
-        : guard(client, options.profile), settler(client, clock, options) {}
-
-    SettingsGuard guard;
-    ShotSettler settler;
-};
-
 Capture::Capture(OscClient& client, CaptureJournal& journal, Clock& clock, CaptureOptions options)
     : m_client(client), m_journal(journal), m_clock(clock), m_options(std::move(options)) {
     m_options.validate();
@@ -88,7 +50,11 @@ Capture::~Capture() = default;
 
 CameraInfo Capture::connect(const std::stop_token& stop) {
     CameraInfo info = m_client.info(stop);
-    requireLevel2(info, m_client.state(stop));
+    if (!info.hasApiLevel(1) && !info.hasApiLevel(2)) {
+        throw Error(ErrorKind::Unsupported, text("The camera ", printable(info.model),
+                                                 " speaks neither API level 1 nor 2; use another."));
+    }
+    m_client.state(stop); // it answers commands too
     m_camera = info;
     m_isPrepared = false;
     return info;
@@ -119,122 +85,6 @@ std::vector<ShotOutcome> Capture::settleExposures(const std::stop_token& stop) {
     return outcomes;
 }
 
-Clock::TimePoint Capture::deadlineAfterRestart(const Shot& shot, const std::stop_token& stop) {
-    const auto allowance = m_options.allowance.of(m_parts->guard.read(kTimingOptions, stop));
-    const auto now = m_clock.utc();
-    if (shot.intendedAt <= now - allowance) {
-        return m_clock.now();
-    }
-    // Intended in the future: the clock was set back, so that nothing shorter than all of it is safe.
-    const auto left = shot.intendedAt >= now
-                          ? allowance
-                          : std::chrono::ceil<std::chrono::milliseconds>(shot.intendedAt + allowance - now);
-    return m_clock.now() + left;
-}
-
-void Capture::checkHealth(CameraReadiness& readiness, const std::stop_token& stop) {
-    const CameraState state = m_client.state(stop);
-    for (const std::string& code : state.errors) {
-        CameraTrouble trouble = describeCameraError(code);
-        if (trouble.blocks) {
-            throw Error(code == "NO_MEMORY" ? ErrorKind::Full : ErrorKind::Busy, trouble.sentence, code);
-        }
-        readiness.warnings.push_back(std::move(trouble.sentence));
-    }
-    if (state.isPluginRunning) {
-        throw Error(ErrorKind::Busy,
-                    "A plug-in runs on the camera; end it by the camera's mode button, then resume.");
-    }
-    readiness.batteryFraction = state.batteryFraction;
-    const double battery = state.batteryFraction.value_or(1);
-    const bool isCharging = state.batteryState == "charging" || state.batteryState == "charged";
-    const std::string percent = text(fixed(100 * battery, 0), " %");
-    if (battery <= m_options.batteryMinimum && !isCharging) {
-        throw Error(ErrorKind::Busy,
-                    text("The camera's battery is at ", percent, "; charge it before going on."));
-    }
-    if (battery <= m_options.batteryWarning) {
-        readiness.warnings.push_back(text("The camera's battery is at ", percent, "; charge it soon."));
-    }
-}
-
-CameraReadiness Capture::prepare(const std::stop_token& stop) {
-    if (!m_camera) {
-        connect(stop);
-    }
-    CameraReadiness readiness;
-    addWarnings(readiness.warnings, settleExposures(stop));
-    checkHealth(readiness, stop);
-    m_parts->settler.waitUntilIdle(stop);
-    for (std::string& warning : m_parts->guard.apply(stop)) {
-        readiness.warnings.push_back(std::move(warning));
-    }
-    readiness.remainingPhotos =
-        wholeNumber(m_parts->guard.read({"remainingPictures"}, stop), "remainingPictures");
-    requireStorage(readiness.remainingPhotos);
-    if (readiness.remainingPhotos && *readiness.remainingPhotos < m_options.remainingWarning) {
-        readiness.warnings.push_back(
-            text("The camera has room for only ", *readiness.remainingPhotos, " more photos."));
-    }
-    m_isPrepared = true;
-    return readiness;
-}
-
-/// Brings the camera to where the next shot may be intended, whatever has happened since the last one. What
-/// had to be settled first.
-std::vector<ShotOutcome> Capture::makeReady(std::vector<std::string>& warnings, const std::stop_token& stop) {
-    if (!m_camera) {
-        connect(stop);
-    }
-    std::vector<ShotOutcome> settled = m_hasSettled ? settleExposures(stop) : settle(stop);
-    addWarnings(warnings, settled);
-    const CameraInfo info = m_client.info(stop);
-    if (info.serialNumber != m_camera->serialNumber) {
-        throw Error(ErrorKind::NotFound,
-                    text("Another camera answers (serial number ", printable(info.serialNumber),
-                         " instead of ", printable(m_camera->serialNumber),
-                         "); check the WiFi, or connect anew."));
-    }
-    const bool hasRestarted = info.uptimeS.value_or(0) < m_camera->uptimeS.value_or(0);
-    m_camera = info;
-    if (!m_isPrepared || hasRestarted) {
-        m_isPrepared = false; // the camera may have lost its settings
-        const CameraReadiness readiness = prepare(stop);
-        warnings.insert(warnings.end(), readiness.warnings.begin(), readiness.warnings.end());
-    }
-    return settled;
-}
-
-std::chrono::milliseconds Capture::checkBeforeShot(std::vector<std::string>& warnings,
-                                                   const std::stop_token& stop) {
-    m_parts->settler.waitUntilIdle(stop);
-    std::set<std::string> names = m_parts->guard.heldNames();
-    names.insert(kTimingOptions.begin(), kTimingOptions.end());
-    names.insert("remainingPictures");
-    Json options = m_parts->guard.read({names.begin(), names.end()}, stop);
-    requireStorage(wholeNumber(options, "remainingPictures"));
-    if (std::vector<std::string> changed = m_parts->guard.hold(options, stop); !changed.empty()) {
-        std::move(changed.begin(), changed.end(), std::back_inserter(warnings));
-        options.update(m_parts->guard.read(kTimingOptions, stop));
-    }
-    m_client.settle(stop);
-    return m_options.allowance.of(options);
-}
-
-Baseline Capture::baseline(const std::stop_token& stop) {
-    FileQuery query;
-    query.entryCount = 1;
-    const FileList newest = m_client.listFiles(query, stop);
-    // The list, not the state's latest file: what is compared later is the list, and some cameras forget the
-    // latest file when they restart.
-    Baseline before{{}, newest.totalEntries};
-    if (!newest.entries.empty()) {
-        before.latestFileUrl = newest.entries.front().fileUrl;
-        pathOfUrl(before.latestFileUrl); // refuses now what could not be compared later
-    }
-    return before;
-}
-
 /// Nothing if it is unknown what has become of the trigger.
 std::optional<CommandReply> Capture::trigger(const std::stop_token& stop) {
     try {
@@ -252,19 +102,6 @@ std::optional<CommandReply> Capture::trigger(const std::stop_token& stop) {
     }
 }
 
-bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop) {
-    if (code == OscErrorCode::DisabledCommand && refusals == 0) {
-        m_parts->guard.applyImageMode(stop); // seen on a camera that had fallen into video mode
-        return true;
-    }
-    if (refusals >= worthwhileRepeats(code)) {
-        return false;
-    }
-    m_clock.sleep(m_options.busyPause * (1 << refusals), stop);
-    throwIfStopped(stop);
-    return true;
-}
-
 ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
     std::vector<std::string> warnings;
     for (ShotOutcome& earlier : makeReady(warnings, stop)) {
@@ -275,8 +112,7 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
         }
     }
     for (int refusals = 0;; ++refusals) {
-        const auto allowance = checkBeforeShot(warnings, stop);
-        const Baseline before = baseline(stop);
+        const auto [allowance, before] = readyForShot(warnings, stop);
         throwIfStopped(stop);
         const Shot shot = m_journal.begin(station, m_camera->serialNumber, before);
         const Clock::TimePoint triggeredAt = m_clock.now();
@@ -316,6 +152,12 @@ ShotOutcome Capture::follow(Shot shot, const std::optional<CommandReply>& reply,
 
 ShotOutcome Capture::resolve(Shot shot, Clock::TimePoint deadline, const std::stop_token& stop) {
     Resolution resolution = m_parts->settler.resolve(shot, deadline, stop);
+    if (resolution.step == ShotStep::Taken) {
+        m_parts->watch.notePhoto();
+        giveUpOlder(shot, resolution.fileUrl);
+        doubtExposure(resolution, stop);
+        resolution.fileUrl = marked(std::move(resolution.fileUrl), stop);
+    }
     switch (resolution.step) {
     case ShotStep::Taken:
         m_journal.taken(shot.id, resolution.fileUrl);
@@ -335,6 +177,32 @@ ShotOutcome Capture::resolve(Shot shot, Clock::TimePoint deadline, const std::st
     outcome.sentence = std::move(resolution.sentence);
     outcome.problem = resolution.problem;
     return outcome;
+}
+
+/// With what tells the file from a later one of the same name, if the camera lists it.
+std::string Capture::marked(std::string fileUrl, const std::stop_token& stop) {
+    try {
+        if (const auto entry = m_client.findFile(fileUrl, stop)) {
+            return markedUrl(*entry);
+        }
+    } catch (const Error& error) {
+        if (!isCameraTrouble(error.kind())) {
+            throw;
+        }
+    }
+    return fileUrl;
+}
+
+/// A camera whose counter began anew gives a name again: what lay under it is gone, and this photo is not it.
+void Capture::giveUpOlder(const Shot& shot, const std::string& fileUrl) {
+    for (const Shot& older : m_journal.openShots()) {
+        if (older.id != shot.id && older.step == ShotStep::Taken && older.cameraSerial == shot.cameraSerial &&
+            pathOfUrl(older.fileUrl) == pathOfUrl(fileUrl)) {
+            m_journal.unclear(older.id,
+                              text("The camera has given the name ", fileNameOfUrl(fileUrl),
+                                   " to another photo before this one was downloaded; take it again."));
+        }
+    }
 }
 
 ShotOutcome Capture::fetch(const Shot& shot, const std::stop_token& stop) {

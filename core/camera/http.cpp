@@ -20,6 +20,7 @@ constexpr std::uint64_t kMaxHeaderBytes = 64 << 10;
 constexpr std::uint64_t kStallBytes = 16 << 10;
 constexpr int kTickMs = 100; // in case a wake-up is missed, a stop is seen at the next tick
 constexpr int kOk = 200;
+constexpr int kUnauthorised = 401;
 
 void requireCurl(bool worked) {
     if (!worked) {
@@ -78,6 +79,8 @@ void HttpOptions::validate() const {
 }
 
 struct HttpClient::Handles {
+    Handles() { requireCurl(multi != nullptr && easy != nullptr); }
+
     Multi multi{curl_multi_init(), &curl_multi_cleanup};
     Easy easy{curl_easy_init(), &curl_easy_cleanup};
 };
@@ -117,6 +120,7 @@ void setBody(CURL* easy, curl_slist* headers, const std::string& json) {
 
 /// One request and what has come back so far. libcurl's callbacks, which must not throw, work on it.
 struct HttpClient::Transfer {
+    Handles* handles = nullptr; ///< of its own; none: the client's
     CURL* easy = nullptr;
     Sink sink; ///< of a download or a stream
     Tick tick; ///< whether to wait longer; throws if not
@@ -171,14 +175,16 @@ HttpClient::HttpClient(Endpoint endpoint, HttpOptions options)
     m_options.validate();
     initialiseOnce();
     m_handles = std::make_unique<Handles>();
-    requireCurl(m_handles->multi != nullptr && m_handles->easy != nullptr);
 }
 
 HttpClient::~HttpClient() = default;
 
 void HttpClient::prepare(Transfer& transfer, std::string_view path) {
-    CURL* easy = m_handles->easy.get();
-    curl_easy_reset(easy);
+    if (transfer.handles == nullptr) {
+        transfer.handles = m_handles.get();
+    }
+    // Not reset, which would forget the nonce: all that any request sets is set here.
+    CURL* easy = transfer.handles->easy.get();
     transfer.easy = easy;
     const std::string url = m_endpoint.url(path);
     bool worked = curl_easy_setopt(easy, CURLOPT_URL, url.c_str()) == CURLE_OK;
@@ -197,10 +203,57 @@ void HttpClient::prepare(Transfer& transfer, std::string_view path) {
     worked &= curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer) == CURLE_OK;
     worked &= curl_easy_setopt(easy, CURLOPT_HEADERFUNCTION, &Transfer::onHeader) == CURLE_OK;
     worked &= curl_easy_setopt(easy, CURLOPT_HEADERDATA, &transfer) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_HTTPGET, 1L) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_HTTPHEADER, nullptr) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_FRESH_CONNECT, 0L) == CURLE_OK;
+    worked &= curl_easy_setopt(easy, CURLOPT_FORBID_REUSE, 0L) == CURLE_OK;
+    if (m_credentials) {
+        worked &= curl_easy_setopt(easy, CURLOPT_HTTPAUTH, long{CURLAUTH_DIGEST}) == CURLE_OK;
+        worked &= curl_easy_setopt(easy, CURLOPT_USERNAME, m_credentials->user.c_str()) == CURLE_OK;
+        worked &= curl_easy_setopt(easy, CURLOPT_PASSWORD, m_credentials->password.c_str()) == CURLE_OK;
+    }
     requireCurl(worked);
 }
 
+/// The request, and once more if the camera wants to know who asks.
+HttpResponse HttpClient::authorised(const std::function<HttpResponse()>& request,
+                                    const std::stop_token& stop) {
+    HttpResponse response = request();
+    if (response.status == kUnauthorised && m_options.credentials && authorise(stop)) {
+        return request();
+    }
+    return response;
+}
+
+/// Tries the credentials with a request that does nothing. False if they are not accepted; they are asked for
+/// anew next time.
+bool HttpClient::authorise(const std::stop_token& stop) {
+    if (!m_credentials) {
+        m_credentials = m_options.credentials();
+    }
+    if (!m_credentials) {
+        return false;
+    }
+    curl_easy_reset(m_handles->easy.get()); // an old nonce would be taken for a refused password
+    bool isAccepted = false;
+    try {
+        isAccepted = getOnce("/osc/info", stop).status != kUnauthorised;
+    } catch (const Error&) {
+        m_credentials.reset();
+        throw;
+    }
+    if (!isAccepted) {
+        m_credentials.reset();
+    }
+    curl_easy_reset(m_handles->easy.get()); // the nonce may have been good for this once
+    return isAccepted;
+}
+
 HttpResponse HttpClient::get(std::string_view path, const std::stop_token& stop) {
+    return authorised([&] { return getOnce(path, stop); }, stop);
+}
+
+HttpResponse HttpClient::getOnce(std::string_view path, const std::stop_token& stop) {
     Transfer transfer;
     transfer.maxBytes = m_options.maxAnswerBytes;
     transfer.timeout = m_options.requestTimeout;
@@ -211,6 +264,12 @@ HttpResponse HttpClient::get(std::string_view path, const std::stop_token& stop)
 HttpResponse HttpClient::send(std::string_view path, const std::string& json, Repeat repeat,
                               std::chrono::milliseconds timeout, const std::stop_token& stop) {
     Transfer transfer;
+    // The answer to a challenge goes on any connection that is kept alive, whatever is asked for, and there
+    // libcurl would repeat it: so there is none.
+    std::optional<Handles> own;
+    if (repeat == Repeat::Never && m_credentials) {
+        transfer.handles = &own.emplace();
+    }
     transfer.maxBytes = m_options.maxAnswerBytes;
     transfer.timeout = timeout;
     prepare(transfer, path);
@@ -224,44 +283,55 @@ HttpResponse HttpClient::send(std::string_view path, const std::string& json, Re
 
 HttpResponse HttpClient::post(std::string_view path, const std::string& json, const std::stop_token& stop,
                               std::optional<std::chrono::milliseconds> timeout) {
-    return send(path, json, Repeat::Allowed, timeout.value_or(m_options.requestTimeout), stop);
+    const auto time = timeout.value_or(m_options.requestTimeout);
+    return authorised([&] { return send(path, json, Repeat::Allowed, time, stop); }, stop);
 }
 
 HttpResponse HttpClient::postOnce(std::string_view path, const std::string& json,
                                   const std::stop_token& stop) {
-    return send(path, json, Repeat::Never, m_options.requestTimeout, stop);
+    return authorised([&] { return send(path, json, Repeat::Never, m_options.requestTimeout, stop); }, stop);
 }
 
 HttpResponse HttpClient::download(std::string_view path, std::uint64_t maxBytes, const Sink& sink,
-                                  const std::stop_token& stop) {
-    Transfer transfer;
-    transfer.maxBytes = maxBytes;
-    transfer.sink = sink;
-    transfer.tick = [this, &transfer, watch = StallWatch(m_options.stallTimeout)]() mutable {
-        if (watch.hasStalled(transfer.response.receivedBytes)) {
-            throw Error(ErrorKind::Timeout,
-                        text("The download from the camera at ", m_endpoint.name(), " stood still for ",
-                             seconds(m_options.stallTimeout), "; move closer to the camera and try again."));
+                                  const std::stop_token& stop, const std::string& json) {
+    const HeaderList headers = jsonHeaders("Accept: image/jpeg, application/json");
+    const auto request = [&] {
+        Transfer transfer;
+        transfer.maxBytes = maxBytes;
+        transfer.sink = sink;
+        transfer.tick = [this, &transfer, watch = StallWatch(m_options.stallTimeout)]() mutable {
+            if (watch.hasStalled(transfer.response.receivedBytes)) {
+                throw Error(ErrorKind::Timeout, text("The download from the camera at ", m_endpoint.name(),
+                                                     " stood still for ", seconds(m_options.stallTimeout),
+                                                     "; move closer to the camera and try again."));
+            }
+        };
+        prepare(transfer, path);
+        if (!json.empty()) {
+            setBody(transfer.easy, headers.get(), json);
         }
+        // What a server sends beyond the length that it announced must not be read as the next answer.
+        requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
+        return perform(transfer, stop);
     };
-    prepare(transfer, path);
-    // What a server sends beyond the length that it announced must not be read as the next answer.
-    requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
-    return perform(transfer, stop);
+    return authorised(request, stop);
 }
 
 HttpResponse HttpClient::stream(std::string_view path, const std::string& json, const Sink& sink,
                                 const Tick& tick, const std::stop_token& stop) {
-    Transfer transfer;
-    transfer.maxBytes = UINT64_MAX;
-    transfer.sink = sink;
-    transfer.tick = tick;
-    prepare(transfer, path);
     const HeaderList headers = jsonHeaders("Accept: multipart/x-mixed-replace, application/json");
-    setBody(transfer.easy, headers.get(), json);
-    requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FRESH_CONNECT, 1L) == CURLE_OK &&
-                curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
-    return perform(transfer, stop);
+    const auto request = [&] {
+        Transfer transfer;
+        transfer.maxBytes = UINT64_MAX;
+        transfer.sink = sink;
+        transfer.tick = tick;
+        prepare(transfer, path);
+        setBody(transfer.easy, headers.get(), json);
+        requireCurl(curl_easy_setopt(transfer.easy, CURLOPT_FRESH_CONNECT, 1L) == CURLE_OK &&
+                    curl_easy_setopt(transfer.easy, CURLOPT_FORBID_REUSE, 1L) == CURLE_OK);
+        return perform(transfer, stop);
+    };
+    return authorised(request, stop);
 }
 
 namespace {
@@ -299,7 +369,7 @@ CURLcode resultOf(CURLM* multi) {
 // same handle through the multi interface lets a stop request wake the wait.
 HttpResponse HttpClient::perform(Transfer& transfer, const std::stop_token& stop) {
     throwIfStopped(stop);
-    CURLM* multi = m_handles->multi.get();
+    CURLM* multi = transfer.handles->multi.get();
     const Attachment attachment(multi, transfer.easy);
     const std::stop_callback wakeUp(stop, [multi] { curl_multi_wakeup(multi); });
     for (int running = 1;;) {

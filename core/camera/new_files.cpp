@@ -4,13 +4,28 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/endpoint.h"
 
+#include <algorithm>
+
 namespace spherewalk::camera {
 
 namespace {
 
-/// The camera's address may have changed meanwhile, so that only paths compare. "" if there is no file.
-std::string pathAt(const FileList& list, std::size_t index) {
-    return index < list.entries.size() ? pathOfUrl(list.entries[index].fileUrl) : std::string();
+/// The size, which hardly ever repeats; a time is told in the zone that the camera happens to be set to.
+std::string markOf(const FileEntry& entry) {
+    if (entry.sizeBytes) {
+        return text(*entry.sizeBytes);
+    }
+    std::string mark = entry.dateTime;
+    std::replace(mark.begin(), mark.end(), ' ', '_');
+    return mark;
+}
+
+/// Whether the file at this place of the list is the newest of before.
+bool isLatest(const Baseline& before, const FileList& list, std::size_t index) {
+    if (index >= list.entries.size() || before.latestFileUrl.empty()) {
+        return index >= list.entries.size() && before.latestFileUrl.empty();
+    }
+    return isFile(before.latestFileUrl, list.entries[index]);
 }
 
 NewFiles doubtful(std::string why) {
@@ -19,11 +34,18 @@ NewFiles doubtful(std::string why) {
 
 } // namespace
 
+std::string markedUrl(const FileEntry& entry) {
+    return text(entry.fileUrl, "#", markOf(entry));
+}
+
+bool isFile(std::string_view url, const FileEntry& entry) {
+    const std::size_t mark = url.find('#');
+    const bool isSameMark = mark == std::string_view::npos || url.substr(mark + 1) == markOf(entry);
+    return isSameMark && pathOfUrl(entry.fileUrl) == pathOfUrl(url);
+}
+
 NewFiles newFilesSince(const Baseline& before, const FileList& newest) {
-    const std::string latestBefore =
-        before.latestFileUrl.empty() ? std::string() : pathOfUrl(before.latestFileUrl);
-    const std::string first = pathAt(newest, 0);
-    if (newest.totalEntries == before.totalEntries && first == latestBefore) {
+    if (newest.totalEntries == before.totalEntries && isLatest(before, newest, 0)) {
         return {};
     }
     if (newest.totalEntries > before.totalEntries + 1) {
@@ -32,7 +54,7 @@ NewFiles newFilesSince(const Baseline& before, const FileList& newest) {
                              "took photos as well."));
     }
     const bool grewByOne = newest.totalEntries == before.totalEntries + 1;
-    if (grewByOne && !first.empty() && first != latestBefore && pathAt(newest, 1) == latestBefore) {
+    if (grewByOne && !newest.entries.empty() && !isLatest(before, newest, 0) && isLatest(before, newest, 1)) {
         return {NewFiles::Count::One, newest.entries.front().fileUrl, {}};
     }
     return doubtful(text("The camera's files have changed in another way than by one photo (",

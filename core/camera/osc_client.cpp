@@ -92,6 +92,12 @@ bool isWorthRepeating(ErrorKind kind) {
     return kind == ErrorKind::Network || kind == ErrorKind::Timeout || kind == ErrorKind::Corrupt;
 }
 
+/// What a camera answers to a command of another API level, or of a session that has ended.
+bool isOfOtherLevel(OscErrorCode code) {
+    return code == OscErrorCode::InvalidSession || code == OscErrorCode::MissingParameter ||
+           code == OscErrorCode::UnknownCommand;
+}
+
 std::chrono::milliseconds scaledBy(std::chrono::milliseconds time, double factor) {
     return std::chrono::milliseconds(std::llround(static_cast<double>(time.count()) * factor));
 }
@@ -161,35 +167,52 @@ auto OscClient::repeatable(const Send& send, const Understand& understand, const
 }
 
 CameraInfo OscClient::info(const std::stop_token& stop) {
-    return repeatable([&] { return m_http.get("/osc/info", stop); },
-                      [&](const Answer& answer) {
-                          if (answer.error == OscErrorCode::NotFound) {
-                              throw notACamera(m_http.endpoint().name(), "it knows no /osc/info");
-                          }
-                          if (answer.error != OscErrorCode::None) {
-                              throw refusal("describe itself", answer.error, answer.errorMessage);
-                          }
-                          if (!shortText(answer.json, "model")) {
-                              throw notACamera(m_http.endpoint().name(), "it does not say which model it is");
-                          }
-                          return parseCameraInfo(answer.json);
-                      },
-                      stop);
+    CameraInfo info =
+        repeatable([&] { return m_http.get("/osc/info", stop); },
+                   [&](const Answer& answer) {
+                       if (answer.error == OscErrorCode::NotFound) {
+                           throw notACamera(m_http.endpoint().name(), "it knows no /osc/info");
+                       }
+                       if (answer.error != OscErrorCode::None) {
+                           throw refusal("describe itself", answer.error, answer.errorMessage);
+                       }
+                       if (!shortText(answer.json, "model")) {
+                           throw notACamera(m_http.endpoint().name(), "it does not say which model it is");
+                       }
+                       return parseCameraInfo(answer.json);
+                   },
+                   stop);
+    m_apiLevels = info.apiLevels;
+    return info;
 }
 
 CameraState OscClient::state(const std::stop_token& stop) {
-    return repeatable([&] { return m_http.post("/osc/state", "", stop); },
-                      [](const Answer& answer) {
-                          if (answer.error != OscErrorCode::None) {
-                              throw refusal("tell its state", answer.error, answer.errorMessage);
-                          }
-                          return parseCameraState(answer.json);
-                      },
-                      stop);
+    CameraState state = repeatable([&] { return m_http.post("/osc/state", "", stop); },
+                                   [](const Answer& answer) {
+                                       if (answer.error != OscErrorCode::None) {
+                                           throw refusal("tell its state", answer.error, answer.errorMessage);
+                                       }
+                                       return parseCameraState(answer.json);
+                                   },
+                                   stop);
+    if (hasBothLevels()) {
+        m_isSwitched = state.apiVersion.value_or(1) >= 2;
+    }
+    return state;
 }
 
 CommandReply OscClient::ask(const std::string& command, const Json& parameters, const std::stop_token& stop) {
-    const std::string body = Json{{"name", command}, {"parameters", parameters}}.dump();
+    enterLevel(stop);
+    CommandReply reply = askOnce(command, parameters, stop);
+    if (isOfOtherLevel(reply.error) && renewLevel(stop)) {
+        reply = askOnce(command, parameters, stop);
+    }
+    return reply;
+}
+
+CommandReply OscClient::askOnce(const std::string& command, const Json& parameters,
+                                const std::stop_token& stop) {
+    const std::string body = request(command, parameters).dump();
     return repeatable([&] { return m_http.post(kExecutePath, body, stop); }, replyOf, stop);
 }
 
@@ -236,6 +259,10 @@ void OscClient::setOptions(const Json& options, const std::stop_token& stop) {
 }
 
 FileList OscClient::listFiles(const FileQuery& query, const std::stop_token& stop) {
+    enterLevel(stop);
+    if (isLevelOneOnly()) {
+        return listImages(query, stop);
+    }
     const Json parameters{{"fileType", query.fileType},
                           {"startPosition", query.startPosition},
                           {"entryCount", query.entryCount},
@@ -272,19 +299,25 @@ void OscClient::settle(const std::stop_token& stop) {
 }
 
 CommandReply OscClient::takePicture(const std::stop_token& stop) {
+    enterLevel(stop);
     settle(stop);
-    const std::string body = Json{{"name", "camera.takePicture"}}.dump();
+    const std::string body = request("camera.takePicture", Json::object()).dump();
     return replyOf(readAnswer(m_http.postOnce(kExecutePath, body, stop), m_http.endpoint()));
 }
 
 CommandReply OscClient::status(const std::string& id, const std::stop_token& stop) {
     const std::string body = Json{{"id", id}}.dump();
-    return repeatable([&] { return m_http.post(kStatusPath, body, stop, m_options.statusTimeout); }, replyOf,
-                      stop);
+    CommandReply reply = repeatable(
+        [&] { return m_http.post(kStatusPath, body, stop, m_options.statusTimeout); }, replyOf, stop);
+    if (!isLevelOneOnly()) {
+        reply.results.erase("fileUri"); // of a camera that has fallen back, and will name it otherwise
+    }
+    return reply;
 }
 
 void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Tick& tick,
                               const std::stop_token& stop) {
+    enterLevel(stop);
     settle(stop);
     constexpr std::size_t kMostHead = 4096;
     std::string head; // some cameras send a refusal with the status of a success
@@ -292,7 +325,8 @@ void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Ti
         head += textOf(bytes.first(std::min(bytes.size(), kMostHead - head.size())));
         sink(bytes);
     };
-    const std::string body = Json{{"name", "camera.getLivePreview"}}.dump();
+    const std::string body =
+        request(isLevelOneOnly() ? "camera._getLivePreview" : "camera.getLivePreview", Json::object()).dump();
     HttpResponse response = m_http.stream(kExecutePath, body, keepHead, tick, stop);
     if (response.status == 200 && !response.contentType.starts_with("application/json")) {
         return;
@@ -306,7 +340,12 @@ void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Ti
 
 HttpResponse OscClient::download(std::string_view fileUrl, std::uint64_t maxBytes,
                                  const HttpClient::Sink& sink, const std::stop_token& stop) {
-    HttpResponse response = m_http.download(pathOfUrl(fileUrl), maxBytes, sink, stop);
+    const std::string path = pathOfUrl(fileUrl);
+    // A name of level 1 became a path, and becomes a name again; a whole URL can be got as it is.
+    const bool isName = isLevelOneOnly() && fileUrl.starts_with('/');
+    const std::string body =
+        isName ? Json{{"name", "camera.getImage"}, {"parameters", {{"fileUri", path.substr(1)}}}}.dump() : "";
+    HttpResponse response = m_http.download(isName ? kExecutePath : path, maxBytes, sink, stop, body);
     if (response.status != 200) {
         const OscErrorCode code = oscErrorCodeOfStatus(response.status);
         throw refusal(text("send ", fileNameOfUrl(fileUrl)),

@@ -49,13 +49,15 @@ constexpr std::array kMeanings{
     Meaning{NotFound, "notFound", ErrorKind::NotFound, 0, false,
             "check that nobody has deleted the file from the camera"},
     Meaning{InvalidSession, "invalidSessionId", ErrorKind::Unsupported, 0, true,
-            "the camera has fallen back to API level 1; switch it off and on"},
+            "the camera has ended the session; switch it off and on, and close the telephone's application"},
     Meaning{ExclusiveUse, "cameraInExclusiveUse", ErrorKind::Busy, 0, true,
             "close the other program or telephone that uses the camera"},
     Meaning{StorageFull, "noFreeSpace", ErrorKind::Full, 0, true,
             "the camera's storage is full; back its photos up and free some space"},
-    Meaning{Unauthorized, "unauthorized", ErrorKind::Unsupported, 0, true,
-            "it asks for a password (client mode); use the camera's own WiFi"},
+    Meaning{
+        Unauthorized, "unauthorized", ErrorKind::Unsupported, 0, true,
+        "it asks for a user name and a password (client mode), and was given none or wrong ones; give the "
+        "right ones, or use the camera's own WiFi"},
     Meaning{Other, "", ErrorKind::Unsupported, 1, false, kReport},
 };
 

@@ -69,9 +69,9 @@ std::optional<double> batteryFraction(const Json& state) {
     return *level > 1 ? *level / 100 : *level;
 }
 
-FileEntry parseFileEntry(const Json& json) {
+FileEntry parseFileEntry(const Json& json, const char* key) {
     FileEntry entry;
-    entry.fileUrl = requiredText(json, "fileUrl", "The camera's list of files");
+    entry.fileUrl = requiredText(json, key, "The camera's list of files");
     entry.name = textOr(json, "name");
     if (const auto size = wholeNumber(json, "size"); size && *size >= 0) {
         entry.sizeBytes = static_cast<std::uint64_t>(*size);
@@ -80,6 +80,22 @@ FileEntry parseFileEntry(const Json& json) {
     entry.width = pixels(json, "width");
     entry.height = pixels(json, "height");
     return entry;
+}
+
+FileList parseEntries(const Json& results, const char* key) {
+    const JsonReader reader(results, "The camera's list of files");
+    FileList list;
+    const auto total = wholeNumber(results, "totalEntries");
+    if (!total || *total < 0) {
+        reader.fail("the number \"totalEntries\" is missing or unusable");
+    }
+    list.totalEntries = *total;
+    const JsonReader entries = reader.member("entries");
+    const std::size_t count = entries.arraySize(kMaxListLength);
+    for (std::size_t i = 0; i < count; ++i) {
+        list.entries.push_back(parseFileEntry(entries.element(i).value(), key));
+    }
+    return list;
 }
 
 } // namespace
@@ -130,7 +146,7 @@ bool CameraState::isIdle() const {
 }
 
 std::string CommandReply::fileUrl() const {
-    return textOr(results, "fileUrl");
+    return textOr(results, "fileUrl", urlOfName(textOr(results, "fileUri")));
 }
 
 CameraInfo parseCameraInfo(const Json& json) {
@@ -162,7 +178,7 @@ CameraState parseCameraState(const Json& json) {
     result.batteryFraction = batteryFraction(*state);
     result.batteryState = textOr(*state, "_batteryState");
     result.captureStatus = textOr(*state, "_captureStatus");
-    result.latestFileUrl = textOr(*state, "_latestFileUrl");
+    result.latestFileUrl = textOr(*state, "_latestFileUrl", urlOfName(textOr(*state, "_latestFileUri")));
     result.storageUri = textOr(*state, "storageUri");
     if (const auto version = wholeNumber(*state, "_apiVersion"); version && *version >= 1 && *version < 100) {
         result.apiVersion = static_cast<int>(*version);
@@ -212,19 +228,19 @@ CommandReply parseCommandReply(const Json& json) {
     return reply;
 }
 
+std::string urlOfName(std::string name) {
+    const bool isName = !name.empty() && name.front() != '/' && name.find("://") == std::string::npos;
+    return isName ? "/" + std::move(name) : name;
+}
+
 FileList parseFileList(const Json& results) {
-    const std::string source = "The camera's list of files";
-    const JsonReader reader(results, source);
-    FileList list;
-    const auto total = wholeNumber(results, "totalEntries");
-    if (!total || *total < 0) {
-        reader.fail("the number \"totalEntries\" is missing or unusable");
-    }
-    list.totalEntries = *total;
-    const JsonReader entries = reader.member("entries");
-    const std::size_t count = entries.arraySize(kMaxListLength);
-    for (std::size_t i = 0; i < count; ++i) {
-        list.entries.push_back(parseFileEntry(entries.element(i).value()));
+    return parseEntries(results, "fileUrl");
+}
+
+FileList parseImageList(const Json& results) {
+    FileList list = parseEntries(results, "uri");
+    for (FileEntry& entry : list.entries) {
+        entry.fileUrl = urlOfName(std::move(entry.fileUrl));
     }
     return list;
 }

@@ -6,10 +6,12 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/new_files.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace spherewalk::camera {
 
@@ -54,16 +56,13 @@ void requireLength(const std::string& name, std::uint64_t received, std::optiona
     }
 }
 
-PhotoFacts checkPicture(const std::string& name, const std::filesystem::path& file,
-                        const DownloadOptions& options) {
-    const PhotoFacts facts = options.check(file);
+void requireSpherical(const std::string& name, const PhotoFacts& facts, const DownloadOptions& options) {
     if (facts.width != 2 * facts.height || facts.width < options.minWidth) {
         throw Error(ErrorKind::Corrupt,
                     text("The photo ", name, " has ", facts.width, " x ", facts.height,
                          " pixels, but a spherical photo is twice as wide as high and at least ",
                          options.minWidth, " wide; set the camera to full-size stitched photos."));
     }
-    return facts;
 }
 
 /// A folder of this computer that is not there must not look like a photo that the camera does not have.
@@ -76,14 +75,20 @@ std::unique_ptr<DurableFile> create(const std::filesystem::path& target) {
     }
 }
 
+/// damaged: the hash of a photo that came whole but cannot be decoded: if it comes so again, it is so on the
+/// camera.
 DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::filesystem::path& target,
-                        const DownloadOptions& options, const std::stop_token& stop) {
+                        const DownloadOptions& options, std::string& damaged, const std::stop_token& stop) {
     const std::string name = fileNameOfUrl(fileUrl);
     const auto listed = client.findFile(fileUrl, stop);
     if (!listed) {
         throw Error(ErrorKind::NotFound,
                     text("The camera does not list the photo ", name,
                          "; check that nobody has deleted it, and that this is the same camera."));
+    }
+    if (!isFile(fileUrl, *listed)) {
+        throw Error(ErrorKind::NotFound, text("The camera has given the name ", name,
+                                              " to another photo, so that this one is gone; take it again."));
     }
     const std::unique_ptr<DurableFile> output = create(target);
     DurableFile& file = *output;
@@ -109,12 +114,23 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
     if (!frame.endsRight()) {
         throw incomplete(name, "its end is missing");
     }
-    const PhotoFacts facts = checkPicture(name, file.temporaryName(), options);
+    const std::string sha256 = hash.hex();
+    const PhotoFacts facts = [&] {
+        try {
+            return options.check(file.temporaryName());
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Corrupt || std::exchange(damaged, sha256) == sha256) {
+                throw;
+            }
+            throw incomplete(name, "it is damaged");
+        }
+    }();
+    requireSpherical(name, facts, options);
     DownloadedPhoto photo;
     photo.temporaryFile = target;
-    photo.fileUrl = fileUrl;
+    photo.fileUrl = fileUrl.substr(0, fileUrl.find('#'));
     photo.cameraFileName = name;
-    photo.cameraSha256 = hash.hex();
+    photo.cameraSha256 = sha256;
     photo.sizeBytes = file.sizeBytes();
     photo.width = facts.width;
     photo.height = facts.height;
@@ -151,9 +167,10 @@ DownloadedPhoto downloadPhoto(OscClient& client, Clock& clock, std::string_view 
                               const std::filesystem::path& target, const DownloadOptions& options,
                               const std::stop_token& stop) {
     options.validate();
+    std::string damaged;
     for (int restarts = 0;; ++restarts) {
         try {
-            return attempt(client, fileUrl, target, options, stop);
+            return attempt(client, fileUrl, target, options, damaged, stop);
         } catch (const Error& error) {
             if (!isWorthRestarting(error.kind()) || restarts >= options.restarts) {
                 throw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/settings_guard.h"
 
+#include "camera_clock.h"
 #include "profile_options.h"
 
 #include "spherewalk/base/error.h"
@@ -107,16 +108,27 @@ void SettingsGuard::applyImageMode(const std::stop_token& stop) {
     m_client.settle(stop);
 }
 
+void SettingsGuard::rememberIn(const std::filesystem::path& folder, std::string_view serialNumber) {
+    m_memory.emplace(folder, serialNumber);
+}
+
 void SettingsGuard::keepOriginal(const Json& present) {
     if (!m_original.is_null()) {
         return;
     }
-    m_original = Json::object();
-    for (const char* delay : {"sleepDelay", "offDelay"}) {
-        if (present.contains(delay)) {
-            m_original[delay] = present[delay];
+    Json original = m_memory ? m_memory->read() : Json();
+    if (original.is_null()) {
+        original = Json::object();
+        for (const char* delay : kDelayNames) {
+            if (present.contains(delay)) {
+                original[delay] = present[delay];
+            }
+        }
+        if (m_memory && !original.empty()) {
+            m_memory->write(original);
         }
     }
+    m_original = std::move(original);
 }
 
 Json SettingsGuard::basics(const Json& present) const {
@@ -125,7 +137,7 @@ Json SettingsGuard::basics(const Json& present) const {
     if (Json format = formatOf(present, width); !format.is_null()) {
         settings["fileFormat"] = std::move(format);
     }
-    for (const char* delay : {"sleepDelay", "offDelay"}) {
+    for (const char* delay : kDelayNames) {
         if (present.contains(delay)) {
             settings[delay] = kNever;
         }
@@ -201,6 +213,54 @@ std::vector<std::string> SettingsGuard::apply(const std::stop_token& stop) {
     return sentences;
 }
 
+std::vector<std::string> SettingsGuard::setClock(std::chrono::system_clock::time_point now,
+                                                 const std::stop_token& stop) {
+    constexpr std::chrono::seconds kTolerance(30);
+    const Json present = read({"dateTimeZone"}, stop);
+    if (!present.contains("dateTimeZone")) {
+        return {};
+    }
+    const auto shown = parseCameraTime(shortText(present, "dateTimeZone").value_or(""));
+    if (shown && std::chrono::abs(*shown - now) < kTolerance) {
+        return {};
+    }
+    try {
+        m_client.setOptions({{"dateTimeZone", cameraTime(now, localZone(now))}},
+                            stop); // by itself, as it must
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Unsupported && error.kind() != ErrorKind::InvalidInput) {
+            throw;
+        }
+        return {
+            "The camera's clock is wrong and cannot be set from here; its photos will carry a wrong time."};
+    }
+    return {};
+}
+
+std::vector<std::string> SettingsGuard::exposureDifferences(const std::stop_token& stop) {
+    if (!m_profile) {
+        return {};
+    }
+    Json known = read(profileOptionNames(), stop);
+    const Json program = exposureProgram(*m_profile);
+    if (known.contains("exposureProgram") && !isSameOption(program, known["exposureProgram"])) {
+        return {optionDifference("exposureProgram", program, known["exposureProgram"])};
+    }
+    Json wanted = m_exposure;
+    if (wanted.empty()) { // not applied by this program: what it would set
+        Json offered = known;
+        offered.update(read(profileSupportNames(), stop));
+        wanted = profileOptions(*m_profile, offered);
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [name, value] : wanted.items()) {
+        if (known.contains(name) && !isSameOption(value, known[name])) {
+            sentences.push_back(optionDifference(name, value, known[name]));
+        }
+    }
+    return sentences;
+}
+
 std::set<std::string> SettingsGuard::heldNames() const {
     std::set<std::string> names;
     for (const Json* settings : {&m_basics, &m_exposure}) {
@@ -231,6 +291,9 @@ std::vector<std::string> SettingsGuard::hold(const Json& present, const std::sto
 void SettingsGuard::restore(const std::stop_token& stop) {
     if (m_original.is_object() && !m_original.empty()) {
         m_client.setOptions(m_original, stop);
+        if (m_memory) {
+            m_memory->forget();
+        }
     }
     m_original = nullptr;
 }

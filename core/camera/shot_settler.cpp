@@ -55,11 +55,11 @@ void ShotSettler::pause(Clock::Duration duration, const std::stop_token& stop) {
     throwIfStopped(stop);
 }
 
-std::string ShotSettler::reconnect(const std::stop_token& stop) {
+CameraInfo ShotSettler::reconnect(const std::stop_token& stop) {
     const Clock::TimePoint giveUp = m_clock.now() + m_options.reconnectTime;
     for (;;) {
         try {
-            return m_client.info(stop).serialNumber;
+            return m_client.info(stop);
         } catch (const Error& error) {
             if (!isCameraTrouble(error.kind()) || m_clock.now() >= giveUp) {
                 throw;
@@ -69,12 +69,12 @@ std::string ShotSettler::reconnect(const std::stop_token& stop) {
     }
 }
 
-void ShotSettler::waitUntilIdle(const std::stop_token& stop) {
+CameraState ShotSettler::waitUntilIdle(const std::stop_token& stop) {
     const Clock::TimePoint giveUp = m_clock.now() + m_options.idleTime;
     for (;;) {
-        const CameraState state = m_client.state(stop);
+        CameraState state = m_client.state(stop);
         if (state.isIdle()) {
-            return;
+            return state;
         }
         if (m_clock.now() >= giveUp) {
             throw Error(ErrorKind::Busy,
@@ -86,44 +86,52 @@ void ShotSettler::waitUntilIdle(const std::stop_token& stop) {
 }
 
 Resolution ShotSettler::resolve(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop) {
+    Followed followed;
     if (!shot.commandId.empty()) {
-        if (auto resolution = follow(shot, deadline, stop)) {
-            return *std::move(resolution);
-        }
+        followed = follow(shot, deadline, stop);
     }
-    return inspectFiles(shot, deadline, stop);
+    if (followed.resolution) {
+        return *std::move(followed.resolution);
+    }
+    Resolution resolution = inspectFiles(shot, deadline, stop);
+    if (followed.isDone && resolution.step == ShotStep::NotTaken) {
+        return unclear(
+            "The camera says that it has taken the photo, but has no new file: its files were deleted, or "
+            "their names begin anew.");
+    }
+    return resolution;
 }
 
-/// Asks for the running command until it ends or is overdue. Nothing, if its end must be read from the files.
-std::optional<Resolution> ShotSettler::follow(const Shot& shot, Clock::TimePoint deadline,
-                                              const std::stop_token& stop) {
+/// Asks for the running command until it ends or is overdue.
+ShotSettler::Followed ShotSettler::follow(const Shot& shot, Clock::TimePoint deadline,
+                                          const std::stop_token& stop) {
     for (;;) {
         try {
             const CommandReply reply = m_client.status(shot.commandId, stop);
             if (reply.state == CommandReply::State::Done) {
                 const std::string fileUrl = reply.fileUrl();
                 const bool isNew = !fileUrl.empty() && isOtherFile(fileUrl, shot.baseline);
-                return isNew ? std::optional(taken(fileUrl)) : std::nullopt;
+                return {isNew ? std::optional(taken(fileUrl)) : std::nullopt, true};
             }
             if (reply.error == OscErrorCode::Canceled) {
-                return notTaken(refusal("take the photo", reply.error, reply.errorMessage).sentence(),
-                                ErrorKind::Busy);
+                return {notTaken(refusal("take the photo", reply.error, reply.errorMessage).sentence(),
+                                 ErrorKind::Busy)};
             }
             // A camera may forget an id once it has told the end: an answer lost on the way looks like this.
             if (reply.state == CommandReply::State::Error && worthwhileRepeats(reply.error) == 0) {
-                return std::nullopt;
+                return {};
             }
         } catch (const Error& error) {
             if (!isCameraTrouble(error.kind())) {
                 throw;
             }
             // Another camera may have taken over the address and know the same id.
-            if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
-                return otherCamera(shot, serial);
+            if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
+                return {otherCamera(shot, serial)};
             }
         }
         if (m_clock.now() >= deadline) {
-            return std::nullopt;
+            return {};
         }
         pause(m_options.pollInterval, stop);
     }
@@ -151,7 +159,7 @@ void ShotSettler::requireNotRunning(const Shot& shot, const std::stop_token& sto
 
 Resolution ShotSettler::inspectFiles(const Shot& shot, Clock::TimePoint deadline,
                                      const std::stop_token& stop) {
-    if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
+    if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
         return otherCamera(shot, serial);
     }
     const Clock::TimePoint giveUp =
@@ -167,7 +175,7 @@ Resolution ShotSettler::inspectFiles(const Shot& shot, Clock::TimePoint deadline
             if (!isCameraTrouble(error.kind())) {
                 throw;
             }
-            if (const std::string serial = reconnect(stop); serial != shot.cameraSerial) {
+            if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
                 return otherCamera(shot, serial);
             }
         }

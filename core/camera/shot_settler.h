@@ -32,14 +32,19 @@ class ShotSettler {
     /// deadline: when an exposure that was triggered is certainly over.
     Resolution resolve(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
 
-    /// Waits for the camera to answer. The serial number of the one that does. Errors: of the last try.
-    std::string reconnect(const std::stop_token& stop);
-    /// Errors: Busy.
-    void waitUntilIdle(const std::stop_token& stop);
+    /// Waits for the camera to answer. Who does. Errors: of the last try.
+    CameraInfo reconnect(const std::stop_token& stop);
+    /// The state in which it is idle. Errors: Busy.
+    CameraState waitUntilIdle(const std::stop_token& stop);
 
   private:
-    std::optional<Resolution> follow(const Shot& shot, Clock::TimePoint deadline,
-                                     const std::stop_token& stop);
+    /// What came of the command; nothing, if its end must be read from the files.
+    struct Followed {
+        std::optional<Resolution> resolution;
+        bool isDone = false; ///< the camera says that it took the photo
+    };
+
+    Followed follow(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
     Resolution inspectFiles(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
     std::optional<NewFiles> look(const Shot& shot, const std::stop_token& stop);
     void requireNotRunning(const Shot& shot, const std::stop_token& stop);

@@ -187,6 +187,24 @@ void CameraOptions::set(const Json& values) {
     m_values = std::move(changed);
 }
 
+void CameraOptions::forgetExposure() {
+    for (const char* name :
+         {"captureMode", "fileFormat", "exposureProgram", "iso", "isoAutoHighLimit", "shutterSpeed",
+          "exposureCompensation", "whiteBalance", "_colorTemperature", "_filter", "exposureDelay", "gpsInfo",
+          "_topBottomCorrection", "_imageStitching", "previewFormat"}) {
+        m_values[name] = m_defaults[name];
+    }
+}
+
+Json CameraOptions::exposure() const {
+    Json values = Json::object();
+    for (const char* name : {"exposureProgram", "iso", "shutterSpeed", "exposureCompensation", "whiteBalance",
+                             "_colorTemperature", "_filter"}) {
+        values[name] = m_values.at(name);
+    }
+    return values;
+}
+
 void CameraOptions::reset() {
     const Json clock = m_values["dateTimeZone"];
     m_values = m_defaults;

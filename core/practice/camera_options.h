@@ -21,6 +21,10 @@ class CameraOptions {
     /// Changes all or none.
     void set(const Json& values);
     void reset();
+    /// As a sleep or a restart does: the exposure is forgotten, sleep, volume and language are not.
+    void forgetExposure();
+    /// The values that make up the exposure.
+    Json exposure() const;
 
     const Json& value(const std::string& name) const { return m_values.at(name); }
 

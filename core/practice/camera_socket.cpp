@@ -56,8 +56,29 @@ bool CameraSocket::awaitRequest(std::chrono::milliseconds timeout) const {
     return await(POLLIN, timeout);
 }
 
+void CameraSocket::answer(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t wrote = write(bytes.data(), bytes.size());
+        if (wrote <= 0) {
+            return drop();
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(wrote));
+    }
+    m_isAnswered = true;
+}
+
+void CameraSocket::awaitLeaving() const {
+    while (!m_stopping) {
+        pollfd waiting{m_socket, POLLRDHUP, 0};
+        const int ready = ::poll(&waiting, 1, static_cast<int>(kGlance.count()));
+        if (ready > 0 || (ready < 0 && errno != EINTR)) {
+            return;
+        }
+    }
+}
+
 bool CameraSocket::is_readable() const {
-    return await(POLLIN, kTransferTimeout);
+    return !m_dropped && await(POLLIN, kTransferTimeout);
 }
 
 bool CameraSocket::is_writable() const {
@@ -69,6 +90,9 @@ ssize_t CameraSocket::read(char* to, size_t size) {
 }
 
 ssize_t CameraSocket::write(const char* from, size_t size) {
+    if (m_isAnswered) {
+        return static_cast<ssize_t>(size);
+    }
     return is_writable() ? ::send(m_socket, from, size, MSG_NOSIGNAL) : -1;
 }
 

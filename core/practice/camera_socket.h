@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <string_view>
 
 namespace spherewalk::practice {
 
@@ -25,6 +26,15 @@ class CameraSocket : public httplib::Stream {
 
     bool isDropped() const { return m_dropped; }
 
+    /// Sends these bytes in place of the answer that follows.
+    void answer(std::string_view bytes);
+
+    /// Forgets that an answer was replaced.
+    void beginAnswer() { m_isAnswered = false; }
+
+    /// Returns when the client has closed the connection, or the server stops.
+    void awaitLeaving() const;
+
     /// True when there is something to read in time.
     bool awaitRequest(std::chrono::milliseconds timeout) const;
 
@@ -44,6 +54,7 @@ class CameraSocket : public httplib::Stream {
     socket_t m_socket;
     const std::atomic<bool>& m_stopping;
     bool m_dropped = false;
+    bool m_isAnswered = false;
 };
 
 } // namespace spherewalk::practice

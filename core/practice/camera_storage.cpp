@@ -33,6 +33,15 @@ bool isPhotoName(const std::string& name) {
     return name.size() == 12 && name.starts_with("R") && name.ends_with(".JPG");
 }
 
+/// Of no pixels for what is no picture.
+jpeg::Info sizeOf(ByteView bytes, const std::string& name) {
+    try {
+        return jpeg::readInfo(bytes, name);
+    } catch (const Error&) { // a camera stores a damaged photo all the same
+        return {};
+    }
+}
+
 } // namespace
 
 CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
@@ -57,6 +66,8 @@ void CameraStorage::load() {
         const JsonReader reader(content, record.string());
         m_id = reader.string("storage_id");
         m_nextShot = static_cast<int>(reader.integer("next_shot", 1, 1 << 30));
+        m_namedFrom =
+            reader.isAbsent("named_from") ? 0 : static_cast<int>(reader.integer("named_from", 0, m_nextShot));
         if (!std::all_of(m_id.begin(), m_id.end(), [](char c) { return c >= '0' && c <= 'z'; })) {
             reader.fail("the storage id is not made of digits and letters");
         }
@@ -69,7 +80,7 @@ void CameraStorage::load() {
             continue;
         }
         const Bytes bytes = readFile(entry.path(), kMaxPhotoBytes);
-        const jpeg::Info info = jpeg::readInfo(bytes, name);
+        const jpeg::Info info = sizeOf(bytes, name);
         const auto written = std::filesystem::last_write_time(entry.path());
         const auto utc = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
             std::chrono::file_clock::to_sys(written));
@@ -80,7 +91,7 @@ void CameraStorage::load() {
 }
 
 void CameraStorage::save() const {
-    const Json record = {{"storage_id", m_id}, {"next_shot", m_nextShot}};
+    const Json record = {{"storage_id", m_id}, {"next_shot", m_nextShot}, {"named_from", m_namedFrom}};
     writeFile(m_folder / "camera.json", bytesOf(record.dump() + "\n"));
 }
 
@@ -90,13 +101,25 @@ int CameraStorage::takeShotNumber() {
     return shot;
 }
 
-std::string CameraStorage::fileName(int shot) {
-    std::string digits = std::to_string(kFirstNumber + shot);
+void CameraStorage::restartNames() {
+    while (!m_files.empty()) {
+        remove(std::string(m_files.back().name));
+    }
+    m_namedFrom = m_nextShot - 1;
+    save();
+}
+
+std::string CameraStorage::fileName(int shot) const {
+    std::string digits = std::to_string(kFirstNumber + shot - m_namedFrom);
     return "R" + std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0') + digits + ".JPG";
 }
 
 std::string CameraStorage::urlPath(const std::string& name) const {
-    return text(m_urlFolder, kDcfFolder, "/", name);
+    return m_urlFolder + uri(name);
+}
+
+std::string CameraStorage::uri(const std::string& name) {
+    return text(kDcfFolder, "/", name);
 }
 
 std::filesystem::path CameraStorage::path(const std::string& name) const {
@@ -104,7 +127,7 @@ std::filesystem::path CameraStorage::path(const std::string& name) const {
 }
 
 void CameraStorage::add(const std::string& name, ByteView bytes, const ZonedTime& time) {
-    const jpeg::Info info = jpeg::readInfo(bytes, name);
+    const jpeg::Info info = sizeOf(bytes, name);
     writeFile(path(name), bytes, DurableFile::Overwrite::No);
     m_files.push_back({name, bytes.size(), info.width, info.height, time});
 }

@@ -40,8 +40,12 @@ class CameraStorage {
 
     /// The number of the next shot, never given again, not even after a restart.
     int takeShotNumber();
-    static std::string fileName(int shot);
+    std::string fileName(int shot) const;
+    /// Deletes all, and gives the names again from the first, as a reset of the camera's counter does.
+    void restartNames();
     std::string urlPath(const std::string& name) const;
+    /// "100RICOH/R0010001.JPG", by which API level 1 names it.
+    static std::string uri(const std::string& name);
 
     void add(const std::string& name, ByteView bytes, const ZonedTime& time);
     void remove(const std::string& name);
@@ -63,6 +67,7 @@ class CameraStorage {
     std::string m_id;
     std::string m_urlFolder;
     int m_nextShot = 1;
+    int m_namedFrom = 0; ///< the last shot before the names began anew
     std::vector<StoredFile> m_files;
 };
 

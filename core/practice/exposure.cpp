@@ -46,6 +46,20 @@ RgbImage sampled(const RgbImage& picture, const EquirectSize& size) {
     return result;
 }
 
+/// Stripes as wide as the shot's number says, and a pattern: no two of a survey's photos are alike.
+RgbImage plain(const EquirectSize& size, int shot) {
+    RgbImage picture(size.width, size.height);
+    const int period = 8 + shot % 97;
+    for (int y = 0; y < size.height; ++y) {
+        const int shade = 60 + 40 * (y / period % 2) + shot / 97 % 60;
+        for (int x = 0; x < size.width; ++x) {
+            std::fill_n(picture.at(x, y), RgbImage::kChannels,
+                        static_cast<std::uint8_t>(shade + (x ^ y) % 16));
+        }
+    }
+    return picture;
+}
+
 } // namespace
 
 Exposer::Exposer(const PracticeCameraOptions& options) : m_options(options) {
@@ -67,6 +81,10 @@ ExposedPhoto Exposer::expose(const ExposureSettings& settings, const std::stop_t
     photo.truth.shot = settings.shot;
     photo.truth.nominalPositionM = settings.nominalPositionM;
     photo.truth.time = isoUtc(settings.time.utc);
+    photo.truth.options = settings.options;
+    if (settings.defect == PhotoDefect::Empty) {
+        photo.jpeg.clear();
+    }
     photo.truth.sha256 = sha256Hex(photo.jpeg);
     return photo;
 }
@@ -110,9 +128,14 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     tags.exposureTimeS = settings.exposureTimeS > 0 ? settings.exposureTimeS : 1.0 / 60;
     tags.isoSpeed = settings.isoSpeed > 0 ? settings.isoSpeed : 200;
     tags.exposureBias = settings.exposureBias;
-    const RgbImage picture = draw(pose, {m_options.width, m_options.width / 2}, stop);
+    tags.withMakerNote = settings.defect != PhotoDefect::NoMakerNote;
+    tags.withHostileMakerNote = settings.defect == PhotoDefect::HostileMakerNote;
+    const EquirectSize size{m_options.width, m_options.width / 2};
+    const RgbImage picture = m_options.isPlain ? plain(size, settings.shot) : draw(pose, size, stop);
     ExposedPhoto photo;
-    photo.jpeg = thetaJpeg(picture, tags, m_options.jpegQuality);
+    photo.jpeg = settings.defect == PhotoDefect::Small
+                     ? jpeg::encode(plain({640, 360}, settings.shot), m_options.jpegQuality)
+                     : thetaJpeg(picture, tags, m_options.jpegQuality);
     photo.truth.positionM = pose.translation;
     photo.truth.roomFromPhoto = pose.rotation;
     return photo;

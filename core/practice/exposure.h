@@ -11,6 +11,9 @@
 
 namespace spherewalk::practice {
 
+/// What is wrong with a photo.
+enum class PhotoDefect { None, Empty, Small, NoMakerNote, HostileMakerNote };
+
 /// What the camera was set to when the shutter was released.
 struct ExposureSettings {
     int shot = 0;
@@ -21,6 +24,8 @@ struct ExposureSettings {
     double exposureTimeS = 0; ///< 0: the camera chooses
     int isoSpeed = 0;         ///< 0: the camera chooses
     double exposureBias = 0;
+    PhotoDefect defect = PhotoDefect::None;
+    Json options = Json::object(); ///< of the exposure, for the truth
 };
 
 struct ExposedPhoto {

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "camera_condition.h"
 #include "camera_options.h"
 #include "camera_storage.h"
 #include "exposure.h"
 #include "live_preview.h"
 #include "osc_error.h"
+#include "osc_session.h"
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace spherewalk::practice {
 
+class FaultPlan;
+
 /// The camera behind the HTTP server: requests as JSON in, answers as JSON out. baseUrl: "http://host:port",
 /// with which file URLs begin. Threads: any.
 class OscDevice {
   public:
-    OscDevice(const PracticeCameraOptions& options, Clock& clock);
+    OscDevice(const PracticeCameraOptions& options, FaultPlan& faults, Clock& clock);
     ~OscDevice();
     OscDevice(const OscDevice&) = delete;
     OscDevice& operator=(const OscDevice&) = delete;
@@ -28,7 +33,16 @@ class OscDevice {
     OscReply checkForUpdates(const std::string& body) const;
     OscReply execute(const Json& request, const std::string& baseUrl);
     OscReply status(const std::string& body, const std::string& baseUrl);
-    void forgetIds();
+
+    /// Does to the camera what the fault says. Those that close its port are passed on.
+    void meet(const Fault& fault);
+
+    /// Who closes the port. Before start.
+    void onOutage(std::function<void(const Fault&)> outage) { m_outage = std::move(outage); }
+
+    /// As at power-on: a running exposure is lost, ids and settings are forgotten.
+    void restart();
+    void fallAsleep();
 
     /// Begins a live preview, which ends the one before; nothing while a picture is taken.
     std::optional<std::uint64_t> beginPreview();
@@ -39,6 +53,8 @@ class OscDevice {
 
     /// Where the bytes of a file URL's path lie; nothing if there is no such file.
     std::optional<std::filesystem::path> fileOf(const std::string& urlPath) const;
+    /// The same for camera.getImage of API level 1.
+    std::optional<std::filesystem::path> imageOf(const Json& request) const;
 
     void setPosition(const Eigen::Vector3d& positionM);
     Eigen::Vector3d position() const;
@@ -48,8 +64,11 @@ class OscDevice {
 
     /// Ends a running exposure and joins its thread.
     void stop();
+
     /// Waits as long as the camera would need, times the time scale; sooner when stopped.
-    void pause(double seconds) const;
+    void pause(double seconds) const { pause(seconds, m_stop.get_token()); }
+
+    void pause(double seconds, const std::stop_token& stop) const;
 
   private:
     enum class Phase { Countdown, Shooting };
@@ -62,16 +81,26 @@ class OscDevice {
         std::string failure; ///< a sentence
         std::string urlPath;
         int answers = 0;
+        bool isStuck = false; ///< says "in progress" for ever
     };
 
     Capture* capture(const std::string& id);
-    OscReply results(std::string_view command, Json results = {}) const;
+    OscReply executeLevelTwo(const std::string& command, const Json& parameters, const std::string& baseUrl);
+    OscReply executeLevelOne(const std::string& command, const Json& parameters);
+    OscReply executeAnyLevel(const std::string& command, const Json& parameters);
     OscReply takePicture();
     OscReply getOptions(const Json& parameters) const;
     OscReply setOptions(const Json& parameters);
-    OscReply listFiles(const Json& parameters, const std::string& baseUrl) const;
-    OscReply deleteFiles(const Json& parameters);
     OscReply stopSelfTimer();
+    std::string captureStatus() const;
+    Json errors() const;
+    void meetStatusFaults();
+    Json doneResults(const Capture& capture, const std::string& baseUrl);
+    bool survives(std::string_view phase);
+    void takeExtraPhoto();
+    void store(ExposedPhoto& photo, const ExposureSettings& settings);
+    void loseCharge(double fraction);
+    void forget();
 
     void run(const std::stop_token& stop, const std::string& id, const ExposureSettings& settings,
              double countdownS, double busyS);
@@ -83,15 +112,15 @@ class OscDevice {
     ZonedTime now() const;
     std::uint64_t remainingBytes() const;
     std::uint64_t remainingPictures() const;
-    Json entry(const StoredFile& file, bool detail, const std::string& baseUrl) const;
 
     void changed() { ++m_fingerprint; }
 
     const PracticeCameraOptions& m_options;
+    FaultPlan& m_faults;
+    std::function<void(const Fault&)> m_outage = [](const Fault&) {};
     Clock& m_clock;
     Exposer m_exposer;
     LivePreview m_preview{m_exposer};
-    Clock::TimePoint m_boot;
     std::stop_source m_stop;
 
     mutable std::mutex m_mutex; ///< guards all below
@@ -104,7 +133,10 @@ class OscDevice {
     std::vector<Capture> m_captures; ///< oldest first
     std::optional<Phase> m_phase;    ///< of the capture that is running
     std::stop_source m_countdown;
-    std::string m_cameraError;
+    CameraCondition m_condition;
+    int m_level;
+    OscSession m_session;
+    Clock::TimePoint m_boot;
     int m_nextId = 0;
     int m_fingerprint = 0;
     int m_exposures = 0;

@@ -3,12 +3,13 @@
 
 #include "spherewalk/base/json.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace spherewalk::practice {
 
-/// The refusals of the Open Spherical Camera API that the practice camera gives.
+/// The refusals of the Open Spherical Camera API, and those that Ricoh's cameras add.
 enum class OscCode {
     UnknownCommand,
     DisabledCommand,
@@ -16,12 +17,23 @@ enum class OscCode {
     InvalidParameterName,
     InvalidParameterValue,
     TooManyParameters,
+    CorruptedFile,
+    PowerOffSequenceRunning,
+    InvalidFileFormat,
     ServiceUnavailable,
     CanceledShooting,
+    CanceledConversion,
     Unexpected,
     NotFound,
+    InvalidSessionId,
+    CameraInExclusiveUse,
     DeviceBusy,
+    NoFreeSpace,
+    ServerError,
 };
+
+/// The code that is spelled so ("deviceBusy"); nothing if there is none.
+std::optional<OscCode> oscCode(std::string_view spelled);
 
 /// Thrown within the camera, answered as JSON at its edge.
 class OscError {
@@ -40,6 +52,8 @@ struct OscReply {
     Json body;
 };
 
+/// results: null for a command that has none.
+OscReply done(std::string_view command, Json results = {});
 /// command: its name, "unknown" where there is none.
 OscReply refusal(std::string_view command, OscCode code);
 

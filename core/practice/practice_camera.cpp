@@ -41,15 +41,20 @@ void PracticeCameraOptions::validate() const {
             isSafeRelativePath(photo.file) && photo.positionM.allFinite(),
             text("the photo \"", printable(photo.file), "\" needs a path inside its folder and a position."));
     }
+    require(digestUser.empty() == digestPassword.empty(),
+            "digest authentication needs a user and a password.");
+    require(nonceRequests >= 0,
+            text("a nonce must be good for 0 (for ever) or more requests, not ", nonceRequests, "."));
     errors.validate();
     room.validate();
 }
 
 struct PracticeCamera::State {
     State(PracticeCameraOptions given, Clock& clock)
-        : options(std::move(given)), device(options, clock), server(device, options) {}
+        : options(std::move(given)), device(options, faults, clock), server(device, faults, options) {}
 
     PracticeCameraOptions options;
+    FaultPlan faults;
     OscDevice device;
     CameraServer server;
 };
@@ -83,7 +88,19 @@ void PracticeCamera::setPosition(const Eigen::Vector3d& positionM) {
 }
 
 void PracticeCamera::arm(const Fault& fault) {
-    m_state->server.faults().arm(fault);
+    m_state->faults.arm(fault);
+}
+
+void PracticeCamera::befall(const Fault& fault) {
+    fault.validate();
+    require(isOfCamera(fault.kind),
+            text("\"", name(fault.kind), "\" happens to requests, not to the camera."));
+    m_state->device.meet(fault);
+}
+
+void PracticeCamera::disarm() {
+    m_state->faults.clear();
+    m_state->device.meet({FaultKind::NoMoreTrouble, ""});
 }
 
 PracticeCameraStats PracticeCamera::stats() const {

@@ -145,7 +145,12 @@ void addMakerNote(TiffWriter& w, const ThetaTags& tags, const TiffWriter::Place&
     }
     constexpr std::uint32_t kCount = 4; // within an entry: tag, type, count, value
     constexpr std::uint32_t kValue = 8;
-    w.patchLong(maker.entry(0x4001) + kValue, theta.offset);
+    constexpr std::uint32_t kNowhere = 0xfffffff0;
+    w.patchLong(maker.entry(0x4001) + kValue, tags.withHostileMakerNote ? kNowhere : theta.offset);
+    if (tags.withHostileMakerNote) {
+        w.patchLong(maker.entry(0x0005) + kCount, kNowhere);
+        w.patchLong(maker.entry(0x0005) + kValue, kNowhere);
+    }
     w.patchLong(photo.entry(kMakerNote) + kCount, end - begin);
     w.patchLong(photo.entry(kMakerNote) + kValue, begin);
 }

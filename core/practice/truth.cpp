@@ -3,7 +3,6 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
@@ -43,6 +42,8 @@ std::string lineOf(const Truth& truth) {
     }
     line["time"] = truth.time;
     line["sha256"] = truth.sha256;
+    line["options"] = truth.options;
+    line["by_button"] = truth.byButton;
     return line.dump() + "\n";
 }
 
@@ -60,6 +61,10 @@ Truth truthOf(const JsonReader& line) {
     }
     truth.time = line.string("time");
     truth.sha256 = line.string("sha256");
+    if (!line.isAbsent("options")) {
+        truth.options = line.member("options").value();
+    }
+    truth.byButton = !line.isAbsent("by_button") && line.boolean("by_button");
     return truth;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "manual_clock.h"
 #include "memory_journal.h"
 #include "temporary_folder.h"
 #include "test_camera.h"

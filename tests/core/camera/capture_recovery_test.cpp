@@ -49,6 +49,20 @@ class CaptureRecoveryTest : public test::CaptureFixture {
     }
 };
 
+TEST_F(CaptureRecoveryTest, ProgramsThatAreKilledLeaveTheCamerasSleepToTheLastOne) {
+    killAfter("begin");
+    killAfter("taken");
+    EXPECT_EQ(camera.options["sleepDelay"], 65535);
+    capture().prepare({});
+    capture().disconnect({});
+    EXPECT_EQ(camera.options["sleepDelay"], 180);
+    EXPECT_EQ(camera.options["offDelay"], 64800);
+    camera.options["sleepDelay"] = 300; // by its owner
+    capture().prepare({});
+    capture().disconnect({});
+    EXPECT_EQ(camera.options["sleepDelay"], 300);
+}
+
 TEST_F(CaptureRecoveryTest, NothingOpenNeedsNothing) {
     EXPECT_TRUE(capture().settle({}).empty());
     EXPECT_EQ(clock.passed(), 0s);
@@ -214,6 +228,8 @@ TEST_F(CaptureRecoveryTest, ADownloadThatWasKilledStartsAnew) {
     start();
     EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
     expectPhoto(1, 2);
+    capture().prepare({});
+    capture().disconnect({});
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

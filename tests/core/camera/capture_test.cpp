@@ -81,18 +81,11 @@ TEST_F(CaptureTest, WaitsASecondBetweenSettingsAndTrigger) {
     EXPECT_GE(*triggered - *set, 1s);
 }
 
-TEST_F(CaptureTest, RefusesACameraOfLevelOne) {
-    camera.apiLevels = "[1]";
-    expectError(ErrorKind::Unsupported, "API level 1", [&] { capture().connect({}); });
-    expectError(ErrorKind::Unsupported, "API level 1", [&] { capture().shoot(1, {}); });
+TEST_F(CaptureTest, RefusesACameraOfAnUnknownLevel) {
+    camera.apiLevels = "[3]";
+    expectError(ErrorKind::Unsupported, "API level", [&] { capture().connect({}); });
+    expectError(ErrorKind::Unsupported, "API level", [&] { capture().shoot(1, {}); });
     EXPECT_EQ(camera.count("camera.setOptions"), 0);
-}
-
-TEST_F(CaptureTest, RefusesACameraThatHasFallenBackToLevelOne) {
-    camera.apiLevels = "[1,2]";
-    EXPECT_EQ(capture().connect({}).apiLevels.size(), 2U);
-    camera.fault("/osc/state", answering(test::answerJson(R"({"state":{"sessionId":"SID_0001"}})")));
-    expectError(ErrorKind::Unsupported, "API level 1", [&] { capture().connect({}); });
 }
 
 TEST_F(CaptureTest, BeginsNoShotOverFilesThatCannotBeCompared) {
@@ -105,6 +98,11 @@ TEST_F(CaptureTest, BeginsNoShotOverFilesThatCannotBeCompared) {
 
 TEST_F(CaptureTest, StopsTheRunWhenThisComputersDiskFails) {
     std::filesystem::remove(folder.path());
+    expectError(ErrorKind::Io, "camera-00123456", [&] { capture().prepare({}); });
+    EXPECT_EQ(camera.options["sleepDelay"], 180); // nothing is changed that could not be put back
+    std::filesystem::create_directory(folder.path());
+    capture().prepare({});
+    std::filesystem::remove_all(folder.path());
     expectError(ErrorKind::Io, "shot-1", [&] { capture().shoot(1, {}); });
     EXPECT_EQ(lastShot().step, ShotStep::Taken);
     std::filesystem::create_directory(folder.path());
@@ -174,9 +172,10 @@ TEST_F(CaptureTest, HoldsTheProfileAtEveryShot) {
     const int before = camera.count("camera.getOptions");
     EXPECT_TRUE(capture().shoot(2, {}).warnings.size() == 1);
     EXPECT_EQ(camera.options["iso"], 200);
-    EXPECT_EQ(camera.count("camera.getOptions"), before + 3); // the check, its repair's, and the times'
+    EXPECT_EQ(camera.count("camera.getOptions"),
+              before + 4); // the check, its repair's, the times', and the photo's
     EXPECT_TRUE(capture().shoot(3, {}).warnings.empty());
-    EXPECT_EQ(camera.count("camera.getOptions"), before + 4);
+    EXPECT_EQ(camera.count("camera.getOptions"), before + 6);
 }
 
 TEST_F(CaptureTest, LetsTheCameraSleepAgainAfterAStop) {
@@ -192,6 +191,108 @@ TEST_F(CaptureTest, DoesNotWaitLongForACameraThatIsGone) {
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_FALSE(capture().disconnectWithin(20ms));
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 180ms);
+}
+
+TEST_F(CaptureTest, WatchesTheCameraAtEveryShot) {
+    capture().shoot(1, {});
+    camera.battery = 0.3;
+    EXPECT_THAT(capture().shoot(2, {}).warnings, ElementsAre(HasSubstr("30 %")));
+    EXPECT_TRUE(capture().shoot(3, {}).warnings.empty()); // said once
+    camera.cameraErrors = Json::array({"HIGH_TEMPERATURE"});
+    expectError(ErrorKind::Busy, "too hot", [&] { capture().shoot(4, {}); });
+    EXPECT_EQ(triggers(), 3);
+}
+
+TEST_F(CaptureTest, ForetellsThePhotosThatStorageAndBatteryAllow) {
+    camera.battery = 0.9;
+    camera.options["remainingPictures"] = 1000;
+    capture().shoot(1, {});
+    EXPECT_EQ(capture().photosLeft(), 1000);
+    for (int station = 2; station <= 11; ++station) {
+        camera.battery -= 0.005;
+        capture().shoot(station, {});
+    }
+    EXPECT_NEAR(double(capture().photosLeft().value()), (0.85 - 0.15) / 0.005, 20);
+    camera.options["remainingPictures"] = 60;
+    capture().shoot(12, {});
+    EXPECT_EQ(capture().photosLeft(), 60);
+}
+
+TEST_F(CaptureTest, SetsTheClockOnceAndByItself) {
+    camera.options["dateTimeZone"] = "1970:01:01 00:00:00+00:00";
+    int alone = 0;
+    camera.fault(
+        "camera.setOptions",
+        [&](const auto& normal) {
+            alone += camera.lastOptions().contains("dateTimeZone") ? 1 : 0;
+            EXPECT_TRUE(!camera.lastOptions().contains("dateTimeZone") || camera.lastOptions().size() == 1);
+            return normal();
+        },
+        20);
+    capture().prepare({});
+    EXPECT_EQ(alone, 1);
+    EXPECT_NE(camera.options["dateTimeZone"], "1970:01:01 00:00:00+00:00");
+    capture().prepare({});
+    EXPECT_EQ(alone, 1);
+}
+
+TEST_F(CaptureTest, WaitsForACameraThatIsAwayBetweenTwoShots) {
+    capture().shoot(1, {});
+    camera.fault("/osc/info", answering(closeSilently()), 8);
+    const ShotOutcome outcome = capture().shoot(2, {});
+    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_THAT(outcome.warnings, ElementsAre(HasSubstr("did not answer for")));
+    expectPhoto(2, 3);
+}
+
+TEST_F(CaptureTest, GoesOnWhenTheCameraGoesAwayWhileItIsPrepared) {
+    capture().shoot(1, {});
+    camera.fault("camera.listFiles", answering(closeSilently()), 3);
+    EXPECT_EQ(capture().shoot(2, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(triggers(), 2);
+}
+
+class CaptureProfileTest : public test::CaptureFixture {
+  protected:
+    CaptureProfileTest() {
+        camera.options.update(Json::parse(R"({"exposureProgram": 2, "iso": 0, "whiteBalance": "auto"})"));
+        options.profile = survey::parseProfile("iso=200");
+        start();
+    }
+
+    /// The camera forgets the profile between the last look and the exposure.
+    void forgetAtTheTrigger() {
+        camera.fault("camera.takePicture", [&](const auto& normal) {
+            camera.options["exposureProgram"] = 2;
+            camera.options["iso"] = 0;
+            return normal();
+        });
+    }
+};
+
+TEST_F(CaptureProfileTest, AsksAPersonAboutAPhotoThatMayBeExposedOtherwise) {
+    capture().prepare({});
+    forgetAtTheTrigger();
+    const ShotOutcome outcome = capture().shoot(1, {});
+    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_THAT(outcome.sentence, HasSubstr("exposed differently"));
+    EXPECT_TRUE(journal.photos.empty());
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded); // the profile is in force again
+    EXPECT_EQ(camera.options["iso"], 200);
+}
+
+TEST_F(CaptureProfileTest, AsksAlsoAboutOneThatAKilledRunLeft) {
+    capture().prepare({});
+    forgetAtTheTrigger();
+    journal.onRecorded = [](const std::string& event) {
+        if (event == "started") {
+            throw Error(ErrorKind::Io, "the program's death");
+        }
+    };
+    expectError(ErrorKind::Io, "death", [&] { capture().shoot(1, {}); });
+    journal.onRecorded = [](const std::string&) {};
+    start();
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Unclear);
 }
 
 TEST_F(CaptureTest, RefusesToShootWithAnotherCamera) {

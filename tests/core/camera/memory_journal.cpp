@@ -51,7 +51,8 @@ void MemoryJournal::notTaken(std::int64_t id) {
 }
 
 void MemoryJournal::unclear(std::int64_t id, const std::string& why) {
-    EXPECT_TRUE(shot(id).step == ShotStep::Intended || shot(id).step == ShotStep::Started);
+    EXPECT_TRUE(shot(id).step == ShotStep::Intended || shot(id).step == ShotStep::Started ||
+                shot(id).step == ShotStep::Taken);
     shot(id).step = ShotStep::Unclear;
     shot(id).note = why;
     recorded("unclear");

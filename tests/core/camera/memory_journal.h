@@ -2,8 +2,8 @@
 #pragma once
 
 #include "event_log.h"
-#include "manual_clock.h"
 
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/camera/capture_journal.h"
 
@@ -15,7 +15,7 @@ namespace spherewalk::test {
 /// Keeps shots in memory across "restarts" of the workflow, and checks that their steps go forward.
 class MemoryJournal : public camera::CaptureJournal {
   public:
-    MemoryJournal(ManualClock& clock, EventLog& log, std::filesystem::path folder)
+    MemoryJournal(Clock& clock, EventLog& log, std::filesystem::path folder)
         : m_clock(clock), m_log(log), m_folder(std::move(folder)) {}
 
     camera::Shot begin(std::int64_t station, const std::string& serial,
@@ -39,7 +39,7 @@ class MemoryJournal : public camera::CaptureJournal {
 
     void recorded(const std::string& event);
 
-    ManualClock& m_clock;
+    Clock& m_clock;
     EventLog& m_log;
     std::filesystem::path m_folder;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/endpoint.h"
 #include "spherewalk/camera/new_files.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +45,24 @@ TEST(NewFiles, IgnoresTheAddressOfTheCamera) {
     moved.latestFileUrl = "http://10.0.0.7:8080/files/100RICOH/R5.JPG";
     EXPECT_EQ(newFilesSince(moved, now({5, 4}, 7)).count, NewFiles::Count::None);
     EXPECT_EQ(newFilesSince(moved, now({6, 5}, 8)).count, NewFiles::Count::One);
+}
+
+TEST(NewFiles, TellsAFileFromAnotherOfItsName) {
+    FileEntry entry;
+    entry.fileUrl = url(5);
+    entry.sizeBytes = 4'000'000;
+    entry.dateTime = "2026:01:02 03:04:05+00:00";
+    FileEntry later = entry;
+    later.sizeBytes = 4'000'001;
+    EXPECT_TRUE(isFile(markedUrl(entry), entry));
+    EXPECT_FALSE(isFile(markedUrl(entry), later));
+    EXPECT_TRUE(isFile(url(5), later));
+    EXPECT_EQ(pathOfUrl(markedUrl(entry)), "/files/100RICOH/R5.JPG");
+    FileList list = now({}, 7);
+    list.entries = {later};
+    EXPECT_EQ(newFilesSince({markedUrl(entry), 7}, list).count, NewFiles::Count::Doubtful);
+    list.entries = {entry};
+    EXPECT_EQ(newFilesSince({markedUrl(entry), 7}, list).count, NewFiles::Count::None);
 }
 
 TEST(NewFiles, DoubtfulIfSeveralAreNew) {

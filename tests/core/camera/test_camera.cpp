@@ -100,6 +100,7 @@ ServerAction TestCamera::handle(const ServerRequest& request) {
         request.path == "/osc/commands/execute" ? message.value("name", "") : request.path;
     ++m_counts[command];
     m_log.add(command);
+    m_lastOptions = message.value("parameters", Json::object()).value("options", Json::object());
     const auto normal = [&] { return respond(request, command, message); };
     if (auto& faults = m_faults[command]; !faults.empty()) {
         const Fault fault = faults.front();

@@ -54,6 +54,9 @@ class TestCamera {
     /// Forgets the running command, as a restart does; a photo not yet written is lost.
     void restart();
 
+    /// Of the command that is being answered.
+    const Json& lastOptions() const { return m_lastOptions; }
+
     // Knobs, to be set between requests.
     std::string serial = "00123456";
     std::string model = "RICOH THETA V";
@@ -99,6 +102,7 @@ class TestCamera {
     std::map<std::string, std::deque<Fault>> m_faults;
     std::map<std::string, int> m_counts;
     std::optional<Running> m_running;
+    Json m_lastOptions = Json::object();
     int m_nextId = 306;
     int m_nextFile = 48;
     ScriptedServer m_server; // last: its thread uses the others

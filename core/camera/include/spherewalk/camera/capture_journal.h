@@ -11,7 +11,7 @@ namespace spherewalk::camera {
 
 /// What the camera held before a shot: what is newer afterwards came from the shot.
 struct Baseline {
-    std::string latestFileUrl; ///< "" if none
+    std::string latestFileUrl; ///< marked, see new_files.h; "" if none
     std::int64_t totalEntries = 0;
     bool operator==(const Baseline&) const = default;
 };
@@ -34,7 +34,7 @@ struct Shot {
     std::string cameraSerial;
     Baseline baseline;
     std::string commandId; ///< "" until Started
-    std::string fileUrl;   ///< "" until Taken
+    std::string fileUrl;   ///< "" until Taken; marked, see new_files.h, if the camera listed it
     std::string note;      ///< why Unclear
 };
 
@@ -60,6 +60,7 @@ class CaptureJournal {
     virtual void started(std::int64_t shot, const std::string& commandId) = 0;
     virtual void taken(std::int64_t shot, const std::string& fileUrl) = 0;
     virtual void notTaken(std::int64_t shot) = 0;
+    /// Also of a shot that is Taken.
     virtual void unclear(std::int64_t shot, const std::string& why) = 0;
     /// Tags the photo with its station, moves it into the survey, and records it, in one durable step.
     virtual void downloaded(std::int64_t shot, const DownloadedPhoto& photo) = 0;

@@ -15,11 +15,22 @@
 
 namespace spherewalk::camera {
 
+/// By which a camera in client mode knows its users.
+struct Credentials {
+    std::string user;
+    std::string password;
+};
+
+/// Asked when a camera wants to know who asks, and again when it does not accept what was said: from a
+/// keychain, the environment, a person. Nothing: there are none. Threads: the client's.
+using CredentialsSource = std::function<std::optional<Credentials>()>;
+
 struct HttpOptions {
     std::chrono::milliseconds connectTimeout{5'000};
     std::chrono::milliseconds requestTimeout{20'000}; ///< of an ordinary request, in all
     std::chrono::milliseconds stallTimeout{15'000};   ///< of a download: the longest time for 16 kB
     std::uint64_t maxAnswerBytes = 1 << 20;           ///< of an ordinary request's answer
+    CredentialsSource credentials = {};               ///< none: an answer 401 stays as it is
 
     /// Errors: InvalidInput, with the option and its range.
     void validate() const;
@@ -34,10 +45,11 @@ struct HttpResponse {
     std::uint64_t receivedBytes = 0;
 };
 
-/// HTTP to one camera over libcurl: no proxy, no redirect, no HTTPS, every size and time bounded.
-/// Errors of all requests: Network (not reached, or the connection broke), Timeout, Stopped, Corrupt (more
-/// bytes than allowed), Unsupported (what answers does not speak HTTP). An error status is a response.
-/// Stop: within 200 ms, also while connecting or waiting. Threads: one at a time.
+/// HTTP to one camera over libcurl: no proxy, no redirect, no HTTPS, every size and time bounded. If the
+/// camera asks for it, with digest authentication: an answer 401 is returned only if no credentials are
+/// accepted. Errors of all requests: Network (not reached, or the connection broke), Timeout, Stopped,
+/// Corrupt (more bytes than allowed), Unsupported (what answers does not speak HTTP). An error status is a
+/// response. Stop: within 200 ms, also while connecting or waiting. Threads: one at a time.
 class HttpClient {
   public:
     using Sink = std::function<void(ByteView)>;
@@ -58,15 +70,17 @@ class HttpClient {
     HttpResponse post(std::string_view path, const std::string& json, const std::stop_token& stop,
                       std::optional<std::chrono::milliseconds> timeout = std::nullopt);
 
-    /// Sends JSON on a connection of its own, which makes libcurl send it at most once. After an error other
-    /// than InvalidInput it is unknown whether the camera acted on it.
+    /// Sends JSON on a connection of its own, which makes libcurl send it at most once; a second time only if
+    /// the camera has answered 401, which proves that it did nothing. After an error other than InvalidInput
+    /// it is unknown whether the camera acted on it.
     HttpResponse postOnce(std::string_view path, const std::string& json, const std::stop_token& stop);
 
     /// Gives the body of a 200 answer to the sink piece by piece. Errors: also whatever the sink throws;
     /// Network for a body shorter than its Content-Length. A body without a Content-Length that is cut short
     /// looks complete: the caller must verify.
+    /// json: sent with POST, if not empty.
     HttpResponse download(std::string_view path, std::uint64_t maxBytes, const Sink& sink,
-                          const std::stop_token& stop);
+                          const std::stop_token& stop, const std::string& json = {});
 
     /// Sends JSON, as postOnce() does, and gives the endless body of a 200 answer to the sink, until the
     /// server ends it. tick: called at least ten times a second, from the first moment; how long to wait for
@@ -82,12 +96,16 @@ class HttpClient {
     HttpResponse send(std::string_view path, const std::string& json, Repeat repeat,
                       std::chrono::milliseconds timeout, const std::stop_token& stop);
     void prepare(Transfer& transfer, std::string_view path);
+    HttpResponse authorised(const std::function<HttpResponse()>& request, const std::stop_token& stop);
+    bool authorise(const std::stop_token& stop);
+    HttpResponse getOnce(std::string_view path, const std::stop_token& stop);
     HttpResponse perform(Transfer& transfer, const std::stop_token& stop);
     [[noreturn]] void fail(const Transfer& transfer, int code) const;
 
     Endpoint m_endpoint;
     HttpOptions m_options;
     std::unique_ptr<Handles> m_handles;
+    std::optional<Credentials> m_credentials; ///< accepted, or about to be tried
 };
 
 } // namespace spherewalk::camera

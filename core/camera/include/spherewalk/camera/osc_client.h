@@ -36,11 +36,14 @@ struct FileQuery {
     int entryCount = 20;
 };
 
-/// The commands of one Open Spherical Camera of API level 2. Repeatable ones are sent again after a network
-/// failure, a useless answer, or "busy"; takePicture is sent at most once.
-/// Errors of all: those of HttpClient; Unsupported for a host that is no camera; Corrupt for answers that
-/// break the protocol; for a refused command the kind of its code (see osc_error.h).
-/// Stop: within 200 ms. Threads: one at a time, so that one request is in flight.
+/// The commands of one Open Spherical Camera. Repeatable ones are sent again after a network failure, a
+/// useless answer, or "busy"; takePicture is sent at most once. A camera that says that it speaks API levels
+/// 1 and 2 is switched to 2 before the first command, and again when it has fallen back; one that speaks only
+/// level 1 gets a session, and its files' URLs are paths made of the names that it uses
+/// ("/100RICOH/R0010001.JPG"). One that has not been asked for its info speaks level 2. Errors of all: those
+/// of HttpClient; Unsupported for a host that is no camera; Corrupt for answers that break the protocol; for
+/// a refused command the kind of its code (see osc_error.h). Stop: within 200 ms. Threads: one at a time, so
+/// that one request is in flight.
 class OscClient {
   public:
     /// Owner: the clock must outlive the client. Errors: InvalidInput.
@@ -65,6 +68,9 @@ class OscClient {
     /// Triggers once. A refusal is returned, not thrown. After any error it is unknown whether the camera has
     /// taken a picture.
     CommandReply takePicture(const std::stop_token& stop);
+    /// True if the camera had left its API level or session, which explains a refusal, and has them again. It
+    /// may have lost its settings with them.
+    bool renewLevel(const std::stop_token& stop);
     /// How far a command is. A refusal (a forgotten id) is returned, not thrown.
     CommandReply status(const std::string& id, const std::stop_token& stop);
 
@@ -90,11 +96,22 @@ class OscClient {
     CommandReply execute(const std::string& command, const Json& parameters, std::string_view tried,
                          const std::stop_token& stop);
     void pause(Clock::Duration duration, const std::stop_token& stop);
+    CommandReply askOnce(const std::string& command, const Json& parameters, const std::stop_token& stop);
+    void enterLevel(const std::stop_token& stop);
+    void switchToLevelTwo(const std::stop_token& stop);
+    void startSession(const std::stop_token& stop);
+    Json request(const std::string& command, Json parameters) const;
+    FileList listImages(const FileQuery& query, const std::stop_token& stop);
+    bool isLevelOneOnly() const;
+    bool hasBothLevels() const;
 
     HttpClient m_http;
     OscOptions m_options;
     Clock& m_clock;
     std::optional<Clock::TimePoint> m_optionsSetAt;
+    std::vector<int> m_apiLevels{2}; ///< as the camera's info says
+    bool m_isSwitched = false;       ///< to level 2, from 1
+    Json m_session;                  ///< of level 1, as the camera spells it; null: none
 };
 
 } // namespace spherewalk::camera

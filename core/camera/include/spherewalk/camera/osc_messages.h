@@ -55,7 +55,7 @@ struct CommandReply {
     std::string errorMessage; ///< the camera's own words
     bool isFromCamera = true; ///< false if only an HTTP status told of the error
 
-    /// results.fileUrl, or "".
+    /// results.fileUrl, or fileUri of API level 1, or "".
     std::string fileUrl() const;
 };
 
@@ -77,6 +77,11 @@ CameraInfo parseCameraInfo(const Json& json);
 CameraState parseCameraState(const Json& json);
 CommandReply parseCommandReply(const Json& json);
 FileList parseFileList(const Json& results);
+/// The same of camera.listImages of API level 1.
+FileList parseImageList(const Json& results);
+/// The path that stands for a file's name of API level 1, which has neither host nor leading slash; anything
+/// else as it is.
+std::string urlOfName(std::string name);
 
 /// A whole number that may be spelled as an integer or as a float without a fraction.
 std::optional<std::int64_t> wholeNumber(const Json& json, std::string_view key);

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/camera/delay_memory.h"
 #include "spherewalk/camera/osc_client.h"
 #include "spherewalk/survey/capture_profile.h"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,9 @@ class SettingsGuard {
     explicit SettingsGuard(OscClient& client, std::optional<survey::CaptureProfile> profile = {})
         : m_client(client), m_profile(std::move(profile)) {}
 
+    /// Where the camera's own sleep and power-off times are kept until they are put back, so that the next
+    /// program puts them back if this one is killed: a file of this folder. Before apply().
+    void rememberIn(const std::filesystem::path& folder, std::string_view serialNumber);
     /// Applies and reads back. What the camera lacks or changes without harm is returned as sentences.
     /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG; InvalidInput if
     /// it does not offer what the profile asks for.
@@ -34,10 +40,14 @@ class SettingsGuard {
     /// Compares these options with what apply() has set, and sets it again if they differ: a camera forgets
     /// its settings when it sleeps. What differed, as sentences.
     std::vector<std::string> hold(const Json& present, const std::stop_token& stop);
+    /// Sets the camera's clock if it is more than half a minute off; what it refused, as a sentence.
+    std::vector<std::string> setClock(std::chrono::system_clock::time_point now, const std::stop_token& stop);
+    /// How the camera's exposure differs from the profile at this moment; changes nothing.
+    std::vector<std::string> exposureDifferences(const std::stop_token& stop);
     /// Only the mode, after a camera has refused to take a picture.
     void applyImageMode(const std::stop_token& stop);
-    /// Puts back what apply() found at its first call; nothing if it was not called. A program that was
-    /// killed leaves the camera awake, and the next one finds that as the camera's own setting.
+    /// Puts back what apply() found at its first call, or a killed program before it; nothing if apply() was
+    /// not called.
     void restore(const std::stop_token& stop);
 
     /// Those of the options that this camera knows; unknown ones are remembered and not asked for again.
@@ -53,6 +63,7 @@ class SettingsGuard {
     OscClient& m_client;
     std::optional<survey::CaptureProfile> m_profile;
     std::set<std::string> m_unknown;
+    std::optional<DelayMemory> m_memory;
     Json m_original;                  ///< null until apply()
     Json m_basics = Json::object();   ///< set by apply(): the photos' format, and no sleep
     Json m_exposure = Json::object(); ///< set by apply(), in one call, as the values depend on each other

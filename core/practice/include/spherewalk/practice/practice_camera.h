@@ -22,7 +22,14 @@ struct PlacedPhoto {
     std::optional<Eigen::Quaterniond> roomFromPhoto; ///< for the truth file, where known
 };
 
+enum class CameraModel {
+    ThetaV,   ///< API level 2 only
+    ThetaS,   ///< begins with level 1, can be switched to 2, and falls back when it sleeps or restarts
+    LevelOne, ///< a Theta S before it learned level 2
+};
+
 struct PracticeCameraOptions {
+    CameraModel model = CameraModel::ThetaV;
     std::string host = "127.0.0.1";
     int port = 0;         ///< 0: any that is free
     double timeScale = 0; ///< of the camera's waits and transfer times: 1 as a Theta V, 0 none
@@ -30,6 +37,7 @@ struct PracticeCameraOptions {
     int jpegQuality = 92;
     std::uint64_t seed = 1; ///< of ids, serial and scatter; the errors have their own
     PhotoErrors errors;
+    bool isPlain = false;  ///< photos show stripes instead of the room, which is quicker by far
     bool levelled = false; ///< begin with the zenith correction on: no tilt in the pixels
     Eigen::Vector3d positionM = {2.0, 1.8, 1.2}; ///< where the cart stands at first
     PracticeRoomOptions room;
@@ -44,6 +52,10 @@ struct PracticeCameraOptions {
     enum class WhenBusy { DisabledCommand, ServiceUnavailable, DeviceBusy };
 
     WhenBusy whenBusy = WhenBusy::DisabledCommand;
+    std::string digestUser; ///< as in client mode: asks for HTTP digest authentication; empty: does not
+    std::string digestPassword;
+    int nonceRequests = 0; ///< a nonce is good for so many requests; 0: for ever
+
     int doneAnswers = 1; ///< so often a finished id answers; 0: for ever
     bool urlsOfAccessPoint =
         false;       ///< file URLs say 192.168.1.1 as the real camera's, not the request's host
@@ -62,16 +74,18 @@ struct PracticeCameraStats {
 };
 
 /// A Theta V over real HTTP that photographs the practice room, or serves a folder of photos by position. It
-/// speaks the Open Spherical Camera API, level 2: /osc/info, /osc/state, /osc/checkForUpdates,
-/// /osc/commands/execute and /status, the files, and the live preview, which shows the next photo from where
-/// the cart stands and ends when a picture is taken. An exposure shows the room from where the cart stood
-/// when takePicture arrived, off by the seeded errors; the truth is on the disk before the file can be seen.
+/// speaks the Open Spherical Camera API, level 2 (other models: 1, with sessions): /osc/info, /osc/state,
+/// /osc/checkForUpdates, /osc/commands/execute and /status, the files, and the live preview, which shows the
+/// next photo from where the cart stands and ends when a picture is taken. An exposure shows the room from
+/// where the cart stood when takePicture arrived, off by the seeded errors; the truth is on the disk before
+/// the file can be seen.
 ///
 /// Besides, outside the camera's own API:
 /// - POST /practice/pose {"x": .., "y": .., "z": ..} moves the cart (metres, room frame); GET tells.
 /// - GET /practice/stats tells what has been asked (PracticeCameraStats).
 /// - POST /practice/faults {"fault": "drop-before-executing", "on": "camera.takePicture", "skip": 0, "count":
-///   1, "byte": 0} arms a fault (see Fault); {"fault": "none"} disarms all.
+///   1, "byte": 0, "amount": 0, "code": ""} arms a fault (see Fault), an array of such a script of them;
+///   {"fault": "none"} disarms all.
 ///
 /// Threads: all functions may be called from any. Stop: stop() ends a running exposure, unsaved.
 class PracticeCamera {
@@ -95,6 +109,10 @@ class PracticeCamera {
 
     void setPosition(const Eigen::Vector3d& positionM);
     void arm(const Fault& fault);
+    /// What happens to the camera itself happens at once, not at a call.
+    void befall(const Fault& fault);
+    /// No armed fault is left, and the camera is as it was but for its files and settings.
+    void disarm();
     PracticeCameraStats stats() const;
     std::filesystem::path truthFile() const;
     std::filesystem::path storageFolder() const;

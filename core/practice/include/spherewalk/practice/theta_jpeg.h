@@ -33,6 +33,7 @@ struct ThetaTags {
     ByteOrder byteOrder = ByteOrder::Big;
     bool thetaIfdInsideMakerNote = true;
     bool withMakerNote = true;
+    bool withHostileMakerNote = false; ///< whose offsets lead out of the file
     bool withXmp = true;
 };
 

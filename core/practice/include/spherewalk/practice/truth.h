@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <filesystem>
@@ -20,6 +21,8 @@ struct Truth {
     std::optional<Eigen::Quaterniond> roomFromPhoto; ///< nothing for photos served from a folder without it
     std::string time;                                ///< of the trigger, ISO 8601, UTC
     std::string sha256;
+    Json options = Json::object(); ///< of the exposure, as the camera spells them: exposureProgram, iso, ...
+    bool byButton = false;         ///< nobody asked for it over the network
 };
 
 /// A JSON lines file to which exposures are added durably, one object each.
