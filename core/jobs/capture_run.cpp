@@ -76,6 +76,7 @@ void CaptureRun::prepareAndTake(Route& route) {
         takeAlong(route);
         m_fetcher->finish(m_stop);
     } catch (...) {
+        m_fetcher->stopSoon();
         constexpr std::chrono::milliseconds kHurry(150); // a stop must not take longer than 200
         if (!m_capture.disconnectWithin(kHurry)) {
             m_progress.warning("The camera could not be told that it may sleep again; switch it off and "

@@ -40,23 +40,24 @@ class ListedRoute : public Route {
     std::size_t m_done = 0;
 };
 
-/// In walking order.
-std::vector<store::StationRecord> stationsToTake(SharedStore& shared, const CaptureRun& run,
+/// In walking order. At one moment of the store, as downloads come in meanwhile: none that is on its way, or
+/// has just arrived, may be exposed twice.
+std::vector<store::StationRecord> stationsToTake(const store::SurveyStore& store,
                                                  const CaptureSurveyOptions& options) {
-    std::vector<store::StationRecord> result = shared.use([&](const store::SurveyStore& store) {
-        std::set<std::int64_t> wanted;
-        for (const std::int64_t id : options.again) {
-            wanted.insert(store.station(id).id);
+    std::set<std::int64_t> wanted;
+    for (const std::int64_t id : options.again) {
+        wanted.insert(store.station(id).id);
+    }
+    for (const store::StationRecord& missing : store.stationsWithoutPhoto()) {
+        wanted.insert(missing.id);
+    }
+    for (const store::ShotRecord& shot : store.openShots()) {
+        if (shot.step == store::ShotStep::Taken) {
+            wanted.erase(shot.station);
         }
-        for (const store::StationRecord& missing : store.stationsWithoutPhoto()) {
-            wanted.insert(missing.id);
-        }
-        std::vector<store::StationRecord> stations = store.stations();
-        std::erase_if(stations,
-                      [&](const store::StationRecord& station) { return !wanted.contains(station.id); });
-        return stations;
-    });
-    std::erase_if(result, [&](const store::StationRecord& station) { return run.isOnItsWay(station.id); });
+    }
+    std::vector<store::StationRecord> result = store.stations();
+    std::erase_if(result, [&](const store::StationRecord& station) { return !wanted.contains(station.id); });
     if (options.most > 0 && result.size() > static_cast<std::size_t>(options.most)) {
         result.resize(static_cast<std::size_t>(options.most));
     }
@@ -73,7 +74,8 @@ CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& 
     SharedStore shared(store);
     CaptureRun run(shared, client, people, clock, options.camera, progress, stop);
     run.begin();
-    auto stations = stationsToTake(shared, run, options);
+    auto stations =
+        shared.use([&](const store::SurveyStore& survey) { return stationsToTake(survey, options); });
     if (!stations.empty()) {
         ListedRoute route(std::move(stations), people, progress);
         run.take(route);

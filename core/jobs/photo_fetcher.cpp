@@ -125,13 +125,13 @@ void PhotoFetcher::round(bool isLast, const std::stop_token& stop) {
         tried.insert(shot->id);
         if (!unreached) {
             const camera::ShotOutcome outcome = fetch(*shot, stop);
-            tell(outcome);
+            tell(outcome, stop);
             if (outcome.problem == ErrorKind::Network || outcome.problem == ErrorKind::Timeout) {
                 unreached = outcome; // the others would only wait for the same
             }
         } else if (isLast) {
             unreached->shot = *shot;
-            tell(*unreached);
+            tell(*unreached, stop);
         }
     }
 }
@@ -153,7 +153,7 @@ camera::ShotOutcome PhotoFetcher::fetch(const camera::Shot& shot, const std::sto
 }
 
 /// Once for each photo that is there, and once for each that is not.
-void PhotoFetcher::tell(const camera::ShotOutcome& outcome) {
+void PhotoFetcher::tell(const camera::ShotOutcome& outcome, const std::stop_token& stop) {
     const std::int64_t shot = outcome.shot.id;
     if (outcome.shot.step != camera::ShotStep::Downloaded) {
         if (m_failed.insert(shot).second) {
@@ -164,7 +164,7 @@ void PhotoFetcher::tell(const camera::ShotOutcome& outcome) {
     m_failed.erase(shot);
     const Clock::TimePoint start = m_clock.now();
     const auto photo = m_store.use([&](const store::SurveyStore& store) { return store.shot(shot).photo; });
-    const photo::Verdict verdict = m_judge.judge(photo.value());
+    const photo::Verdict verdict = m_judge.judge(photo.value(), stop);
     {
         const std::scoped_lock lock(m_mutex);
         m_secondsJudging += std::chrono::duration<double>(m_clock.now() - start).count();

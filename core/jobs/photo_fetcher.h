@@ -42,6 +42,9 @@ class PhotoFetcher {
     void wake();
     /// Returns when all is fetched, or has been tried in vain. Errors: what ended it before; Stopped.
     void finish(const std::stop_token& stop);
+    /// Asks it to stop, without waiting.
+    void stopSoon() { m_thread.request_stop(); }
+
     /// If something has ended it. Errors: that.
     void throwIfFailed();
 
@@ -53,7 +56,7 @@ class PhotoFetcher {
     bool isRoundDue(const std::stop_token& stop);
     void round(bool isLast, const std::stop_token& stop);
     camera::ShotOutcome fetch(const camera::Shot& shot, const std::stop_token& stop);
-    void tell(const camera::ShotOutcome& outcome);
+    void tell(const camera::ShotOutcome& outcome, const std::stop_token& stop);
 
     SharedStore& m_store;
     Clock& m_clock;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photo_intake.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/photo/integrity.h"
@@ -66,7 +67,13 @@ TaggedPhoto tagged(const Arrival& arrival, const std::string& surveyId, const st
 
 store::NewPhoto put(const store::SurveyStore& store, TaggedPhoto photo) {
     photo.row.fileName = store.freePhotoName(photo.row.cameraFileName, photo.row.fileSha256);
-    writeFile(store.photoFolder() / photo.row.fileName, photo.file);
+    try {
+        writeFile(store.photoFolder() / photo.row.fileName, photo.file);
+    } catch (const Error& error) {
+        // A folder of this computer that is gone must not look like a photo that the camera does not have.
+        throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
+                    error.context());
+    }
     return std::move(photo.row);
 }
 

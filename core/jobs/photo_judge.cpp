@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
+#include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/judge_survey.h"
 
@@ -121,17 +122,19 @@ photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
     }
 }
 
-photo::Verdict PhotoJudge::judge(std::int64_t id) {
+photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
     const store::PhotoRecord record =
         m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
     std::vector<std::shared_ptr<const photo::Sketch>> sketches;
     std::vector<photo::Neighbour> near;
     for (const store::PhotoRecord& other : neighbours(record)) {
+        throwIfStopped(stop);
         if (auto sketch = sketchOf(other)) {
             near.push_back({sketch.get(), (other.positionM - record.positionM).norm()});
             sketches.push_back(std::move(sketch));
         }
     }
+    throwIfStopped(stop);
     photo::JudgedPhoto result = judged(record, near);
     if (result.sketch) {
         keep(id, std::move(*result.sketch));
@@ -159,7 +162,7 @@ JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progr
         throwIfStopped(stop);
         progress.progress(static_cast<double>(report.judged) / static_cast<double>(photos.size()),
                           text("Judging photo ", report.judged + 1, " of ", photos.size()));
-        const photo::Quality quality = judge.judge(photo).quality();
+        const photo::Quality quality = judge.judge(photo, stop).quality();
         ++report.judged;
         ++(quality == photo::Quality::Good       ? report.good
            : quality == photo::Quality::Doubtful ? report.doubtful

@@ -33,7 +33,7 @@ class CapturePipeline : public testing::Test {
         const practice::RoomPlan drawn = practice::PracticeRoom().plan();
         const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
         survey::PlanOptions plan;
-        plan.stepM = 0.8;
+        plan.stepM = 1.3;
         m_store = std::make_unique<store::SurveyStore>(
             store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan)));
         m_stations = m_store->stations();
