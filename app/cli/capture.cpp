@@ -7,11 +7,15 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/capture_survey.h"
+#include "spherewalk/jobs/follow_positions.h"
 #include "spherewalk/jobs/operators.h"
+#include "spherewalk/jobs/retakes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::cli {
@@ -25,6 +29,38 @@ struct Options {
     int most = 0;
     std::vector<std::string> again;
     std::optional<std::string> profile;
+    std::string retakes = "none";
+    double moveSeconds = 0;
+    bool follow = false;
+    double toleranceM = 0.03;
+};
+
+/// Says what the checks found, whoever moves the camera.
+class TellingOperator : public jobs::Operator {
+  public:
+    TellingOperator(std::unique_ptr<jobs::Operator> people, ProgressSink& progress)
+        : m_people(std::move(people)), m_progress(progress) {}
+
+    void moveTo(const store::StationRecord& station, const std::stop_token& stop) override {
+        m_people->moveTo(station, stop);
+    }
+
+    bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
+                  const std::stop_token& stop) override {
+        return m_people->tryAgain(station, outcome, tries, stop);
+    }
+
+    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& /*outcome*/,
+                   const photo::Verdict* verdict) override {
+        if (verdict != nullptr && verdict->quality() != photo::Quality::Good) {
+            m_progress.warning(
+                text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));
+        }
+    }
+
+  private:
+    std::unique_ptr<jobs::Operator> m_people;
+    ProgressSink& m_progress;
 };
 
 /// A person at the terminal, who brings the camera to the station and presses Enter.
@@ -59,10 +95,64 @@ class PersonAtTerminal : public jobs::Operator {
 };
 
 std::unique_ptr<jobs::Operator> operatorFor(const Options& options, Context& context) {
+    std::unique_ptr<jobs::Operator> people;
     if (options.practice) {
-        return std::make_unique<jobs::PracticeOperator>(options.camera.endpoint());
+        const std::chrono::duration<double> moveTime(options.moveSeconds);
+        people = std::make_unique<jobs::PracticeOperator>(
+            options.camera.endpoint(), std::chrono::duration_cast<Clock::Duration>(moveTime));
+    } else {
+        people = std::make_unique<PersonAtTerminal>(context.progress);
     }
-    return std::make_unique<PersonAtTerminal>(context.progress);
+    return std::make_unique<TellingOperator>(std::move(people), context.progress);
+}
+
+/// Those of the survey that are to be taken again, as far as asked for.
+std::vector<std::int64_t> stationsToRetake(const store::SurveyStore& store, const std::string& which) {
+    std::vector<std::int64_t> ids;
+    for (const jobs::Retake& retake : which == "none" ? std::vector<jobs::Retake>() : jobs::retakes(store)) {
+        if (which == "all" || (retake.isFailed && (which == "failed" || !retake.isSurrounded))) {
+            ids.push_back(retake.station.id);
+        }
+    }
+    return ids;
+}
+
+Result resultOf(const jobs::CaptureSurveyReport& report) {
+    return {jobs::toJson(report),
+            text("Took ", report.taken, " photos in ",
+                 humanDuration(std::chrono::duration<double>(report.seconds)), "; ", report.remaining, " of ",
+                 report.stations, " stations are still without a photo.",
+                 report.flawed.empty()
+                     ? ""
+                     : text(" ", report.flawed.size(), " photos are not good; review lists them.")),
+            report.missed.empty()};
+}
+
+/// A robot sends positions on standard input and is answered on standard output, a line each.
+Result follow(const Options& options, store::SurveyStore& store, camera::OscClient& client,
+              Context& context) {
+    jobs::FollowOptions followOptions{options.camera.captureOptions(), options.toleranceM};
+    if (options.practice) {
+        followOptions.camera = jobs::practiceCaptureOptions(options.camera.timeScale()).camera;
+    }
+    std::optional<jobs::PracticeOperator> cart;
+    if (options.practice) {
+        cart.emplace(options.camera.endpoint());
+    }
+    jobs::FollowLink link;
+    link.nextLine = readLine;
+    link.reached = [&](const store::StationRecord& station, const std::stop_token& stop) {
+        if (cart) {
+            cart->moveTo(station, stop);
+        }
+    };
+    link.tell = [json = context.json](const jobs::FollowEvent& event) {
+        const std::string words = json ? jobs::toJson(event).dump() : jobs::line(event);
+        std::fprintf(stdout, "%s\n", words.c_str());
+        std::fflush(stdout); // the robot waits for it
+    };
+    return resultOf(jobs::followPositions(store, client, link, systemClock(), followOptions, context.progress,
+                                          context.stop));
 }
 
 /// Errors: NotFound for a name that no station has.
@@ -86,23 +176,24 @@ std::vector<std::int64_t> stationsNamed(const store::SurveyStore& store,
 Result capture(const Options& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     const auto client = options.camera.client(context.stop);
+    if (options.profile) {
+        store.setCaptureProfile(survey::parseProfile(*options.profile));
+    }
+    if (options.follow) {
+        return follow(options, store, *client, context);
+    }
     const auto people = operatorFor(options, context);
     jobs::CaptureSurveyOptions captureOptions{options.camera.captureOptions()};
     if (options.practice) {
         captureOptions = jobs::practiceCaptureOptions(options.camera.timeScale());
     }
     captureOptions.most = options.most;
-    if (options.profile) {
-        store.setCaptureProfile(survey::parseProfile(*options.profile));
-    }
     captureOptions.again = stationsNamed(store, options.again);
-    const jobs::CaptureSurveyReport report = jobs::captureSurvey(
-        store, *client, *people, systemClock(), captureOptions, context.progress, context.stop);
-    return {jobs::toJson(report),
-            text("Took ", report.taken, " photos in ",
-                 humanDuration(std::chrono::duration<double>(report.seconds)), "; ", report.remaining, " of ",
-                 report.stations, " stations are still without a photo."),
-            report.missed.empty()};
+    for (const std::int64_t station : stationsToRetake(store, options.retakes)) {
+        captureOptions.again.push_back(station);
+    }
+    return resultOf(jobs::captureSurvey(store, *client, *people, systemClock(), captureOptions,
+                                        context.progress, context.stop));
 }
 
 } // namespace
@@ -121,6 +212,23 @@ void addCapture(Commands& commands) {
     command.add_option(
         "--again", options->again,
         "Station to take besides, although it has a photo: \"rail 3, stop 5\"; can be repeated");
+    command
+        .add_option("--retakes", options->retakes,
+                    "Take flawed photos again besides: holes are failed ones that no neighbours stand in "
+                    "for, failed all that failed or were rejected, all the doubtful ones too")
+        ->check(CLI::IsMember({"none", "holes", "failed", "all"}))
+        ->capture_default_str();
+    command
+        .add_option("--move-time", options->moveSeconds,
+                    "Seconds that a practice cart takes from station to station")
+        ->check(CLI::Range(0.0, 600.0));
+    command.add_flag("--follow", options->follow,
+                     "Take the photo of each station whose position arrives on standard input, as \"x y z\" "
+                     "in metres or a JSON object with x, y and z, and answer on standard output");
+    command
+        .add_option("--tolerance", options->toleranceM,
+                    "With --follow: how far from its station a position may lie, metres")
+        ->capture_default_str();
     command.add_option("--profile", options->profile,
                        text("Change how the camera is set for this survey. ", kProfileHelp));
 }

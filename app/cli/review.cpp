@@ -3,6 +3,8 @@
 #include "photo_names.h"
 
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/judge_survey.h"
+#include "spherewalk/jobs/retakes.h"
 
 #include <map>
 #include <memory>
@@ -19,6 +21,7 @@ struct Options {
     std::vector<std::string> noted;
     std::vector<std::string> chosen;
     std::string note;
+    std::string judge = "none";
 
     bool isChange() const {
         return !(accepted.empty() && rejected.empty() && opened.empty() && noted.empty() && chosen.empty());
@@ -55,6 +58,13 @@ Result list(const store::SurveyStore& store) {
     }
     Json photos = Json::array();
     std::string lines;
+    const std::vector<jobs::Retake> retakes = jobs::retakes(store);
+    for (const jobs::Retake& retake : retakes) {
+        lines +=
+            text("\n", retake.station.name, " is ", retake.isFailed ? "failed" : "doubtful",
+                 retake.isSurrounded ? ", and its neighbours can stand in for it" : ", and leaves a hole",
+                 ": ", retake.sentence);
+    }
     std::map<store::Decision, int> counts;
     for (const store::PhotoRecord& photo : store.photos()) {
         const auto found = reviews.find(photo.id);
@@ -62,10 +72,13 @@ Result list(const store::SurveyStore& store) {
             found == reviews.end() ? store::Review{photo.id, store::Decision::Open, {}} : found->second;
         const std::string station = store.station(photo.station).name;
         ++counts[review.decision];
+        const auto verdict = store.verdict(photo.id);
         photos.push_back({{"id", photo.id},
                           {"file", photo.fileName},
                           {"station", station},
                           {"chosen", photo.choose},
+                          {"verdict", verdict ? Json(name(verdict->result)) : Json()},
+                          {"findings", verdict ? jobs::verdictOf(*verdict).sentence() : std::string()},
                           {"decision", name(review.decision)},
                           {"note", review.note}});
         if (found != reviews.end()) {
@@ -73,13 +86,19 @@ Result list(const store::SurveyStore& store) {
                           review.note.empty() ? "" : ", ", review.note);
         }
     }
-    return {{{"photos", photos}, {"to_take", store.stationsWithoutPhoto().size()}},
+    return {{{"photos", photos},
+             {"to_take", store.stationsWithoutPhoto().size()},
+             {"retakes", jobs::toJson(retakes)}},
             text(counts[store::Decision::Accepted], " photos accepted, ", counts[store::Decision::Rejected],
                  " rejected, ", counts[store::Decision::Open], " open; ", store.stationsWithoutPhoto().size(),
                  " stations still need a photo.", lines)};
 }
 
-Result review(const Options& options) {
+Result review(const Options& options, Context& context) {
+    if (options.judge != "none") {
+        auto store = store::SurveyStore::open(options.survey, store::Access::Write);
+        jobs::judgeSurvey(store, options.judge == "all", context.progress, context.stop);
+    }
     if (options.isChange()) {
         change(options);
     }
@@ -91,7 +110,7 @@ Result review(const Options& options) {
 void addReview(Commands& commands) {
     const auto options = std::make_shared<Options>();
     CLI::App& command = commands.add("review", "Accept or reject photos, and list what was decided",
-                                     [options](Context& /*context*/) { return review(*options); });
+                                     [options](Context& context) { return review(*options, context); });
     command.add_option("survey", options->survey, "Folder of the survey")->required();
     command.add_option("--accept", options->accepted, "Photos, each by its file, station, or number");
     command.add_option("--reject", options->rejected,
@@ -100,6 +119,12 @@ void addReview(Commands& commands) {
     command.add_option("--choose", options->chosen,
                        "Photos that shall stand for their station, in place of its other photos");
     command.add_option("--annotate", options->noted, "Photos that only get the note");
+    command
+        .add_option("--judge", options->judge,
+                    "Check photos first: new ones that have no verdict yet, or all of them anew, now that "
+                    "their neighbours are there")
+        ->check(CLI::IsMember({"none", "new", "all"}))
+        ->capture_default_str();
     command.add_option("--note", options->note, "One line that is kept with all photos of this call");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/capture_survey.h"
 
-#include "store_journal.h"
+#include "capture_run.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -15,142 +15,54 @@ namespace spherewalk::jobs {
 
 namespace {
 
-double seconds(Clock::Duration duration) {
-    return std::chrono::duration<double>(duration).count();
-}
-
-/// One run over the missing stations.
-class Run {
+/// Stations one after the other, to each of which the operator brings the camera.
+class ListedRoute : public Route {
   public:
-    Run(store::SurveyStore& store, camera::OscClient& client, Operator& people, Clock& clock,
-        const CaptureSurveyOptions& options, ProgressSink& progress, const std::stop_token& stop)
-        : m_store(store),
-          m_people(people),
-          m_clock(clock),
-          m_progress(progress),
-          m_stop(stop),
-          m_journal(store),
-          m_capture(client, m_journal, clock, options.camera),
-          m_most(options.most),
-          m_again(options.again) {}
+    ListedRoute(std::vector<store::StationRecord> stations, Operator& people, ProgressSink& progress)
+        : m_stations(std::move(stations)), m_people(people), m_progress(progress) {}
 
-    CaptureSurveyReport run() {
-        const Clock::TimePoint begin = m_clock.now();
-        const camera::CameraInfo camera = m_capture.connect(m_stop);
-        settle();
-        if (const auto stations = stationsToTake(); !stations.empty()) {
-            takeAll(camera, stations);
+    std::optional<store::StationRecord> next(const std::stop_token& stop) override {
+        if (m_done == m_stations.size()) {
+            return std::nullopt;
         }
-        const store::Counts counts = m_store.counts();
-        m_report.stations = counts.stations;
-        m_report.remaining = counts.stations - counts.stationsWithPhoto;
-        m_report.seconds = seconds(m_clock.now() - begin);
-        return std::move(m_report);
+        const store::StationRecord& station = m_stations[m_done];
+        m_progress.progress(static_cast<double>(m_done) / static_cast<double>(m_stations.size()),
+                            text("Photo ", m_done + 1, " of ", m_stations.size(), ", ", station.name));
+        ++m_done;
+        m_people.moveTo(station, stop);
+        return station;
     }
 
   private:
-    /// However it ends, the camera may sleep again.
-    void takeAll(const camera::CameraInfo& camera, const std::vector<store::StationRecord>& stations) {
-        try {
-            const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
-            warn(readiness.warnings);
-            m_people.cameraReady(camera, readiness);
-            take(stations);
-            settle(); // what was taken but could not be downloaded at once
-        } catch (...) {
-            constexpr std::chrono::milliseconds kHurry(150); // a stop must not take longer than 200
-            if (!m_capture.disconnectWithin(kHurry)) {
-                m_progress.warning("The camera could not be told that it may sleep again; switch it off and "
-                                   "on if it is not used soon.");
-            }
-            throw;
-        }
-        m_capture.disconnect(m_stop);
-    }
-
-    void warn(const std::vector<std::string>& sentences) {
-        for (const std::string& sentence : sentences) {
-            m_progress.warning(sentence);
-            m_report.warnings.push_back(sentence);
-        }
-    }
-
-    void settle() {
-        for (const camera::ShotOutcome& outcome : m_capture.settle(m_stop)) {
-            m_report.resumed += outcome.shot.step == camera::ShotStep::Downloaded ? 1 : 0;
-            account(m_store.station(outcome.shot.station), outcome);
-        }
-    }
-
-    /// In walking order.
-    std::vector<store::StationRecord> stationsToTake() const {
-        std::set<std::int64_t> wanted;
-        for (const std::int64_t id : m_again) {
-            wanted.insert(m_store.station(id).id);
-        }
-        for (const store::StationRecord& missing : m_store.stationsWithoutPhoto()) {
-            wanted.insert(missing.id);
-        }
-        std::vector<store::StationRecord> result = m_store.stations();
-        std::erase_if(result,
-                      [&](const store::StationRecord& station) { return !wanted.contains(station.id); });
-        if (m_most > 0 && result.size() > static_cast<std::size_t>(m_most)) {
-            result.resize(static_cast<std::size_t>(m_most));
-        }
-        return result;
-    }
-
-    void take(const std::vector<store::StationRecord>& stations) {
-        std::size_t done = 0;
-        for (const store::StationRecord& station : stations) {
-            throwIfStopped(m_stop);
-            m_progress.progress(static_cast<double>(done) / static_cast<double>(stations.size()),
-                                text("Photo ", done + 1, " of ", stations.size(), ", ", station.name));
-            ++done;
-            const Clock::TimePoint before = m_clock.now();
-            m_people.moveTo(station, m_stop);
-            m_report.secondsMoving += seconds(m_clock.now() - before);
-            account(station, shoot(station));
-        }
-    }
-
-    camera::ShotOutcome shoot(const store::StationRecord& station) {
-        for (int tries = 1;; ++tries) {
-            camera::ShotOutcome outcome = m_capture.shoot(station.id, m_stop);
-            warn(outcome.warnings);
-            const bool again = outcome.shot.step == camera::ShotStep::NotTaken &&
-                               m_people.tryAgain(station, outcome, tries, m_stop);
-            if (!again) {
-                return outcome;
-            }
-        }
-    }
-
-    void account(const store::StationRecord& station, const camera::ShotOutcome& outcome) {
-        m_people.shotEnded(station, outcome);
-        m_report.secondsExposing += seconds(outcome.exposing);
-        m_report.secondsFetching += seconds(outcome.fetching);
-        auto& missed = m_report.missed;
-        std::erase_if(missed, [&](const MissedStation& other) { return other.station == station.name; });
-        if (outcome.shot.step == camera::ShotStep::Downloaded) {
-            ++m_report.taken;
-            return;
-        }
-        m_progress.warning(text(station.name, ": ", outcome.sentence));
-        missed.push_back({station.name, outcome.sentence});
-    }
-
-    store::SurveyStore& m_store;
+    std::vector<store::StationRecord> m_stations;
     Operator& m_people;
-    Clock& m_clock;
     ProgressSink& m_progress;
-    const std::stop_token& m_stop;
-    StoreJournal m_journal;
-    camera::Capture m_capture;
-    int m_most;
-    std::vector<std::int64_t> m_again;
-    CaptureSurveyReport m_report;
+    std::size_t m_done = 0;
 };
+
+/// In walking order. At one moment of the store, as downloads come in meanwhile: none that is on its way, or
+/// has just arrived, may be exposed twice.
+std::vector<store::StationRecord> stationsToTake(const store::SurveyStore& store,
+                                                 const CaptureSurveyOptions& options) {
+    std::set<std::int64_t> wanted;
+    for (const std::int64_t id : options.again) {
+        wanted.insert(store.station(id).id);
+    }
+    for (const store::StationRecord& missing : store.stationsWithoutPhoto()) {
+        wanted.insert(missing.id);
+    }
+    for (const store::ShotRecord& shot : store.openShots()) {
+        if (shot.step == store::ShotStep::Taken) {
+            wanted.erase(shot.station);
+        }
+    }
+    std::vector<store::StationRecord> result = store.stations();
+    std::erase_if(result, [&](const store::StationRecord& station) { return !wanted.contains(station.id); });
+    if (options.most > 0 && result.size() > static_cast<std::size_t>(options.most)) {
+        result.resize(static_cast<std::size_t>(options.most));
+    }
+    return result;
+}
 
 } // namespace
 
@@ -159,7 +71,16 @@ CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& 
                                   const std::stop_token& stop) {
     options.camera.download.check = photoCheck();
     options.camera.profile = store.captureProfile();
-    return Run(store, client, people, clock, options, progress, stop).run();
+    SharedStore shared(store);
+    CaptureRun run(shared, client, people, clock, options.camera, progress, stop);
+    run.begin();
+    auto stations =
+        shared.use([&](const store::SurveyStore& survey) { return stationsToTake(survey, options); });
+    if (!stations.empty()) {
+        ListedRoute route(std::move(stations), people, progress);
+        run.take(route);
+    }
+    return run.finish();
 }
 
 camera::PhotoCheck photoCheck() {
@@ -174,22 +95,31 @@ Json toJson(const CaptureSurveyReport& report) {
     for (const MissedStation& station : report.missed) {
         missed.push_back({{"station", station.station}, {"sentence", station.sentence}});
     }
-    const double minutes = report.seconds / 60;
-    const int own = std::max(1, report.taken);
-    return {
-        {"taken", report.taken},
-        {"resumed", report.resumed},
-        {"stations", report.stations},
-        {"remaining", report.remaining},
-        {"missed", missed},
-        {"warnings", report.warnings},
-        {"seconds", report.seconds},
-        {"seconds_moving", report.secondsMoving},
-        {"seconds_exposing", report.secondsExposing},
-        {"seconds_fetching", report.secondsFetching},
-        {"photos_per_minute", minutes > 0 ? report.taken / minutes : 0},
-        {"software_seconds_per_photo",
-         (report.seconds - report.secondsMoving - report.secondsExposing - report.secondsFetching) / own}};
+    Json flawed = Json::array();
+    for (const FlawedPhoto& photo : report.flawed) {
+        flawed.push_back({{"station", photo.station},
+                          {"verdict", name(photo.verdict.quality())},
+                          {"sentence", photo.verdict.sentence()}});
+    }
+    const double minutes = report.secondsAtStations / 60;
+    const int own = std::max(1, report.exposed);
+    const double software = report.secondsAtStations - report.secondsMoving - report.secondsExposing;
+    return {{"taken", report.taken},
+            {"resumed", report.resumed},
+            {"exposed", report.exposed},
+            {"stations", report.stations},
+            {"remaining", report.remaining},
+            {"missed", missed},
+            {"flawed", flawed},
+            {"warnings", report.warnings},
+            {"seconds", report.seconds},
+            {"seconds_at_stations", report.secondsAtStations},
+            {"seconds_moving", report.secondsMoving},
+            {"seconds_exposing", report.secondsExposing},
+            {"seconds_fetching", report.secondsFetching},
+            {"seconds_judging", report.secondsJudging},
+            {"photos_per_minute", minutes > 0 ? report.exposed / minutes : 0},
+            {"software_seconds_per_photo", software / own}};
 }
 
 } // namespace spherewalk::jobs

@@ -9,6 +9,8 @@
 namespace spherewalk::jobs {
 
 void PracticeOperator::moveTo(const store::StationRecord& station, const std::stop_token& stop) {
+    m_clock.sleep(m_moveTime, stop);
+    throwIfStopped(stop);
     const Eigen::Vector3d& p = station.station.positionM;
     const Json pose = {{"x", p.x()}, {"y", p.y()}, {"z", p.z()}};
     const camera::HttpResponse response = m_http.post("/practice/pose", pose.dump(), stop);

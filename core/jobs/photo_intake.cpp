@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photo_intake.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/sha256.h"
 #include "spherewalk/photo/integrity.h"
@@ -42,29 +43,42 @@ std::optional<store::Moment> takenAt(const photo::PhotoMetadata& metadata) {
 
 } // namespace
 
-store::NewPhoto takeIn(const store::SurveyStore& store, const Arrival& arrival) {
+TaggedPhoto tagged(const Arrival& arrival, const std::string& surveyId, const std::string& stationName) {
     const photo::PhotoFacts facts = photo::checkPhoto(arrival.jpeg, arrival.source);
     const photo::PhotoMetadata metadata = photo::readMetadata(arrival.jpeg, arrival.source);
-    const store::StationRecord station = store.station(arrival.station);
-    const Bytes tagged = photo::withPositionTag(
-        arrival.jpeg,
-        {store.info().uuid, arrival.station, station.name, arrival.positionM, arrival.roomFromPhoto},
+    TaggedPhoto result;
+    result.file = photo::withPositionTag(
+        arrival.jpeg, {surveyId, arrival.station, stationName, arrival.positionM, arrival.roomFromPhoto},
         arrival.source);
-    store::NewPhoto photo;
-    photo.station = arrival.station;
-    photo.fileSha256 = sha256Hex(tagged);
-    photo.fileName = store.freePhotoName(arrival.cameraFileName, photo.fileSha256);
-    photo.cameraFileName = arrival.cameraFileName;
-    photo.cameraSerial = arrival.cameraSerial;
-    photo.fileUrl = arrival.fileUrl;
-    photo.cameraSha256 = facts.sha256;
-    photo.sizeBytes = tagged.size();
-    photo.width = facts.width;
-    photo.height = facts.height;
-    photo.takenAt = takenAt(metadata);
-    photo.positionM = arrival.positionM;
-    writeFile(store.photoFolder() / photo.fileName, tagged);
-    return photo;
+    store::NewPhoto& row = result.row;
+    row.station = arrival.station;
+    row.fileSha256 = sha256Hex(result.file);
+    row.cameraFileName = arrival.cameraFileName;
+    row.cameraSerial = arrival.cameraSerial;
+    row.fileUrl = arrival.fileUrl;
+    row.cameraSha256 = facts.sha256;
+    row.sizeBytes = result.file.size();
+    row.width = facts.width;
+    row.height = facts.height;
+    row.takenAt = takenAt(metadata);
+    row.positionM = arrival.positionM;
+    return result;
+}
+
+store::NewPhoto put(const store::SurveyStore& store, TaggedPhoto photo) {
+    photo.row.fileName = store.freePhotoName(photo.row.cameraFileName, photo.row.fileSha256);
+    try {
+        writeFile(store.photoFolder() / photo.row.fileName, photo.file);
+    } catch (const Error& error) {
+        // A folder of this computer that is gone must not look like a photo that the camera does not have.
+        throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
+                    error.context());
+    }
+    return std::move(photo.row);
+}
+
+store::NewPhoto takeIn(const store::SurveyStore& store, const Arrival& arrival) {
+    return put(store, tagged(arrival, store.info().uuid, store.station(arrival.station).name));
 }
 
 } // namespace spherewalk::jobs

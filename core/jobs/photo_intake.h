@@ -18,9 +18,20 @@ struct Arrival {
     std::optional<Eigen::Quaterniond> roomFromPhoto; ///< if known, it goes into the photo's tag too
 };
 
-/// Tags the photo with its station, puts the file into the survey's photo folder, durably, and returns the
-/// row that is to be recorded. Killed before the row is recorded, it leaves a file that the next try
-/// replaces. Errors: those of checking, tagging and writing.
+/// A photo that is checked and tagged, and the row that is to be recorded, both without a name yet.
+struct TaggedPhoto {
+    store::NewPhoto row;
+    Bytes file;
+};
+
+/// Errors: those of checking and tagging. Threads: any; the slow part of taking a photo in.
+TaggedPhoto tagged(const Arrival& arrival, const std::string& surveyId, const std::string& stationName);
+
+/// Puts the file into the survey's photo folder, durably, and returns the row. Killed before the row is
+/// recorded, it leaves a file that the next try replaces. Errors: those of writing.
+store::NewPhoto put(const store::SurveyStore& store, TaggedPhoto photo);
+
+/// Both.
 store::NewPhoto takeIn(const store::SurveyStore& store, const Arrival& arrival);
 
 } // namespace spherewalk::jobs

@@ -46,56 +46,69 @@ camera::Shot shotOf(const store::ShotRecord& record) {
 
 camera::Shot StoreJournal::begin(std::int64_t station, const std::string& cameraSerial,
                                  const camera::Baseline& baseline) {
-    return shotOf(m_store.beginShot(station, cameraSerial, baseline.latestFileUrl, baseline.totalEntries));
+    return m_store.use([&](store::SurveyStore& store) {
+        return shotOf(store.beginShot(station, cameraSerial, baseline.latestFileUrl, baseline.totalEntries));
+    });
 }
 
 void StoreJournal::started(std::int64_t shot, const std::string& commandId) {
-    m_store.markStarted(shot, commandId);
+    m_store.use([&](store::SurveyStore& store) { store.markStarted(shot, commandId); });
 }
 
 void StoreJournal::taken(std::int64_t shot, const std::string& fileUrl) {
-    m_store.markTaken(shot, fileUrl);
+    m_store.use([&](store::SurveyStore& store) { store.markTaken(shot, fileUrl); });
 }
 
 void StoreJournal::notTaken(std::int64_t shot) {
-    m_store.markNotTaken(shot);
+    m_store.use([&](store::SurveyStore& store) { store.markNotTaken(shot); });
 }
 
 void StoreJournal::unclear(std::int64_t shot, const std::string& why) {
-    m_store.markUnclear(shot, why);
+    m_store.use([&](store::SurveyStore& store) { store.markUnclear(shot, why); });
 }
 
 void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) {
-    const store::ShotRecord record = m_store.shot(shot);
     Arrival arrival;
+    std::string surveyId;
+    std::string stationName;
+    m_store.use([&](const store::SurveyStore& store) {
+        const store::ShotRecord record = store.shot(shot);
+        const store::StationRecord station = store.station(record.station);
+        surveyId = store.info().uuid;
+        stationName = station.name;
+        arrival.station = record.station;
+        arrival.positionM = station.station.positionM;
+        arrival.cameraSerial = record.cameraSerial;
+    });
     arrival.jpeg = readFile(photo.temporaryFile);
     arrival.source = photo.cameraFileName;
-    arrival.station = record.station;
-    arrival.positionM = m_store.station(record.station).station.positionM;
     arrival.cameraFileName = photo.cameraFileName;
-    arrival.cameraSerial = record.cameraSerial;
     arrival.fileUrl = photo.fileUrl;
-    const store::NewPhoto row = takeIn(m_store, arrival);
-    if (row.cameraSha256 != photo.cameraSha256) {
+    TaggedPhoto taggedPhoto = tagged(arrival, surveyId, stationName); // slow: nobody waits for the store
+    if (taggedPhoto.row.cameraSha256 != photo.cameraSha256) {
         throw Error(ErrorKind::Corrupt,
                     "The downloaded photo changed on the disk before it was recorded; the next run "
                     "downloads it again.");
     }
-    m_store.recordDownload(shot, row);
+    m_store.use(
+        [&](store::SurveyStore& store) { store.recordDownload(shot, put(store, std::move(taggedPhoto))); });
     std::error_code ignored; // a leftover is replaced by the next download of this photo
     std::filesystem::remove(photo.temporaryFile, ignored);
 }
 
 std::vector<camera::Shot> StoreJournal::openShots() const {
     std::vector<camera::Shot> shots;
-    for (const store::ShotRecord& record : m_store.openShots()) {
-        shots.push_back(shotOf(record));
+    for (const store::ShotRecord& record :
+         m_store.use([](const store::SurveyStore& store) { return store.openShots(); })) {
+        if ((record.step == store::ShotStep::Taken) == (m_view == View::Fetching)) {
+            shots.push_back(shotOf(record));
+        }
     }
     return shots;
 }
 
 std::filesystem::path StoreJournal::downloadFolder() const {
-    return m_store.downloadFolder();
+    return m_store.use([](const store::SurveyStore& store) { return store.downloadFolder(); });
 }
 
 } // namespace spherewalk::jobs

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "shared_store.h"
+
 #include "spherewalk/camera/capture_journal.h"
-#include "spherewalk/store/survey_store.h"
 
 namespace spherewalk::jobs {
 
-/// The capture workflow's journal, kept in the survey's store.
+/// The capture workflow's journal, kept in the survey's store. Threads: one each, side by side.
 class StoreJournal : public camera::CaptureJournal {
   public:
+    /// Whose open shots are told: who exposes leaves those that are only to be downloaded to who fetches.
+    enum class View { Exposing, Fetching };
+
     /// Owner: the store must outlive the journal and be open for writing.
-    explicit StoreJournal(store::SurveyStore& store) : m_store(store) {}
+    StoreJournal(SharedStore& store, View view) : m_store(store), m_view(view) {}
 
     camera::Shot begin(std::int64_t station, const std::string& cameraSerial,
                        const camera::Baseline& baseline) override;
@@ -23,7 +27,8 @@ class StoreJournal : public camera::CaptureJournal {
     std::filesystem::path downloadFolder() const override;
 
   private:
-    store::SurveyStore& m_store;
+    SharedStore& m_store;
+    View m_view;
 };
 
 } // namespace spherewalk::jobs

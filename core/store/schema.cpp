@@ -154,7 +154,19 @@ CREATE TABLE capture_profile (
 ) STRICT;
 )sql";
 
-constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3}};
+/// What the checks found, as JSON: an array of {"flaw", "quality", "sentence"}. A photo without a row was not
+/// judged.
+constexpr const char* kVersion4 = R"sql(
+CREATE TABLE verdict (
+    photo INTEGER PRIMARY KEY REFERENCES photo (id),
+    quality TEXT NOT NULL CHECK (quality IN ('good', 'doubtful', 'failed')),
+    findings TEXT NOT NULL,
+    judged_utc TEXT NOT NULL
+) STRICT;
+)sql";
+
+constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
+                                 Migration{4, kVersion4}};
 
 void apply(const Database& database, const Migration& migration) {
     Transaction transaction(database);

@@ -641,6 +641,10 @@
         <source>Capturing %1</source>
         <translation>Fotografowanie: %1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CaptureMode</name>

@@ -224,10 +224,15 @@ DeskEvents CaptureDesk::events() {
             emit verdictGiven(Verdict::Failed);
         });
     };
-    events.shooting = [this, post] { post([this] { setState(State::Shooting); }); };
-    events.ended = [this, post](const store::StationRecord& station, Verdict verdict,
+    events.shooting = [this, post] {
+        post([this] {
+            m_last = m_next;
+            setState(State::Shooting);
+        });
+    };
+    events.ended = [this, post](const store::StationRecord& station, Verdict verdict, bool isThere,
                                 const QString& sentence) {
-        post([this, station, verdict, sentence] { ended(station, verdict, sentence); });
+        post([this, station, verdict, isThere, sentence] { ended(station, verdict, isThere, sentence); });
     };
     return events;
 }
@@ -303,13 +308,17 @@ void CaptureDesk::shoot() {
     m_key->press();
 }
 
-void CaptureDesk::ended(const store::StationRecord& station, Verdict verdict, const QString& sentence) {
-    m_last = station;
+void CaptureDesk::ended(const store::StationRecord& station, Verdict verdict, bool isThere,
+                        const QString& sentence) {
     m_verdict = verdict;
-    m_sentence = sentence;
-    if (verdict != Verdict::Failed) {
+    // The cart may stand elsewhere by now.
+    m_sentence = sentence.isEmpty() ? sentence : tr("%1: %2").arg(stationWords(station.name), sentence);
+    if (isThere || verdict != Verdict::Failed) {
         m_pace.photo(systemClock().now());
         m_again.erase(station.id);
+    }
+    if (isThere && verdict == Verdict::Failed) {
+        m_again.insert(station.id); // offered for the next run, and taken back by a click
     }
     if (m_session) {
         m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing

@@ -147,7 +147,7 @@ class CaptureDesk : public QObject {
     void shoot();
     void tick();
     DeskEvents events();
-    void ended(const store::StationRecord& station, Verdict verdict, const QString& sentence);
+    void ended(const store::StationRecord& station, Verdict verdict, bool isThere, const QString& sentence);
     void runDone(const Task* task);
     jobs::CaptureSurveyOptions captureOptions() const;
 

@@ -86,17 +86,27 @@ bool DeskOperator::tryAgain(const store::StationRecord& station, const camera::S
     return true;
 }
 
-void DeskOperator::shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome) {
-    QString sentence = QString::fromStdString(outcome.sentence);
-    for (const std::string& warning : outcome.warnings) {
-        sentence += (sentence.isEmpty() ? "" : " ") + QString::fromStdString(warning);
-    }
-    const bool isDownloaded = outcome.shot.step == camera::ShotStep::Downloaded;
-    if (isDownloaded && m_status.remainingPhotos) {
+void DeskOperator::exposed(const store::StationRecord& /*station*/) {
+    if (m_status.remainingPhotos) {
         --*m_status.remainingPhotos;
         m_events.status(m_status);
     }
-    m_events.ended(station, verdictOf(outcome), sentence);
+}
+
+void DeskOperator::shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome,
+                             const photo::Verdict* verdict) {
+    QString sentence = QString::fromStdString(outcome.sentence);
+    const auto add = [&](const std::string& more) {
+        sentence += (sentence.isEmpty() || more.empty() ? "" : " ") + QString::fromStdString(more);
+    };
+    if (verdict != nullptr) {
+        add(verdict->sentence());
+    }
+    for (const std::string& warning : outcome.warnings) {
+        add(warning);
+    }
+    m_events.ended(station, verdictOf(outcome, verdict), outcome.shot.step == camera::ShotStep::Downloaded,
+                   sentence);
 }
 
 } // namespace spherewalk::ui

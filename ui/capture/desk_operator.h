@@ -28,7 +28,8 @@ class ShutterKey {
     bool m_isPressed = false;
 };
 
-/// What the capturing thread tells the window. All are called on that thread.
+/// What a run tells the window. All are called on the capturing thread, but for `ended`, which may come from
+/// the one that downloads.
 struct DeskEvents {
     std::function<void(CameraStatus)> status;
     std::function<bool()>
@@ -37,7 +38,8 @@ struct DeskEvents {
     std::function<void(store::StationRecord)> atStation;
     std::function<void(store::StationRecord, QString)> askAgain; ///< no picture was taken; why
     std::function<void()> shooting;
-    std::function<void(store::StationRecord, Verdict, QString)> ended;
+    /// isThere: a photo came into the survey.
+    std::function<void(store::StationRecord, Verdict, bool isThere, QString)> ended;
 };
 
 /// A person at the window: each station waits for the key. With a practice camera the cart is moved over
@@ -52,13 +54,15 @@ class DeskOperator : public jobs::Operator {
     void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
     bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
                   const std::stop_token& stop) override;
-    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome) override;
+    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome,
+                   const photo::Verdict* verdict) override;
 
     /// How often the camera is asked how it is, while nothing else is.
     static constexpr std::chrono::milliseconds kStatePause{5000};
 
   private:
     void waitForKey(const std::stop_token& stop);
+    void exposed(const store::StationRecord& station) override;
 
     camera::OscClient& m_client;
     ShutterKey& m_key;

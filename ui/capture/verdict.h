@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/camera/capture.h"
+#include "spherewalk/photo/verdict.h"
 
 namespace spherewalk::ui {
 
@@ -10,13 +11,18 @@ enum class Verdict {
     None,
     Good,     ///< the photo is in the survey, and nothing is to be said about it
     Doubtful, ///< it is in the survey or still on the camera, and there is something to read
-    Failed,   ///< there is no photo
+    Failed,   ///< there is no photo, or the checks failed it
 };
 
-inline Verdict verdictOf(const camera::ShotOutcome& outcome) {
+/// found: what the checks say of the photo; null without one.
+inline Verdict verdictOf(const camera::ShotOutcome& outcome, const photo::Verdict* found) {
     switch (outcome.shot.step) {
     case camera::ShotStep::Downloaded:
-        return outcome.warnings.empty() ? Verdict::Good : Verdict::Doubtful;
+        if (found != nullptr && found->quality() == photo::Quality::Failed) {
+            return Verdict::Failed;
+        }
+        return outcome.warnings.empty() && (found == nullptr || found->findings.empty()) ? Verdict::Good
+                                                                                         : Verdict::Doubtful;
     case camera::ShotStep::Taken:
         return Verdict::Doubtful;
     default:

@@ -3,13 +3,16 @@
 
 #include "ui/plan/station_words.h"
 
+#include "spherewalk/jobs/judge_survey.h"
+
 #include <map>
 
 namespace spherewalk::ui {
 
 namespace {
 
-Standing standingOf(store::Decision decision, const std::string& status) {
+/// found: of the checks of the picture. status: of the alignment.
+Standing standingOf(store::Decision decision, store::CheckResult found, const std::string& status) {
     switch (decision) {
     case store::Decision::Accepted:
         return Standing::Accepted;
@@ -18,9 +21,9 @@ Standing standingOf(store::Decision decision, const std::string& status) {
     case store::Decision::Open:
         break;
     }
-    return status == "failed"     ? Standing::Failed
-           : status == "doubtful" ? Standing::Doubtful
-                                  : Standing::Taken;
+    const bool isFailed = found == store::CheckResult::Failed || status == "failed";
+    const bool isDoubtful = found == store::CheckResult::Doubtful || status == "doubtful";
+    return isFailed ? Standing::Failed : isDoubtful ? Standing::Doubtful : Standing::Taken;
 }
 
 void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem::path& folder) {
@@ -28,6 +31,12 @@ void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem
     row.file = folder / photo.fileName;
     row.fileName = QString::fromStdString(photo.fileName);
     row.sha256 = QString::fromStdString(photo.fileSha256);
+}
+
+void fill(ReviewRow& row, const store::PhotoVerdict& verdict) {
+    for (const photo::Finding& finding : jobs::verdictOf(verdict).findings) {
+        row.flags << QString::fromStdString(finding.sentence);
+    }
 }
 
 void fill(ReviewRow& row, const jobs::PhotoFinding& finding) {
@@ -58,6 +67,11 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
         const std::int64_t photo = review.photo;
         reviews.emplace(photo, std::move(review));
     }
+    std::map<std::int64_t, store::PhotoVerdict> verdicts; // by photo
+    for (store::PhotoVerdict& verdict : store.verdicts()) {
+        const std::int64_t photo = verdict.photo;
+        verdicts.emplace(photo, std::move(verdict));
+    }
     std::map<std::int64_t, const jobs::PhotoFinding*> found; // by photo
     if (findings) {
         for (const jobs::PhotoFinding& finding : findings->photos) {
@@ -76,12 +90,17 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
                 row.decision = review->second.decision;
                 row.note = QString::fromStdString(review->second.note);
             }
+            const auto verdict = verdicts.find(*row.photo);
+            if (verdict != verdicts.end()) {
+                fill(row, verdict->second);
+            }
             const auto finding = found.find(*row.photo);
             if (finding != found.end()) {
                 fill(row, *finding->second);
             }
-            row.standing =
-                standingOf(row.decision, finding != found.end() ? finding->second->status : std::string());
+            row.standing = standingOf(
+                row.decision, verdict != verdicts.end() ? verdict->second.result : store::CheckResult::Good,
+                finding != found.end() ? finding->second->status : std::string());
         }
         rows.push_back(std::move(row));
     }

@@ -31,7 +31,7 @@ struct ReviewRow {
     QString sha256;
     store::Decision decision = store::Decision::Open;
     QString note;
-    QStringList flags; ///< sentences of the alignment
+    QStringList flags; ///< sentences of the checks and of the alignment
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
     std::optional<Radians> residual;

@@ -43,7 +43,8 @@ class CountingOperator : public Operator {
         ++readies;
     }
 
-    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& /*outcome*/) override {
+    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& /*outcome*/,
+                   const photo::Verdict* /*verdict*/) override {
         ended.push_back(station.id);
     }
 

@@ -42,7 +42,7 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     test::createSurvey(path);
     {
         const Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
-        database.execute("DROP TABLE capture_profile; PRAGMA user_version = 2");
+        database.execute("DROP TABLE verdict; DROP TABLE capture_profile; PRAGMA user_version = 2");
     }
     EXPECT_EQ(SurveyStore::open(path, Access::Read).captureProfile(), std::nullopt);
 }

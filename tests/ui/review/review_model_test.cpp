@@ -50,6 +50,17 @@ TEST_F(ReviewModelTest, PutsWhatPeopleDecideBeforeWhatTheChecksSay) {
     EXPECT_EQ(model.rows().at(1).standing, Standing::Accepted);
 }
 
+TEST_F(ReviewModelTest, ShowsWhatTheChecksOfThePictureSay) {
+    const auto photo = store.chosenPhoto(store.stations().at(0).id);
+    store.setVerdict({photo->id, store::CheckResult::Failed,
+                      R"([{"flaw":"blur","quality":"failed","sentence":"It is blurred."}])"});
+    model.setRows(reviewRows(store, jobs::activeFindings(store)));
+    EXPECT_EQ(model.rows().at(0).standing, Standing::Failed);
+    EXPECT_TRUE(model.rows().at(0).flags.contains("It is blurred."));
+    decide(0, store::Decision::Accepted);
+    EXPECT_EQ(model.rows().at(0).standing, Standing::Accepted);
+}
+
 TEST_F(ReviewModelTest, FiltersWhatIsListed) {
     decide(0, store::Decision::Rejected, "blurred");
     EXPECT_EQ(shown(ReviewFilter::All), stations);

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -50,6 +51,11 @@ class OscClient {
     OscClient(Endpoint endpoint, OscOptions options, Clock& clock);
 
     const Endpoint& endpoint() const { return m_http.endpoint(); }
+
+    /// Another client of the same camera, for another thread.
+    std::unique_ptr<OscClient> another() const {
+        return std::make_unique<OscClient>(endpoint(), m_options, m_clock);
+    }
 
     CameraInfo info(const std::stop_token& stop);
     CameraState state(const std::stop_token& stop);

@@ -9,7 +9,10 @@ namespace spherewalk::jobs {
 /// Moves a practice camera, over HTTP, to each station. Tries a shot that was not taken up to three times.
 class PracticeOperator : public Operator {
   public:
-    explicit PracticeOperator(camera::Endpoint endpoint) : m_http(std::move(endpoint)) {}
+    /// moveTime: of the cart, from a station to the next.
+    explicit PracticeOperator(camera::Endpoint endpoint, Clock::Duration moveTime = {},
+                              Clock& clock = systemClock())
+        : m_http(std::move(endpoint)), m_moveTime(moveTime), m_clock(clock) {}
 
     /// Errors: also Unsupported, if the camera is none that can be moved so.
     void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
@@ -18,6 +21,8 @@ class PracticeOperator : public Operator {
 
   private:
     camera::HttpClient m_http;
+    Clock::Duration m_moveTime;
+    Clock& m_clock;
 };
 
 /// The options for a practice camera whose time runs `timeScale` as fast as a real one's, which still needs

@@ -54,6 +54,21 @@ struct PhotoRecord : NewPhoto { // choose says whether it is the station's chose
     Moment addedAt;
 };
 
+/// What the checks say of a photo, from good to bad.
+enum class CheckResult { Good, Doubtful, Failed };
+
+/// As reports spell it: "good", "doubtful", "failed".
+std::string_view name(CheckResult result);
+
+/// The verdict on a photo.
+struct PhotoVerdict {
+    std::int64_t photo = 0;
+    CheckResult result = CheckResult::Good;
+    std::string findings = "[]"; ///< JSON: array of objects with "flaw", "quality" and "sentence"
+
+    bool operator==(const PhotoVerdict&) const = default;
+};
+
 /// What a person decided on a photo, in place of what the checks say.
 enum class Decision { Open, Accepted, Rejected };
 

@@ -131,6 +131,13 @@ class SurveyStore {
     /// Errors: NotFound.
     ShotRecord shot(std::int64_t id) const;
 
+    /// In place of an earlier one. Errors: NotFound; InvalidInput for findings that are no JSON array.
+    void setVerdict(const PhotoVerdict& verdict);
+    /// Of photos that were judged, by photo.
+    std::vector<PhotoVerdict> verdicts() const;
+    /// Nothing if it was not judged. Errors: NotFound for an unknown photo.
+    std::optional<PhotoVerdict> verdict(std::int64_t photo) const;
+
     /// In place of what was decided before. Errors: NotFound; InvalidInput for a note that is not one line.
     void setReview(const Review& review);
     /// Of photos on which there is a decision or a note, by photo.

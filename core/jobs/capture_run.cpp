@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture_run.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+double seconds(Clock::Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+} // namespace
+
+CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& people, Clock& clock,
+                       const camera::CaptureOptions& options, ProgressSink& progress,
+                       const std::stop_token& stop)
+    : m_store(store),
+      m_people(people),
+      m_clock(clock),
+      m_progress(progress),
+      m_callersStop(stop, [this] { m_end.request_stop(); }),
+      m_journal(store, StoreJournal::View::Exposing),
+      m_capture(client, m_journal, clock, options),
+      m_begin(clock.now()),
+      m_fetchersClient(client.another()) {
+    const std::vector<store::ShotRecord> open =
+        store.use([](const store::SurveyStore& survey) { return survey.openShots(); });
+    m_lastEarlierShot = open.empty() ? 0 : open.back().id;
+    PhotoFetcher::Events events;
+    events.ended = [this](const camera::ShotOutcome& outcome, const std::optional<photo::Verdict>& verdict) {
+        account(outcome, verdict);
+    };
+    events.failed = [this] { m_end.request_stop(); };
+    m_camera = m_capture.connect(m_stop);
+    m_fetcher = std::make_unique<PhotoFetcher>(store, *m_fetchersClient, clock, options, std::move(events));
+}
+
+void CaptureRun::begin() {
+    for (const camera::ShotOutcome& outcome : m_capture.settle(m_stop)) {
+        account(outcome, std::nullopt);
+    }
+    m_fetcher->wake();
+}
+
+bool CaptureRun::isOnItsWay(std::int64_t station) const {
+    return m_store.use([&](const store::SurveyStore& survey) {
+        return std::ranges::any_of(survey.openShots(), [&](const store::ShotRecord& shot) {
+            return shot.station == station && shot.step == store::ShotStep::Taken;
+        });
+    });
+}
+
+void CaptureRun::take(Route& route) {
+    try {
+        prepareAndTake(route);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::Stopped) {
+            m_fetcher->throwIfFailed(); // that is why
+        }
+        throw;
+    }
+}
+
+/// However it ends, the camera may sleep again.
+void CaptureRun::prepareAndTake(Route& route) {
+    try {
+        const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
+        warn(readiness.warnings);
+        m_people.cameraReady(m_camera, readiness);
+        takeAlong(route);
+        m_fetcher->finish(m_stop);
+    } catch (...) {
+        m_fetcher->stopSoon();
+        constexpr std::chrono::milliseconds kHurry(150); // a stop must not take longer than 200
+        if (!m_capture.disconnectWithin(kHurry)) {
+            m_progress.warning("The camera could not be told that it may sleep again; switch it off and "
+                               "on if it is not used soon.");
+        }
+        throw;
+    }
+    m_capture.disconnect(m_stop);
+}
+
+void CaptureRun::takeAlong(Route& route) {
+    const Clock::TimePoint first = m_clock.now();
+    for (;;) {
+        throwIfStopped(m_stop);
+        const Clock::TimePoint before = m_clock.now();
+        const auto station = route.next(m_stop);
+        if (!station) {
+            return;
+        }
+        const Clock::TimePoint there = m_clock.now();
+        const camera::ShotOutcome outcome = expose(*station);
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_report.secondsMoving += seconds(there - before);
+            m_report.secondsExposing += seconds(outcome.exposing);
+            m_report.secondsAtStations = seconds(m_clock.now() - first);
+            m_report.exposed += outcome.shot.step == camera::ShotStep::Taken ? 1 : 0;
+        }
+        if (outcome.shot.step == camera::ShotStep::Taken) {
+            m_people.exposed(*station);
+            m_fetcher->wake();
+        } else {
+            account(outcome, std::nullopt);
+        }
+    }
+}
+
+camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
+    for (int tries = 1;; ++tries) {
+        camera::ShotOutcome outcome = m_capture.expose(station.id, m_stop);
+        warn(outcome.warnings);
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_warningsOf[outcome.shot.id] = outcome.warnings;
+        }
+        const bool again = outcome.shot.step == camera::ShotStep::NotTaken &&
+                           m_people.tryAgain(station, outcome, tries, m_stop);
+        if (!again) {
+            return outcome;
+        }
+    }
+}
+
+void CaptureRun::warn(const std::vector<std::string>& sentences) {
+    const std::scoped_lock lock(m_mutex);
+    for (const std::string& sentence : sentences) {
+        m_progress.warning(sentence);
+        m_report.warnings.push_back(sentence);
+    }
+}
+
+/// From both threads.
+void CaptureRun::account(const camera::ShotOutcome& given, const std::optional<photo::Verdict>& verdict) {
+    const store::StationRecord station =
+        m_store.use([&](const store::SurveyStore& survey) { return survey.station(given.shot.station); });
+    const std::scoped_lock lock(m_mutex);
+    camera::ShotOutcome outcome = given;
+    if (const auto warnings = m_warningsOf.extract(given.shot.id)) {
+        outcome.warnings = warnings.mapped();
+    }
+    m_people.shotEnded(station, outcome, verdict ? &*verdict : nullptr);
+    m_report.secondsFetching += seconds(outcome.fetching);
+    std::erase_if(m_report.missed, [&](const MissedStation& other) { return other.station == station.name; });
+    if (outcome.shot.step != camera::ShotStep::Downloaded) {
+        m_progress.warning(text(station.name, ": ", outcome.sentence));
+        m_report.missed.push_back({station.name, outcome.sentence});
+        return;
+    }
+    ++m_report.taken;
+    m_report.resumed += outcome.shot.id <= m_lastEarlierShot ? 1 : 0;
+    if (verdict && verdict->quality() != photo::Quality::Good) {
+        m_report.flawed.push_back({station.name, *verdict});
+    }
+}
+
+CaptureSurveyReport CaptureRun::finish() {
+    m_fetcher->finish(m_stop);
+    m_report.secondsJudging = m_fetcher->secondsJudging();
+    m_fetcher.reset();
+    const store::Counts counts =
+        m_store.use([](const store::SurveyStore& survey) { return survey.counts(); });
+    m_report.stations = counts.stations;
+    m_report.remaining = counts.stations - counts.stationsWithPhoto;
+    m_report.seconds = seconds(m_clock.now() - m_begin);
+    return std::move(m_report);
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photo_judge.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/judge_survey.h"
+
+#include <algorithm>
+#include <set>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr std::size_t kMostSketches = 1000; ///< 55 kB each
+
+photo::ExpectedSettings expectedBy(const std::optional<survey::CaptureProfile>& profile) {
+    photo::ExpectedSettings expected;
+    if (profile) {
+        expected.iso = profile->iso;
+        expected.exposureS = profile->shutterS;
+        expected.width = profile->photoWidth;
+    }
+    return expected;
+}
+
+bool isUsable(const store::SurveyStore& store, std::int64_t photo) {
+    const auto verdict = store.verdict(photo);
+    return !verdict || verdict->result != store::CheckResult::Failed ||
+           store.review(photo).decision == store::Decision::Accepted;
+}
+
+} // namespace
+
+store::PhotoVerdict recordOf(std::int64_t photo, const photo::Verdict& verdict) {
+    Json findings = Json::array();
+    for (const photo::Finding& finding : verdict.findings) {
+        findings.push_back({{"flaw", name(finding.flaw)},
+                            {"quality", name(finding.quality)},
+                            {"sentence", finding.sentence}});
+    }
+    const store::CheckResult result = verdict.quality() == photo::Quality::Good ? store::CheckResult::Good
+                                      : verdict.quality() == photo::Quality::Doubtful
+                                          ? store::CheckResult::Doubtful
+                                          : store::CheckResult::Failed;
+    return {photo, result, findings.dump()};
+}
+
+photo::Verdict verdictOf(const store::PhotoVerdict& record) {
+    const std::string source = text("the findings on photo ", static_cast<long long>(record.photo));
+    const Json json = parseJson(record.findings, source);
+    const JsonReader reader(json, source);
+    photo::Verdict verdict;
+    for (std::size_t i = 0; i < reader.arraySize(); ++i) {
+        const JsonReader one = reader.element(i);
+        try {
+            verdict.findings.push_back({photo::flawNamed(one.string("flaw")),
+                                        photo::qualityNamed(one.string("quality")), one.string("sentence")});
+        } catch (const Error& error) {
+            one.fail(error.sentence());
+        }
+    }
+    return verdict;
+}
+
+PhotoJudge::PhotoJudge(SharedStore& store) : m_store(store) {
+    store.use([this](const store::SurveyStore& open) {
+        m_expected = expectedBy(open.captureProfile());
+        m_folder = open.photoFolder();
+    });
+}
+
+std::vector<store::PhotoRecord> PhotoJudge::neighbours(const store::PhotoRecord& of) const {
+    const auto distance = [&](const store::PhotoRecord& other) {
+        return (other.positionM - of.positionM).norm();
+    };
+    return m_store.use([&](const store::SurveyStore& store) {
+        std::vector<store::PhotoRecord> near = store.keptPhotos();
+        std::erase_if(near, [&](const store::PhotoRecord& other) {
+            return other.station == of.station || distance(other) > photo::kNeighbourhoodM ||
+                   !isUsable(store, other.id);
+        });
+        std::ranges::stable_sort(near, {}, distance);
+        near.resize(std::min(near.size(), photo::kMostNeighbours));
+        return near;
+    });
+}
+
+std::shared_ptr<const photo::Sketch> PhotoJudge::keep(std::int64_t photo, photo::Sketch sketch) {
+    const auto kept = std::make_shared<const photo::Sketch>(std::move(sketch));
+    m_sketches.insert_or_assign(photo, kept);
+    if (m_sketches.size() > kMostSketches) {
+        m_sketches.erase(m_sketches.begin()); // of the photo that came first
+    }
+    return kept;
+}
+
+std::shared_ptr<const photo::Sketch> PhotoJudge::sketchOf(const store::PhotoRecord& photo) {
+    if (const auto found = m_sketches.find(photo.id); found != m_sketches.end()) {
+        return found->second;
+    }
+    try {
+        const Bytes jpeg = readFile(m_folder / photo.fileName);
+        return keep(photo.id, photo::sketch(jpeg, photo::readMetadata(jpeg, photo.fileName), photo.fileName));
+    } catch (const Error&) { // its own verdict, and the check of the survey, tell of it
+        return nullptr;
+    }
+}
+
+photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
+                                      std::span<const photo::Neighbour> near) const {
+    try {
+        return photo::judgeJpeg(readFile(m_folder / photo.fileName), photo.fileName, m_expected, near);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::NotFound) {
+            throw;
+        }
+        return {{{{photo::Flaw::Damaged, photo::Quality::Failed, error.sentence()}}}, std::nullopt};
+    }
+}
+
+photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
+    const store::PhotoRecord record =
+        m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
+    std::vector<std::shared_ptr<const photo::Sketch>> sketches;
+    std::vector<photo::Neighbour> near;
+    for (const store::PhotoRecord& other : neighbours(record)) {
+        throwIfStopped(stop);
+        if (auto sketch = sketchOf(other)) {
+            near.push_back({sketch.get(), (other.positionM - record.positionM).norm()});
+            sketches.push_back(std::move(sketch));
+        }
+    }
+    throwIfStopped(stop);
+    photo::JudgedPhoto result = judged(record, near);
+    if (result.sketch) {
+        keep(id, std::move(*result.sketch));
+    }
+    m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(id, result.verdict)); });
+    return result.verdict;
+}
+
+JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progress,
+                        const std::stop_token& stop) {
+    std::vector<std::int64_t> photos;
+    std::set<std::int64_t> judged;
+    for (const store::PhotoVerdict& verdict : store.verdicts()) {
+        judged.insert(verdict.photo);
+    }
+    for (const store::PhotoRecord& photo : store.photos()) {
+        if (all || !judged.contains(photo.id)) {
+            photos.push_back(photo.id);
+        }
+    }
+    SharedStore shared(store);
+    PhotoJudge judge(shared);
+    JudgeReport report;
+    for (const std::int64_t photo : photos) {
+        throwIfStopped(stop);
+        progress.progress(static_cast<double>(report.judged) / static_cast<double>(photos.size()),
+                          text("Judging photo ", report.judged + 1, " of ", photos.size()));
+        const photo::Quality quality = judge.judge(photo, stop).quality();
+        ++report.judged;
+        ++(quality == photo::Quality::Good       ? report.good
+           : quality == photo::Quality::Doubtful ? report.doubtful
+                                                 : report.failed);
+    }
+    return report;
+}
+
+Json toJson(const JudgeReport& report) {
+    return {{"judged", report.judged},
+            {"good", report.good},
+            {"doubtful", report.doubtful},
+            {"failed", report.failed}};
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/jobs/retakes.h"
+
+#include "spherewalk/jobs/judge_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr double kSameHeightM = 0.1;
+constexpr double kReachSteps = 1.5;
+
+/// What stands about a photo, and what is to be done about it.
+struct Standing {
+    store::PhotoRecord photo;
+    store::Review review;
+    std::optional<store::PhotoVerdict> verdict;
+
+    bool isRejected() const { return review.decision == store::Decision::Rejected; }
+
+    bool isGood() const {
+        return !isRejected() && (review.decision == store::Decision::Accepted || !verdict ||
+                                 verdict->result == store::CheckResult::Good);
+    }
+};
+
+std::vector<Standing> standings(const store::SurveyStore& store) {
+    std::vector<Standing> result;
+    for (store::PhotoRecord& photo : store.chosenPhotos()) {
+        const std::int64_t id = photo.id;
+        result.push_back({std::move(photo), store.review(id), store.verdict(id)});
+    }
+    return result;
+}
+
+std::string reason(const Standing& standing) {
+    if (standing.isRejected()) {
+        return standing.review.note.empty() ? "It was rejected." : standing.review.note;
+    }
+    return verdictOf(*standing.verdict).sentence();
+}
+
+/// Range: directions in radians.
+bool leavesNoHalfEmpty(std::vector<double> directions) {
+    constexpr double kSlack = 0.05; // stops are a little off their line
+    if (directions.size() < 2) {
+        return false;
+    }
+    std::ranges::sort(directions);
+    double widest = directions.front() + 2 * std::numbers::pi - directions.back();
+    for (std::size_t i = 1; i < directions.size(); ++i) {
+        widest = std::max(widest, directions[i] - directions[i - 1]);
+    }
+    return widest <= std::numbers::pi + kSlack;
+}
+
+bool isSurrounded(const Standing& of, const std::vector<Standing>& all, double reachM) {
+    std::vector<double> directions;
+    for (const Standing& other : all) {
+        const Eigen::Vector3d offset = other.photo.positionM - of.photo.positionM;
+        const double distance = offset.head<2>().norm();
+        const bool isElsewhere = other.photo.station != of.photo.station && distance > 1e-3;
+        if (isElsewhere && other.isGood() && distance <= reachM && std::abs(offset.z()) <= kSameHeightM) {
+            directions.push_back(std::atan2(offset.y(), offset.x()));
+        }
+    }
+    return leavesNoHalfEmpty(std::move(directions));
+}
+
+} // namespace
+
+std::vector<Retake> retakes(const store::SurveyStore& store) {
+    const std::vector<Standing> all = standings(store);
+    const double reachM = kReachSteps * store.planOptions().stepM;
+    std::vector<Retake> result;
+    for (const Standing& standing : all) {
+        if (standing.isGood()) {
+            continue;
+        }
+        const bool isFailed = standing.isRejected() || standing.verdict->result == store::CheckResult::Failed;
+        result.push_back({store.station(standing.photo.station), isFailed,
+                          isSurrounded(standing, all, reachM), reason(standing)});
+    }
+    return result;
+}
+
+Json toJson(const std::vector<Retake>& retakes) {
+    Json result = Json::array();
+    for (const Retake& retake : retakes) {
+        result.push_back({{"station", retake.station.name},
+                          {"standing", retake.isFailed ? "failed" : "doubtful"},
+                          {"leaves_hole", !retake.isSurrounded},
+                          {"sentence", retake.sentence}});
+    }
+    return result;
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_folder.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/jobs/capture_survey.h"
+#include "spherewalk/jobs/follow_positions.h"
+#include "spherewalk/jobs/operators.h"
+#include "spherewalk/practice/practice_camera.h"
+#include "spherewalk/practice/truth.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <set>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+/// A practice camera, a survey of its room, and what stands between them.
+class CapturePipeline : public testing::Test {
+  protected:
+    CapturePipeline() {
+        practice::PracticeCameraOptions options;
+        options.width = 1024;
+        options.truthFile = m_folder / "truth.jsonl";
+        m_camera = std::make_unique<practice::PracticeCamera>(options);
+        m_camera->start();
+        const practice::RoomPlan drawn = practice::PracticeRoom().plan();
+        const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
+        survey::PlanOptions plan;
+        plan.stepM = 1.3;
+        m_store = std::make_unique<store::SurveyStore>(
+            store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan)));
+        m_stations = m_store->stations();
+    }
+
+    camera::Endpoint endpoint() const { return {"127.0.0.1", m_camera->port()}; }
+
+    camera::OscClient client() const {
+        return {endpoint(), camera::OscOptions{}.scaled(kTimeScale), systemClock()};
+    }
+
+    CaptureSurveyReport capture(Operator& people, const std::stop_token& stop = {}) {
+        camera::OscClient osc = client();
+        return captureSurvey(*m_store, osc, people, systemClock(), practiceCaptureOptions(kTimeScale),
+                             noProgress(), stop);
+    }
+
+    void expectAllPhotosAreWhereTheyBelong() {
+        std::map<std::string, Eigen::Vector3d> placeOf;
+        for (const practice::Truth& truth : practice::readTruth(m_folder / "truth.jsonl")) {
+            placeOf[truth.sha256] = truth.nominalPositionM;
+        }
+        EXPECT_EQ(placeOf.size(), m_stations.size()); // none twice
+        for (const store::StationRecord& station : m_stations) {
+            const auto photo = m_store->chosenPhoto(station.id);
+            ASSERT_TRUE(photo) << station.name;
+            EXPECT_EQ(placeOf.at(photo->cameraSha256), station.station.positionM);
+            EXPECT_TRUE(m_store->verdict(photo->id)) << station.name;
+        }
+    }
+
+    static constexpr double kTimeScale = 0.02;
+    test::TemporaryFolder m_folder;
+    std::unique_ptr<practice::PracticeCamera> m_camera;
+    std::unique_ptr<store::SurveyStore> m_store;
+    std::vector<store::StationRecord> m_stations;
+};
+
+/// Moves the practice cart, and waits where a test wants it.
+class Cart : public Operator {
+  public:
+    explicit Cart(camera::Endpoint endpoint) : m_cart(std::move(endpoint)) {}
+
+    void moveTo(const store::StationRecord& station, const std::stop_token& stop) override {
+        if (onMove) {
+            onMove(stop);
+        }
+        m_cart.moveTo(station, stop);
+    }
+
+    bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
+                  const std::stop_token& stop) override {
+        return m_cart.tryAgain(station, outcome, tries, stop);
+    }
+
+    void exposed(const store::StationRecord& /*station*/) override { ++exposures; }
+
+    void shotEnded(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
+                   const photo::Verdict* verdict) override {
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_ended += 1;
+            verdicts += verdict != nullptr ? 1 : 0;
+        }
+        m_changed.notify_all();
+    }
+
+    void waitForEnded(int count, const std::stop_token& stop) {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait(lock, stop, [&] { return m_ended >= count; });
+    }
+
+    std::function<void(const std::stop_token&)> onMove;
+    int exposures = 0;
+    int verdicts = 0;
+
+  private:
+    PracticeOperator m_cart;
+    std::mutex m_mutex;
+    std::condition_variable_any m_changed;
+    int m_ended = 0;
+};
+
+} // namespace
+
+TEST_F(CapturePipeline, EveryPhotoComesInWithItsVerdict) {
+    Cart cart(endpoint());
+    const CaptureSurveyReport report = capture(cart);
+    EXPECT_EQ(report.taken, static_cast<int>(m_stations.size()));
+    EXPECT_EQ(report.exposed, report.taken);
+    EXPECT_EQ(report.remaining, 0);
+    EXPECT_EQ(cart.verdicts, report.taken);
+    EXPECT_TRUE(report.flawed.empty()) << report.flawed.front().verdict.sentence();
+    expectAllPhotosAreWhereTheyBelong();
+}
+
+TEST_F(CapturePipeline, PhotosComeInWhileTheCartIsOnItsWay) {
+    Cart cart(endpoint());
+    int moves = 0;
+    cart.onMove = [&](const std::stop_token& stop) { cart.waitForEnded(moves++, stop); };
+    EXPECT_EQ(capture(cart).taken, static_cast<int>(m_stations.size())); // else it would wait for ever
+    expectAllPhotosAreWhereTheyBelong();
+}
+
+TEST_F(CapturePipeline, TheCartMovesOnWhileDownloadsFail) {
+    Cart cart(endpoint());
+    m_camera->arm({practice::FaultKind::ServiceUnavailable, "/files", 0, 1000, 0});
+    const CaptureSurveyReport failed = capture(cart);
+    EXPECT_EQ(cart.exposures, static_cast<int>(m_stations.size()));
+    EXPECT_EQ(failed.taken, 0);
+    EXPECT_EQ(failed.missed.size(), m_stations.size());
+    EXPECT_EQ(m_store->openShots().size(), m_stations.size());
+}
+
+TEST_F(CapturePipeline, WhatWasTakenBeforeAStopIsFetchedByTheNextRun) {
+    Cart cart(endpoint());
+    std::stop_source stop;
+    int moves = 0;
+    cart.onMove = [&](const std::stop_token& /*stop*/) {
+        if (++moves == 4) {
+            stop.request_stop();
+        }
+    };
+    EXPECT_THROW(capture(cart, stop.get_token()), Error);
+    cart.onMove = {};
+    const CaptureSurveyReport report = capture(cart);
+    EXPECT_EQ(report.remaining, 0);
+    EXPECT_EQ(cart.exposures, static_cast<int>(m_stations.size()));
+    expectAllPhotosAreWhereTheyBelong();
+}
+
+TEST_F(CapturePipeline, ADiskThatTakesNoMorePhotosEndsTheRunWithItsOwnSentence) {
+    Cart cart(endpoint());
+    int moves = 0;
+    cart.onMove = [&](const std::stop_token& stop) {
+        if (++moves == 3) {
+            cart.waitForEnded(2, stop);
+            std::filesystem::remove_all(m_store->photoFolder());
+            std::filesystem::remove_all(m_store->downloadFolder());
+        }
+    };
+    try {
+        capture(cart);
+        FAIL() << "it went on";
+    } catch (const Error& error) {
+        EXPECT_NE(error.kind(), ErrorKind::Stopped);
+        EXPECT_FALSE(error.sentence().empty());
+    }
+}
+
+TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
+    std::deque<std::string> lines{"there", "1 2", "9 9 9", R"({"x": 1})"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d& p = m_stations[i].station.positionM;
+        lines.push_back(std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+                        std::to_string(p.z() + 0.01));
+    }
+    std::vector<FollowEvent> events;
+    PracticeOperator cart(endpoint());
+    const FollowLink link{
+        [&](const std::stop_token& /*stop*/) {
+            std::optional<std::string> line;
+            if (!lines.empty()) {
+                line = lines.front();
+                lines.pop_front();
+            }
+            return line;
+        },
+        [&](const store::StationRecord& station, const std::stop_token& stop) { cart.moveTo(station, stop); },
+        [&](const FollowEvent& event) { events.push_back(event); }};
+    const FollowOptions options{practiceCaptureOptions(kTimeScale).camera};
+    const auto run = [&] {
+        camera::OscClient osc = client();
+        return followPositions(*m_store, osc, link, systemClock(), options, noProgress(), {});
+    };
+    EXPECT_EQ(run().taken, 3);
+    std::map<FollowEvent::Kind, int> counts;
+    for (const FollowEvent& event : events) {
+        ++counts[event.kind];
+        EXPECT_TRUE(event.kind != FollowEvent::Kind::Refused || !event.sentence.empty());
+    }
+    EXPECT_EQ(counts[FollowEvent::Kind::Refused], 4);
+    EXPECT_EQ(counts[FollowEvent::Kind::Exposed], 3);
+    EXPECT_EQ(counts[FollowEvent::Kind::Verdict], 3);
+
+    // A station that has its photo is answered, and only taken again when that is said.
+    const Eigen::Vector3d& p = m_stations[0].station.positionM;
+    const std::string position =
+        std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z());
+    events.clear();
+    lines = {position, position + " again"};
+    EXPECT_EQ(run().taken, 1);
+    ASSERT_EQ(events.size(), 3U);
+    EXPECT_EQ(events[0].kind, FollowEvent::Kind::Verdict);
+    EXPECT_THAT(line(events[0]), testing::HasSubstr("has a photo already"));
+    EXPECT_EQ(events[1].kind, FollowEvent::Kind::Exposed);
+    EXPECT_EQ(m_store->photosAt(m_stations[0].id).size(), 2U);
+}
+
+TEST(ReachedPosition, IsReadFromWordsOrJson) {
+    EXPECT_EQ(parseReachedPosition(" 1 -2.5 1.2e0\r"), (ReachedPosition{{1, -2.5, 1.2}, false}));
+    EXPECT_EQ(parseReachedPosition("1 2 3 again"), (ReachedPosition{{1, 2, 3}, true}));
+    EXPECT_EQ(parseReachedPosition(R"({"x":1,"y":2,"z":3,"again":true})"),
+              (ReachedPosition{{1, 2, 3}, true}));
+    for (const char* line : {"", " ", "1 2", "1 2 3 4", "1 2 nan", "1 2 inf", "a b c", "1 2 3 again 4", "{",
+                             "{}", R"({"x":1,"y":2})", R"({"x":1,"y":2,"z":"3"})", "1e300 0 0"}) {
+        try {
+            parseReachedPosition(line);
+            FAIL() << line;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::InvalidInput) << line;
+        }
+    }
+}
+
+} // namespace spherewalk::jobs

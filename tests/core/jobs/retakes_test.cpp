@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "photographed_survey.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/jobs/judge_survey.h"
+#include "spherewalk/jobs/retakes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr const char* kBlurred = R"([{"flaw":"blur","quality":"failed","sentence":"It is blurred."}])";
+
+/// A survey in which every station has a photo.
+class Retakes : public testing::Test {
+  protected:
+    Retakes() {
+        for (const store::StationRecord& station : m_store.stations()) {
+            if (const auto photo = m_store.chosenPhoto(station.id)) {
+                m_photos.push_back(*photo);
+            }
+        }
+    }
+
+    /// The photo whose neighbours stand on all sides, or the first one in a corner.
+    std::int64_t photoWith(bool isInside) const {
+        for (const store::PhotoRecord& photo : m_photos) {
+            int near = 0;
+            for (const store::PhotoRecord& other : m_photos) {
+                const double distance = (other.positionM - photo.positionM).norm();
+                near += other.id != photo.id && distance < 1.1 * m_store.planOptions().stepM ? 1 : 0;
+            }
+            if (isInside ? near == 4 : near == 2) {
+                return photo.id;
+            }
+        }
+        throw std::logic_error("the survey has no such photo");
+    }
+
+    test::PhotographedSurvey m_survey{12};
+    store::SurveyStore m_store = m_survey.open(store::Access::Write);
+    std::vector<store::PhotoRecord> m_photos;
+};
+
+} // namespace
+
+TEST_F(Retakes, AreNoneAsLongAsAllIsWell) {
+    EXPECT_TRUE(retakes(m_store).empty());
+    m_store.setVerdict({m_photos[0].id, store::CheckResult::Good, "[]"});
+    EXPECT_TRUE(retakes(m_store).empty());
+}
+
+TEST_F(Retakes, TellPhotosThatLeaveAHoleFromThoseThatNeighboursStandInFor) {
+    m_store.setVerdict({photoWith(true), store::CheckResult::Failed, kBlurred});
+    m_store.setVerdict({photoWith(false), store::CheckResult::Failed, kBlurred});
+    const std::vector<Retake> found = retakes(m_store);
+    ASSERT_EQ(found.size(), 2U);
+    for (const Retake& retake : found) {
+        const bool isInside = retake.station.id == m_store.photo(photoWith(true)).station;
+        EXPECT_EQ(retake.isSurrounded, isInside) << retake.station.name;
+        EXPECT_TRUE(retake.isFailed);
+        EXPECT_EQ(retake.sentence, "It is blurred.");
+    }
+    EXPECT_LT(found[0].station.id, found[1].station.id); // as one walks
+}
+
+TEST_F(Retakes, APersonsWordGoesBeforeTheChecks) {
+    const std::int64_t photo = photoWith(true);
+    m_store.setVerdict({photo, store::CheckResult::Failed, kBlurred});
+    m_store.setReview({photo, store::Decision::Accepted, ""});
+    EXPECT_TRUE(retakes(m_store).empty());
+    m_store.setReview({photo, store::Decision::Rejected, "A cat"});
+    EXPECT_EQ(retakes(m_store).at(0).sentence, "A cat");
+}
+
+TEST_F(Retakes, AFlawedNeighbourStandsInForNothing) {
+    const store::PhotoRecord middle = m_store.photo(photoWith(true));
+    m_store.setVerdict({middle.id, store::CheckResult::Failed, kBlurred});
+    for (const store::PhotoRecord& other : m_photos) {
+        if (other.id != middle.id && other.positionM.x() > middle.positionM.x() - 0.01) {
+            m_store.setVerdict({other.id, store::CheckResult::Doubtful, kBlurred});
+        }
+    }
+    for (const Retake& retake : retakes(m_store)) {
+        if (retake.station.id == middle.station) {
+            EXPECT_FALSE(retake.isSurrounded);
+        }
+    }
+}
+
+TEST_F(Retakes, VerdictsAreGivenToPhotosThatCameOtherwise) {
+    const JudgeReport first = judgeSurvey(m_store, false, noProgress(), {});
+    EXPECT_EQ(first.judged, static_cast<int>(m_photos.size()));
+    EXPECT_EQ(first.failed, 0);
+    EXPECT_EQ(judgeSurvey(m_store, false, noProgress(), {}).judged, 0);
+    EXPECT_EQ(judgeSurvey(m_store, true, noProgress(), {}).judged, first.judged);
+}
+
+TEST_F(Retakes, APhotoThatIsGoneIsFailed) {
+    std::filesystem::remove(m_store.photoFolder() / m_photos[0].fileName);
+    judgeSurvey(m_store, false, noProgress(), {});
+    EXPECT_EQ(m_store.verdict(m_photos[0].id)->result, store::CheckResult::Failed);
+    EXPECT_EQ(verdictOf(*m_store.verdict(m_photos[0].id)).findings.at(0).flaw, photo::Flaw::Damaged);
+}
+
+TEST_F(Retakes, DamagedFindingsAreRefused) {
+    EXPECT_THROW(verdictOf({1, store::CheckResult::Failed, R"([{"flaw":"cat"}])"}), Error);
+}
+
+} // namespace spherewalk::jobs

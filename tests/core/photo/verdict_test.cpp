@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "labelled_photos.h"
+
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/verdict.h"
+#include "spherewalk/practice/theta_jpeg.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+namespace spherewalk::photo {
+
+using test::PlacedPicture;
+using test::Random;
+
+namespace {
+
+constexpr int kWidth = 512;
+
+/// Photos of the practice room on a lattice, judged one after the other with all others as neighbours.
+class VerdictsOf : public testing::Test {
+  protected:
+    struct Photo {
+        PlacedPicture clean;
+        Sketch sketch;
+    };
+
+    VerdictsOf() {
+        SCOPED_TRACE(m_random.seed());
+        for (PlacedPicture& clean : test::practicePhotos(4, 4, 0.25, kWidth, true, m_random)) {
+            Sketch kept = sketch(jpegOf(clean.picture), {}, "a neighbour");
+            m_photos.push_back({std::move(clean), std::move(kept)});
+        }
+    }
+
+    Bytes jpegOf(const RgbImage& picture) { return jpeg::encode(picture, m_random.integer(85, 95)); }
+
+    std::vector<Neighbour> neighboursOf(const Photo& photo) const {
+        std::vector<Neighbour> result;
+        for (const Photo& other : m_photos) {
+            if (&other != &photo) {
+                result.push_back({&other.sketch, (other.clean.positionM - photo.clean.positionM).norm()});
+            }
+        }
+        return result;
+    }
+
+    Verdict verdictOf(const Photo& photo, const Bytes& jpeg) const {
+        return judgeJpeg(jpeg, "R0010001.JPG", {}, neighboursOf(photo)).verdict;
+    }
+
+    /// The share of photos, each changed so many times, that get a verdict with this flaw. Those that do not
+    /// are printed.
+    double shareFound(Flaw flaw, int times, const std::function<Bytes(const RgbImage&)>& spoilt) {
+        int found = 0;
+        int count = 0;
+        for (const Photo& photo : m_photos) {
+            for (int i = 0; i < times; ++i) {
+                const Verdict verdict = verdictOf(photo, spoilt(photo.clean.picture));
+                ++count;
+                found += std::ranges::count(verdict.findings, flaw, &Finding::flaw) > 0 ? 1 : 0;
+            }
+        }
+        std::printf("%s: %d of %d found\n", std::string(name(flaw)).c_str(), found, count);
+        return static_cast<double>(found) / count;
+    }
+
+    Random m_random{20261122};
+    std::vector<Photo> m_photos;
+};
+
+constexpr double kFound = 0.95;
+
+} // namespace
+
+TEST_F(VerdictsOf, CleanPhotosAreHardlyEverAlarms) {
+    int alarms = 0;
+    int count = 0;
+    for (const Photo& photo : m_photos) {
+        for (int i = 0; i < 5; ++i) {
+            const Verdict verdict = verdictOf(photo, jpegOf(test::ordinary(photo.clean.picture, m_random)));
+            ++count;
+            alarms += verdict.quality() == Quality::Good ? 0 : 1;
+            EXPECT_NE(verdict.quality(), Quality::Failed) << verdict.sentence();
+        }
+    }
+    std::printf("clean: %d of %d are false alarms\n", alarms, count);
+    EXPECT_LE(alarms, 0.02 * count);
+}
+
+TEST_F(VerdictsOf, PhotosWithAPersonTellOfIt) {
+    EXPECT_GE(shareFound(Flaw::Foreign, 3,
+                         [&](const RgbImage& picture) {
+                             return jpegOf(test::withPerson(picture, m_random.uniform(0.8, 2.2), m_random));
+                         }),
+              kFound);
+}
+
+TEST_F(VerdictsOf, BlurredPhotosTellOfIt) {
+    EXPECT_GE(shareFound(Flaw::Blur, 2,
+                         [&](const RgbImage& picture) {
+                             return jpegOf(test::blurred(picture, m_random.uniform(0.8, 2),
+                                                         m_random.integer(0, 1) == 0));
+                         }),
+              kFound);
+}
+
+TEST_F(VerdictsOf, WrongExposuresAndWhiteBalancesAreTold) {
+    EXPECT_GE(shareFound(Flaw::Brightness, 2,
+                         [&](const RgbImage& picture) {
+                             const double stops = m_random.uniform(0.6, 2);
+                             return jpegOf(
+                                 test::exposed(picture, m_random.integer(0, 1) == 0 ? stops : -stops));
+                         }),
+              kFound);
+    EXPECT_GE(shareFound(Flaw::Colour, 1,
+                         [&](const RgbImage& picture) {
+                             return jpegOf(test::tinted(picture, m_random.uniform(0.7, 0.9), 1.1));
+                         }),
+              kFound);
+}
+
+TEST_F(VerdictsOf, BlackAndBurntAreasAreTold) {
+    EXPECT_GE(
+        shareFound(Flaw::Black, 1, [&](const RgbImage& picture) { return jpegOf(test::halfBlack(picture)); }),
+        kFound);
+    EXPECT_GE(
+        shareFound(Flaw::Burnt, 1, [&](const RgbImage& picture) { return jpegOf(test::halfBurnt(picture)); }),
+        kFound);
+}
+
+TEST_F(VerdictsOf, PhotosThatAreUpsideDownFail) {
+    EXPECT_GE(shareFound(Flaw::UpsideDown, 1,
+                         [&](const RgbImage& picture) { return jpegOf(test::upsideDown(picture)); }),
+              kFound);
+}
+
+TEST_F(VerdictsOf, TruncatedPhotosFail) {
+    EXPECT_GE(shareFound(Flaw::Damaged, 3,
+                         [&](const RgbImage& picture) {
+                             Bytes jpeg = jpegOf(picture);
+                             jpeg.resize(static_cast<std::size_t>(
+                                 m_random.integer(0, static_cast<int>(jpeg.size()) - 1)));
+                             return jpeg;
+                         }),
+              1.0);
+}
+
+TEST_F(VerdictsOf, APhotoOfAnotherPlaceLooksLikeNoneOfItsNeighbours) {
+    const RgbImage grey = [] {
+        RgbImage picture(kWidth, kWidth / 2);
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                std::fill_n(picture.at(x, y), 3,
+                            static_cast<std::uint8_t>((x / 9 + y / 7) % 2 == 0 ? 120 : 160));
+            }
+        }
+        return picture;
+    }();
+    const Verdict verdict = verdictOf(m_photos.front(), jpegOf(grey));
+    EXPECT_EQ(std::ranges::count(verdict.findings, Flaw::Elsewhere, &Finding::flaw), 1) << verdict.sentence();
+}
+
+TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
+    Random random(1);
+    const RgbImage picture = test::practicePhotos(1, 1, 1, kWidth, false, random).front().picture;
+    practice::ThetaTags tags;
+    tags.isoSpeed = 400;
+    tags.exposureTimeS = 1.0 / 30;
+    const Bytes jpeg = practice::thetaJpeg(picture, tags);
+    const ExpectedSettings expected{.iso = 400, .exposureS = 1.0 / 30, .width = kWidth};
+    EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", expected, {}).verdict.quality(), Quality::Good);
+    for (const ExpectedSettings& other :
+         {ExpectedSettings{.iso = 200}, ExpectedSettings{.exposureS = 1.0 / 60}}) {
+        const Verdict verdict = judgeJpeg(jpeg, "a.JPG", other, {}).verdict;
+        ASSERT_EQ(verdict.findings.size(), 1U);
+        EXPECT_EQ(verdict.findings[0].flaw, Flaw::Settings);
+        EXPECT_EQ(verdict.quality(), Quality::Failed);
+    }
+    EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", {.width = 5376}, {}).verdict.findings[0].flaw, Flaw::Size);
+}
+
+TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {
+    Random random(3);
+    std::vector<Sketch> sketches;
+    const std::vector<PlacedPicture> photos = test::practicePhotos(2, 2, 0.25, kWidth, false, random);
+    for (const PlacedPicture& photo : photos) {
+        sketches.push_back(sketch(jpeg::encode(photo.picture, 90), {}, "a neighbour"));
+    }
+    const std::vector<Neighbour> others{{&sketches[1], 0.25}, {&sketches[2], 0.25}, {&sketches[3], 0.36}};
+    RgbImage turned(kWidth, kWidth / 2);
+    for (int y = 0; y < turned.height(); ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            std::copy_n(photos[0].picture.at((x + kWidth / 4) % kWidth, y), 3, turned.at(x, y));
+        }
+    }
+    EXPECT_EQ(judgeJpeg(jpeg::encode(photos[0].picture, 90), "a.JPG", {}, others).verdict.quality(),
+              Quality::Good);
+    const Verdict verdict = judgeJpeg(jpeg::encode(turned, 90), "a.JPG", {}, others).verdict;
+    ASSERT_EQ(verdict.findings.size(), 1U) << verdict.sentence();
+    EXPECT_EQ(verdict.findings[0].flaw, Flaw::Turned);
+    EXPECT_THAT(verdict.sentence(), testing::HasSubstr("turned by 9"));
+}
+
+TEST(Verdict, NamesReadBackAsWhatTheyName) {
+    for (const Quality quality : {Quality::Good, Quality::Doubtful, Quality::Failed}) {
+        EXPECT_EQ(qualityNamed(name(quality)), quality);
+    }
+    for (int flaw = 0; flaw <= static_cast<int>(Flaw::Elsewhere); ++flaw) {
+        EXPECT_EQ(flawNamed(name(static_cast<Flaw>(flaw))), static_cast<Flaw>(flaw));
+    }
+}
+
+} // namespace spherewalk::photo
