@@ -98,8 +98,8 @@ class DepthRaster::BlockCutter {
             static_cast<std::size_t>((y - m_y) / kSquare * simd::PartBoxes::kSquares + (x - m_x) / kSquare);
         const float beside = 1 + (m_boxes.right[i] - m_boxes.left[i]) / kSquare;
         const float below = 1 + (m_boxes.bottom[i] - m_boxes.top[i]) / kSquare;
-        return !m_boxes.isWhole[i] || m_open.anyIn(m_boxes.left[i] - beside, m_boxes.top[i] - below,
-                                                   m_boxes.right[i] + beside, m_boxes.bottom[i] + below);
+        return m_open.anyIn(m_boxes.left[i] - beside, m_boxes.top[i] - below, m_boxes.right[i] + beside,
+                            m_boxes.bottom[i] + below);
     }
 
     /// Four pixels: a surface, unless their distances differ too much. Then each stands by itself, facing the

@@ -93,53 +93,56 @@ void projectSixteen(const SurfaceCamera& camera, const SixteenPoints& points, Si
     }
 }
 
-/// The least or greatest of five rows, column by column.
-template <bool kLeast>
-HWY_INLINE void overFiveRows(const float* rows, float* out) {
+/// The least of each value and the four after it, from the first of each square.
+HWY_INLINE void leastOfFives(const float* values, float* out) {
     const hn::CappedTag<float, 8> d;
-    for (int i = 0; i < ProjectedPart::kPitch; i += static_cast<int>(hn::Lanes(d))) {
-        auto best = hn::LoadU(d, rows + i);
-        for (int y = 1; y < 5; ++y) {
-            const auto value = hn::LoadU(d, rows + y * ProjectedPart::kPitch + i);
-            best = kLeast ? hn::Min(best, value) : hn::Max(best, value);
-        }
-        hn::StoreU(best, d, out + i);
+    for (int i = 0; i < ProjectedPart::kPitch - 8; i += static_cast<int>(hn::Lanes(d))) {
+        const auto at = [&](int more) { return hn::LoadU(d, values + i + more); };
+        hn::StoreU(hn::Min(hn::Min(hn::Min(at(0), at(1)), hn::Min(at(2), at(3))), at(4)), d, out + i);
     }
 }
 
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
-    std::array<float, ProjectedPart::kPitch> left;
-    std::array<float, ProjectedPart::kPitch> top;
-    std::array<float, ProjectedPart::kPitch> right;
-    std::array<float, ProjectedPart::kPitch> bottom;
-    std::array<float, ProjectedPart::kPitch> value;
+    const hn::CappedTag<float, 8> d;
+    constexpr int kPitch = ProjectedPart::kPitch;
     constexpr int kSquares = PartBoxes::kSquares;
+    const auto beyond = hn::Set(d, PartBoxes::kEverywherePx);
+    std::array<std::array<float, kPitch + 8>, 6> least; // of x, -x, y, -y, value, -value
+    std::array<std::array<float, kPitch>, 6> ofSquare;
     for (int j = 0; j < kSquares; ++j) {
-        const bool isIn = (j + 1) * PartBoxes::kSquare < rows;
-        if (isIn) {
-            const std::ptrdiff_t first = std::ptrdiff_t{j} * PartBoxes::kSquare * ProjectedPart::kPitch;
-            overFiveRows<true>(part.x.data() + first, left.data());
-            overFiveRows<true>(part.y.data() + first, top.data());
-            overFiveRows<false>(part.x.data() + first, right.data());
-            overFiveRows<false>(part.y.data() + first, bottom.data());
-            overFiveRows<true>(part.value.data() + first, value.data());
+        const std::ptrdiff_t first = std::ptrdiff_t{j} * PartBoxes::kSquare * kPitch;
+        const int end = std::min(PartBoxes::kSquare + 1, rows - j * PartBoxes::kSquare);
+        for (int i = 0; i < kPitch; i += static_cast<int>(hn::Lanes(d))) {
+            std::array<hn::Vec<decltype(d)>, 6> best{beyond, beyond, beyond, beyond, beyond, beyond};
+            for (int y = 0; y < end; ++y) {
+                const std::ptrdiff_t at = first + std::ptrdiff_t{y} * kPitch + i;
+                const auto value = hn::LoadU(d, part.value.data() + at);
+                const auto isPlaced = hn::Gt(value, hn::Zero(d));
+                const auto x = hn::LoadU(d, part.x.data() + at);
+                const auto down = hn::LoadU(d, part.y.data() + at);
+                best[0] = hn::Min(best[0], hn::IfThenElse(isPlaced, x, beyond));
+                best[1] = hn::Min(best[1], hn::IfThenElse(isPlaced, hn::Neg(x), beyond));
+                best[2] = hn::Min(best[2], hn::IfThenElse(isPlaced, down, beyond));
+                best[3] = hn::Min(best[3], hn::IfThenElse(isPlaced, hn::Neg(down), beyond));
+                best[4] = hn::Min(best[4], value);
+                best[5] = hn::Min(best[5], hn::Neg(value));
+            }
+            for (std::size_t k = 0; k < best.size(); ++k) {
+                hn::StoreU(best[k], d, least[k].data() + i);
+            }
+        }
+        for (std::size_t k = 0; k < least.size(); ++k) {
+            leastOfFives(least[k].data(), ofSquare[k].data());
         }
         for (int i = 0; i < kSquares; ++i) {
             const auto to = static_cast<std::size_t>(j * kSquares + i);
-            const std::ptrdiff_t x = std::ptrdiff_t{i} * PartBoxes::kSquare;
-            const auto least = [x](const auto& of) {
-                return *std::min_element(of.begin() + x, of.begin() + x + 5);
-            };
-            const auto most = [x](const auto& of) {
-                return *std::max_element(of.begin() + x, of.begin() + x + 5);
-            };
-            out.isWhole[to] = isIn && least(value) > 0;
-            if (out.isWhole[to]) {
-                out.left[to] = least(left);
-                out.top[to] = least(top);
-                out.right[to] = most(right);
-                out.bottom[to] = most(bottom);
-            }
+            const auto x = static_cast<std::size_t>(i * PartBoxes::kSquare);
+            const bool isPartly = ofSquare[4][x] == 0 && ofSquare[5][x] < 0;
+            const float all = PartBoxes::kEverywherePx;
+            out.left[to] = isPartly ? -all : ofSquare[0][x];
+            out.right[to] = isPartly ? all : -ofSquare[1][x];
+            out.top[to] = isPartly ? -all : ofSquare[2][x];
+            out.bottom[to] = isPartly ? all : -ofSquare[3][x];
         }
     }
 }

@@ -40,15 +40,16 @@ struct ProjectedPart {
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out);
 
-/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view.
+/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view. Where none of its
+/// vertices is placed, left is beyond right; where only some are, it is everywhere.
 struct PartBoxes {
     static constexpr int kSquares = 4;
     static constexpr int kSquare = 4; ///< quads along an edge
+    static constexpr float kEverywherePx = 1e9F;
     std::array<float, std::size_t{kSquares} * kSquares> left, top, right, bottom;
-    std::array<bool, std::size_t{kSquares} * kSquares> isWhole; ///< whether all vertices are placed
 };
 
-/// Range: of a part with that many rows; squares beyond them are not whole.
+/// Range: of a part with that many rows.
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out);
 
 /// Sixteen directions with their 1 / distance, each component contiguous.
