@@ -23,7 +23,7 @@ constexpr float kJump = 0.08F; ///< of 1 / distance; what differs by more from p
 constexpr float kOverlapPx = 0.25F; ///< pieces reach so far beyond their edges: flat parts leave no cracks
 constexpr float kLeastTurn = 1e-4F; ///< of a corner; what is thinner is drawn as triangles, if at all
 constexpr int kCulledLevel = 2;     ///< quads of this size that cannot show are left out as one
-constexpr int kBand = 16;           ///< rows that one worker draws in turn
+constexpr int kBand = OpenCells::kCell; ///< rows that one worker draws in turn
 
 /// The first pixel that is not before it, at most one beyond the last.
 int firstAt(float begin, float last) {
@@ -252,14 +252,19 @@ void DepthRaster::draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, con
             }
         }
     });
-    pool.run((out.height() + kBand - 1) / kBand, threads, [&](int band, int) {
+    m_drawn.clear();
+    for (const Block& block : m_blocks) {
+        if (!block.pieces.empty()) {
+            m_drawn.push_back(&block);
+        }
+    }
+    pool.run(out.height() / kBand, threads, [&](int band, int) {
         const int begin = band * kBand;
-        const int end = std::min(out.height(), begin + kBand);
-        std::fill(out.at(0, begin),
-                  out.at(0, begin) + static_cast<std::ptrdiff_t>(out.width()) * (end - begin), 0.0F);
-        for (const Block& block : m_blocks) {
-            if (!block.pieces.empty() && block.bottom >= begin && block.top < end) {
-                simd::draw(block.pieces, begin, end, out.at(0, 0), out.width());
+        const int end = begin + kBand;
+        clear(band, open, out);
+        for (const Block* block : m_drawn) {
+            if (block->bottom >= begin && block->top < end) {
+                simd::draw(block->pieces, begin, end, out.at(0, 0), out.width());
             }
         }
         for (int y = begin; y < end; ++y) { // beyond the view
@@ -267,6 +272,16 @@ void DepthRaster::draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, con
                       1.0F);
         }
     });
+}
+
+/// Makes the open cells of a row zero: the others are not looked at.
+void DepthRaster::clear(int row, const OpenCells& open, InverseBuffer& out) {
+    for (int column = 0; column < out.width() / OpenCells::kCell; ++column) {
+        for (int y = 0; y < OpenCells::kCell && open.isOpen(column, row); ++y) {
+            std::fill_n(out.at(column * OpenCells::kCell, row * OpenCells::kCell + y), OpenCells::kCell,
+                        0.0F);
+        }
+    }
 }
 
 } // namespace spherewalk::render

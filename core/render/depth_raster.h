@@ -17,7 +17,7 @@ namespace spherewalk::render {
 class DepthRaster {
   public:
     /// mesh: seen from where the photo was taken. Cells that are not open may be left out. tolerancePx: by
-    /// how much a flat part may be displaced. out: made to fit, and cleared.
+    /// how much a flat part may be displaced. out: made to fit; cells that are not open may have anything.
     void draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
               const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
 
@@ -31,7 +31,10 @@ class DepthRaster {
 
     class BlockCutter;
 
+    static void clear(int row, const OpenCells& open, InverseBuffer& out);
+
     std::vector<Block> m_blocks;
+    std::vector<const Block*> m_drawn; ///< those that show something
 };
 
 } // namespace spherewalk::render

@@ -5,7 +5,6 @@
 #include "photo_plane.h"
 
 #include <algorithm>
-#include <numbers>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "depth_simd.cpp"
@@ -185,94 +184,53 @@ void draw(std::span<const Piece> pieces, int begin, int end, float* values, std:
     }
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch) {
-    const F d;
-    std::size_t count = 0;
-    for (int y = 0; y < kCell; ++y, values += pitch) {
-        for (std::size_t i = 0; i < kCell; i += hn::Lanes(d)) {
-            count += hn::CountTrue(d, hn::Eq(hn::LoadU(d, values + i), hn::Zero(d)));
-        }
-    }
-    return static_cast<int>(count);
-}
-
-/// The arc tangent of t in [0, 1], off by less than 2e-7. Source: Abramowitz and Stegun 4.4.49.
-HWY_INLINE V arcTangent(F d, V t) {
-    const V s = hn::Mul(t, t);
-    V sum = hn::Set(d, 0.0028662257F);
-    for (const float term : {-0.0161657367F, 0.0429096138F, -0.0752896400F, 0.1065626393F, -0.1420889944F,
-                             0.1999355085F, -0.3333314528F}) {
-        sum = mulAdd(sum, s, hn::Set(d, term));
-    }
-    return mulAdd(hn::Mul(t, s), sum, t);
-}
-
-/// atan2.
-HWY_INLINE V angle(F d, V y, V x) {
-    const V across = hn::Abs(x);
-    const V up = hn::Abs(y);
-    const V quotient = hn::Div(hn::Min(across, up), hn::Add(hn::Max(across, up), hn::Set(d, 1e-30F)));
-    constexpr auto kPi = std::numbers::pi_v<float>;
-    V result = arcTangent(d, quotient);
-    result = hn::IfThenElse(hn::Gt(up, across), hn::Sub(hn::Set(d, 0.5F * kPi), result), result);
-    result = hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, kPi), result), result);
-    return hn::IfThenElse(hn::Lt(y, hn::Zero(d)), hn::Neg(result), result);
-}
-
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
     const F d;
     const I di;
-    const std::array<float, 9> m = target.m;
-    constexpr auto kPi = std::numbers::pi_v<float>;
-    constexpr float kOne = 1 << kFractionBits;
-    constexpr auto kAddU = static_cast<float>(PlaneLayout::kGuard + kRoundingU - 0.5);
-    constexpr auto kAddV = static_cast<float>(PlaneLayout::kGuard - 0.5);
-    const V perRadian = hn::Set(d, target.perRadian);
-    const V lastU = hn::Set(d, target.lastU);
-    const V lastV = hn::Set(d, target.lastV);
-    for (int row = 0; row < kCell; ++row) {
-        for (std::size_t i = 0; i < kCell; i += hn::Lanes(d)) {
-            const V rx = hn::LoadU(d, rays[0].first + row * rays[0].pitch + i);
-            const V ry = hn::LoadU(d, rays[1].first + row * rays[1].pitch + i);
-            const V rz = hn::LoadU(d, rays[2].first + row * rays[2].pitch + i);
-            const V w = hn::LoadU(d, inverse + row * pitch + i);
-            const auto component = [&](std::size_t k) {
-                const V turned =
-                    mulAdd(hn::Set(d, m[3 * k]), rx,
-                           mulAdd(hn::Set(d, m[3 * k + 1]), ry, hn::Mul(hn::Set(d, m[3 * k + 2]), rz)));
-                return mulAdd(w, hn::Set(d, target.offset[k]), turned);
-            };
-            const V x = component(0);
-            const V y = component(1);
-            const V z = component(2);
-            const V azimuth = angle(d, y, x);
-            const V elevation = angle(d, z, hn::Sqrt(mulAdd(x, x, hn::Mul(y, y))));
-            const V column = mulAdd(hn::Sub(hn::Set(d, kPi), azimuth), perRadian, hn::Set(d, kAddU));
-            const V line = mulAdd(hn::Sub(hn::Set(d, 0.5F * kPi), elevation), perRadian, hn::Set(d, kAddV));
-            const std::size_t to = static_cast<std::size_t>(row * kCell) + i;
-            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(column, lastU), hn::Set(d, kOne))), di, u + to);
-            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(line, lastV), hn::Set(d, kOne))), di, v + to);
+    constexpr int kPart = 4;
+    std::array<std::int32_t, kCell * kCell / kPart> ofColumns;
+    VI any = hn::Zero(di);
+    for (int y = 0; y < kCell; y += kPart) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI count = hn::Zero(di);
+            for (int i = 0; i < kPart; ++i) {
+                const V value = hn::LoadU(d, values + (y + i) * pitch + x);
+                const auto isZero = hn::RebindMask(di, hn::Eq(value, hn::Zero(d)));
+                count = hn::Add(count, hn::IfThenElseZero(isZero, hn::Set(di, 1)));
+            }
+            any = hn::Or(any, count);
+            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kPart) + x);
         }
     }
+    ofParts = {};
+    if (hn::AllTrue(di, hn::Eq(any, hn::Zero(di)))) {
+        return 0;
+    }
+    int all = 0;
+    for (std::size_t i = 0; i < ofColumns.size(); ++i) {
+        ofParts[i / kPart] += ofColumns[i];
+        all += ofColumns[i];
+    }
+    return all;
 }
 
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v) {
-    const I d;
-    VI left = hn::LoadU(d, u);
-    VI right = left;
-    VI top = hn::LoadU(d, v);
-    VI bottom = top;
-    for (std::size_t i = hn::Lanes(d); i < std::size_t{kCell} * kCell; i += hn::Lanes(d)) {
-        const VI atU = hn::LoadU(d, u + i);
-        const VI atV = hn::LoadU(d, v + i);
-        left = hn::Min(left, atU);
-        right = hn::Max(right, atU);
-        top = hn::Min(top, atV);
-        bottom = hn::Max(bottom, atV);
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    const F d;
+    const I di;
+    std::uint32_t rows = 0;
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const V mine = hn::LoadU(d, values + y * pitch + x);
+            const V other = hn::LoadU(d, seen + y * pitch + x);
+            const auto takes = hn::And(hn::Eq(mine, hn::Zero(d)), hn::Gt(other, hn::Zero(d)));
+            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + y * pitch + x);
+            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, takes), hn::Set(di, 1)), di,
+                       isTaken.data() + y * kCell + x);
+            rows |= hn::AllFalse(d, takes) ? 0 : 1U << y;
+        }
     }
-    return {hn::GetLane(hn::MinOfLanes(d, left)), hn::GetLane(hn::MaxOfLanes(d, right)),
-            hn::GetLane(hn::MinOfLanes(d, top)), hn::GetLane(hn::MaxOfLanes(d, bottom))};
+    return rows;
 }
 
 void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
@@ -312,8 +270,7 @@ HWY_EXPORT(projectSixteen);
 HWY_EXPORT(boxes);
 HWY_EXPORT(draw);
 HWY_EXPORT(zeros);
-HWY_EXPORT(locate);
-HWY_EXPORT(boxOfCell);
+HWY_EXPORT(takeUnseen);
 HWY_EXPORT(placeSixteen);
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
@@ -332,17 +289,13 @@ void draw(std::span<const Piece> pieces, int begin, int end, float* values, std:
     HWY_DYNAMIC_DISPATCH(draw)(pieces, begin, end, values, pitch);
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch) {
-    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch);
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
+    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
 }
 
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
-    HWY_DYNAMIC_DISPATCH(locate)(target, rays, inverse, pitch, u, v);
-}
-
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v) {
-    return HWY_DYNAMIC_DISPATCH(boxOfCell)(u, v);
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
 }
 
 void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,

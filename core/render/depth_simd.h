@@ -40,8 +40,8 @@ struct ProjectedPart {
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out);
 
-/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view. Where none of its
-/// vertices is placed, left is beyond right; where only some are, it is everywhere.
+/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view. Where none of
+/// its vertices is placed, left is beyond right; where only some are, it is everywhere.
 struct PartBoxes {
     static constexpr int kSquares = 4;
     static constexpr int kSquare = 4; ///< quads along an edge
@@ -78,30 +78,13 @@ constexpr int kColumns = 16;
 /// Draws rows [begin, end) of the pieces: the greater value wins. Range: pitch a multiple of kColumns.
 void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch);
 
-/// Values of a cell of 16 x 16 pixels that are 0.
-int zeros(const float* values, std::ptrdiff_t pitch);
+/// How many values are 0 in each 4 x 4 part of a cell of 16 x 16 pixels, row after row; and of all of it.
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts);
 
-/// A photo as its coordinates are computed: the direction in it is m * ray + inverse * offset.
-struct PhotoTarget {
-    std::array<float, 9> m;
-    std::array<float, 3> offset;
-    float perRadian; ///< pixels
-    float lastU;     ///< greatest coordinates, guard included
-    float lastV;
-};
-
-/// One component of the rays of a cell of 16 x 16 pixels.
-struct CellRays {
-    const float* first;
-    std::ptrdiff_t pitch; ///< from one row to the next
-};
-
-/// Coordinates in the lattice's fixed point of a cell's pixels, row after row.
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v);
-
-/// Least and greatest coordinates of a cell: u, u, v, v.
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v);
+/// Takes the values of `seen` for a cell's zeros. Where it did that for some of a row, isTaken has 1 for
+/// these pixels and 0 for the row's others. Back: a bit for each such row.
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken);
 
 /// How coordinates become places in a photo's plane, for one part of each pixel.
 struct PartPlacing {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_view.h"
 
+#include "depth_locate.h"
 #include "depth_simd.h"
 #include "fast_view.h"
 #include "sampler.h"
@@ -53,8 +54,10 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
     const std::size_t index = m_places.index(at.column, at.row);
     const std::int32_t* u = m_places.u.data() + index * DepthPlaces::kCellPixels;
     const std::int32_t* v = m_places.v.data() + index * DepthPlaces::kCellPixels;
-    if (isOne(m_places.sources[index]) && at.width == kCell && at.height == kCell) {
-        const std::array<std::int32_t, 4> all = simd::boxOfCell(u, v);
+    if (at.width == kCell && at.height == kCell) {
+        const std::array<std::int32_t, 4> all =
+            simd::boxOfCell(u, v, m_places.source.at(at.column * kCell, at.row * kCell),
+                            m_places.source.width(), static_cast<std::uint8_t>(source));
         if (all[1] - all[0] < middle / 2) {
             Box{all[0], all[1], all[2], all[3]}.addTo(tiles);
             return;
@@ -117,8 +120,7 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
     m_places.reset(m_width, m_height);
     m_open = OpenCells(m_width, m_height);
     const std::vector<PlacedPhoto> placed = drawPhotos(rays, roomFromCamera, photos, pool, threads);
-    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, pool, threads, m_places);
-    m_slopes.resize(m_places.sources.size() * m_photos);
+    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, m_samples > 1, pool, threads, m_places);
     std::vector<TileSet> needs;
     for (const DepthPhoto& photo : photos) {
         needs.emplace_back(photo.grid);
@@ -133,15 +135,8 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
             const Cell at = cell(column, row);
             const std::size_t index = m_places.index(column, row);
             for (std::size_t i = 0; i < placed.size(); ++i) {
-                if ((m_places.sources[index] >> i & 1U) == 0) {
-                    continue;
-                }
-                needOfCell(at, i, own[i]);
-                if (m_samples > 1) {
-                    const int x = column * kCell + at.width / 2;
-                    const int y = row * kCell + at.height / 2;
-                    m_slopes[index * m_photos + i].of =
-                        placeSlopes(rays, roomFromCamera, placed[i], x, y, *m_places.inverse.at(x, y));
+                if ((m_places.sources[index] >> i & 1U) != 0) {
+                    needOfCell(at, i, own[i]);
                 }
             }
         }
@@ -170,7 +165,7 @@ void DepthView::fillPlaces(const Cell& at, std::size_t source, const PlaneView& 
                               plane.stride() * PlaneLayout::kPixelBytes};
     for (int part = 0; part < m_samples * m_samples; ++part) {
         if (m_samples > 1) {
-            const std::array<std::int32_t, 4>& slopes = m_slopes[index * m_photos + source].of;
+            const std::array<std::int32_t, 4>& slopes = m_places.slopes[index * m_photos + source];
             const auto right = (part % m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             const auto down = (part / m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             placing.addU = round.u + static_cast<std::int32_t>(right * static_cast<float>(slopes[0]) +

@@ -57,10 +57,6 @@ class DepthView {
         int width = 0, height = 0;
     };
 
-    struct Slopes {
-        std::array<std::int32_t, 4> of; ///< as placeSlopes()
-    };
-
     Cell cell(int column, int row) const;
     void needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
     void sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
@@ -77,7 +73,6 @@ class DepthView {
     InverseBuffer m_seen; ///< by a photo that is not the first
     DepthRaster m_raster;
     DepthPlaces m_places;
-    std::vector<Slopes> m_slopes; ///< of each cell and photo
     std::size_t m_photos = 0;
     double m_filledShare = 0;
 };

@@ -4,6 +4,7 @@
 #include "depth_simd.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace spherewalk::render {
@@ -36,14 +37,16 @@ int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int thread
     std::vector<int> cells(static_cast<std::size_t>(columns * (m_height / kParts)));
     std::vector<int> parts(static_cast<std::size_t>(m_width * m_height));
     pool.run(m_height / kParts, threads, [&](int row, int) {
+        std::array<std::int32_t, kParts * kParts> ofParts;
         for (int column = 0; column < columns; ++column) {
-            const int zeros = simd::zeros(covered.at(column * kCell, row * kCell), covered.width());
-            cells[static_cast<std::size_t>(row * columns + column)] = zeros;
-            for (int i = 0; i < kCell * kCell && zeros > 0; ++i) {
-                const int x = column * kCell + i % kCell;
-                const int y = row * kCell + i / kCell;
-                parts[static_cast<std::size_t>(y / kPart * m_width + x / kPart)] +=
-                    *covered.at(x, y) == 0 ? 1 : 0;
+            if (!isOpen(column, row)) {
+                continue;
+            }
+            cells[static_cast<std::size_t>(row * columns + column)] =
+                simd::zeros(covered.at(column * kCell, row * kCell), covered.width(), ofParts);
+            for (int i = 0; i < kParts; ++i) {
+                std::copy_n(ofParts.begin() + i * kParts, kParts,
+                            parts.begin() + (row * kParts + i) * m_width + column * kParts);
             }
         }
     });
