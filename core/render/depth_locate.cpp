@@ -276,6 +276,22 @@ void locateFitted(const CellFits& fits, int cell, const float* inverse, std::ptr
     }
 }
 
+void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
+             std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v) {
+    const I d;
+    const hn::Rebind<std::uint8_t, I> d8;
+    const VI one = hn::Set(d, photo);
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const VI source = hn::PromoteTo(d, hn::LoadU(d8, sources + y * pitch + x));
+            const auto isOwn = hn::Eq(source, one);
+            const std::ptrdiff_t at = y * kCell + x;
+            hn::StoreU(hn::IfThenElse(isOwn, hn::LoadU(d, ownU + at), hn::LoadU(d, u + at)), d, u + at);
+            hn::StoreU(hn::IfThenElse(isOwn, hn::LoadU(d, ownV + at), hn::LoadU(d, v + at)), d, v + at);
+        }
+    }
+}
+
 std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
                                       const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo) {
     const I d;
@@ -314,6 +330,7 @@ HWY_EXPORT(locate);
 HWY_EXPORT(range);
 HWY_EXPORT(fit);
 HWY_EXPORT(locateFitted);
+HWY_EXPORT(takeOwn);
 HWY_EXPORT(boxOfCell);
 
 CellFits::CellFits(int cells)
@@ -355,6 +372,11 @@ std::array<std::int32_t, 4> slopes(const CellFits& fits, int cell, float inverse
         return static_cast<std::int32_t>(std::lround(perNode / NodeRays::kNodes[1]));
     };
     return {along(fits.u, 1), along(fits.v, 1), along(fits.u, 3), along(fits.v, 3)};
+}
+
+void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
+             std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v) {
+    HWY_DYNAMIC_DISPATCH(takeOwn)(ownU, ownV, sources, pitch, photo, u, v);
 }
 
 std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,

@@ -78,8 +78,12 @@ void locate(const CellFits& fits, int cell, const float* inverse, std::ptrdiff_t
 /// du/dx, dv/dx, du/dy, dv/dy in fixed point.
 std::array<std::int32_t, 4> slopes(const CellFits& fits, int cell, float inverse);
 
-/// Least and greatest coordinates of the pixels of a cell that are taken from that photo: u, u, v, v.
-/// sources: of 16 rows. Range: there is one.
+/// Takes coordinates of a cell's pixels where these are taken from that photo. sources: of 16 rows.
+void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
+             std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v);
+
+/// Least and greatest coordinates of the pixels of a cell that are taken from that photo: u, u, v, v;
+/// the greatest are 0 if there is none.
 std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
                                       const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo);
 

@@ -138,9 +138,6 @@ class RowPlacer {
         for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
             fillHoles(y);
         }
-        for (int column = 0; column < m_places.columns(); ++column) {
-            m_places.sources[m_places.index(column, row)] = sourcesOf(column, row);
-        }
         if (m_rays.isPinhole()) {
             fitCells(row);
         }
@@ -194,6 +191,7 @@ class RowPlacer {
                 if (m_rays.isBlind(x, y)) {
                     *m_places.source.at(x, row * kCell + y) = DepthPlaces::kUnseen;
                     *m_places.inverse.at(x, row * kCell + y) = m_usualInverse;
+                    m_places.sources[m_places.index(x / kCell, row)] |= DepthPlaces::kBlind;
                 }
             }
         }
@@ -223,20 +221,6 @@ class RowPlacer {
         }
     }
 
-    std::uint32_t sourcesOf(int column, int row) const {
-        if (m_rays.isPinhole() && !m_open.isTaken(column, row)) {
-            return 1;
-        }
-        std::uint32_t bits = 0;
-        for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
-            const std::uint8_t* source = m_places.source.at(column * kCell, y);
-            for (int x = 0; x < kCell; ++x) {
-                bits |= source[x] == DepthPlaces::kUnseen ? 1U | DepthPlaces::kBlind : 1U << source[x];
-            }
-        }
-        return bits;
-    }
-
     void placeCell(int column, int row) {
         const std::size_t cell = m_places.index(column, row);
         const std::uint32_t sources = m_places.sources[cell];
@@ -248,12 +232,9 @@ class RowPlacer {
                 continue;
             }
             locate(column, row, photo, isFirst ? u : m_u.data(), isFirst ? v : m_v.data());
-            for (std::size_t i = 0; i < DepthPlaces::kCellPixels && !isFirst; ++i) {
-                const auto x = static_cast<int>(i % kCell);
-                const auto y = static_cast<int>(i / kCell);
-                const bool isOwn = *m_places.source.at(column * kCell + x, row * kCell + y) == photo;
-                u[i] = isOwn ? m_u[i] : u[i];
-                v[i] = isOwn ? m_v[i] : v[i];
+            if (!isFirst) {
+                simd::takeOwn(m_u.data(), m_v.data(), m_places.source.at(column * kCell, row * kCell),
+                              m_places.source.width(), static_cast<std::uint8_t>(photo), u, v);
             }
             isFirst = false;
         }
@@ -311,6 +292,7 @@ void DepthPlaces::reset(int width, int height) {
         sources.resize(static_cast<std::size_t>(columns() * rows()));
     }
     std::fill(source.values().begin(), source.values().end(), std::uint8_t{0});
+    std::fill(sources.begin(), sources.end(), 1U);
 }
 
 void DepthPlaces::take(const InverseBuffer& seen, std::uint8_t photo, const OpenCells& open, WorkerPool& pool,
@@ -325,6 +307,7 @@ void DepthPlaces::take(const InverseBuffer& seen, std::uint8_t photo, const Open
             const int y = row * kCell;
             const std::uint32_t rowsTaken =
                 simd::takeUnseen(seen.at(x, y), inverse.at(x, y), inverse.width(), isTaken);
+            sources[index(column, row)] |= rowsTaken != 0 ? 1U << photo : 0;
             for (int i = 0; i < kCell; ++i) {
                 for (int j = 0; j < kCell && (rowsTaken >> i & 1U) != 0; ++j) {
                     std::uint8_t& from = *source.at(x + j, y + i);

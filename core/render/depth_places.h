@@ -44,7 +44,8 @@ struct DepthPlaces {
     /// Of each cell and photo, if they were asked for: placeSlopes() about its middle.
     std::vector<std::array<std::int32_t, 4>> slopes;
 
-    /// Of a cell: a bit for each photo that a pixel is taken from; kBlind where the lens sees nothing.
+    /// Of a cell: a bit for the first photo and each other that a pixel is taken from; kBlind where the lens
+    /// sees nothing.
     std::vector<std::uint32_t> sources;
     static constexpr std::uint32_t kBlind = 1U << 31;
 };

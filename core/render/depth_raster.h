@@ -2,7 +2,7 @@
 #pragma once
 
 #include "depth_mesh.h"
-#include "depth_simd.h"
+#include "depth_pieces.h"
 #include "inverse_buffer.h"
 
 #include "spherewalk/base/worker_pool.h"
@@ -22,19 +22,13 @@ class DepthRaster {
               const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
 
   private:
-    /// A block's part of the picture.
-    struct Block {
-        std::vector<simd::Piece> pieces;
-        int top = 0;
-        int bottom = 0; ///< last row
-    };
-
     class BlockCutter;
+
+    static constexpr int kBand = OpenCells::kCell; ///< rows that one worker draws in turn
 
     static void clear(int row, const OpenCells& open, InverseBuffer& out);
 
-    std::vector<Block> m_blocks;
-    std::vector<const Block*> m_drawn; ///< those that show something
+    std::vector<std::vector<simd::Piece>> m_pieces; ///< of each row of blocks, for each band
 };
 
 } // namespace spherewalk::render

@@ -146,44 +146,6 @@ void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
     }
 }
 
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
-    const F d;
-    const auto lanes = static_cast<int>(hn::Lanes(d));
-    const V iota = hn::Iota(d, 0.0F);
-    const V zero = hn::Zero(d);
-    for (const Piece& piece : pieces) {
-        const int first = std::max(begin, piece.top);
-        const int last = std::min(end - 1, piece.bottom);
-        const V least = hn::Set(d, piece.least);
-        const V most = hn::Set(d, piece.most);
-        const V left = hn::Set(d, static_cast<float>(piece.left));
-        const V right = hn::Set(d, static_cast<float>(piece.right));
-        const int from = piece.left & -lanes;
-        for (int y = first; y <= last; ++y) {
-            const auto at = static_cast<float>(y);
-            const V rest0 = hn::Set(d, piece.b[0] * at + piece.c[0]);
-            const V rest1 = hn::Set(d, piece.b[1] * at + piece.c[1]);
-            const V rest2 = hn::Set(d, piece.b[2] * at + piece.c[2]);
-            const V rest3 = hn::Set(d, piece.b[3] * at + piece.c[3]);
-            const V base = hn::Set(d, piece.slopeY * at + piece.base);
-            float* row = values + y * pitch;
-            for (int x = from; x <= piece.right; x += lanes) {
-                const V column = hn::Add(hn::Set(d, static_cast<float>(x)), iota);
-                const V inside = hn::Min(hn::Min(mulAdd(hn::Set(d, piece.a[0]), column, rest0),
-                                                 mulAdd(hn::Set(d, piece.a[1]), column, rest1)),
-                                         hn::Min(mulAdd(hn::Set(d, piece.a[2]), column, rest2),
-                                                 mulAdd(hn::Set(d, piece.a[3]), column, rest3)));
-                V value = mulAdd(hn::Set(d, piece.slopeX), column, base);
-                // Sharp corners, once their edges were moved, reach beyond the columns that are asked for.
-                const auto isDrawn =
-                    hn::And(hn::Ge(inside, zero), hn::And(hn::Ge(column, left), hn::Le(column, right)));
-                value = hn::IfThenElseZero(isDrawn, hn::Min(hn::Max(value, least), most));
-                hn::StoreU(hn::Max(hn::LoadU(d, row + x), value), d, row + x);
-            }
-        }
-    }
-}
-
 int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
     const F d;
     const I di;
@@ -233,27 +195,33 @@ std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
     return rows;
 }
 
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions) {
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
     static_assert(PlaneLayout::kPixelBytes == 3);
     const I d;
+    const VI addU = hn::Set(d, placing.addU);
+    const VI addV = hn::Set(d, placing.addV);
     const VI first = hn::Set(d, placing.first);
     const VI turn = hn::Set(d, placing.turn);
     const VI beyond = hn::Set(d, placing.first + placing.turn);
-    for (std::size_t i = 0; i < 16; i += hn::Lanes(d)) {
-        VI atU = hn::Add(hn::LoadU(d, u + i), hn::Set(d, placing.addU));
-        atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
-        atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
-        atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
-        VI atV = hn::Add(hn::LoadU(d, v + i), hn::Set(d, placing.addV));
-        atV = hn::Min(hn::Max(atV, first), hn::Set(d, placing.lastV));
-        const VI column = hn::ShiftRight<kFractionBits>(atU);
-        const VI row = hn::ShiftRight<kFractionBits>(atV);
-        hn::StoreU(
-            hn::Add(hn::Mul(row, hn::Set(d, placing.rowBytes)), hn::Add(column, hn::ShiftLeft<1>(column))), d,
-            places + i);
-        const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
-        hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + i);
+    const VI lastV = hn::Set(d, placing.lastV);
+    const VI rowBytes = hn::Set(d, placing.rowBytes);
+    for (int y = 0; y < rows; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI atU = hn::Add(hn::LoadU(d, u + y * kCell + x), addU);
+            atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
+            atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
+            atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
+            VI atV = hn::Add(hn::LoadU(d, v + y * kCell + x), addV);
+            atV = hn::Min(hn::Max(atV, first), lastV);
+            const VI column = hn::ShiftRight<kFractionBits>(atU);
+            const VI row = hn::ShiftRight<kFractionBits>(atV);
+            const std::ptrdiff_t to = std::ptrdiff_t{y} * apart * kCell + x;
+            hn::StoreU(hn::Add(hn::Mul(row, rowBytes), hn::Add(column, hn::ShiftLeft<1>(column))), d,
+                       places + to);
+            const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
+            hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + to);
+        }
     }
 }
 
@@ -268,10 +236,9 @@ namespace spherewalk::render::simd {
 HWY_EXPORT(projectPart);
 HWY_EXPORT(projectSixteen);
 HWY_EXPORT(boxes);
-HWY_EXPORT(draw);
 HWY_EXPORT(zeros);
 HWY_EXPORT(takeUnseen);
-HWY_EXPORT(placeSixteen);
+HWY_EXPORT(placeRows);
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
     HWY_DYNAMIC_DISPATCH(projectPart)(camera, part, out);
@@ -285,10 +252,6 @@ void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
     HWY_DYNAMIC_DISPATCH(boxes)(part, rows, out);
 }
 
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
-    HWY_DYNAMIC_DISPATCH(draw)(pieces, begin, end, values, pitch);
-}
-
 int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
     return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
 }
@@ -298,9 +261,9 @@ std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
     return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
 }
 
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions) {
-    HWY_DYNAMIC_DISPATCH(placeSixteen)(placing, u, v, places, fractions);
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
+    HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
 }
 
 } // namespace spherewalk::render::simd

@@ -64,20 +64,6 @@ struct SixteenVertices {
 
 void project(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out);
 
-/// A flat convex piece with up to four edges. A pixel lies inside if a x + b y + c >= 0 for each.
-struct Piece {
-    std::array<float, 4> a, b, c;
-    float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
-    float least, most;
-    int left, top, right, bottom; ///< pixels that it may cover, the last ones included
-};
-
-/// How many columns a buffer's rows have more than a view needs: multiples of this.
-constexpr int kColumns = 16;
-
-/// Draws rows [begin, end) of the pieces: the greater value wins. Range: pitch a multiple of kColumns.
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch);
-
 /// How many values are 0 in each 4 x 4 part of a cell of 16 x 16 pixels, row after row; and of all of it.
 int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts);
 
@@ -96,8 +82,9 @@ struct PartPlacing {
     std::int32_t rowBytes;
 };
 
-/// Places and fractions, as LatticeScratch::places(), of sixteen pixels.
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions);
+/// Places and fractions, as LatticeScratch::places(), of rows of sixteen pixels, each of which is written
+/// `apart` rows after the one before.
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions);
 
 } // namespace spherewalk::render::simd

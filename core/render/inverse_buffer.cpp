@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inverse_buffer.h"
 
+#include "depth_pieces.h"
 #include "depth_simd.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <numeric>
 
 namespace spherewalk::render {
 
@@ -25,16 +26,16 @@ void fit(InverseBuffer& buffer, int width, int height) {
 
 OpenCells::OpenCells(int width, int height)
     : m_width((width + kCell - 1) / kCell * kParts), m_height((height + kCell - 1) / kCell * kParts) {
+    m_cells.assign(static_cast<std::size_t>(m_width * m_height / (kParts * kParts)), kCell * kCell);
     for (int y = 0; y <= m_height; ++y) {
         for (int x = 0; x <= m_width; ++x) {
-            m_sums.push_back(x * y);
+            m_sums.push_back(x * y * kPart * kPart);
         }
     }
 }
 
 int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int threads) {
     const int columns = m_width / kParts;
-    std::vector<int> cells(static_cast<std::size_t>(columns * (m_height / kParts)));
     std::vector<int> parts(static_cast<std::size_t>(m_width * m_height));
     pool.run(m_height / kParts, threads, [&](int row, int) {
         std::array<std::int32_t, kParts * kParts> ofParts;
@@ -42,7 +43,7 @@ int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int thread
             if (!isOpen(column, row)) {
                 continue;
             }
-            cells[static_cast<std::size_t>(row * columns + column)] =
+            m_cells[static_cast<std::size_t>(row * columns + column)] =
                 simd::zeros(covered.at(column * kCell, row * kCell), covered.width(), ofParts);
             for (int i = 0; i < kParts; ++i) {
                 std::copy_n(ofParts.begin() + i * kParts, kParts,
@@ -58,10 +59,7 @@ int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int thread
             m_sums[y * pitch + x] = inRow + m_sums[(y - 1) * pitch + x];
         }
     }
-    if (m_first.empty()) {
-        m_first = std::move(cells);
-    }
-    return m_sums.back();
+    return std::accumulate(m_cells.begin(), m_cells.end(), 0);
 }
 
 bool OpenCells::anyIn(float left, float top, float right, float bottom) const {

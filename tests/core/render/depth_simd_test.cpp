@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_locate.h"
+#include "depth_pieces.h"
 #include "depth_simd.h"
 #include "lattice.h"
 #include "photo_plane.h"
@@ -115,6 +116,44 @@ TEST(DepthSimd, DrawsWhatLiesInsideAndTheNearerOne) {
                 << x << ", " << y;
         }
     }
+}
+
+TEST(DepthSimd, CutsQuadsIntoPieces) {
+    Quads quads;
+    const auto add = [&](const std::array<Place, 4>& corners) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            quads.x[i][static_cast<std::size_t>(quads.count)] = static_cast<float>(corners[i].u);
+            quads.y[i][static_cast<std::size_t>(quads.count)] = static_cast<float>(corners[i].v);
+            quads.value[i][static_cast<std::size_t>(quads.count)] = i < 2 ? 0.25F : 0.5F;
+        }
+        ++quads.count;
+    };
+    add({{{2, 2}, {10, 2}, {10, 10}, {2, 10}}});
+    add({{{20, 2}, {12, 2}, {12, 10}, {20, 10}}});     // seen from behind
+    add({{{22, 2}, {30, 2}, {24, 4}, {22, 10}}});      // not convex
+    add({{{-20, 2}, {-10, 2}, {-10, 10}, {-20, 10}}}); // beside the view
+    std::vector<Piece> pieces;
+    cut(quads, 48, 32, pieces);
+    ASSERT_EQ(pieces.size(), 4U);
+    std::vector<float> values(std::size_t{48} * 32);
+    draw(pieces, 0, 32, values.data(), 48);
+    const auto value = [&](int x, int y) { return values[static_cast<std::size_t>(y * 48 + x)]; };
+    for (const int x : {2, 6, 10, 12, 16, 20}) {
+        EXPECT_FLOAT_EQ(value(x, 2), 0.25F) << x;
+        EXPECT_FLOAT_EQ(value(x, 6), 0.375F) << x;
+        EXPECT_FLOAT_EQ(value(x, 10), 0.5F) << x;
+        EXPECT_EQ(value(x, 11), 0) << x;
+    }
+    EXPECT_GT(value(23, 4), 0);
+    EXPECT_EQ(value(28, 8), 0); // beyond the corner that points inwards
+    EXPECT_EQ(value(11, 6), 0);
+}
+
+TEST(DepthSimd, DrawsUpToTheLastColumn) {
+    const std::vector<Piece> pieces{square(3, 31, 47, 31, 0.5F)};
+    std::vector<float> values(std::size_t{48} * 32);
+    draw(pieces, 0, 32, values.data(), 48);
+    EXPECT_EQ(std::count(values.begin(), values.end(), 0.5F), 45);
 }
 
 TEST(DepthSimd, CountsThePixelsThatNothingCovers) {
