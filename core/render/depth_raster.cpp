@@ -14,17 +14,7 @@ using simd::ProjectedPart;
 
 namespace {
 
-constexpr float kJump = 0.08F;  ///< of 1 / distance; what differs by more from pixel to pixel is no surface
 constexpr int kCulledLevel = 2; ///< quads of this size that cannot show are left out as one
-
-/// Whether values so far apart are of one surface.
-bool isSurface(float least, float most) {
-    return most - least < kJump * most;
-}
-
-bool isSurface(const std::array<float, 2>& values) {
-    return isSurface(std::min(values[0], values[1]), std::max(values[0], values[1]));
-}
 
 /// A rectangle of a photo with 1 / distance at its corners, in turn from the upper left. Units: half pixels
 /// right and down of a pixel's centre.
@@ -110,20 +100,18 @@ class DepthRaster::BlockCutter {
     /// Four pixels: a surface, unless their distances differ too much. Then each stands by itself or with one
     /// beside it, facing the photo, up to the middle between them and the others.
     void smallest(int x, int y) {
+        if (m_mesh.isSurface(x, y)) {
+            add(x, y, x + 1, y + 1);
+            return;
+        }
         const float a = m_mesh.inverseM(x, y);
         const float b = m_mesh.inverseM(x + 1, y);
         const float c = m_mesh.inverseM(x, y + 1);
         const float d = m_mesh.inverseM(x + 1, y + 1);
-        const float least = std::min(std::min(a, b), std::min(c, d));
-        const float most = std::max(std::max(a, b), std::max(c, d));
-        if (isSurface(least, most)) {
-            add(x, y, x + 1, y + 1);
-            return;
-        }
         std::array<Facing, 4> parts;
         std::size_t count = 0;
         const auto row = [&](int top, float left, float right) {
-            if (isSurface({left, right})) {
+            if (DepthMesh::isSurface({left, right})) {
                 parts[count++] = {0, top, 2, top + 1, {left, right, right, left}};
             } else {
                 parts[count++] = {0, top, 1, top + 1, {left, left, left, left}};
@@ -131,14 +119,14 @@ class DepthRaster::BlockCutter {
             }
         };
         const auto column = [&](int left, float top, float bottom) {
-            if (isSurface({top, bottom})) {
+            if (DepthMesh::isSurface({top, bottom})) {
                 parts[count++] = {left, 0, left + 1, 2, {top, top, bottom, bottom}};
             } else {
                 parts[count++] = {left, 0, left + 1, 1, {top, top, top, top}};
                 parts[count++] = {left, 1, left + 1, 2, {bottom, bottom, bottom, bottom}};
             }
         };
-        if (isSurface({a, b}) || isSurface({c, d})) {
+        if (DepthMesh::isSurface({a, b}) || DepthMesh::isSurface({c, d})) {
             row(0, a, b);
             row(1, c, d);
         } else {
@@ -255,11 +243,13 @@ void DepthRaster::draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, con
 /// Makes the open cells of a row zero: the others are not looked at.
 void DepthRaster::clear(int row, const OpenCells& open, InverseBuffer& out) {
     constexpr int kCell = OpenCells::kCell;
-    for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
-        for (int x = 0; x < out.width(); x += kCell) {
-            if (open.isOpen(x / kCell, row)) {
-                std::fill_n(out.at(x, y), kCell, 0.0F);
-            }
+    if (open.isAllOpen()) {
+        std::fill_n(out.at(0, row * kCell), static_cast<std::ptrdiff_t>(out.width()) * kCell, 0.0F);
+        return;
+    }
+    for (int column = 0; column < out.width() / kCell; ++column) {
+        for (int y = 0; y < kCell && open.isOpen(column, row); ++y) {
+            std::fill_n(out.at(column * kCell, row * kCell + y), kCell, 0.0F);
         }
     }
 }

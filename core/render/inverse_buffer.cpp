@@ -25,11 +25,13 @@ void fit(InverseBuffer& buffer, int width, int height) {
 }
 
 OpenCells::OpenCells(int width, int height)
-    : m_width((width + kCell - 1) / kCell * kParts), m_height((height + kCell - 1) / kCell * kParts) {
-    m_cells.assign(static_cast<std::size_t>(m_width * m_height / (kParts * kParts)), kCell * kCell);
+    : m_width((width + kCell - 1) / kCell * kParts),
+      m_height((height + kCell - 1) / kCell * kParts),
+      m_sums(static_cast<std::size_t>((m_width + 1) * (m_height + 1))),
+      m_cells(static_cast<std::size_t>(m_width * m_height / (kParts * kParts)), kCell * kCell) {
     for (int y = 0; y <= m_height; ++y) {
         for (int x = 0; x <= m_width; ++x) {
-            m_sums.push_back(x * y * kPart * kPart);
+            m_sums[static_cast<std::size_t>(y * (m_width + 1) + x)] = x * y * kPart * kPart;
         }
     }
 }
