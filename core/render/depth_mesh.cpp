@@ -19,6 +19,14 @@ DepthMesh::DepthMesh(const DepthMap& map) : m_width(map.width()), m_height(map.h
         m_inverse.insert(m_inverse.end(), row.begin(), row.end());
         m_inverse.push_back(row.front());
     }
+    for (int y = 0; y < m_height - 1; ++y) {
+        for (int x = 0; x < m_width; ++x) {
+            m_isSurface.push_back(
+                isSurface({inverseM(x, y), inverseM(x + 1, y), inverseM(x, y + 1), inverseM(x + 1, y + 1)})
+                    ? 1
+                    : 0);
+        }
+    }
     const double half = std::numbers::pi / m_width; // half a pixel
     for (int i = -1; i <= 2 * m_width; ++i) {
         m_cosAzimuth.push_back(static_cast<float>(std::cos(std::numbers::pi - half * (i + 1))));

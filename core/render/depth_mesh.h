@@ -7,7 +7,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace spherewalk::render {
@@ -20,6 +23,19 @@ class DepthMesh {
     static constexpr int kBlock = 1 << (kLevels - 1);
 
     explicit DepthMesh(const DepthMap& map);
+
+    /// Whether neighbours so far away, seen as 1 / distance, may be of one surface.
+    static bool isSurface(std::initializer_list<float> inverseM) {
+        constexpr float kJump = 0.08F;
+        return std::max(inverseM) - std::min(inverseM) < kJump * std::max(inverseM);
+    }
+
+    /// Whether the four pixels from there to the right and down are of one. Range: 0 <= x < width, 0 <= y <
+    /// height - 1.
+    bool isSurface(int x, int y) const {
+        return m_isSurface[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) +
+                           static_cast<std::size_t>(x)] != 0;
+    }
 
     int width() const { return m_width; }
 
@@ -80,6 +96,7 @@ class DepthMesh {
     int m_width;
     int m_height;
     std::vector<float> m_inverse;
+    std::vector<std::uint8_t> m_isSurface;
     std::vector<float> m_cosAzimuth;
     std::vector<float> m_sinAzimuth;
     std::vector<float> m_cosElevation;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_places.h"
 
+#include "depth_locate.h"
 #include "depth_simd.h"
 #include "lattice.h"
 #include "photo_plane.h"
@@ -49,6 +50,12 @@ class RowRays {
         for (int x = 0; x < width && m_isPinhole; ++x) {
             m_x[static_cast<std::size_t>(x)] = static_cast<float>((x - k.cx) / k.fx);
         }
+        for (std::size_t node = 0; node < m_nodes.size() && m_isPinhole; ++node) {
+            for (int x = simd::NodeRays::kNodes[node]; x < width; x += kCell) {
+                m_nodes[node].push_back(m_x[static_cast<std::size_t>(x)]);
+            }
+            m_nodes[node].resize(m_nodes[node].size() + kCell); // SIMD reads beyond the end
+        }
     }
 
     void cast(int row) {
@@ -78,9 +85,22 @@ class RowRays {
         return {{{m_x.data() + x, m_width}, {m_y.data() + x, m_width}, {m_z.data() + x, m_width}}};
     }
 
-    bool mayBeBlind() const { return !m_isPinhole; }
+    bool isPinhole() const { return m_isPinhole; }
 
-    /// Whether the lens sees nothing there. Range: of a camera that may be blind; y in the row of cells.
+    /// Range: of a pinhole.
+    simd::NodeRays nodes() const {
+        const CameraIntrinsics& k = m_rays.camera().intrinsics();
+        simd::NodeRays nodes;
+        for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+            nodes.x[i] = m_nodes[i].data();
+            nodes.y[i] = m_y[static_cast<std::size_t>(simd::NodeRays::kNodes[i] * kCell)];
+        }
+        nodes.stepX = static_cast<float>(1 / k.fx);
+        nodes.stepY = static_cast<float>(1 / k.fy);
+        return nodes;
+    }
+
+    /// Whether the lens sees nothing there. Range: not of a pinhole; y in the row of cells.
     bool isBlind(int x, int y) const {
         const auto i = static_cast<std::size_t>(y * m_width + x);
         return m_x[i] == 0 && m_y[i] == 0 && m_z[i] == 0;
@@ -93,6 +113,7 @@ class RowRays {
     std::vector<float> m_x;
     std::vector<float> m_y;
     std::vector<float> m_z;
+    std::array<std::vector<float>, 3> m_nodes; ///< x of the cells' nodes
 };
 
 /// Places a row of cells after the other.
@@ -104,28 +125,73 @@ class RowPlacer {
           m_targets(targets),
           m_open(open),
           m_usualInverse(usualInverse),
-          m_places(places) {}
+          m_places(places),
+          m_least(static_cast<std::size_t>(places.columns() + kCell), 1),
+          m_greatest(m_least),
+          m_fits(targets.size(), simd::CellFits(places.columns())) {}
 
     void place(int row) {
         m_rays.cast(row);
-        if (m_rays.mayBeBlind()) {
+        if (!m_rays.isPinhole()) {
             markBlind(row);
         }
         for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
             fillHoles(y);
+        }
+        if (m_rays.isPinhole()) {
+            fitCells(row);
         }
         for (int column = 0; column < m_places.columns(); ++column) {
             placeCell(column, row);
         }
     }
 
+    /// Of a cell of the row that was placed last; nothing where it could not be fitted.
+    std::optional<std::array<std::int32_t, 4>> slopes(int column, int row, std::size_t photo) const {
+        if (!isFitted(column, photo)) {
+            return std::nullopt;
+        }
+        constexpr int kMiddle = simd::NodeRays::kNodes[1];
+        const float inverse = *m_places.inverse.at(column * kCell + kMiddle, row * kCell + kMiddle);
+        return simd::slopes(m_fits[photo], column, inverse);
+    }
+
   private:
+    bool isFitted(int column, std::size_t photo) const {
+        return m_rays.isPinhole() &&
+               m_fits[photo].errorPx[static_cast<std::size_t>(column)] <= simd::CellFits::kTolerancePx;
+    }
+
+    void fitCells(int row) {
+        const int columns = m_places.columns();
+        for (int column = 0; column < columns; ++column) {
+            const auto [least, greatest] =
+                simd::range(m_places.inverse.at(column * kCell, row * kCell), m_places.inverse.width());
+            m_least[static_cast<std::size_t>(column)] = least;
+            m_greatest[static_cast<std::size_t>(column)] = greatest;
+        }
+        for (std::size_t photo = 0; photo < m_targets.size(); ++photo) {
+            const auto shows = [&](int column) {
+                return (m_places.sources[m_places.index(column, row)] >> photo & 1U) != 0;
+            };
+            int begin = 0;
+            int end = columns;
+            for (; begin < end && !shows(begin); ++begin) {
+            }
+            for (; end > begin && !shows(end - 1); --end) {
+            }
+            simd::fit(m_targets[photo], m_rays.nodes(), m_least.data(), m_greatest.data(), begin, end,
+                      m_fits[photo]);
+        }
+    }
+
     void markBlind(int row) {
         for (int y = 0; y < kCell; ++y) {
             for (int x = 0; x < m_places.source.width(); ++x) {
                 if (m_rays.isBlind(x, y)) {
                     *m_places.source.at(x, row * kCell + y) = DepthPlaces::kUnseen;
                     *m_places.inverse.at(x, row * kCell + y) = m_usualInverse;
+                    m_places.sources[m_places.index(x / kCell, row)] |= DepthPlaces::kBlind;
                 }
             }
         }
@@ -155,24 +221,9 @@ class RowPlacer {
         }
     }
 
-    std::uint32_t sourcesOf(int column, int row) const {
-        if (!m_rays.mayBeBlind() && !m_open.isTaken(column, row)) {
-            return 1;
-        }
-        std::uint32_t bits = 0;
-        for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
-            const std::uint8_t* source = m_places.source.at(column * kCell, y);
-            for (int x = 0; x < kCell; ++x) {
-                bits |= source[x] == DepthPlaces::kUnseen ? 1U | DepthPlaces::kBlind : 1U << source[x];
-            }
-        }
-        return bits;
-    }
-
     void placeCell(int column, int row) {
         const std::size_t cell = m_places.index(column, row);
-        const std::uint32_t sources = sourcesOf(column, row);
-        m_places.sources[cell] = sources;
+        const std::uint32_t sources = m_places.sources[cell];
         std::int32_t* u = m_places.u.data() + cell * DepthPlaces::kCellPixels;
         std::int32_t* v = m_places.v.data() + cell * DepthPlaces::kCellPixels;
         bool isFirst = true;
@@ -180,17 +231,22 @@ class RowPlacer {
             if ((sources >> photo & 1U) == 0) {
                 continue;
             }
-            simd::locate(m_targets[photo], m_rays.cell(column * kCell),
-                         m_places.inverse.at(column * kCell, row * kCell), m_places.inverse.width(),
-                         isFirst ? u : m_u.data(), isFirst ? v : m_v.data());
-            for (std::size_t i = 0; i < DepthPlaces::kCellPixels && !isFirst; ++i) {
-                const auto x = static_cast<int>(i % kCell);
-                const auto y = static_cast<int>(i / kCell);
-                const bool isOwn = *m_places.source.at(column * kCell + x, row * kCell + y) == photo;
-                u[i] = isOwn ? m_u[i] : u[i];
-                v[i] = isOwn ? m_v[i] : v[i];
+            locate(column, row, photo, isFirst ? u : m_u.data(), isFirst ? v : m_v.data());
+            if (!isFirst) {
+                simd::takeOwn(m_u.data(), m_v.data(), m_places.source.at(column * kCell, row * kCell),
+                              m_places.source.width(), static_cast<std::uint8_t>(photo), u, v);
             }
             isFirst = false;
+        }
+    }
+
+    void locate(int column, int row, std::size_t photo, std::int32_t* u, std::int32_t* v) const {
+        const float* inverse = m_places.inverse.at(column * kCell, row * kCell);
+        if (isFitted(column, photo)) {
+            simd::locate(m_fits[photo], column, inverse, m_places.inverse.width(), u, v);
+        } else {
+            simd::locate(m_targets[photo], m_rays.cell(column * kCell), inverse, m_places.inverse.width(), u,
+                         v);
         }
     }
 
@@ -199,6 +255,9 @@ class RowPlacer {
     const OpenCells& m_open;
     float m_usualInverse;
     DepthPlaces& m_places;
+    std::vector<float> m_least; ///< inverse depth of each cell
+    std::vector<float> m_greatest;
+    std::vector<simd::CellFits> m_fits; ///< of each photo
     std::array<std::int32_t, DepthPlaces::kCellPixels> m_u;
     std::array<std::int32_t, DepthPlaces::kCellPixels> m_v;
 };
@@ -233,40 +292,28 @@ void DepthPlaces::reset(int width, int height) {
         sources.resize(static_cast<std::size_t>(columns() * rows()));
     }
     std::fill(source.values().begin(), source.values().end(), std::uint8_t{0});
+    std::fill(sources.begin(), sources.end(), 1U);
 }
 
 void DepthPlaces::take(const InverseBuffer& seen, std::uint8_t photo, const OpenCells& open, WorkerPool& pool,
                        int threads) {
     pool.run(rows(), threads, [&](int row, int) {
+        std::array<std::int32_t, kCellPixels> isTaken;
         for (int column = 0; column < columns(); ++column) {
             if (!open.isOpen(column, row)) {
                 continue;
             }
-            for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
-                for (int x = column * kCell; x < (column + 1) * kCell; ++x) {
-                    float& mine = *inverse.at(x, y);
-                    if (mine == 0 && *seen.at(x, y) > 0) {
-                        mine = *seen.at(x, y);
-                        *source.at(x, y) = photo;
-                    }
+            const int x = column * kCell;
+            const int y = row * kCell;
+            const std::uint32_t rowsTaken =
+                simd::takeUnseen(seen.at(x, y), inverse.at(x, y), inverse.width(), isTaken);
+            sources[index(column, row)] |= rowsTaken != 0 ? 1U << photo : 0;
+            for (int i = 0; i < kCell; ++i) {
+                for (int j = 0; j < kCell && (rowsTaken >> i & 1U) != 0; ++j) {
+                    std::uint8_t& from = *source.at(x + j, y + i);
+                    from = isTaken[static_cast<std::size_t>(i * kCell + j)] != 0 ? photo : from;
                 }
             }
-        }
-    });
-}
-
-void placePixels(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<const PlacedPhoto> photos,
-                 const OpenCells& open, double usualDistanceM, WorkerPool& pool, int threads,
-                 DepthPlaces& places) {
-    std::vector<simd::PhotoTarget> targets;
-    for (const PlacedPhoto& photo : photos) {
-        targets.push_back(targetOf(roomFromCamera, photo));
-    }
-    constexpr int kBand = 3; ///< rows of cells that one worker does in turn
-    pool.run((places.rows() + kBand - 1) / kBand, threads, [&](int band, int) {
-        RowPlacer placer(rays, targets, open, static_cast<float>(1 / usualDistanceM), places);
-        for (int row = band * kBand; row < std::min(places.rows(), (band + 1) * kBand); ++row) {
-            placer.place(row);
         }
     });
 }
@@ -289,6 +336,39 @@ std::array<std::int32_t, 4> placeSlopes(const PixelRays& rays, const Rigid3& roo
         }
     }
     return slopes;
+}
+
+void placePixels(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<const PlacedPhoto> photos,
+                 const OpenCells& open, double usualDistanceM, bool wantsSlopes, WorkerPool& pool,
+                 int threads, DepthPlaces& places) {
+    std::vector<simd::PhotoTarget> targets;
+    for (const PlacedPhoto& photo : photos) {
+        targets.push_back(targetOf(roomFromCamera, photo));
+    }
+    places.slopes.resize(places.sources.size() * photos.size());
+    const auto findSlopes = [&](const RowPlacer& placer, int column, int row) {
+        const std::size_t cell = places.index(column, row);
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            if ((places.sources[cell] >> i & 1U) != 0) {
+                const int x = column * kCell + std::min(kCell, rays.camera().width() - column * kCell) / 2;
+                const int y = row * kCell + std::min(kCell, rays.camera().height() - row * kCell) / 2;
+                const auto fitted = placer.slopes(column, row, i);
+                places.slopes[cell * photos.size() + i] =
+                    fitted ? *fitted
+                           : placeSlopes(rays, roomFromCamera, photos[i], x, y, *places.inverse.at(x, y));
+            }
+        }
+    };
+    constexpr int kBand = 3; ///< rows of cells that one worker does in turn
+    pool.run((places.rows() + kBand - 1) / kBand, threads, [&](int band, int) {
+        RowPlacer placer(rays, targets, open, static_cast<float>(1 / usualDistanceM), places);
+        for (int row = band * kBand; row < std::min(places.rows(), (band + 1) * kBand); ++row) {
+            placer.place(row);
+            for (int column = 0; column < places.columns() && wantsSlopes; ++column) {
+                findSlopes(placer, column, row);
+            }
+        }
+    });
 }
 
 } // namespace spherewalk::render

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <span>
 
 namespace spherewalk::render {
 
@@ -14,33 +14,14 @@ using simd::ProjectedPart;
 
 namespace {
 
-/// As ProjectedPart has them.
-struct Vertex {
-    float x, y, value;
+constexpr int kCulledLevel = 2; ///< quads of this size that cannot show are left out as one
+
+/// A rectangle of a photo with 1 / distance at its corners, in turn from the upper left. Units: half pixels
+/// right and down of a pixel's centre.
+struct Facing {
+    int left, top, right, bottom;
+    std::array<float, 4> inverseM;
 };
-
-constexpr float kJump = 0.08F; ///< of 1 / distance; what differs by more from pixel to pixel is no surface
-constexpr float kOverlapPx = 0.25F; ///< pieces reach so far beyond their edges: flat parts leave no cracks
-constexpr float kLeastTurn = 1e-4F; ///< of a corner; what is thinner is drawn as triangles, if at all
-constexpr int kCulledLevel = 2;     ///< quads of this size that cannot show are left out as one
-constexpr int kBand = 16;           ///< rows that one worker draws in turn
-
-/// The first pixel that is not before it, at most one beyond the last.
-int firstAt(float begin, float last) {
-    const float inView = std::min(std::max(begin, 0.0F), last + 1);
-    const int cut = static_cast<int>(inView);
-    return cut + (static_cast<float>(cut) < inView ? 1 : 0);
-}
-
-/// The last pixel that is not after it, -1 if there is none.
-int lastAt(float end, float last) {
-    return static_cast<int>(std::min(std::max(end, -1.0F), last) + 1) - 1;
-}
-
-/// Twice the area of the triangle, negative if it turns the other way.
-float turn(const Vertex& a, const Vertex& b, const Vertex& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-}
 
 } // namespace
 
@@ -48,25 +29,39 @@ float turn(const Vertex& a, const Vertex& b, const Vertex& c) {
 class DepthRaster::BlockCutter {
   public:
     BlockCutter(const DepthMesh& mesh, const SurfaceProjector& projector, const OpenCells& open,
-                float tolerance, int width, int height, Block& block)
+                float tolerance, int width, int height, std::span<std::vector<Piece>> bands)
         : m_mesh(mesh),
           m_projector(projector),
           m_open(open),
           m_tolerance(tolerance),
-          m_lastX(static_cast<float>(width - 1)),
-          m_lastY(static_cast<float>(height - 1)),
-          m_block(block) {
-        m_block.top = height;
-        m_block.bottom = -1;
-    }
+          m_width(width),
+          m_height(height),
+          m_bands(bands) {}
 
     void cut(int blockX, int blockY) {
         m_x = blockX * DepthMesh::kBlock;
         m_y = blockY * DepthMesh::kBlock;
-        const simd::SurfacePart block = m_mesh.block(blockX, blockY);
-        m_projector.project(block, m_part);
-        simd::boxes(m_part, block.rows, m_boxes);
+        const simd::SurfacePart part = m_mesh.block(blockX, blockY);
+        m_projector.project(part, m_part);
+        simd::boxes(m_part, part.rows, m_boxes);
         quad(DepthMesh::kLevels - 1, m_x, m_y);
+    }
+
+    /// To be called at the end.
+    void flush() {
+        simd::cut(m_quads, m_width, m_height, m_pieces);
+        m_quads.count = 0;
+        for (const Piece& piece : m_pieces) {
+            if (!m_open.isAllOpen() &&
+                !m_open.anyIn(static_cast<float>(piece.left), static_cast<float>(piece.top),
+                              static_cast<float>(piece.right), static_cast<float>(piece.bottom))) {
+                continue;
+            }
+            for (int band = piece.top / kBand; band <= piece.bottom / kBand; ++band) {
+                m_bands[static_cast<std::size_t>(band)].push_back(piece);
+            }
+        }
+        m_pieces.clear();
     }
 
   private:
@@ -81,7 +76,7 @@ class DepthRaster::BlockCutter {
             return;
         }
         const bool flat = level <= m_projector.largestLevel() && m_mesh.deviation(level, x, y) < m_tolerance;
-        if (flat && surface({vertex(x, y), vertex(x + size, y), vertex(x + size, endY), vertex(x, endY)})) {
+        if (flat && add(x, y, x + size, endY)) {
             return;
         }
         for (int j = y; j < endY; j += size / 2) {
@@ -98,138 +93,112 @@ class DepthRaster::BlockCutter {
             static_cast<std::size_t>((y - m_y) / kSquare * simd::PartBoxes::kSquares + (x - m_x) / kSquare);
         const float beside = 1 + (m_boxes.right[i] - m_boxes.left[i]) / kSquare;
         const float below = 1 + (m_boxes.bottom[i] - m_boxes.top[i]) / kSquare;
-        return !m_boxes.isWhole[i] || m_open.anyIn(m_boxes.left[i] - beside, m_boxes.top[i] - below,
-                                                   m_boxes.right[i] + beside, m_boxes.bottom[i] + below);
+        return m_open.anyIn(m_boxes.left[i] - beside, m_boxes.top[i] - below, m_boxes.right[i] + beside,
+                            m_boxes.bottom[i] + below);
     }
 
-    /// Four pixels: a surface, unless their distances differ too much. Then each stands by itself, facing the
-    /// photo, up to the middle between them.
+    /// Four pixels: a surface, unless their distances differ too much. Then each stands by itself or with one
+    /// beside it, facing the photo, up to the middle between them and the others.
     void smallest(int x, int y) {
-        const std::array<float, 4> values{m_mesh.inverseM(x, y), m_mesh.inverseM(x + 1, y),
-                                          m_mesh.inverseM(x, y + 1), m_mesh.inverseM(x + 1, y + 1)};
-        const float least = std::min(std::min(values[0], values[1]), std::min(values[2], values[3]));
-        const float most = std::max(std::max(values[0], values[1]), std::max(values[2], values[3]));
-        if (most - least < kJump * most) {
-            surface({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+        if (m_mesh.isSurface(x, y)) {
+            add(x, y, x + 1, y + 1);
             return;
         }
-        simd::SixteenPoints points;
-        for (int i = 0; i < 16; ++i) { // four corners of each pixel's quarter
-            const auto to = static_cast<std::size_t>(i);
-            const int right = i / 4 % 2 + (i % 4 == 1 || i % 4 == 2 ? 1 : 0);
-            const int down = i / 8 + (i % 4 >= 2 ? 1 : 0);
-            const Eigen::Vector3f direction = m_mesh.direction(2 * x + right, 2 * y + down);
-            points.x[to] = direction.x();
-            points.y[to] = direction.y();
-            points.z[to] = direction.z();
-            points.inverseM[to] = values[to / 4];
+        const float a = m_mesh.inverseM(x, y);
+        const float b = m_mesh.inverseM(x + 1, y);
+        const float c = m_mesh.inverseM(x, y + 1);
+        const float d = m_mesh.inverseM(x + 1, y + 1);
+        std::array<Facing, 4> parts;
+        std::size_t count = 0;
+        const auto row = [&](int top, float left, float right) {
+            if (DepthMesh::isSurface({left, right})) {
+                parts[count++] = {0, top, 2, top + 1, {left, right, right, left}};
+            } else {
+                parts[count++] = {0, top, 1, top + 1, {left, left, left, left}};
+                parts[count++] = {1, top, 2, top + 1, {right, right, right, right}};
+            }
+        };
+        const auto column = [&](int left, float top, float bottom) {
+            if (DepthMesh::isSurface({top, bottom})) {
+                parts[count++] = {left, 0, left + 1, 2, {top, top, bottom, bottom}};
+            } else {
+                parts[count++] = {left, 0, left + 1, 1, {top, top, top, top}};
+                parts[count++] = {left, 1, left + 1, 2, {bottom, bottom, bottom, bottom}};
+            }
+        };
+        if (DepthMesh::isSurface({a, b}) || DepthMesh::isSurface({c, d})) {
+            row(0, a, b);
+            row(1, c, d);
+        } else {
+            column(0, a, c);
+            column(1, b, d);
         }
-        simd::SixteenVertices v;
-        m_projector.project(points, v);
-        const auto corner = [&](std::size_t i) { return Vertex{v.x[i], v.y[i], v.value[i]}; };
-        for (std::size_t i = 0; i < 16; i += 4) {
-            surface({corner(i), corner(i + 1), corner(i + 2), corner(i + 3)});
+        add(x, y, {parts.data(), count});
+    }
+
+    /// Parts of the four pixels there.
+    void add(int x, int y, std::span<const Facing> parts) {
+        std::array<Eigen::Vector3f, 9> directions;
+        for (int i = 0; i < 9; ++i) {
+            directions[static_cast<std::size_t>(i)] = m_mesh.direction(2 * x + i % 3, 2 * y + i / 3);
+        }
+        simd::SixteenPoints points{};
+        std::size_t to = 0;
+        for (const Facing& part : parts) {
+            const std::array<int, 4> at{part.top * 3 + part.left, part.top * 3 + part.right,
+                                        part.bottom * 3 + part.right, part.bottom * 3 + part.left};
+            for (std::size_t i = 0; i < 4; ++i, ++to) {
+                const Eigen::Vector3f& direction = directions[static_cast<std::size_t>(at[i])];
+                points.x[to] = direction.x();
+                points.y[to] = direction.y();
+                points.z[to] = direction.z();
+                points.inverseM[to] = part.inverseM[i];
+            }
+        }
+        simd::SixteenVertices vertices;
+        m_projector.project(points, vertices);
+        for (std::size_t i = 0; i < 4 * parts.size(); i += 4) {
+            add(vertices, {i, i + 1, i + 2, i + 3});
         }
     }
 
-    Vertex vertex(int x, int y) const {
-        const auto i = static_cast<std::size_t>((y - m_y) * ProjectedPart::kPitch + x - m_x);
-        return {m_part.x[i], m_part.y[i], m_part.value[i]};
+    /// A quad of the block between these vertices. False if not all of it is in front of the camera.
+    bool add(int left, int top, int right, int bottom) {
+        const auto index = [&](int x, int y) {
+            return static_cast<std::size_t>((y - m_y) * ProjectedPart::kPitch + x - m_x);
+        };
+        return add(m_part, {index(left, top), index(right, top), index(right, bottom), index(left, bottom)});
     }
 
-    /// Vertices in turn. False if not all of it is in front of the camera.
-    bool surface(const std::array<Vertex, 4>& v) {
-        if (!(v[0].value > 0 && v[1].value > 0 && v[2].value > 0 && v[3].value > 0)) {
+    template <class Vertices>
+    bool add(const Vertices& vertices, const std::array<std::size_t, 4>& corners) {
+        const auto isPlaced = [&](std::size_t corner) { return vertices.value[corner] > 0; };
+        if (!std::all_of(corners.begin(), corners.end(), isPlaced)) {
             return false;
         }
-        const float left = std::min(std::min(v[0].x, v[1].x), std::min(v[2].x, v[3].x)) - kOverlapPx;
-        const float right = std::max(std::max(v[0].x, v[1].x), std::max(v[2].x, v[3].x)) + kOverlapPx;
-        const float top = std::min(std::min(v[0].y, v[1].y), std::min(v[2].y, v[3].y)) - kOverlapPx;
-        const float bottom = std::max(std::max(v[0].y, v[1].y), std::max(v[2].y, v[3].y)) + kOverlapPx;
-        Piece piece;
-        piece.left = firstAt(left, m_lastX);
-        piece.right = lastAt(right, m_lastX);
-        piece.top = firstAt(top, m_lastY);
-        piece.bottom = lastAt(bottom, m_lastY);
-        if (piece.left > piece.right || piece.top > piece.bottom || !m_open.anyIn(left, top, right, bottom)) {
-            return true;
+        if (m_quads.count == simd::Quads::kMost) {
+            flush();
         }
-        const std::array<float, 4> turns{turn(v[0], v[1], v[2]), turn(v[1], v[2], v[3]),
-                                         turn(v[2], v[3], v[0]), turn(v[3], v[0], v[1])};
-        const float smallestTurn = std::min(std::min(turns[0], turns[1]), std::min(turns[2], turns[3]));
-        const float largestTurn = std::max(std::max(turns[0], turns[1]), std::max(turns[2], turns[3]));
-        if (smallestTurn > kLeastTurn || largestTurn < -kLeastTurn) {
-            whole(v, smallestTurn > 0 ? 1.0F : -1.0F, piece);
-            return true;
-        }
-        half({v[0], v[1], v[3]}, turns[3], piece);
-        half({v[1], v[2], v[3]}, turns[1], piece);
-        return true;
-    }
-
-    static void edge(const Vertex& from, const Vertex& to, float sign, std::size_t i, Piece& piece) {
-        const float a = sign * (from.y - to.y);
-        const float b = sign * (to.x - from.x);
-        piece.a[i] = a;
-        piece.b[i] = b;
-        piece.c[i] = -(a * from.x + b * from.y) + kOverlapPx * (std::abs(a) + std::abs(b));
-    }
-
-    /// A convex quad. Its values are the plane's through the middle that rises as the diagonals do.
-    void whole(const std::array<Vertex, 4>& v, float sign, Piece& piece) {
+        const auto to = static_cast<std::size_t>(m_quads.count++);
         for (std::size_t i = 0; i < 4; ++i) {
-            edge(v[i], v[(i + 1) % 4], sign, i, piece);
+            m_quads.x[i][to] = vertices.x[corners[i]];
+            m_quads.y[i][to] = vertices.y[corners[i]];
+            m_quads.value[i][to] = vertices.value[corners[i]];
         }
-        slope(v[2].x - v[0].x, v[2].y - v[0].y, v[2].value - v[0].value, v[3].x - v[1].x, v[3].y - v[1].y,
-              v[3].value - v[1].value, piece);
-        piece.base = 0.25F * (v[0].value + v[1].value + v[2].value + v[3].value -
-                              piece.slopeX * (v[0].x + v[1].x + v[2].x + v[3].x) -
-                              piece.slopeY * (v[0].y + v[1].y + v[2].y + v[3].y));
-        piece.least = std::min(std::min(v[0].value, v[1].value), std::min(v[2].value, v[3].value));
-        piece.most = std::max(std::max(v[0].value, v[1].value), std::max(v[2].value, v[3].value));
-        add(piece);
-    }
-
-    void half(const std::array<Vertex, 3>& v, float area, Piece& piece) {
-        if (!(std::abs(area) > kLeastTurn)) {
-            return;
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            edge(v[i], v[(i + 1) % 3], area > 0 ? 1.0F : -1.0F, i, piece);
-        }
-        piece.a[3] = 0;
-        piece.b[3] = 0;
-        piece.c[3] = 1;
-        slope(v[1].x - v[0].x, v[1].y - v[0].y, v[1].value - v[0].value, v[2].x - v[0].x, v[2].y - v[0].y,
-              v[2].value - v[0].value, piece);
-        piece.base = v[0].value - piece.slopeX * v[0].x - piece.slopeY * v[0].y;
-        piece.least = std::min(v[0].value, std::min(v[1].value, v[2].value));
-        piece.most = std::max(v[0].value, std::max(v[1].value, v[2].value));
-        add(piece);
-    }
-
-    /// From how much the value rises along two directions.
-    static void slope(float x1, float y1, float rise1, float x2, float y2, float rise2, Piece& piece) {
-        const float scale = 1 / (x1 * y2 - x2 * y1);
-        piece.slopeX = (rise1 * y2 - rise2 * y1) * scale;
-        piece.slopeY = (x1 * rise2 - x2 * rise1) * scale;
-    }
-
-    void add(const Piece& piece) {
-        m_block.pieces.push_back(piece);
-        m_block.top = std::min(m_block.top, piece.top);
-        m_block.bottom = std::max(m_block.bottom, piece.bottom);
+        return true;
     }
 
     const DepthMesh& m_mesh;
     const SurfaceProjector& m_projector;
     const OpenCells& m_open;
     float m_tolerance;
-    float m_lastX;
-    float m_lastY;
-    Block& m_block;
+    int m_width;
+    int m_height;
+    std::span<std::vector<Piece>> m_bands; ///< where the pieces go
+    std::vector<Piece> m_pieces;
     int m_x = 0;
     int m_y = 0;
+    simd::Quads m_quads; ///< that are yet to be cut
     ProjectedPart m_part;
     simd::PartBoxes m_boxes;
 };
@@ -240,33 +209,49 @@ void DepthRaster::draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, con
     fit(out, camera.width(), camera.height());
     const SurfaceProjector projector(cameraFromPhoto, camera);
     const float tolerance = static_cast<float>(tolerancePx) / std::max(1e-6F, projector.pixelsPerInverse());
-    const int columns = mesh.blocksX();
-    m_blocks.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(mesh.blocksY()));
+    const int bands = out.height() / kBand;
+    m_pieces.resize(static_cast<std::size_t>(mesh.blocksY()) * static_cast<std::size_t>(bands));
     pool.run(mesh.blocksY(), threads, [&](int row, int) {
-        for (int column = 0; column < columns; ++column) {
-            Block& block = m_blocks[static_cast<std::size_t>(row * columns + column)];
-            block.pieces.clear();
+        const std::span<std::vector<Piece>> pieces(m_pieces.data() + static_cast<std::ptrdiff_t>(row) * bands,
+                                                   static_cast<std::size_t>(bands));
+        for (std::vector<Piece>& of : pieces) {
+            of.clear();
+        }
+        BlockCutter cutter(mesh, projector, open, tolerance, camera.width(), camera.height(), pieces);
+        for (int column = 0; column < mesh.blocksX(); ++column) {
             if (projector.mayShow(mesh.bound(column, row), open)) {
-                BlockCutter(mesh, projector, open, tolerance, camera.width(), camera.height(), block)
-                    .cut(column, row);
+                cutter.cut(column, row);
             }
         }
+        cutter.flush();
     });
-    pool.run((out.height() + kBand - 1) / kBand, threads, [&](int band, int) {
+    pool.run(bands, threads, [&](int band, int) {
         const int begin = band * kBand;
-        const int end = std::min(out.height(), begin + kBand);
-        std::fill(out.at(0, begin),
-                  out.at(0, begin) + static_cast<std::ptrdiff_t>(out.width()) * (end - begin), 0.0F);
-        for (const Block& block : m_blocks) {
-            if (!block.pieces.empty() && block.bottom >= begin && block.top < end) {
-                simd::draw(block.pieces, begin, end, out.at(0, 0), out.width());
-            }
+        const int end = begin + kBand;
+        clear(band, open, out);
+        for (int row = 0; row < mesh.blocksY(); ++row) {
+            simd::draw(m_pieces[static_cast<std::size_t>(row * bands + band)], begin, end, out.at(0, 0),
+                       out.width());
         }
         for (int y = begin; y < end; ++y) { // beyond the view
             std::fill(out.at(0, y) + (y < camera.height() ? camera.width() : 0), out.at(0, y) + out.width(),
                       1.0F);
         }
     });
+}
+
+/// Makes the open cells of a row zero: the others are not looked at.
+void DepthRaster::clear(int row, const OpenCells& open, InverseBuffer& out) {
+    constexpr int kCell = OpenCells::kCell;
+    if (open.isAllOpen()) {
+        std::fill_n(out.at(0, row * kCell), static_cast<std::ptrdiff_t>(out.width()) * kCell, 0.0F);
+        return;
+    }
+    for (int column = 0; column < out.width() / kCell; ++column) {
+        for (int y = 0; y < kCell && open.isOpen(column, row); ++y) {
+            std::fill_n(out.at(column * kCell, row * kCell + y), kCell, 0.0F);
+        }
+    }
 }
 
 } // namespace spherewalk::render

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "depth_mesh.h"
-#include "depth_simd.h"
+#include "depth_pieces.h"
 #include "inverse_buffer.h"
 
 #include "spherewalk/base/worker_pool.h"
@@ -17,21 +17,18 @@ namespace spherewalk::render {
 class DepthRaster {
   public:
     /// mesh: seen from where the photo was taken. Cells that are not open may be left out. tolerancePx: by
-    /// how much a flat part may be displaced. out: made to fit, and cleared.
+    /// how much a flat part may be displaced. out: made to fit; cells that are not open may have anything.
     void draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
               const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
 
   private:
-    /// A block's part of the picture.
-    struct Block {
-        std::vector<simd::Piece> pieces;
-        int top = 0;
-        int bottom = 0; ///< last row
-    };
-
     class BlockCutter;
 
-    std::vector<Block> m_blocks;
+    static constexpr int kBand = OpenCells::kCell; ///< rows that one worker draws in turn
+
+    static void clear(int row, const OpenCells& open, InverseBuffer& out);
+
+    std::vector<std::vector<simd::Piece>> m_pieces; ///< of each row of blocks, for each band
 };
 
 } // namespace spherewalk::render

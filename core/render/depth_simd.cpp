@@ -5,7 +5,6 @@
 #include "photo_plane.h"
 
 #include <algorithm>
-#include <numbers>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "depth_simd.cpp"
@@ -93,206 +92,136 @@ void projectSixteen(const SurfaceCamera& camera, const SixteenPoints& points, Si
     }
 }
 
-/// The least or greatest of five rows, column by column.
-template <bool kLeast>
-HWY_INLINE void overFiveRows(const float* rows, float* out) {
+/// The least of each value and the four after it, from the first of each square.
+HWY_INLINE void leastOfFives(const float* values, float* out) {
     const hn::CappedTag<float, 8> d;
-    for (int i = 0; i < ProjectedPart::kPitch; i += static_cast<int>(hn::Lanes(d))) {
-        auto best = hn::LoadU(d, rows + i);
-        for (int y = 1; y < 5; ++y) {
-            const auto value = hn::LoadU(d, rows + y * ProjectedPart::kPitch + i);
-            best = kLeast ? hn::Min(best, value) : hn::Max(best, value);
-        }
-        hn::StoreU(best, d, out + i);
+    for (int i = 0; i < ProjectedPart::kPitch - 8; i += static_cast<int>(hn::Lanes(d))) {
+        const auto at = [&](int more) { return hn::LoadU(d, values + i + more); };
+        hn::StoreU(hn::Min(hn::Min(hn::Min(at(0), at(1)), hn::Min(at(2), at(3))), at(4)), d, out + i);
     }
 }
 
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
-    std::array<float, ProjectedPart::kPitch> left;
-    std::array<float, ProjectedPart::kPitch> top;
-    std::array<float, ProjectedPart::kPitch> right;
-    std::array<float, ProjectedPart::kPitch> bottom;
-    std::array<float, ProjectedPart::kPitch> value;
+    const hn::CappedTag<float, 8> d;
+    constexpr int kPitch = ProjectedPart::kPitch;
     constexpr int kSquares = PartBoxes::kSquares;
+    const auto beyond = hn::Set(d, PartBoxes::kEverywherePx);
+    std::array<std::array<float, kPitch + 8>, 6> least; // of x, -x, y, -y, value, -value
+    std::array<std::array<float, kPitch>, 6> ofSquare;
     for (int j = 0; j < kSquares; ++j) {
-        const bool isIn = (j + 1) * PartBoxes::kSquare < rows;
-        if (isIn) {
-            const std::ptrdiff_t first = std::ptrdiff_t{j} * PartBoxes::kSquare * ProjectedPart::kPitch;
-            overFiveRows<true>(part.x.data() + first, left.data());
-            overFiveRows<true>(part.y.data() + first, top.data());
-            overFiveRows<false>(part.x.data() + first, right.data());
-            overFiveRows<false>(part.y.data() + first, bottom.data());
-            overFiveRows<true>(part.value.data() + first, value.data());
+        const std::ptrdiff_t first = std::ptrdiff_t{j} * PartBoxes::kSquare * kPitch;
+        const int end = std::min(PartBoxes::kSquare + 1, rows - j * PartBoxes::kSquare);
+        for (int i = 0; i < kPitch; i += static_cast<int>(hn::Lanes(d))) {
+            std::array<hn::Vec<decltype(d)>, 6> best{beyond, beyond, beyond, beyond, beyond, beyond};
+            for (int y = 0; y < end; ++y) {
+                const std::ptrdiff_t at = first + std::ptrdiff_t{y} * kPitch + i;
+                const auto value = hn::LoadU(d, part.value.data() + at);
+                const auto isPlaced = hn::Gt(value, hn::Zero(d));
+                const auto x = hn::LoadU(d, part.x.data() + at);
+                const auto down = hn::LoadU(d, part.y.data() + at);
+                best[0] = hn::Min(best[0], hn::IfThenElse(isPlaced, x, beyond));
+                best[1] = hn::Min(best[1], hn::IfThenElse(isPlaced, hn::Neg(x), beyond));
+                best[2] = hn::Min(best[2], hn::IfThenElse(isPlaced, down, beyond));
+                best[3] = hn::Min(best[3], hn::IfThenElse(isPlaced, hn::Neg(down), beyond));
+                best[4] = hn::Min(best[4], value);
+                best[5] = hn::Min(best[5], hn::Neg(value));
+            }
+            for (std::size_t k = 0; k < best.size(); ++k) {
+                hn::StoreU(best[k], d, least[k].data() + i);
+            }
+        }
+        for (std::size_t k = 0; k < least.size(); ++k) {
+            leastOfFives(least[k].data(), ofSquare[k].data());
         }
         for (int i = 0; i < kSquares; ++i) {
             const auto to = static_cast<std::size_t>(j * kSquares + i);
-            const std::ptrdiff_t x = std::ptrdiff_t{i} * PartBoxes::kSquare;
-            const auto least = [x](const auto& of) {
-                return *std::min_element(of.begin() + x, of.begin() + x + 5);
-            };
-            const auto most = [x](const auto& of) {
-                return *std::max_element(of.begin() + x, of.begin() + x + 5);
-            };
-            out.isWhole[to] = isIn && least(value) > 0;
-            if (out.isWhole[to]) {
-                out.left[to] = least(left);
-                out.top[to] = least(top);
-                out.right[to] = most(right);
-                out.bottom[to] = most(bottom);
-            }
+            const auto x = static_cast<std::size_t>(i * PartBoxes::kSquare);
+            const bool isPartly = ofSquare[4][x] == 0 && ofSquare[5][x] < 0;
+            const float all = PartBoxes::kEverywherePx;
+            out.left[to] = isPartly ? -all : ofSquare[0][x];
+            out.right[to] = isPartly ? all : -ofSquare[1][x];
+            out.top[to] = isPartly ? -all : ofSquare[2][x];
+            out.bottom[to] = isPartly ? all : -ofSquare[3][x];
         }
     }
 }
 
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
-    const F d;
-    const auto lanes = static_cast<int>(hn::Lanes(d));
-    const V iota = hn::Iota(d, 0.0F);
-    const V zero = hn::Zero(d);
-    for (const Piece& piece : pieces) {
-        const int first = std::max(begin, piece.top);
-        const int last = std::min(end - 1, piece.bottom);
-        const V least = hn::Set(d, piece.least);
-        const V most = hn::Set(d, piece.most);
-        const V left = hn::Set(d, static_cast<float>(piece.left));
-        const V right = hn::Set(d, static_cast<float>(piece.right));
-        const int from = piece.left & -lanes;
-        for (int y = first; y <= last; ++y) {
-            const auto at = static_cast<float>(y);
-            const V rest0 = hn::Set(d, piece.b[0] * at + piece.c[0]);
-            const V rest1 = hn::Set(d, piece.b[1] * at + piece.c[1]);
-            const V rest2 = hn::Set(d, piece.b[2] * at + piece.c[2]);
-            const V rest3 = hn::Set(d, piece.b[3] * at + piece.c[3]);
-            const V base = hn::Set(d, piece.slopeY * at + piece.base);
-            float* row = values + y * pitch;
-            for (int x = from; x <= piece.right; x += lanes) {
-                const V column = hn::Add(hn::Set(d, static_cast<float>(x)), iota);
-                const V inside = hn::Min(hn::Min(mulAdd(hn::Set(d, piece.a[0]), column, rest0),
-                                                 mulAdd(hn::Set(d, piece.a[1]), column, rest1)),
-                                         hn::Min(mulAdd(hn::Set(d, piece.a[2]), column, rest2),
-                                                 mulAdd(hn::Set(d, piece.a[3]), column, rest3)));
-                V value = mulAdd(hn::Set(d, piece.slopeX), column, base);
-                // Sharp corners, once their edges were moved, reach beyond the columns that are asked for.
-                const auto isDrawn =
-                    hn::And(hn::Ge(inside, zero), hn::And(hn::Ge(column, left), hn::Le(column, right)));
-                value = hn::IfThenElseZero(isDrawn, hn::Min(hn::Max(value, least), most));
-                hn::StoreU(hn::Max(hn::LoadU(d, row + x), value), d, row + x);
-            }
-        }
-    }
-}
-
-int zeros(const float* values, std::ptrdiff_t pitch) {
-    const F d;
-    std::size_t count = 0;
-    for (int y = 0; y < kCell; ++y, values += pitch) {
-        for (std::size_t i = 0; i < kCell; i += hn::Lanes(d)) {
-            count += hn::CountTrue(d, hn::Eq(hn::LoadU(d, values + i), hn::Zero(d)));
-        }
-    }
-    return static_cast<int>(count);
-}
-
-/// The arc tangent of t in [0, 1], off by less than 2e-7. Source: Abramowitz and Stegun 4.4.49.
-HWY_INLINE V arcTangent(F d, V t) {
-    const V s = hn::Mul(t, t);
-    V sum = hn::Set(d, 0.0028662257F);
-    for (const float term : {-0.0161657367F, 0.0429096138F, -0.0752896400F, 0.1065626393F, -0.1420889944F,
-                             0.1999355085F, -0.3333314528F}) {
-        sum = mulAdd(sum, s, hn::Set(d, term));
-    }
-    return mulAdd(hn::Mul(t, s), sum, t);
-}
-
-/// atan2.
-HWY_INLINE V angle(F d, V y, V x) {
-    const V across = hn::Abs(x);
-    const V up = hn::Abs(y);
-    const V quotient = hn::Div(hn::Min(across, up), hn::Add(hn::Max(across, up), hn::Set(d, 1e-30F)));
-    constexpr auto kPi = std::numbers::pi_v<float>;
-    V result = arcTangent(d, quotient);
-    result = hn::IfThenElse(hn::Gt(up, across), hn::Sub(hn::Set(d, 0.5F * kPi), result), result);
-    result = hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, kPi), result), result);
-    return hn::IfThenElse(hn::Lt(y, hn::Zero(d)), hn::Neg(result), result);
-}
-
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
     const F d;
     const I di;
-    const std::array<float, 9> m = target.m;
-    constexpr auto kPi = std::numbers::pi_v<float>;
-    constexpr float kOne = 1 << kFractionBits;
-    constexpr auto kAddU = static_cast<float>(PlaneLayout::kGuard + kRoundingU - 0.5);
-    constexpr auto kAddV = static_cast<float>(PlaneLayout::kGuard - 0.5);
-    const V perRadian = hn::Set(d, target.perRadian);
-    const V lastU = hn::Set(d, target.lastU);
-    const V lastV = hn::Set(d, target.lastV);
-    for (int row = 0; row < kCell; ++row) {
-        for (std::size_t i = 0; i < kCell; i += hn::Lanes(d)) {
-            const V rx = hn::LoadU(d, rays[0].first + row * rays[0].pitch + i);
-            const V ry = hn::LoadU(d, rays[1].first + row * rays[1].pitch + i);
-            const V rz = hn::LoadU(d, rays[2].first + row * rays[2].pitch + i);
-            const V w = hn::LoadU(d, inverse + row * pitch + i);
-            const auto component = [&](std::size_t k) {
-                const V turned =
-                    mulAdd(hn::Set(d, m[3 * k]), rx,
-                           mulAdd(hn::Set(d, m[3 * k + 1]), ry, hn::Mul(hn::Set(d, m[3 * k + 2]), rz)));
-                return mulAdd(w, hn::Set(d, target.offset[k]), turned);
-            };
-            const V x = component(0);
-            const V y = component(1);
-            const V z = component(2);
-            const V azimuth = angle(d, y, x);
-            const V elevation = angle(d, z, hn::Sqrt(mulAdd(x, x, hn::Mul(y, y))));
-            const V column = mulAdd(hn::Sub(hn::Set(d, kPi), azimuth), perRadian, hn::Set(d, kAddU));
-            const V line = mulAdd(hn::Sub(hn::Set(d, 0.5F * kPi), elevation), perRadian, hn::Set(d, kAddV));
-            const std::size_t to = static_cast<std::size_t>(row * kCell) + i;
-            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(column, lastU), hn::Set(d, kOne))), di, u + to);
-            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(line, lastV), hn::Set(d, kOne))), di, v + to);
+    constexpr int kPart = 4;
+    std::array<std::int32_t, kCell * kCell / kPart> ofColumns;
+    VI any = hn::Zero(di);
+    for (int y = 0; y < kCell; y += kPart) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI count = hn::Zero(di);
+            for (int i = 0; i < kPart; ++i) {
+                const V value = hn::LoadU(d, values + (y + i) * pitch + x);
+                const auto isZero = hn::RebindMask(di, hn::Eq(value, hn::Zero(d)));
+                count = hn::Add(count, hn::IfThenElseZero(isZero, hn::Set(di, 1)));
+            }
+            any = hn::Or(any, count);
+            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kPart) + x);
         }
     }
-}
-
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v) {
-    const I d;
-    VI left = hn::LoadU(d, u);
-    VI right = left;
-    VI top = hn::LoadU(d, v);
-    VI bottom = top;
-    for (std::size_t i = hn::Lanes(d); i < std::size_t{kCell} * kCell; i += hn::Lanes(d)) {
-        const VI atU = hn::LoadU(d, u + i);
-        const VI atV = hn::LoadU(d, v + i);
-        left = hn::Min(left, atU);
-        right = hn::Max(right, atU);
-        top = hn::Min(top, atV);
-        bottom = hn::Max(bottom, atV);
+    ofParts = {};
+    if (hn::AllTrue(di, hn::Eq(any, hn::Zero(di)))) {
+        return 0;
     }
-    return {hn::GetLane(hn::MinOfLanes(d, left)), hn::GetLane(hn::MaxOfLanes(d, right)),
-            hn::GetLane(hn::MinOfLanes(d, top)), hn::GetLane(hn::MaxOfLanes(d, bottom))};
+    int all = 0;
+    for (std::size_t i = 0; i < ofColumns.size(); ++i) {
+        ofParts[i / kPart] += ofColumns[i];
+        all += ofColumns[i];
+    }
+    return all;
 }
 
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions) {
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    const F d;
+    const I di;
+    std::uint32_t rows = 0;
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const V mine = hn::LoadU(d, values + y * pitch + x);
+            const V other = hn::LoadU(d, seen + y * pitch + x);
+            const auto takes = hn::And(hn::Eq(mine, hn::Zero(d)), hn::Gt(other, hn::Zero(d)));
+            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + y * pitch + x);
+            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, takes), hn::Set(di, 1)), di,
+                       isTaken.data() + y * kCell + x);
+            rows |= hn::AllFalse(d, takes) ? 0 : 1U << y;
+        }
+    }
+    return rows;
+}
+
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
     static_assert(PlaneLayout::kPixelBytes == 3);
     const I d;
+    const VI addU = hn::Set(d, placing.addU);
+    const VI addV = hn::Set(d, placing.addV);
     const VI first = hn::Set(d, placing.first);
     const VI turn = hn::Set(d, placing.turn);
     const VI beyond = hn::Set(d, placing.first + placing.turn);
-    for (std::size_t i = 0; i < 16; i += hn::Lanes(d)) {
-        VI atU = hn::Add(hn::LoadU(d, u + i), hn::Set(d, placing.addU));
-        atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
-        atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
-        atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
-        VI atV = hn::Add(hn::LoadU(d, v + i), hn::Set(d, placing.addV));
-        atV = hn::Min(hn::Max(atV, first), hn::Set(d, placing.lastV));
-        const VI column = hn::ShiftRight<kFractionBits>(atU);
-        const VI row = hn::ShiftRight<kFractionBits>(atV);
-        hn::StoreU(
-            hn::Add(hn::Mul(row, hn::Set(d, placing.rowBytes)), hn::Add(column, hn::ShiftLeft<1>(column))), d,
-            places + i);
-        const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
-        hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + i);
+    const VI lastV = hn::Set(d, placing.lastV);
+    const VI rowBytes = hn::Set(d, placing.rowBytes);
+    for (int y = 0; y < rows; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI atU = hn::Add(hn::LoadU(d, u + y * kCell + x), addU);
+            atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
+            atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
+            atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
+            VI atV = hn::Add(hn::LoadU(d, v + y * kCell + x), addV);
+            atV = hn::Min(hn::Max(atV, first), lastV);
+            const VI column = hn::ShiftRight<kFractionBits>(atU);
+            const VI row = hn::ShiftRight<kFractionBits>(atV);
+            const std::ptrdiff_t to = std::ptrdiff_t{y} * apart * kCell + x;
+            hn::StoreU(hn::Add(hn::Mul(row, rowBytes), hn::Add(column, hn::ShiftLeft<1>(column))), d,
+                       places + to);
+            const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
+            hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + to);
+        }
     }
 }
 
@@ -307,11 +236,9 @@ namespace spherewalk::render::simd {
 HWY_EXPORT(projectPart);
 HWY_EXPORT(projectSixteen);
 HWY_EXPORT(boxes);
-HWY_EXPORT(draw);
 HWY_EXPORT(zeros);
-HWY_EXPORT(locate);
-HWY_EXPORT(boxOfCell);
-HWY_EXPORT(placeSixteen);
+HWY_EXPORT(takeUnseen);
+HWY_EXPORT(placeRows);
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
     HWY_DYNAMIC_DISPATCH(projectPart)(camera, part, out);
@@ -325,26 +252,18 @@ void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
     HWY_DYNAMIC_DISPATCH(boxes)(part, rows, out);
 }
 
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
-    HWY_DYNAMIC_DISPATCH(draw)(pieces, begin, end, values, pitch);
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
+    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch) {
-    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch);
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
 }
 
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
-    HWY_DYNAMIC_DISPATCH(locate)(target, rays, inverse, pitch, u, v);
-}
-
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v) {
-    return HWY_DYNAMIC_DISPATCH(boxOfCell)(u, v);
-}
-
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions) {
-    HWY_DYNAMIC_DISPATCH(placeSixteen)(placing, u, v, places, fractions);
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
+    HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
 }
 
 } // namespace spherewalk::render::simd

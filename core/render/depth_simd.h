@@ -40,15 +40,16 @@ struct ProjectedPart {
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out);
 
-/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view.
+/// A part's 4 x 4 squares of 5 x 5 vertices each: between which pixels they lie in the view. Where none of
+/// its vertices is placed, left is beyond right; where only some are, it is everywhere.
 struct PartBoxes {
     static constexpr int kSquares = 4;
     static constexpr int kSquare = 4; ///< quads along an edge
+    static constexpr float kEverywherePx = 1e9F;
     std::array<float, std::size_t{kSquares} * kSquares> left, top, right, bottom;
-    std::array<bool, std::size_t{kSquares} * kSquares> isWhole; ///< whether all vertices are placed
 };
 
-/// Range: of a part with that many rows; squares beyond them are not whole.
+/// Range: of a part with that many rows.
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out);
 
 /// Sixteen directions with their 1 / distance, each component contiguous.
@@ -63,44 +64,13 @@ struct SixteenVertices {
 
 void project(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out);
 
-/// A flat convex piece with up to four edges. A pixel lies inside if a x + b y + c >= 0 for each.
-struct Piece {
-    std::array<float, 4> a, b, c;
-    float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
-    float least, most;
-    int left, top, right, bottom; ///< pixels that it may cover, the last ones included
-};
+/// How many values are 0 in each 4 x 4 part of a cell of 16 x 16 pixels, row after row; and of all of it.
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts);
 
-/// How many columns a buffer's rows have more than a view needs: multiples of this.
-constexpr int kColumns = 16;
-
-/// Draws rows [begin, end) of the pieces: the greater value wins. Range: pitch a multiple of kColumns.
-void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch);
-
-/// Values of a cell of 16 x 16 pixels that are 0.
-int zeros(const float* values, std::ptrdiff_t pitch);
-
-/// A photo as its coordinates are computed: the direction in it is m * ray + inverse * offset.
-struct PhotoTarget {
-    std::array<float, 9> m;
-    std::array<float, 3> offset;
-    float perRadian; ///< pixels
-    float lastU;     ///< greatest coordinates, guard included
-    float lastV;
-};
-
-/// One component of the rays of a cell of 16 x 16 pixels.
-struct CellRays {
-    const float* first;
-    std::ptrdiff_t pitch; ///< from one row to the next
-};
-
-/// Coordinates in the lattice's fixed point of a cell's pixels, row after row.
-void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
-            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v);
-
-/// Least and greatest coordinates of a cell: u, u, v, v.
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v);
+/// Takes the values of `seen` for a cell's zeros. Where it did that for some of a row, isTaken has 1 for
+/// these pixels and 0 for the row's others. Back: a bit for each such row.
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken);
 
 /// How coordinates become places in a photo's plane, for one part of each pixel.
 struct PartPlacing {
@@ -112,8 +82,9 @@ struct PartPlacing {
     std::int32_t rowBytes;
 };
 
-/// Places and fractions, as LatticeScratch::places(), of sixteen pixels.
-void placeSixteen(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v,
-                  std::int32_t* places, std::int32_t* fractions);
+/// Places and fractions, as LatticeScratch::places(), of rows of sixteen pixels, each of which is written
+/// `apart` rows after the one before.
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions);
 
 } // namespace spherewalk::render::simd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_view.h"
 
+#include "depth_locate.h"
 #include "depth_simd.h"
 #include "fast_view.h"
 #include "sampler.h"
@@ -38,10 +39,6 @@ struct Box {
     }
 };
 
-bool isOne(std::uint32_t sources) {
-    return (sources & (sources - 1)) == 0;
-}
-
 } // namespace
 
 DepthView::Cell DepthView::cell(int column, int row) const {
@@ -53,8 +50,10 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
     const std::size_t index = m_places.index(at.column, at.row);
     const std::int32_t* u = m_places.u.data() + index * DepthPlaces::kCellPixels;
     const std::int32_t* v = m_places.v.data() + index * DepthPlaces::kCellPixels;
-    if (isOne(m_places.sources[index]) && at.width == kCell && at.height == kCell) {
-        const std::array<std::int32_t, 4> all = simd::boxOfCell(u, v);
+    if (at.width == kCell && at.height == kCell) {
+        const std::array<std::int32_t, 4> all =
+            simd::boxOfCell(u, v, m_places.source.at(at.column * kCell, at.row * kCell),
+                            m_places.source.width(), static_cast<std::uint8_t>(source));
         if (all[1] - all[0] < middle / 2) {
             Box{all[0], all[1], all[2], all[3]}.addTo(tiles);
             return;
@@ -112,13 +111,12 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
                                       int samplesPerAxis, WorkerPool& pool, int threads) {
     m_width = rays.camera().width();
     m_height = rays.camera().height();
-    m_photos = photos.size();
     m_samples = samplesPerAxis;
     m_places.reset(m_width, m_height);
     m_open = OpenCells(m_width, m_height);
     const std::vector<PlacedPhoto> placed = drawPhotos(rays, roomFromCamera, photos, pool, threads);
-    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, pool, threads, m_places);
-    m_slopes.resize(m_places.sources.size() * m_photos);
+    m_photos = placed.size();
+    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, m_samples > 1, pool, threads, m_places);
     std::vector<TileSet> needs;
     for (const DepthPhoto& photo : photos) {
         needs.emplace_back(photo.grid);
@@ -133,15 +131,8 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
             const Cell at = cell(column, row);
             const std::size_t index = m_places.index(column, row);
             for (std::size_t i = 0; i < placed.size(); ++i) {
-                if ((m_places.sources[index] >> i & 1U) == 0) {
-                    continue;
-                }
-                needOfCell(at, i, own[i]);
-                if (m_samples > 1) {
-                    const int x = column * kCell + at.width / 2;
-                    const int y = row * kCell + at.height / 2;
-                    m_slopes[index * m_photos + i].of =
-                        placeSlopes(rays, roomFromCamera, placed[i], x, y, *m_places.inverse.at(x, y));
+                if ((m_places.sources[index] >> i & 1U) != 0) {
+                    needOfCell(at, i, own[i]);
                 }
             }
         }
@@ -153,12 +144,23 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
     return needs;
 }
 
-/// Places of a cell's samples. What another photo shows is sampled too, anywhere, and not used.
-void DepthView::fillPlaces(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
-                           std::int32_t* places, std::int32_t* fractions) const {
-    const std::size_t index = m_places.index(at.column, at.row);
-    const std::int32_t* u = m_places.u.data() + index * DepthPlaces::kCellPixels;
-    const std::int32_t* v = m_places.v.data() + index * DepthPlaces::kCellPixels;
+/// Of the samples of a cell.
+struct DepthView::SampleSpace {
+    explicit SampleSpace(int samplesPerAxis)
+        : places(DepthPlaces::kCellPixels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis)),
+          fractions(places.size()) {}
+
+    std::vector<std::int32_t> places;
+    std::vector<std::int32_t> fractions;
+    std::array<std::int32_t, DepthPlaces::kCellPixels> u;
+    std::array<std::int32_t, DepthPlaces::kCellPixels> v;
+    std::array<std::uint8_t, DepthPlaces::kCellPixels> pixels; ///< of the cell
+    std::array<std::uint8_t, 3 * DepthPlaces::kCellPixels + 16> colours;
+};
+
+/// Places of samples of a cell's pixels.
+void DepthView::fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
+                           const PixelRows& rows, SampleSpace& space) const {
     const simd::Rounding round = simd::rounding(sampling);
     constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
     constexpr std::int32_t kFirst = (PlaneLayout::kGuard << kFractionBits) - kHalf;
@@ -168,9 +170,10 @@ void DepthView::fillPlaces(const Cell& at, std::size_t source, const PlaneView& 
                               plane.size().width << kFractionBits,
                               kFirst + (plane.size().height << kFractionBits),
                               plane.stride() * PlaneLayout::kPixelBytes};
-    for (int part = 0; part < m_samples * m_samples; ++part) {
+    const int parts = m_samples * m_samples;
+    for (int part = 0; part < parts; ++part) {
         if (m_samples > 1) {
-            const std::array<std::int32_t, 4>& slopes = m_slopes[index * m_photos + source].of;
+            const std::array<std::int32_t, 4>& slopes = m_places.slopes[cell * m_photos + source];
             const auto right = (part % m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             const auto down = (part / m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             placing.addU = round.u + static_cast<std::int32_t>(right * static_cast<float>(slopes[0]) +
@@ -178,40 +181,62 @@ void DepthView::fillPlaces(const Cell& at, std::size_t source, const PlaneView& 
             placing.addV = round.v + static_cast<std::int32_t>(right * static_cast<float>(slopes[1]) +
                                                                down * static_cast<float>(slopes[3]));
         }
-        for (int y = 0; y < at.height; ++y) {
-            const std::ptrdiff_t to = (y * m_samples * m_samples + part) * static_cast<std::ptrdiff_t>(kCell);
-            simd::placeSixteen(placing, u + y * kCell, v + y * kCell, places + to, fractions + to);
+        simd::placeRows(placing, rows.u, rows.v, rows.count, parts, space.places.data() + part * kCell,
+                        space.fractions.data() + part * kCell);
+    }
+}
+
+/// Those pixels that are taken from a photo that is not the first.
+void DepthView::samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
+                           SampleSpace& space, RgbImage& picture) const {
+    const std::size_t cell = m_places.index(at.column, at.row);
+    const std::int32_t* u = m_places.u.data() + cell * DepthPlaces::kCellPixels;
+    const std::int32_t* v = m_places.v.data() + cell * DepthPlaces::kCellPixels;
+    const int left = at.column * kCell;
+    const int top = at.row * kCell;
+    std::size_t count = 0;
+    for (int y = 0; y < at.height; ++y) {
+        const std::uint8_t* of = m_places.source.at(left, top + y);
+        for (int x = 0; x < at.width; ++x) {
+            if (of[x] == source) {
+                const int pixel = y * kCell + x;
+                space.pixels[count] = static_cast<std::uint8_t>(pixel);
+                space.u[count] = u[pixel];
+                space.v[count] = v[pixel];
+                ++count;
+            }
         }
+    }
+    for (std::size_t i = count; i % kCell != 0; ++i) {
+        space.u[i] = space.u[count - 1];
+        space.v[i] = space.v[count - 1];
+    }
+    const int rows = (static_cast<int>(count) + kCell - 1) / kCell;
+    fillPlaces(cell, source, plane, sampling, {space.u.data(), space.v.data(), rows}, space);
+    simd::sample(plane, sampling,
+                 {space.places.data(), space.fractions.data(), m_samples, space.colours.data(),
+                  std::ptrdiff_t{3} * kCell, kCell, rows, true});
+    for (std::size_t i = 0; i < count; ++i) {
+        const int pixel = space.pixels[i];
+        std::copy_n(space.colours.data() + 3 * i, 3, picture.at(left + pixel % kCell, top + pixel / kCell));
     }
 }
 
 void DepthView::sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
-                           std::int32_t* places, std::int32_t* fractions, RgbImage& picture) const {
-    const std::uint32_t sources = m_places.sources[m_places.index(at.column, at.row)];
+                           SampleSpace& space, RgbImage& picture) const {
+    const std::size_t cell = m_places.index(at.column, at.row);
+    const std::uint32_t sources = m_places.sources[cell];
     const int left = at.column * kCell;
     const int top = at.row * kCell;
-    std::array<std::uint8_t, 3 * DepthPlaces::kCellPixels + 16> own;
-    const bool isDirect = isOne(sources);
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        if ((sources >> i & 1U) == 0) {
-            continue;
-        }
-        fillPlaces(at, i, planes[i], sampling, places, fractions);
-        const simd::CellSamples samples{places,
-                                        fractions,
-                                        m_samples,
-                                        isDirect ? picture.at(left, top) : own.data(),
-                                        std::ptrdiff_t{3} * (isDirect ? picture.width() : kCell),
-                                        at.width,
-                                        at.height,
-                                        isDirect && left + kCell + 2 <= m_width};
-        simd::sample(planes[i], sampling, samples);
-        for (int y = 0; y < at.height && !isDirect; ++y) {
-            for (int x = 0; x < at.width; ++x) {
-                if (*m_places.source.at(left + x, top + y) == i) {
-                    std::copy_n(own.data() + 3 * (y * kCell + x), 3, picture.at(left + x, top + y));
-                }
-            }
+    const PixelRows rows{m_places.u.data() + cell * DepthPlaces::kCellPixels,
+                         m_places.v.data() + cell * DepthPlaces::kCellPixels, at.height};
+    fillPlaces(cell, 0, planes[0], sampling, rows, space);
+    simd::sample(planes[0], sampling,
+                 {space.places.data(), space.fractions.data(), m_samples, picture.at(left, top),
+                  std::ptrdiff_t{3} * picture.width(), at.width, at.height, left + kCell + 2 <= m_width});
+    for (std::size_t i = 1; i < planes.size(); ++i) {
+        if ((sources >> i & 1U) != 0) {
+            samplePart(at, i, planes[i], sampling, space, picture);
         }
     }
     for (int y = 0; y < at.height && (sources & DepthPlaces::kBlind) != 0; ++y) {
@@ -229,11 +254,9 @@ void DepthView::sample(const PixelRays& rays, std::span<const PlaneView> planes,
         picture = RgbImage(rays.camera().width(), rays.camera().height());
     }
     pool.run(m_places.rows(), threads, [&](int row, int) {
-        const auto count = DepthPlaces::kCellPixels * static_cast<std::size_t>(m_samples * m_samples);
-        std::vector<std::int32_t> places(count);
-        std::vector<std::int32_t> fractions(count);
+        SampleSpace space(m_samples);
         for (int column = 0; column < m_places.columns(); ++column) {
-            sampleCell(cell(column, row), planes, sampling, places.data(), fractions.data(), picture);
+            sampleCell(cell(column, row), planes, sampling, space, picture);
         }
     });
 }

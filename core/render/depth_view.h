@@ -57,16 +57,24 @@ class DepthView {
         int width = 0, height = 0;
     };
 
-    struct Slopes {
-        std::array<std::int32_t, 4> of; ///< as placeSlopes()
-    };
+    struct SampleSpace;
 
     Cell cell(int column, int row) const;
     void needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
-    void sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
-                    std::int32_t* places, std::int32_t* fractions, RgbImage& picture) const;
-    void fillPlaces(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
-                    std::int32_t* places, std::int32_t* fractions) const;
+    void sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling, SampleSpace& space,
+                    RgbImage& picture) const;
+
+    /// Sixteen pixels of a cell each.
+    struct PixelRows {
+        const std::int32_t* u;
+        const std::int32_t* v;
+        int count;
+    };
+
+    void fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
+                    const PixelRows& rows, SampleSpace& space) const;
+    void samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
+                    SampleSpace& space, RgbImage& picture) const;
     std::vector<PlacedPhoto> drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
                                         std::span<const DepthPhoto> photos, WorkerPool& pool, int threads);
 
@@ -77,8 +85,7 @@ class DepthView {
     InverseBuffer m_seen; ///< by a photo that is not the first
     DepthRaster m_raster;
     DepthPlaces m_places;
-    std::vector<Slopes> m_slopes; ///< of each cell and photo
-    std::size_t m_photos = 0;
+    std::size_t m_photos = 0; ///< that were drawn
     double m_filledShare = 0;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inverse_buffer.h"
 
+#include "depth_pieces.h"
 #include "depth_simd.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <numeric>
 
 namespace spherewalk::render {
 
@@ -23,27 +25,31 @@ void fit(InverseBuffer& buffer, int width, int height) {
 }
 
 OpenCells::OpenCells(int width, int height)
-    : m_width((width + kCell - 1) / kCell * kParts), m_height((height + kCell - 1) / kCell * kParts) {
+    : m_width((width + kCell - 1) / kCell * kParts),
+      m_height((height + kCell - 1) / kCell * kParts),
+      m_sums(static_cast<std::size_t>((m_width + 1) * (m_height + 1))),
+      m_cells(static_cast<std::size_t>(m_width * m_height / (kParts * kParts)), kCell * kCell) {
     for (int y = 0; y <= m_height; ++y) {
         for (int x = 0; x <= m_width; ++x) {
-            m_sums.push_back(x * y);
+            m_sums[static_cast<std::size_t>(y * (m_width + 1) + x)] = x * y * kPart * kPart;
         }
     }
 }
 
 int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int threads) {
     const int columns = m_width / kParts;
-    std::vector<int> cells(static_cast<std::size_t>(columns * (m_height / kParts)));
     std::vector<int> parts(static_cast<std::size_t>(m_width * m_height));
     pool.run(m_height / kParts, threads, [&](int row, int) {
+        std::array<std::int32_t, kParts * kParts> ofParts;
         for (int column = 0; column < columns; ++column) {
-            const int zeros = simd::zeros(covered.at(column * kCell, row * kCell), covered.width());
-            cells[static_cast<std::size_t>(row * columns + column)] = zeros;
-            for (int i = 0; i < kCell * kCell && zeros > 0; ++i) {
-                const int x = column * kCell + i % kCell;
-                const int y = row * kCell + i / kCell;
-                parts[static_cast<std::size_t>(y / kPart * m_width + x / kPart)] +=
-                    *covered.at(x, y) == 0 ? 1 : 0;
+            if (!isOpen(column, row)) {
+                continue;
+            }
+            m_cells[static_cast<std::size_t>(row * columns + column)] =
+                simd::zeros(covered.at(column * kCell, row * kCell), covered.width(), ofParts);
+            for (int i = 0; i < kParts; ++i) {
+                std::copy_n(ofParts.begin() + i * kParts, kParts,
+                            parts.begin() + (row * kParts + i) * m_width + column * kParts);
             }
         }
     });
@@ -55,10 +61,7 @@ int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int thread
             m_sums[y * pitch + x] = inRow + m_sums[(y - 1) * pitch + x];
         }
     }
-    if (m_first.empty()) {
-        m_first = std::move(cells);
-    }
-    return m_sums.back();
+    return std::accumulate(m_cells.begin(), m_cells.end(), 0);
 }
 
 bool OpenCells::anyIn(float left, float top, float right, float bottom) const {

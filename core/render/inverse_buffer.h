@@ -30,13 +30,10 @@ class OpenCells {
 
     bool any() const { return m_sums.back() > 0; }
 
-    bool isOpen(int column, int row) const {
-        return sum(column * kParts, row * kParts, (column + 1) * kParts, (row + 1) * kParts) > 0;
-    }
+    bool isAllOpen() const { return m_sums.back() == m_width * m_height * kPart * kPart; }
 
-    /// Whether it was open after the first update: a photo that is not the first may cover some of it.
-    bool isTaken(int column, int row) const {
-        return m_first.empty() || m_first[static_cast<std::size_t>(row * (m_width / kParts) + column)] != 0;
+    bool isOpen(int column, int row) const {
+        return m_cells[static_cast<std::size_t>(row * (m_width / kParts) + column)] > 0;
     }
 
     /// Whether a part is open that meets this piece of the view. Units: pixels; any.
@@ -53,7 +50,7 @@ class OpenCells {
     int m_width; ///< parts
     int m_height;
     std::vector<int> m_sums;  ///< of the pixels above and to the left, with a row and a column of zeros
-    std::vector<int> m_first; ///< zeros of each cell at the first update
+    std::vector<int> m_cells; ///< open pixels of each cell
 };
 
 } // namespace spherewalk::render

@@ -32,6 +32,12 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
     m_pinhole.cx = static_cast<float>(k.cx);
     m_pinhole.cy = static_cast<float>(k.cy);
     m_pinhole.nearestM = kNearestM;
+    const auto width = static_cast<float>(k.width);
+    const auto height = static_cast<float>(k.height);
+    m_sides = {Vector3f(0, 0, 1), Vector3f(m_pinhole.fx, 0, m_pinhole.cx + 1).normalized(),
+               Vector3f(-m_pinhole.fx, 0, width - m_pinhole.cx).normalized(),
+               Vector3f(0, m_pinhole.fy, m_pinhole.cy + 1).normalized(),
+               Vector3f(0, -m_pinhole.fy, height - m_pinhole.cy).normalized()};
 }
 
 SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction, float inverseM) const {
@@ -86,22 +92,33 @@ bool SurfaceProjector::mayShow(const DepthMesh::Bound& bound, const OpenCells& o
     if (!m_isPinhole) {
         return true;
     }
-    const float middle = 0.5F * (bound.least + bound.most);
-    const Vector3f q = m_rotation * bound.centre + middle * m_translation;
-    const float radius = bound.radius + 0.5F * (bound.most - bound.least) * m_translation.norm();
-    if (q.z() + radius <= 0) {
-        return false;
+    // In the view, what is farther moves along a line to what is nearer: the ends have all between them.
+    const Vector3f turned = m_rotation * bound.centre;
+    const std::array<Vector3f, 2> ends{turned + bound.least * m_translation,
+                                       turned + bound.most * m_translation};
+    const float radius = bound.radius;
+    for (const Vector3f& inward : m_sides) {
+        if (inward.dot(ends[0]) < -radius && inward.dot(ends[1]) < -radius) {
+            return false;
+        }
     }
-    if (q.z() - radius <= 1e-3F) {
+    if (std::min(ends[0].z(), ends[1].z()) - radius <= 1e-3F) {
         return true;
     }
-    const float near = 1 / (q.z() - radius);
-    const float far = 1 / (q.z() + radius);
-    const auto least = [&](float value) { return std::min((value - radius) * near, (value - radius) * far); };
-    const auto most = [&](float value) { return std::max((value + radius) * near, (value + radius) * far); };
-    return open.anyIn(
-        m_pinhole.fx * least(q.x()) + m_pinhole.cx - 1, m_pinhole.fy * least(q.y()) + m_pinhole.cy - 1,
-        m_pinhole.fx * most(q.x()) + m_pinhole.cx + 1, m_pinhole.fy * most(q.y()) + m_pinhole.cy + 1);
+    float left = HUGE_VALF;
+    float right = -HUGE_VALF;
+    float top = HUGE_VALF;
+    float bottom = -HUGE_VALF;
+    for (const Vector3f& q : ends) {
+        const float near = 1 / (q.z() - radius);
+        const float far = 1 / (q.z() + radius);
+        left = std::min(left, (q.x() - radius) * (q.x() > radius ? far : near));
+        right = std::max(right, (q.x() + radius) * (q.x() > -radius ? near : far));
+        top = std::min(top, (q.y() - radius) * (q.y() > radius ? far : near));
+        bottom = std::max(bottom, (q.y() + radius) * (q.y() > -radius ? near : far));
+    }
+    return open.anyIn(m_pinhole.fx * left + m_pinhole.cx - 1, m_pinhole.fy * top + m_pinhole.cy - 1,
+                      m_pinhole.fx * right + m_pinhole.cx + 1, m_pinhole.fy * bottom + m_pinhole.cy + 1);
 }
 
 float SurfaceProjector::pixelsPerInverse() const {

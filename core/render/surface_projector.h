@@ -8,6 +8,8 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <array>
+
 namespace spherewalk::render {
 
 /// From a photo's surface to a view. Threads: const, any number.
@@ -44,6 +46,7 @@ class SurfaceProjector {
     const CameraModel& m_camera;
     bool m_isPinhole;
     simd::SurfaceCamera m_pinhole;
+    std::array<Eigen::Vector3f, 5> m_sides; ///< of what the pinhole sees, and a pixel more: inward normals
 };
 
 } // namespace spherewalk::render

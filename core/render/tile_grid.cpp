@@ -64,7 +64,10 @@ void TileSet::insertBox(double left, double top, double right, double bottom) {
     const int firstY = static_cast<int>(std::max(0.0, std::floor(top)));
     const int lastY = static_cast<int>(std::min(height - 1.0, std::ceil(bottom)));
     const bool isAllRound = !(right - left < width - 2);
-    const int firstX = isAllRound ? 0 : wrapped(static_cast<int>(std::floor(std::fmod(left, width))), width);
+    const bool isWithin = left >= 0 && left < width;
+    const int firstX = isAllRound ? 0
+                       : isWithin ? static_cast<int>(left)
+                                  : wrapped(static_cast<int>(std::floor(std::fmod(left, width))), width);
     const int lastX = isAllRound ? width - 1 : firstX + static_cast<int>(std::ceil(right - left)) + 1;
     for (int row = firstY / TileGrid::kTileHeight; row <= lastY / TileGrid::kTileHeight; ++row) {
         for (int x = firstX; x <= lastX;) {

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "depth_pieces.cpp"
+// The order matters here.
+// clang-format off
+#include <hwy/foreach_target.h>
+#include "lattice-inl.h"
+// clang-format on
+
+#ifndef SPHEREWALK_DEPTH_PIECES_ONCE
+#define SPHEREWALK_DEPTH_PIECES_ONCE
+
+namespace spherewalk::render::simd {
+
+constexpr float kOverlapPx = 0.25F; ///< pieces reach so far beyond their edges: flat parts leave no cracks
+constexpr float kLeastTurn = 1e-4F; ///< of a corner; what is thinner is drawn as triangles, if at all
+
+/// Pieces side by side, as many as a vector has at most.
+struct PieceColumns {
+    static constexpr std::size_t kLanes = 16;
+    using Floats = std::array<float, kLanes>;
+    std::array<Floats, 4> a, b, c;
+    Floats slopeX, slopeY, base, least, most;
+    std::array<std::int32_t, kLanes> left, top, right, bottom;
+    Floats sign; ///< 0 of quads that are not convex
+};
+
+/// As ProjectedPart has them.
+struct Vertex {
+    float x, y, value;
+};
+
+} // namespace spherewalk::render::simd
+
+#endif
+
+HWY_BEFORE_NAMESPACE();
+
+namespace spherewalk::render::simd::HWY_NAMESPACE {
+
+using F = hn::CappedTag<float, PieceColumns::kLanes>;
+using VF = hn::Vec<F>;
+using I = hn::CappedTag<std::int32_t, PieceColumns::kLanes>;
+
+/// The least and the greatest of four.
+template <class Four>
+HWY_INLINE VF leastOf(const Four& of) {
+    return hn::Min(hn::Min(of[0], of[1]), hn::Min(of[2], of[3]));
+}
+
+template <class Four>
+HWY_INLINE VF greatestOf(const Four& of) {
+    return hn::Max(hn::Max(of[0], of[1]), hn::Max(of[2], of[3]));
+}
+
+/// Pixels from the first that is not before `begin` to the last that is not after `end`.
+HWY_INLINE void pixelsBetween(VF begin, VF end, float last, std::int32_t* first, std::int32_t* final) {
+    const F d;
+    const I di;
+    const VF inView = hn::Min(hn::Max(begin, hn::Zero(d)), hn::Set(d, last + 1));
+    const auto cut = hn::ConvertTo(di, inView);
+    const auto isCut = hn::RebindMask(di, hn::Lt(hn::ConvertTo(d, cut), inView));
+    hn::StoreU(hn::Add(cut, hn::IfThenElseZero(isCut, hn::Set(di, 1))), di, first);
+    const VF until = hn::Min(hn::Max(end, hn::Set(d, -1.0F)), hn::Set(d, last));
+    hn::StoreU(hn::Sub(hn::ConvertTo(di, hn::Add(until, hn::Set(d, 1.0F))), hn::Set(di, 1)), di, final);
+}
+
+HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int height, PieceColumns& out) {
+    const F d;
+    const auto four = [&](const auto& of) {
+        return std::array<VF, 4>{hn::LoadU(d, of[0].data() + from), hn::LoadU(d, of[1].data() + from),
+                                 hn::LoadU(d, of[2].data() + from), hn::LoadU(d, of[3].data() + from)};
+    };
+    const std::array<VF, 4> x = four(quads.x);
+    const std::array<VF, 4> y = four(quads.y);
+    const std::array<VF, 4> value = four(quads.value);
+    const VF overlap = hn::Set(d, kOverlapPx);
+    pixelsBetween(hn::Sub(leastOf(x), overlap), hn::Add(greatestOf(x), overlap),
+                  static_cast<float>(width - 1), out.left.data(), out.right.data());
+    pixelsBetween(hn::Sub(leastOf(y), overlap), hn::Add(greatestOf(y), overlap),
+                  static_cast<float>(height - 1), out.top.data(), out.bottom.data());
+    // Twice the areas of its corners' triangles: all of one sign if it is convex.
+    std::array<VF, 4> turns;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        const std::size_t k = (i + 2) % 4;
+        turns[i] = hn::Sub(hn::Mul(hn::Sub(x[j], x[i]), hn::Sub(y[k], y[i])),
+                           hn::Mul(hn::Sub(x[k], x[i]), hn::Sub(y[j], y[i])));
+    }
+    const VF left = hn::IfThenElseZero(hn::Gt(leastOf(turns), hn::Set(d, kLeastTurn)), hn::Set(d, 1.0F));
+    const VF sign =
+        hn::IfThenElse(hn::Lt(greatestOf(turns), hn::Set(d, -kLeastTurn)), hn::Set(d, -1.0F), left);
+    hn::StoreU(sign, d, out.sign.data());
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        const VF a = hn::Mul(sign, hn::Sub(y[i], y[j]));
+        const VF b = hn::Mul(sign, hn::Sub(x[j], x[i]));
+        hn::StoreU(a, d, out.a[i].data());
+        hn::StoreU(b, d, out.b[i].data());
+        hn::StoreU(
+            hn::Sub(hn::Mul(overlap, hn::Add(hn::Abs(a), hn::Abs(b))), mulAdd(a, x[i], hn::Mul(b, y[i]))), d,
+            out.c[i].data());
+    }
+    const VF x1 = hn::Sub(x[2], x[0]);
+    const VF y1 = hn::Sub(y[2], y[0]);
+    const VF rise1 = hn::Sub(value[2], value[0]);
+    const VF x2 = hn::Sub(x[3], x[1]);
+    const VF y2 = hn::Sub(y[3], y[1]);
+    const VF rise2 = hn::Sub(value[3], value[1]);
+    const VF scale = hn::Div(hn::Set(d, 1.0F), hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1)));
+    const VF slopeX = hn::Mul(hn::Sub(hn::Mul(rise1, y2), hn::Mul(rise2, y1)), scale);
+    const VF slopeY = hn::Mul(hn::Sub(hn::Mul(x1, rise2), hn::Mul(x2, rise1)), scale);
+    const auto sum = [](const auto& of) { return hn::Add(hn::Add(of[0], of[1]), hn::Add(of[2], of[3])); };
+    const VF base =
+        hn::Mul(hn::Set(d, 0.25F), hn::Sub(sum(value), mulAdd(slopeX, sum(x), hn::Mul(slopeY, sum(y)))));
+    hn::StoreU(slopeX, d, out.slopeX.data());
+    hn::StoreU(slopeY, d, out.slopeY.data());
+    hn::StoreU(base, d, out.base.data());
+    hn::StoreU(leastOf(value), d, out.least.data());
+    hn::StoreU(greatestOf(value), d, out.most.data());
+}
+
+/// The columns of so many quads from the first on. Back: how many it did.
+std::size_t cutSome(const Quads& quads, std::size_t from, int width, int height, PieceColumns& out) {
+    cutColumns(quads, from, width, height, out);
+    return hn::Lanes(F());
+}
+
+void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
+    const F d;
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    const VF zero = hn::Zero(d);
+    for (const Piece& piece : pieces) {
+        const int first = std::max(begin, piece.top);
+        const int last = std::min(end - 1, piece.bottom);
+        const VF least = hn::Set(d, piece.least);
+        const VF most = hn::Set(d, piece.most);
+        const VF left = hn::Set(d, static_cast<float>(piece.left));
+        const VF right = hn::Set(d, static_cast<float>(piece.right));
+        const VF b0 = hn::Set(d, piece.b[0]);
+        const VF b1 = hn::Set(d, piece.b[1]);
+        const VF b2 = hn::Set(d, piece.b[2]);
+        const VF b3 = hn::Set(d, piece.b[3]);
+        const VF slope = hn::Set(d, piece.slopeY);
+        for (int next = piece.left; next <= piece.right; next += lanes) {
+            const int x = std::min(next, static_cast<int>(pitch) - lanes); // not beyond the row
+            const VF column = hn::Iota(d, static_cast<float>(x));
+            // Sharp corners, once their edges were moved, reach beyond the columns that are asked for.
+            const auto isAsked = hn::And(hn::Ge(column, left), hn::Le(column, right));
+            const VF a0 = mulAdd(hn::Set(d, piece.a[0]), column, hn::Set(d, piece.c[0]));
+            const VF a1 = mulAdd(hn::Set(d, piece.a[1]), column, hn::Set(d, piece.c[1]));
+            const VF a2 = mulAdd(hn::Set(d, piece.a[2]), column, hn::Set(d, piece.c[2]));
+            const VF a3 = mulAdd(hn::Set(d, piece.a[3]), column, hn::Set(d, piece.c[3]));
+            const VF base = mulAdd(hn::Set(d, piece.slopeX), column, hn::Set(d, piece.base));
+            for (int y = first; y <= last; ++y) {
+                const VF at = hn::Set(d, static_cast<float>(y));
+                const VF inside = hn::Min(hn::Min(mulAdd(b0, at, a0), mulAdd(b1, at, a1)),
+                                          hn::Min(mulAdd(b2, at, a2), mulAdd(b3, at, a3)));
+                const VF value = hn::Min(hn::Max(mulAdd(slope, at, base), least), most);
+                const VF drawn = hn::IfThenElseZero(hn::And(isAsked, hn::Ge(inside, zero)), value);
+                float* to = values + y * pitch + x;
+                hn::StoreU(hn::Max(hn::LoadU(d, to), drawn), d, to);
+            }
+        }
+    }
+}
+
+} // namespace spherewalk::render::simd::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace spherewalk::render::simd {
+
+HWY_EXPORT(cutSome);
+HWY_EXPORT(draw);
+
+namespace {
+
+Piece piece(const PieceColumns& from, std::size_t lane) {
+    Piece piece;
+    for (std::size_t i = 0; i < 4; ++i) {
+        piece.a[i] = from.a[i][lane];
+        piece.b[i] = from.b[i][lane];
+        piece.c[i] = from.c[i][lane];
+    }
+    piece.slopeX = from.slopeX[lane];
+    piece.slopeY = from.slopeY[lane];
+    piece.base = from.base[lane];
+    piece.least = from.least[lane];
+    piece.most = from.most[lane];
+    piece.left = from.left[lane];
+    piece.top = from.top[lane];
+    piece.right = from.right[lane];
+    piece.bottom = from.bottom[lane];
+    return piece;
+}
+
+/// A triangle within the piece's pixels, if it is not too thin.
+void addTriangle(const std::array<Vertex, 3>& v, Piece piece, std::vector<Piece>& pieces) {
+    const float x1 = v[1].x - v[0].x;
+    const float y1 = v[1].y - v[0].y;
+    const float x2 = v[2].x - v[0].x;
+    const float y2 = v[2].y - v[0].y;
+    const float area = x1 * y2 - x2 * y1;
+    if (!(std::abs(area) > kLeastTurn)) {
+        return;
+    }
+    const float sign = area > 0 ? 1.0F : -1.0F;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vertex& to = v[(i + 1) % 3];
+        const float a = sign * (v[i].y - to.y);
+        const float b = sign * (to.x - v[i].x);
+        piece.a[i] = a;
+        piece.b[i] = b;
+        piece.c[i] = kOverlapPx * (std::abs(a) + std::abs(b)) - (a * v[i].x + b * v[i].y);
+    }
+    piece.a[3] = 0;
+    piece.b[3] = 0;
+    piece.c[3] = 1;
+    const float rise1 = v[1].value - v[0].value;
+    const float rise2 = v[2].value - v[0].value;
+    piece.slopeX = (rise1 * y2 - rise2 * y1) / area;
+    piece.slopeY = (x1 * rise2 - x2 * rise1) / area;
+    piece.base = v[0].value - piece.slopeX * v[0].x - piece.slopeY * v[0].y;
+    piece.least = std::min(v[0].value, std::min(v[1].value, v[2].value));
+    piece.most = std::max(v[0].value, std::max(v[1].value, v[2].value));
+    pieces.push_back(piece);
+}
+
+} // namespace
+
+void cut(const Quads& quads, int width, int height, std::vector<Piece>& pieces) {
+    PieceColumns columns;
+    const auto count = static_cast<std::size_t>(quads.count);
+    std::size_t done = 0;
+    for (std::size_t from = 0; from < count; from += done) {
+        done = HWY_DYNAMIC_DISPATCH(cutSome)(quads, from, width, height, columns);
+        for (std::size_t lane = 0; lane < std::min(done, count - from); ++lane) {
+            if (columns.left[lane] > columns.right[lane] || columns.top[lane] > columns.bottom[lane]) {
+                continue;
+            }
+            if (columns.sign[lane] != 0) {
+                pieces.push_back(piece(columns, lane));
+                continue;
+            }
+            const auto vertex = [&](std::size_t i) {
+                return Vertex{quads.x[i][from + lane], quads.y[i][from + lane], quads.value[i][from + lane]};
+            };
+            addTriangle({vertex(0), vertex(1), vertex(3)}, piece(columns, lane), pieces);
+            addTriangle({vertex(1), vertex(2), vertex(3)}, piece(columns, lane), pieces);
+        }
+    }
+}
+
+void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
+    HWY_DYNAMIC_DISPATCH(draw)(pieces, begin, end, values, pitch);
+}
+
+} // namespace spherewalk::render::simd
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+/// The flat pieces that a surface is drawn as. The same bytes on every processor.
+namespace spherewalk::render::simd {
+
+/// Quads as the camera sees them, their vertices in turn. Range: each vertex is in front of the camera.
+struct Quads {
+    static constexpr int kMost = 64;
+    std::array<std::array<float, kMost>, 4> x, y, value; ///< as ProjectedPart
+    int count = 0;
+};
+
+/// A flat convex piece with up to four edges. A pixel lies inside if a x + b y + c >= 0 for each.
+struct Piece {
+    std::array<float, 4> a, b, c;
+    float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
+    float least, most;
+    int left, top, right, bottom; ///< pixels that it may cover, the last ones included
+};
+
+/// Adds the pieces that the quads have in a view of that size. A convex quad is one, whose values are the
+/// plane's through its middle that rises as its diagonals do; another is two triangles.
+void cut(const Quads& quads, int width, int height, std::vector<Piece>& pieces);
+
+/// How many columns a buffer's rows have more than a view needs: multiples of this.
+constexpr int kColumns = 16;
+
+/// Draws rows [begin, end) of the pieces: the greater value wins. Range: pitch a multiple of kColumns.
+void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch);
+
+} // namespace spherewalk::render::simd
