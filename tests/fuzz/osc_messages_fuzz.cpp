@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input: a camera's answer. Whatever it says, it is read, or refused as Corrupt; what was read keeps to the
 // ranges that the header states.
+#include "spherewalk/base/bytes.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/camera/osc_error.h"
 #include "spherewalk/camera/osc_messages.h"

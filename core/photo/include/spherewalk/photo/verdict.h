@@ -4,8 +4,6 @@
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/sketch.h"
 
-#include <Eigen/Core>
-
 #include <optional>
 #include <span>
 #include <string>
