@@ -123,6 +123,7 @@ class Run {
             if (!again) {
                 return outcome;
             }
+            warn({text(station.name, ": ", outcome.sentence)}); // a second trigger is never passed over
         }
     }
 
