@@ -127,6 +127,7 @@ camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
         if (!again) {
             return outcome;
         }
+        warn({text(station.name, ": ", outcome.sentence)}); // a second trigger is never passed over
     }
 }
 

@@ -72,7 +72,7 @@ class Run {
         if (!isComplete()) {
             m_report.findings.violations.push_back("the last program said: " + m_lastWords);
         }
-        Findings findings = examine(m_survey, m_folder / "truth.jsonl", profileOptions());
+        Findings findings = examine(m_survey, m_folder / "truth.jsonl", profileOptions(), m_said);
         for (std::string& violation : m_report.findings.violations) {
             findings.violations.push_back(std::move(violation));
         }
@@ -108,6 +108,7 @@ class Run {
                 ++m_report.kills;
             }
             program.wait();
+            m_said += program.errors();
             return;
         case 2:
             if (!program.endsWithin(patience)) {
@@ -142,6 +143,7 @@ class Run {
         }
         const int status = program.wait();
         m_lastWords = program.errors();
+        m_said += m_lastWords;
         constexpr int kInterrupted = 128 + SIGINT; // before it could do better
         if (status > 100 && status != kInterrupted) {
             m_report.findings.violations.push_back(
@@ -155,6 +157,7 @@ class Run {
     test::TemporaryFolder m_folder;
     std::filesystem::path m_survey;
     std::vector<std::string> m_command;
+    std::string m_said;
     std::string m_lastWords;
     RunReport m_report;
 };

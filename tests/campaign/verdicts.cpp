@@ -6,6 +6,7 @@
 #include "spherewalk/practice/truth.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -19,6 +20,19 @@ bool isSame(const Json& wanted, const Json& found) {
                : wanted == found;
 }
 
+/// That a photo was asked for, and that there is none: of a camera whose files were deleted meanwhile, or
+/// that says that it has cancelled what it has not.
+constexpr std::array<std::string_view, 2> kNoPhoto{": The camera has taken no photo",
+                                                   ": The camera refused to take the photo"};
+
+int count(const std::string& said, const std::string& words) {
+    int found = 0;
+    for (std::size_t at = said.find(words); at != std::string::npos; at = said.find(words, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
 /// What the survey knows of a station.
 struct Known {
     int photos = 0;
@@ -28,7 +42,7 @@ struct Known {
 } // namespace
 
 Findings examine(const std::filesystem::path& survey, const std::filesystem::path& truthFile,
-                 const Json& exposure) {
+                 const Json& exposure, const std::string& said) {
     Findings findings;
     const auto violate = [&](std::string sentence) { findings.violations.push_back(std::move(sentence)); };
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
@@ -74,7 +88,11 @@ Findings examine(const std::filesystem::path& survey, const std::filesystem::pat
         for (const auto& [sha256, truth] : truthOf) {
             exposures += truth.nominalPositionM == station.station.positionM && !truth.byButton ? 1 : 0;
         }
-        const Known& here = known[station.id];
+        Known& here = known[station.id];
+        for (const std::string_view words : kNoPhoto) {
+            here.told += count(said, text(station.name, words));
+            here.told += count(said, text("An earlier photo of station ", station.id, words));
+        }
         findings.exposures += exposures;
         if (here.photos == 0) {
             violate(text(station.name, " has no photo after all runs"));

@@ -19,8 +19,9 @@ struct Findings {
 };
 
 /// Compares the survey with the truth: no stored photo lost, none at another station than its own, none with
-/// another exposure than the profile's, no second exposure that the operator was not told of.
+/// another exposure than the profile's, no second exposure that the operator was not told of. said: all that
+/// the programs have said.
 Findings examine(const std::filesystem::path& survey, const std::filesystem::path& truthFile,
-                 const Json& exposure);
+                 const Json& exposure, const std::string& said);
 
 } // namespace spherewalk::campaign
