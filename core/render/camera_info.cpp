@@ -7,6 +7,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::render {
@@ -66,6 +68,18 @@ void readDistortion(const YAML::Node& root, const std::string& source, CameraInt
     }
 }
 
+/// Zero distortion, as simulators write it, is a pinhole, whose pixels are located faster.
+CameraIntrinsics simplest(CameraIntrinsics camera) {
+    const bool isNone =
+        camera.lens != LensModel::Equidistant &&
+        std::all_of(camera.distortion.begin(), camera.distortion.end(), [](double k) { return k == 0; });
+    if (isNone) {
+        camera.lens = LensModel::Pinhole;
+        camera.distortion.clear();
+    }
+    return camera;
+}
+
 } // namespace
 
 CameraIntrinsics parseCameraInfo(std::string_view yaml, const std::string& source) {
@@ -96,7 +110,7 @@ CameraIntrinsics parseCameraInfo(std::string_view yaml, const std::string& sourc
         throw Error(ErrorKind::InvalidInput,
                     text("Could not use the camera ", source, ": ", error.sentence()));
     }
-    return camera;
+    return simplest(std::move(camera));
 }
 
 CameraIntrinsics readCameraInfo(const std::filesystem::path& file) {

@@ -42,8 +42,18 @@ TEST(CameraInfo, KnowsEveryLensAndItsOtherNames) {
               LensModel::Equidistant);
     EXPECT_EQ(parseCameraInfo(kHead + kMatrix + lens("equidistant", "0, 0, 0, 0"), "c").lens,
               LensModel::Equidistant);
-    EXPECT_EQ(parseCameraInfo(kHead + kMatrix + lens("rational_polynomial", "0,0,0,0,0,0,0,0"), "c").lens,
+    EXPECT_EQ(parseCameraInfo(kHead + kMatrix + lens("rational_polynomial", "0,0,0.1,0,0,0,0,0"), "c").lens,
               LensModel::RationalPolynomial);
+}
+
+TEST(CameraInfo, TakesALensWithoutDistortionForAPinhole) {
+    for (const char* none : {"plumb_bob", "rational_polynomial"}) {
+        const bool isPlumbBob = std::string(none) == "plumb_bob";
+        const CameraIntrinsics camera = parseCameraInfo(
+            kHead + kMatrix + lens(none, isPlumbBob ? "0, 0, 0, 0, 0" : "0, 0, 0, 0, 0, 0, 0, 0"), "c");
+        EXPECT_EQ(camera.lens, LensModel::Pinhole);
+        EXPECT_TRUE(camera.distortion.empty());
+    }
 }
 
 TEST(CameraInfo, ComesBackFromItsOwnYaml) {
