@@ -73,8 +73,7 @@ void CaptureRun::prepareAndTake(Route& route) {
         const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
         warn(readiness.warnings);
         m_people.cameraReady(m_camera, readiness);
-        takeAlong(route);
-        m_fetcher->finish(m_stop);
+        takeAndFetch(route);
     } catch (...) {
         m_fetcher->stopSoon();
         constexpr std::chrono::milliseconds kHurry(150); // a stop must not take longer than 200
@@ -85,6 +84,18 @@ void CaptureRun::prepareAndTake(Route& route) {
         throw;
     }
     m_capture.disconnect(m_stop);
+}
+
+void CaptureRun::takeAndFetch(Route& route) {
+    try {
+        takeAlong(route);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::Stopped && !m_stop.stop_requested()) {
+            m_fetcher->finish(m_stop); // the operator has left, and nobody is in a hurry
+        }
+        throw;
+    }
+    m_fetcher->finish(m_stop);
 }
 
 void CaptureRun::takeAlong(Route& route) {

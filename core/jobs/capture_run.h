@@ -39,6 +39,7 @@ class CaptureRun {
 
   private:
     void prepareAndTake(Route& route);
+    void takeAndFetch(Route& route);
     void takeAlong(Route& route);
     camera::ShotOutcome expose(const store::StationRecord& station);
     void warn(const std::vector<std::string>& sentences);
