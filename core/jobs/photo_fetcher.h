@@ -42,6 +42,7 @@ class PhotoFetcher {
     void wake();
     /// Returns when all is fetched, or has been tried in vain. Errors: what ended it before; Stopped.
     void finish(const std::stop_token& stop);
+
     /// Asks it to stop, without waiting.
     void stopSoon() { m_thread.request_stop(); }
 

@@ -4,9 +4,9 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 namespace spherewalk::photo {

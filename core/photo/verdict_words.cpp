@@ -4,6 +4,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/levelling.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::photo {
