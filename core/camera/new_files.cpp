@@ -38,6 +38,10 @@ std::string markedUrl(const FileEntry& entry) {
     return text(entry.fileUrl, "#", markOf(entry));
 }
 
+bool isMarked(std::string_view url) {
+    return url.find('#') != std::string_view::npos;
+}
+
 bool isFile(std::string_view url, const FileEntry& entry) {
     const std::size_t mark = url.find('#');
     const bool isSameMark = mark == std::string_view::npos || url.substr(mark + 1) == markOf(entry);

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/new_files.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +26,7 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
       m_clock(clock),
       m_progress(progress),
       m_callersStop(stop, [this] { m_end.request_stop(); }),
-      m_journal(store, StoreJournal::View::Exposing),
+      m_journal(store, StoreJournal::View::All),
       m_capture(client, m_journal, clock, options),
       m_begin(clock.now()),
       m_fetchersClient(client.another()) {
@@ -42,16 +43,23 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
 }
 
 void CaptureRun::begin() {
+    // What an earlier run has taken comes in first: what cannot is taken again along the route.
     for (const camera::ShotOutcome& outcome : m_capture.settle(m_stop)) {
-        account(outcome, std::nullopt);
+        if (outcome.shot.step == camera::ShotStep::Downloaded) {
+            m_fetcher->tellEarlier(outcome, m_stop);
+        } else {
+            account(outcome, std::nullopt);
+        }
     }
     m_fetcher->wake();
 }
 
 bool CaptureRun::isOnItsWay(std::int64_t station) const {
+    const std::scoped_lock lock(m_mutex);
     return m_store.use([&](const store::SurveyStore& survey) {
         return std::ranges::any_of(survey.openShots(), [&](const store::ShotRecord& shot) {
-            return shot.station == station && shot.step == store::ShotStep::Taken;
+            return shot.station == station && shot.step == store::ShotStep::Taken &&
+                   !m_unfetched.contains(shot.id);
         });
     });
 }
@@ -118,11 +126,20 @@ void CaptureRun::takeAlong(Route& route) {
         }
         if (outcome.shot.step == camera::ShotStep::Taken) {
             m_people.exposed(*station);
-            m_fetcher->wake();
+            fetchNow(outcome);
         } else {
             account(outcome, std::nullopt);
         }
     }
+}
+
+/// In the background, unless a later file could be taken for it: that is fetched before anything else is
+/// done.
+void CaptureRun::fetchNow(const camera::ShotOutcome& exposed) {
+    if (!camera::isMarked(exposed.shot.fileUrl)) {
+        account(m_capture.fetch(exposed.shot, m_stop), std::nullopt);
+    }
+    m_fetcher->wake();
 }
 
 camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
@@ -162,6 +179,9 @@ void CaptureRun::account(const camera::ShotOutcome& given, const std::optional<p
     m_people.shotEnded(station, outcome, verdict ? &*verdict : nullptr);
     m_report.secondsFetching += seconds(outcome.fetching);
     std::erase_if(m_report.missed, [&](const MissedStation& other) { return other.station == station.name; });
+    if (outcome.shot.step == camera::ShotStep::Taken) {
+        m_unfetched.insert(outcome.shot.id);
+    }
     if (outcome.shot.step != camera::ShotStep::Downloaded) {
         m_progress.warning(text(station.name, ": ", outcome.sentence));
         m_report.missed.push_back({station.name, outcome.sentence});

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <stop_token>
 
 namespace spherewalk::jobs {
@@ -42,6 +43,7 @@ class CaptureRun {
     void takeAndFetch(Route& route);
     void takeAlong(Route& route);
     camera::ShotOutcome expose(const store::StationRecord& station);
+    void fetchNow(const camera::ShotOutcome& exposed);
     void warn(const std::vector<std::string>& sentences);
     void account(const camera::ShotOutcome& outcome, const std::optional<photo::Verdict>& verdict);
 
@@ -60,6 +62,7 @@ class CaptureRun {
     mutable std::mutex m_mutex; ///< of what follows
     CaptureSurveyReport m_report;
     std::map<std::int64_t, std::vector<std::string>> m_warningsOf; ///< by shot
+    std::set<std::int64_t> m_unfetched;                            ///< shots that were tried in vain
     std::unique_ptr<camera::OscClient> m_fetchersClient;
     std::unique_ptr<PhotoFetcher> m_fetcher;
 };

@@ -40,8 +40,7 @@ class ListedRoute : public Route {
     std::size_t m_done = 0;
 };
 
-/// In walking order. At one moment of the store, as downloads come in meanwhile: none that is on its way, or
-/// has just arrived, may be exposed twice.
+/// In walking order.
 std::vector<store::StationRecord> stationsToTake(const store::SurveyStore& store,
                                                  const CaptureSurveyOptions& options) {
     std::set<std::int64_t> wanted;
@@ -50,11 +49,6 @@ std::vector<store::StationRecord> stationsToTake(const store::SurveyStore& store
     }
     for (const store::StationRecord& missing : store.stationsWithoutPhoto()) {
         wanted.insert(missing.id);
-    }
-    for (const store::ShotRecord& shot : store.openShots()) {
-        if (shot.step == store::ShotStep::Taken) {
-            wanted.erase(shot.station);
-        }
     }
     std::vector<store::StationRecord> result = store.stations();
     std::erase_if(result, [&](const store::StationRecord& station) { return !wanted.contains(station.id); });

@@ -40,6 +40,10 @@ class PhotoFetcher {
 
     /// There may be something to fetch.
     void wake();
+
+    /// Judges and tells of a photo that another has fetched. Range: before the first wake().
+    void tellEarlier(const camera::ShotOutcome& outcome, const std::stop_token& stop) { tell(outcome, stop); }
+
     /// Returns when all is fetched, or has been tried in vain. Errors: what ended it before; Stopped.
     void finish(const std::stop_token& stop);
 
@@ -68,7 +72,7 @@ class PhotoFetcher {
     std::chrono::milliseconds m_retryPause;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_changed;
-    bool m_isWoken = true;
+    bool m_isWoken = false;
     bool m_isFinishing = false;
     bool m_hasEnded = false;
     std::exception_ptr m_failure;

@@ -5,6 +5,8 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/camera/new_files.h"
 
 namespace spherewalk::jobs {
 
@@ -90,8 +92,14 @@ void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& 
                     "The downloaded photo changed on the disk before it was recorded; the next run "
                     "downloads it again.");
     }
-    m_store.use(
-        [&](store::SurveyStore& store) { store.recordDownload(shot, put(store, std::move(taggedPhoto))); });
+    m_store.use([&](store::SurveyStore& store) {
+        if (store.shot(shot).step !=
+            store::ShotStep::Taken) { // given up meanwhile: its name is another's now
+            throw Error(ErrorKind::NotFound, text("The photo of ", stationName,
+                                                  " is not known to be its own any more; take it again."));
+        }
+        store.recordDownload(shot, put(store, std::move(taggedPhoto)));
+    });
     std::error_code ignored; // a leftover is replaced by the next download of this photo
     std::filesystem::remove(photo.temporaryFile, ignored);
 }
@@ -100,7 +108,8 @@ std::vector<camera::Shot> StoreJournal::openShots() const {
     std::vector<camera::Shot> shots;
     for (const store::ShotRecord& record :
          m_store.use([](const store::SurveyStore& store) { return store.openShots(); })) {
-        if ((record.step == store::ShotStep::Taken) == (m_view == View::Fetching)) {
+        const bool isFetchable = record.step == store::ShotStep::Taken && camera::isMarked(record.fileUrl);
+        if (m_view == View::All || isFetchable) {
             shots.push_back(shotOf(record));
         }
     }

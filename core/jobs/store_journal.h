@@ -10,8 +10,9 @@ namespace spherewalk::jobs {
 /// The capture workflow's journal, kept in the survey's store. Threads: one each, side by side.
 class StoreJournal : public camera::CaptureJournal {
   public:
-    /// Whose open shots are told: who exposes leaves those that are only to be downloaded to who fetches.
-    enum class View { Exposing, Fetching };
+    /// Whose open shots are told: all, or those that can be downloaded while others are exposed, which their
+    /// URLs tell from later files of the same name.
+    enum class View { All, Fetching };
 
     /// Owner: the store must outlive the journal and be open for writing.
     StoreJournal(SharedStore& store, View view) : m_store(store), m_view(view) {}

@@ -21,6 +21,8 @@ struct NewFiles {
 /// The file's URL, with its size (or time) as a fragment: names are given again when a camera's counter
 /// begins anew.
 std::string markedUrl(const FileEntry& entry);
+/// Whether the URL tells its file from a later one of the same name.
+bool isMarked(std::string_view url);
 /// Whether the URL is this file's; an unmarked one goes by the path alone. Errors: those of pathOfUrl().
 bool isFile(std::string_view url, const FileEntry& entry);
 
