@@ -102,6 +102,10 @@ std::vector<PlacedPhoto> DepthView::drawPhotos(const PixelRays& rays, const Rigi
             m_filledShare = uncovered / (static_cast<double>(m_width) * m_height);
         }
         placed.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
+        const double openShare = uncovered / (static_cast<double>(m_width) * m_height);
+        if (i > 0 && openShare < kLeastOpenShare) {
+            break;
+        }
     }
     return placed;
 }

@@ -30,6 +30,8 @@ class DepthView {
   public:
     /// By how much flat parts may be displaced, in pixels of the view.
     static constexpr double kTolerancePx = 0.5;
+    /// Of a view: less is not looked for in a third photo, but filled from beside.
+    static constexpr double kLeastOpenShare = 0.01;
 
     /// photos: in the order in which they are asked, at most 8, at least one. usualDistanceM: of what nobody
     /// sees. Returns the tiles of each photo that sample() reads.
