@@ -35,34 +35,6 @@ struct Options {
     double toleranceM = 0.03;
 };
 
-/// Says what the checks found, whoever moves the camera.
-class TellingOperator : public jobs::Operator {
-  public:
-    TellingOperator(std::unique_ptr<jobs::Operator> people, ProgressSink& progress)
-        : m_people(std::move(people)), m_progress(progress) {}
-
-    void moveTo(const store::StationRecord& station, const std::stop_token& stop) override {
-        m_people->moveTo(station, stop);
-    }
-
-    bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
-                  const std::stop_token& stop) override {
-        return m_people->tryAgain(station, outcome, tries, stop);
-    }
-
-    void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& /*outcome*/,
-                   const photo::Verdict* verdict) override {
-        if (verdict != nullptr && verdict->quality() != photo::Quality::Good) {
-            m_progress.warning(
-                text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));
-        }
-    }
-
-  private:
-    std::unique_ptr<jobs::Operator> m_people;
-    ProgressSink& m_progress;
-};
-
 /// A person at the terminal, who brings the camera to the station and presses Enter.
 class PersonAtTerminal : public jobs::Operator {
   public:
@@ -75,9 +47,9 @@ class PersonAtTerminal : public jobs::Operator {
             stop);
     }
 
-    bool tryAgain(const store::StationRecord& /*station*/, const camera::ShotOutcome& outcome, int /*tries*/,
-                  const std::stop_token& stop) override {
-        ask(text(outcome.sentence, " Press Enter to take the picture again."), stop);
+    bool tryAgain(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
+                  int /*tries*/, const std::stop_token& stop) override {
+        ask("Press Enter to take the picture again.", stop);
         return true;
     }
 
@@ -95,15 +67,12 @@ class PersonAtTerminal : public jobs::Operator {
 };
 
 std::unique_ptr<jobs::Operator> operatorFor(const Options& options, Context& context) {
-    std::unique_ptr<jobs::Operator> people;
     if (options.practice) {
         const std::chrono::duration<double> moveTime(options.moveSeconds);
-        people = std::make_unique<jobs::PracticeOperator>(
+        return std::make_unique<jobs::PracticeOperator>(
             options.camera.endpoint(), std::chrono::duration_cast<Clock::Duration>(moveTime));
-    } else {
-        people = std::make_unique<PersonAtTerminal>(context.progress);
     }
-    return std::make_unique<TellingOperator>(std::move(people), context.progress);
+    return std::make_unique<PersonAtTerminal>(context.progress);
 }
 
 /// Those of the survey that are to be taken again, as far as asked for.

@@ -56,12 +56,7 @@ std::optional<Features> FeatureCache::find(const std::string& photoSha256) const
 }
 
 void FeatureCache::keep(const std::string& photoSha256, const Features& features) const {
-    std::error_code failure;
-    std::filesystem::create_directories(m_folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", m_folder.string(), ": ", failure.message(), "."));
-    }
+    ensureFolder(m_folder);
     writeFile(fileOf(photoSha256), toBytes(features, keyOf(photoSha256)));
 }
 

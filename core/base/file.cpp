@@ -188,6 +188,15 @@ void writeFile(const std::filesystem::path& file, ByteView bytes, DurableFile::O
     output.commit(overwrite);
 }
 
+void ensureFolder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::Io,
+                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
+    }
+}
+
 void syncFolder(const std::filesystem::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {

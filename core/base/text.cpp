@@ -52,6 +52,17 @@ std::string fixed(double number, int digits) {
     return {buffer.data(), end};
 }
 
+int digitsAt(std::string_view text, std::size_t begin, std::size_t count) {
+    int number = 0;
+    for (const char c : text.substr(begin, count)) {
+        if (c < '0' || c > '9') {
+            return -1;
+        }
+        number = 10 * number + (c - '0');
+    }
+    return number;
+}
+
 std::optional<double> parseNumber(std::string_view text) {
     if (!text.empty() && text.front() == '+') {
         text.remove_prefix(1);
@@ -86,11 +97,7 @@ std::optional<std::chrono::system_clock::time_point> parseIsoUtc(std::string_vie
             return std::nullopt;
         }
     }
-    const auto number = [&](std::size_t at, std::size_t digits) {
-        int value = 0;
-        std::from_chars(text.data() + at, text.data() + at + digits, value);
-        return value;
-    };
+    const auto number = [&](std::size_t at, std::size_t count) { return digitsAt(text, at, count); };
     const std::chrono::year_month_day date(std::chrono::year(number(0, 4)),
                                            std::chrono::month(static_cast<unsigned>(number(5, 2))),
                                            std::chrono::day(static_cast<unsigned>(number(8, 2))));

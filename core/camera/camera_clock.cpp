@@ -10,23 +10,7 @@
 
 namespace spherewalk::camera {
 
-namespace {
-
 using namespace std::chrono;
-
-/// The number that these places spell, or -1.
-int digits(std::string_view text, std::size_t begin, std::size_t count) {
-    int number = 0;
-    for (const char c : text.substr(begin, count)) {
-        if (c < '0' || c > '9') {
-            return -1;
-        }
-        number = 10 * number + (c - '0');
-    }
-    return number;
-}
-
-} // namespace
 
 std::string cameraTime(system_clock::time_point time, minutes zone) {
     const auto local = floor<seconds>(time) + zone;
@@ -55,10 +39,10 @@ std::optional<system_clock::time_point> parseCameraTime(std::string_view text) {
             return std::nullopt;
         }
     }
-    const year_month_day date{year(digits(text, 0, 4)), month(static_cast<unsigned>(digits(text, 5, 2))),
-                              day(static_cast<unsigned>(digits(text, 8, 2)))};
-    const std::array<int, 5> parts{digits(text, 11, 2), digits(text, 14, 2), digits(text, 17, 2),
-                                   digits(text, 20, 2), digits(text, 23, 2)};
+    const year_month_day date{year(digitsAt(text, 0, 4)), month(static_cast<unsigned>(digitsAt(text, 5, 2))),
+                              day(static_cast<unsigned>(digitsAt(text, 8, 2)))};
+    const std::array<int, 5> parts{digitsAt(text, 11, 2), digitsAt(text, 14, 2), digitsAt(text, 17, 2),
+                                   digitsAt(text, 20, 2), digitsAt(text, 23, 2)};
     for (const int part : parts) {
         if (part < 0 || part > 60) {
             return std::nullopt;

@@ -186,9 +186,7 @@ std::optional<std::int64_t> Capture::photosLeft() const {
 }
 
 bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop) {
-    const bool mayBeLevel = code == OscErrorCode::InvalidSession || code == OscErrorCode::MissingParameter ||
-                            code == OscErrorCode::UnknownCommand;
-    if (mayBeLevel && refusals == 0) {
+    if (isOfOtherLevel(code) && refusals == 0) {
         return m_client.renewLevel(stop); // the settings are looked at again before the next trigger
     }
     if (code == OscErrorCode::DisabledCommand && refusals == 0) {

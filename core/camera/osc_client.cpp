@@ -92,12 +92,6 @@ bool isWorthRepeating(ErrorKind kind) {
     return kind == ErrorKind::Network || kind == ErrorKind::Timeout || kind == ErrorKind::Corrupt;
 }
 
-/// What a camera answers to a command of another API level, or of a session that has ended.
-bool isOfOtherLevel(OscErrorCode code) {
-    return code == OscErrorCode::InvalidSession || code == OscErrorCode::MissingParameter ||
-           code == OscErrorCode::UnknownCommand;
-}
-
 std::chrono::milliseconds scaledBy(std::chrono::milliseconds time, double factor) {
     return std::chrono::milliseconds(std::llround(static_cast<double>(time.count()) * factor));
 }

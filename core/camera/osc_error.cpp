@@ -105,6 +105,25 @@ bool provesNothingDone(OscErrorCode code) {
     return code != None && meaning(code).provesNothingDone;
 }
 
+bool isOfOtherLevel(OscErrorCode code) {
+    return code == OscErrorCode::InvalidSession || code == OscErrorCode::MissingParameter ||
+           code == OscErrorCode::UnknownCommand;
+}
+
+bool isCameraTrouble(ErrorKind kind) {
+    switch (kind) {
+    case ErrorKind::Network:
+    case ErrorKind::Timeout:
+    case ErrorKind::Corrupt:
+    case ErrorKind::Unsupported:
+    case ErrorKind::NotFound:
+    case ErrorKind::Busy:
+        return true;
+    default:
+        return false;
+    }
+}
+
 Error refusal(std::string_view tried, OscErrorCode code, std::string_view detail) {
     const std::string quoted = detail.empty() ? std::string() : text(" (\"", printable(detail), "\")");
     return {kindOf(code), text("The camera refused to ", tried, quoted, ": ", advice(code), "."),

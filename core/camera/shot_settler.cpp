@@ -36,20 +36,6 @@ bool isOtherFile(const std::string& fileUrl, const Baseline& baseline) {
 
 } // namespace
 
-bool isCameraTrouble(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::Network:
-    case ErrorKind::Timeout:
-    case ErrorKind::Corrupt:
-    case ErrorKind::Unsupported:
-    case ErrorKind::NotFound:
-    case ErrorKind::Busy:
-        return true;
-    default:
-        return false;
-    }
-}
-
 void ShotSettler::pause(Clock::Duration duration, const std::stop_token& stop) {
     m_clock.sleep(duration, stop);
     throwIfStopped(stop);

@@ -55,7 +55,4 @@ class ShotSettler {
     const CaptureOptions& m_options;
 };
 
-/// True for errors that come from the camera or the way to it, not from this computer or a stop.
-bool isCameraTrouble(ErrorKind kind);
-
 } // namespace spherewalk::camera

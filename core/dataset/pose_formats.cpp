@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/dataset/pose_formats.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
@@ -17,8 +18,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::array kFormats{PoseFormat::Tum, PoseFormat::Kitti, PoseFormat::Euroc, PoseFormat::Colmap,
-                              PoseFormat::Nerfstudio};
+constexpr EnumNames<PoseFormat, 5> kFormats{{{PoseFormat::Tum, "tum"},
+                                             {PoseFormat::Kitti, "kitti"},
+                                             {PoseFormat::Euroc, "euroc"},
+                                             {PoseFormat::Colmap, "colmap"},
+                                             {PoseFormat::Nerfstudio, "nerfstudio"}}};
 constexpr double kCorner = 0.5; ///< from a pixel's centre to where COLMAP and nerfstudio count from
 
 /// One sign for the two quaternions of a rotation.
@@ -186,29 +190,11 @@ std::vector<TextFile> nerfstudio(const FrameCamera& camera, std::span<const Pose
 } // namespace
 
 std::string_view name(PoseFormat format) {
-    switch (format) {
-    case PoseFormat::Tum:
-        return "tum";
-    case PoseFormat::Kitti:
-        return "kitti";
-    case PoseFormat::Euroc:
-        return "euroc";
-    case PoseFormat::Colmap:
-        return "colmap";
-    case PoseFormat::Nerfstudio:
-        return "nerfstudio";
-    }
-    return "";
+    return nameOf(kFormats, format);
 }
 
 PoseFormat poseFormat(std::string_view name) {
-    for (const PoseFormat format : kFormats) {
-        if (dataset::name(format) == name) {
-            return format;
-        }
-    }
-    throw Error(ErrorKind::InvalidInput, text("There is no format \"", name,
-                                              "\" of poses; name tum, kitti, euroc, colmap or nerfstudio."));
+    return valueOf(kFormats, "The format of poses", name);
 }
 
 std::vector<TextFile> poseFiles(PoseFormat format, const FrameCamera& camera,

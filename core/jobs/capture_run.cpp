@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/new_files.h"
+#include "spherewalk/jobs/judge_survey.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,14 +30,13 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
       m_journal(store, StoreJournal::View::All),
       m_capture(client, m_journal, clock, options),
       m_begin(clock.now()),
+      m_judge(store),
       m_fetchersClient(client.another()) {
     const std::vector<store::ShotRecord> open =
         store.use([](const store::SurveyStore& survey) { return survey.openShots(); });
     m_lastEarlierShot = open.empty() ? 0 : open.back().id;
     PhotoFetcher::Events events;
-    events.ended = [this](const camera::ShotOutcome& outcome, const std::optional<photo::Verdict>& verdict) {
-        account(outcome, verdict);
-    };
+    events.ended = [this](const camera::ShotOutcome& outcome) { account(outcome); };
     events.failed = [this] { m_end.request_stop(); };
     m_camera = m_capture.connect(m_stop);
     m_fetcher = std::make_unique<PhotoFetcher>(store, *m_fetchersClient, clock, options, std::move(events));
@@ -45,11 +45,7 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
 void CaptureRun::begin() {
     // What an earlier run has taken comes in first: what cannot is taken again along the route.
     for (const camera::ShotOutcome& outcome : m_capture.settle(m_stop)) {
-        if (outcome.shot.step == camera::ShotStep::Downloaded) {
-            m_fetcher->tellEarlier(outcome, m_stop);
-        } else {
-            account(outcome, std::nullopt);
-        }
+        account(outcome);
     }
     m_fetcher->wake();
 }
@@ -62,6 +58,11 @@ bool CaptureRun::isOnItsWay(std::int64_t station) const {
                    !m_unfetched.contains(shot.id);
         });
     });
+}
+
+photo::Verdict CaptureRun::verdictOn(std::int64_t photo) {
+    const auto record = m_store.use([&](const store::SurveyStore& survey) { return survey.verdict(photo); });
+    return record ? verdictOf(*record) : m_judge.judge(photo, m_stop);
 }
 
 void CaptureRun::take(Route& route) {
@@ -128,7 +129,7 @@ void CaptureRun::takeAlong(Route& route) {
             m_people.exposed(*station);
             fetchNow(outcome);
         } else {
-            account(outcome, std::nullopt);
+            account(outcome, outcome.shot.step == camera::ShotStep::NotTaken);
         }
     }
 }
@@ -137,7 +138,7 @@ void CaptureRun::takeAlong(Route& route) {
 /// done.
 void CaptureRun::fetchNow(const camera::ShotOutcome& exposed) {
     if (!camera::isMarked(exposed.shot.fileUrl)) {
-        account(m_capture.fetch(exposed.shot, m_stop), std::nullopt);
+        account(m_capture.fetch(exposed.shot, m_stop));
     }
     m_fetcher->wake();
 }
@@ -150,12 +151,13 @@ camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
             const std::scoped_lock lock(m_mutex);
             m_warningsOf[outcome.shot.id] = outcome.warnings;
         }
-        const bool again = outcome.shot.step == camera::ShotStep::NotTaken &&
-                           m_people.tryAgain(station, outcome, tries, m_stop);
-        if (!again) {
+        if (outcome.shot.step != camera::ShotStep::NotTaken) {
             return outcome;
         }
         warn({text(station.name, ": ", outcome.sentence)}); // a second trigger is never passed over
+        if (!m_people.tryAgain(station, outcome, tries, m_stop)) {
+            return outcome;
+        }
     }
 }
 
@@ -167,8 +169,23 @@ void CaptureRun::warn(const std::vector<std::string>& sentences) {
     }
 }
 
-/// From both threads.
-void CaptureRun::account(const camera::ShotOutcome& given, const std::optional<photo::Verdict>& verdict) {
+/// Of a photo that has come in.
+std::optional<photo::Verdict> CaptureRun::judged(const camera::ShotOutcome& outcome) {
+    if (outcome.shot.step != camera::ShotStep::Downloaded) {
+        return std::nullopt;
+    }
+    const Clock::TimePoint start = m_clock.now();
+    const auto photo =
+        m_store.use([&](const store::SurveyStore& survey) { return survey.shot(outcome.shot.id).photo; });
+    photo::Verdict verdict = m_judge.judge(photo.value(), m_stop);
+    const std::scoped_lock lock(m_mutex);
+    m_report.secondsJudging += seconds(m_clock.now() - start);
+    return verdict;
+}
+
+/// From both threads. isTold: the operator knows it already.
+void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
+    const std::optional<photo::Verdict> verdict = judged(given);
     const store::StationRecord station =
         m_store.use([&](const store::SurveyStore& survey) { return survey.station(given.shot.station); });
     const std::scoped_lock lock(m_mutex);
@@ -182,21 +199,23 @@ void CaptureRun::account(const camera::ShotOutcome& given, const std::optional<p
     if (outcome.shot.step == camera::ShotStep::Taken) {
         m_unfetched.insert(outcome.shot.id);
     }
-    if (outcome.shot.step != camera::ShotStep::Downloaded) {
-        m_progress.warning(text(station.name, ": ", outcome.sentence));
+    if (!verdict) {
+        if (!isTold) {
+            m_progress.warning(text(station.name, ": ", outcome.sentence));
+        }
         m_report.missed.push_back({station.name, outcome.sentence});
         return;
     }
     ++m_report.taken;
     m_report.resumed += outcome.shot.id <= m_lastEarlierShot ? 1 : 0;
-    if (verdict && verdict->quality() != photo::Quality::Good) {
+    if (verdict->quality() != photo::Quality::Good) {
+        m_progress.warning(text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));
         m_report.flawed.push_back({station.name, *verdict});
     }
 }
 
 CaptureSurveyReport CaptureRun::finish() {
     m_fetcher->finish(m_stop);
-    m_report.secondsJudging = m_fetcher->secondsJudging();
     m_fetcher.reset();
     const store::Counts counts =
         m_store.use([](const store::SurveyStore& survey) { return survey.counts(); });

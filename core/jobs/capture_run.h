@@ -2,6 +2,7 @@
 #pragma once
 
 #include "photo_fetcher.h"
+#include "photo_judge.h"
 
 #include "spherewalk/jobs/capture_survey.h"
 
@@ -34,6 +35,8 @@ class CaptureRun {
     void begin();
     /// True if a picture of this station is on its way already.
     bool isOnItsWay(std::int64_t station) const;
+    /// On a photo of the survey; given now if there is none yet. Errors: those of PhotoJudge::judge().
+    photo::Verdict verdictOn(std::int64_t photo);
     /// Exposes along the route, then waits for the downloads.
     void take(Route& route);
     CaptureSurveyReport finish();
@@ -45,7 +48,8 @@ class CaptureRun {
     camera::ShotOutcome expose(const store::StationRecord& station);
     void fetchNow(const camera::ShotOutcome& exposed);
     void warn(const std::vector<std::string>& sentences);
-    void account(const camera::ShotOutcome& outcome, const std::optional<photo::Verdict>& verdict);
+    std::optional<photo::Verdict> judged(const camera::ShotOutcome& outcome);
+    void account(const camera::ShotOutcome& outcome, bool isTold = false);
 
     SharedStore& m_store;
     Operator& m_people;
@@ -63,6 +67,7 @@ class CaptureRun {
     CaptureSurveyReport m_report;
     std::map<std::int64_t, std::vector<std::string>> m_warningsOf; ///< by shot
     std::set<std::int64_t> m_unfetched;                            ///< shots that were tried in vain
+    PhotoJudge m_judge;
     std::unique_ptr<camera::OscClient> m_fetchersClient;
     std::unique_ptr<PhotoFetcher> m_fetcher;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/depth_survey.h"
 
-#include "pose_key.h"
+#include "cache_key.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -54,12 +54,7 @@ class DepthJob {
         for (std::size_t i = 0; i < photos.size(); ++i) {
             m_neighbours.push_back(scene::sweepNeighbours(m_poses, i, options.sweep));
         }
-        std::error_code failure;
-        std::filesystem::create_directories(options.cacheFolder, failure);
-        if (failure) {
-            throw Error(ErrorKind::Io, text("Could not make the folder ", options.cacheFolder.string(), ": ",
-                                            failure.message(), "."));
-        }
+        ensureFolder(options.cacheFolder);
     }
 
     SurveyDepth run() {

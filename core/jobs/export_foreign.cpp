@@ -61,7 +61,7 @@ class ForeignExport {
     }
 
     ForeignReport write(const fs::path& folder, ProgressSink& progress) {
-        fs::create_directories(folder / kPictures);
+        ensureFolder(folder / kPictures);
         const bool isCut = m_options.withFaces || m_options.format == dataset::PoseFormat::Colmap;
         ForeignReport report;
         for (std::size_t i = 0; i < photos().size(); ++i) {
@@ -126,7 +126,7 @@ class ForeignExport {
 void writePoseFiles(dataset::PoseFormat format, const dataset::FrameCamera& camera,
                     std::span<const PosedFrame> frames, const fs::path& folder) {
     for (const dataset::TextFile& file : dataset::poseFiles(format, camera, frames)) {
-        fs::create_directories((folder / file.path).parent_path());
+        ensureFolder((folder / file.path).parent_path());
         writeFile(folder / file.path, bytesOf(file.text));
     }
 }

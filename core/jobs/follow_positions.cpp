@@ -3,9 +3,9 @@
 
 #include "capture_run.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/judge_survey.h"
 
 #include <algorithm>
 #include <mutex>
@@ -95,7 +95,7 @@ class Robot : public Operator {
 /// The stations whose positions arrive.
 class FollowedRoute : public Route {
   public:
-    FollowedRoute(SharedStore& store, const CaptureRun& run, const FollowLink& link, Robot& robot,
+    FollowedRoute(SharedStore& store, CaptureRun& run, const FollowLink& link, Robot& robot,
                   double toleranceM)
         : m_store(store), m_run(run), m_link(link), m_robot(robot), m_toleranceM(toleranceM) {}
 
@@ -141,49 +141,37 @@ class FollowedRoute : public Route {
     }
 
     /// Tells the verdict on the photo that the station has already. False without one.
-    bool isAnswered(const store::StationRecord& station) const {
+    bool isAnswered(const store::StationRecord& station) {
         if (m_run.isOnItsWay(station.id)) {
             m_robot.tell({FollowEvent::Kind::Exposed, station.name, {}, "Its photo has been taken already."});
             return true;
         }
-        std::optional<store::PhotoVerdict> record;
-        const bool isThere = m_store.use([&](const store::SurveyStore& store) {
-            const auto photo = store.chosenPhoto(station.id);
-            if (!photo || store.review(photo->id).decision == store::Decision::Rejected) {
-                return false;
-            }
-            record = store.verdict(photo->id);
-            return true;
+        const auto photo = m_store.use([&](const store::SurveyStore& store) -> std::optional<std::int64_t> {
+            const auto chosen = store.chosenPhoto(station.id);
+            const bool isKept = chosen && store.review(chosen->id).decision != store::Decision::Rejected;
+            return isKept ? std::optional(chosen->id) : std::nullopt;
         });
-        if (isThere) {
-            m_robot.tell({FollowEvent::Kind::Verdict, station.name,
-                          std::string(record ? name(record->result) : "good"),
-                          text("It has a photo already.", record && record->findings != "[]" ? " " : "",
-                               record ? verdictOf(*record).sentence() : std::string())});
+        if (!photo) {
+            return false;
         }
-        return isThere;
+        const photo::Verdict verdict = m_run.verdictOn(*photo);
+        m_robot.tell(
+            {FollowEvent::Kind::Verdict, station.name, std::string(name(verdict.quality())),
+             text("It has a photo already.", verdict.findings.empty() ? "" : " ", verdict.sentence())});
+        return true;
     }
 
     SharedStore& m_store;
-    const CaptureRun& m_run;
+    CaptureRun& m_run;
     const FollowLink& m_link;
     Robot& m_robot;
     double m_toleranceM;
 };
 
-std::string_view name(FollowEvent::Kind kind) {
-    switch (kind) {
-    case FollowEvent::Kind::Refused:
-        return "refused";
-    case FollowEvent::Kind::Exposed:
-        return "exposed";
-    case FollowEvent::Kind::Verdict:
-        return "verdict";
-    case FollowEvent::Kind::Missed:
-        return "missed";
-    }
-    return "unknown";
-}
+constexpr EnumNames<FollowEvent::Kind, 4> kKinds{{{FollowEvent::Kind::Refused, "refused"},
+                                                  {FollowEvent::Kind::Exposed, "exposed"},
+                                                  {FollowEvent::Kind::Verdict, "verdict"},
+                                                  {FollowEvent::Kind::Missed, "missed"}}};
 
 } // namespace
 
@@ -206,12 +194,13 @@ ReachedPosition parseReachedPosition(std::string_view line) {
 
 std::string line(const FollowEvent& event) {
     const bool isVerdict = event.kind == FollowEvent::Kind::Verdict;
-    return text(isVerdict ? event.verdict : std::string(name(event.kind)), event.station.empty() ? "" : " ",
-                event.station, event.sentence.empty() ? "" : ": ", event.sentence);
+    return text(isVerdict ? event.verdict : std::string(nameOf(kKinds, event.kind)),
+                event.station.empty() ? "" : " ", event.station, event.sentence.empty() ? "" : ": ",
+                event.sentence);
 }
 
 Json toJson(const FollowEvent& event) {
-    Json json{{"event", name(event.kind)}};
+    Json json{{"event", nameOf(kKinds, event.kind)}};
     if (!event.station.empty()) {
         json["station"] = event.station;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_comparison.h"
 
+#include "cache_key.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/sha256.h"
@@ -83,12 +85,8 @@ std::string contextOf(render::DatasetInfo info, const CameraIntrinsics& camera) 
     for (render::DatasetPhoto& photo : info.photos) {
         photo.scene.reset();
     }
-    std::string lens = text(camera.width, " ", camera.height, " ", camera.fx, " ", camera.fy, " ", camera.cx,
-                            " ", camera.cy, " ", name(camera.lens));
-    for (const double parameter : camera.distortion) {
-        lens += text(" ", parameter);
-    }
-    return sha256Hex(bytesOf(text("measure ", kMethod, "\n", lens, "\n", render::toJson(info).dump())));
+    return sha256Hex(
+        bytesOf(text("measure ", kMethod, "\n", keyOf(camera), "\n", render::toJson(info).dump())));
 }
 
 } // namespace
@@ -176,12 +174,7 @@ ComparisonCache::ComparisonCache(std::filesystem::path folder, const render::Dat
         return;
     }
     m_context = contextOf(info, camera);
-    std::error_code failure;
-    std::filesystem::create_directories(m_folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io, text("Could not make the folder ", m_folder.string(),
-                                        " to keep results in: ", failure.message(), "; name another."));
-    }
+    ensureFolder(m_folder);
 }
 
 std::filesystem::path ComparisonCache::fileOf(const std::string& subjectKey) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_subjects.h"
 
-#include "pose_key.h"
+#include "cache_key.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/sha256.h"

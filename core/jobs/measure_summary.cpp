@@ -3,8 +3,7 @@
 
 #include "report_parts.h"
 
-#include "spherewalk/base/error.h"
-#include "spherewalk/base/text.h"
+#include "spherewalk/base/enum_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
+constexpr EnumNames<Places, 2> kPlaces{{{Places::Features, "features"}, {Places::Pixels, "pixels"}}};
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.95;
 
@@ -25,17 +25,11 @@ void append(std::vector<int>& all, const std::vector<int>& more) {
 } // namespace
 
 std::string_view name(Places places) {
-    return places == Places::Features ? "features" : "pixels";
+    return nameOf(kPlaces, places);
 }
 
 Places places(std::string_view name) {
-    for (const Places one : {Places::Features, Places::Pixels}) {
-        if (jobs::name(one) == name) {
-            return one;
-        }
-    }
-    throw Error(ErrorKind::InvalidInput,
-                text("\"", name, "\" are no places to count; name features or pixels."));
+    return valueOf(kPlaces, "The kind of places", name);
 }
 
 std::optional<double> errorPx(Places places, const std::optional<double>& features,

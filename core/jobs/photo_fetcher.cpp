@@ -3,38 +3,17 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/camera/osc_error.h"
 
 #include <utility>
 
 namespace spherewalk::jobs {
 
-namespace {
-
-/// What the link or the camera may get over, unlike this computer's disk.
-bool isWorthAnotherTry(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::Network:
-    case ErrorKind::Timeout:
-    case ErrorKind::Corrupt:
-    case ErrorKind::Unsupported:
-    case ErrorKind::NotFound:
-    case ErrorKind::Busy:
-        return true;
-    default:
-        return false;
-    }
-}
-
-} // namespace
-
 PhotoFetcher::PhotoFetcher(SharedStore& store, camera::OscClient& client, Clock& clock,
                            camera::CaptureOptions options, Events events)
-    : m_store(store),
-      m_clock(clock),
-      m_events(std::move(events)),
+    : m_events(std::move(events)),
       m_journal(store, StoreJournal::View::Fetching),
       m_capture(client, m_journal, clock, options),
-      m_judge(store),
       m_retryPause(options.reconnectPause),
       m_thread([this](const std::stop_token& stop) { run(stop); }) {
 }
@@ -67,11 +46,6 @@ void PhotoFetcher::throwIfFailed() {
     if (m_failure) {
         std::rethrow_exception(m_failure);
     }
-}
-
-double PhotoFetcher::secondsJudging() const {
-    const std::scoped_lock lock(m_mutex);
-    return m_secondsJudging;
 }
 
 void PhotoFetcher::run(const std::stop_token& stop) {
@@ -125,13 +99,13 @@ void PhotoFetcher::round(bool isLast, const std::stop_token& stop) {
         tried.insert(shot->id);
         if (!unreached) {
             const camera::ShotOutcome outcome = fetch(*shot, stop);
-            tell(outcome, stop);
+            tell(outcome);
             if (outcome.problem == ErrorKind::Network || outcome.problem == ErrorKind::Timeout) {
                 unreached = outcome; // the others would only wait for the same
             }
         } else if (isLast) {
             unreached->shot = *shot;
-            tell(*unreached, stop);
+            tell(*unreached);
         }
     }
 }
@@ -141,7 +115,7 @@ camera::ShotOutcome PhotoFetcher::fetch(const camera::Shot& shot, const std::sto
         m_capture.connect(stop); // it may be another camera by now
         return m_capture.fetch(shot, stop);
     } catch (const Error& error) {
-        if (!isWorthAnotherTry(error.kind())) {
+        if (!camera::isCameraTrouble(error.kind())) {
             throw;
         }
         camera::ShotOutcome outcome;
@@ -153,23 +127,13 @@ camera::ShotOutcome PhotoFetcher::fetch(const camera::Shot& shot, const std::sto
 }
 
 /// Once for each photo that is there, and once for each that is not.
-void PhotoFetcher::tell(const camera::ShotOutcome& outcome, const std::stop_token& stop) {
-    const std::int64_t shot = outcome.shot.id;
-    if (outcome.shot.step != camera::ShotStep::Downloaded) {
-        if (m_failed.insert(shot).second) {
-            m_events.ended(outcome, std::nullopt);
-        }
-        return;
+void PhotoFetcher::tell(const camera::ShotOutcome& outcome) {
+    if (outcome.shot.step == camera::ShotStep::Downloaded) {
+        m_failed.erase(outcome.shot.id);
+        m_events.ended(outcome);
+    } else if (m_failed.insert(outcome.shot.id).second) {
+        m_events.ended(outcome);
     }
-    m_failed.erase(shot);
-    const Clock::TimePoint start = m_clock.now();
-    const auto photo = m_store.use([&](const store::SurveyStore& store) { return store.shot(shot).photo; });
-    const photo::Verdict verdict = m_judge.judge(photo.value(), stop);
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_secondsJudging += std::chrono::duration<double>(m_clock.now() - start).count();
-    }
-    m_events.ended(outcome, verdict);
 }
 
 } // namespace spherewalk::jobs

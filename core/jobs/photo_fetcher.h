@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "photo_judge.h"
 #include "shared_store.h"
 #include "store_journal.h"
 
@@ -18,14 +17,14 @@
 
 namespace spherewalk::jobs {
 
-/// Downloads and judges what the camera has taken, on a thread of its own, while the cart moves on. Its queue
+/// Downloads what the camera has taken, on a thread of its own, while the cart moves on. Its queue
 /// is the survey's open shots, so it survives any end of the program. A photo that cannot be fetched now is
 /// tried again later, and once more at the end.
 class PhotoFetcher {
   public:
     struct Events {
-        /// A photo is in the survey, with its verdict; or why not. Called on the fetcher's thread.
-        std::function<void(const camera::ShotOutcome&, const std::optional<photo::Verdict>&)> ended;
+        /// A photo is in the survey; or why not. Called on the fetcher's thread.
+        std::function<void(const camera::ShotOutcome&)> ended;
         /// The survey cannot take photos any more. Called on the fetcher's thread; finish() throws why.
         std::function<void()> failed;
     };
@@ -41,9 +40,6 @@ class PhotoFetcher {
     /// There may be something to fetch.
     void wake();
 
-    /// Judges and tells of a photo that another has fetched. Range: before the first wake().
-    void tellEarlier(const camera::ShotOutcome& outcome, const std::stop_token& stop) { tell(outcome, stop); }
-
     /// Returns when all is fetched, or has been tried in vain. Errors: what ended it before; Stopped.
     void finish(const std::stop_token& stop);
 
@@ -53,22 +49,16 @@ class PhotoFetcher {
     /// If something has ended it. Errors: that.
     void throwIfFailed();
 
-    /// Of the time that verdicts took.
-    double secondsJudging() const;
-
   private:
     void run(const std::stop_token& stop);
     bool isRoundDue(const std::stop_token& stop);
     void round(bool isLast, const std::stop_token& stop);
     camera::ShotOutcome fetch(const camera::Shot& shot, const std::stop_token& stop);
-    void tell(const camera::ShotOutcome& outcome, const std::stop_token& stop);
+    void tell(const camera::ShotOutcome& outcome);
 
-    SharedStore& m_store;
-    Clock& m_clock;
     Events m_events;
     StoreJournal m_journal;
     camera::Capture m_capture;
-    PhotoJudge m_judge;
     std::chrono::milliseconds m_retryPause;
     mutable std::mutex m_mutex;
     std::condition_variable_any m_changed;
@@ -76,7 +66,6 @@ class PhotoFetcher {
     bool m_isFinishing = false;
     bool m_hasEnded = false;
     std::exception_ptr m_failure;
-    double m_secondsJudging = 0;
     std::set<std::int64_t> m_failed; ///< shots that were tried in vain; the fetcher's thread only
     std::jthread m_thread;
 };

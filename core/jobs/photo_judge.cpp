@@ -123,6 +123,7 @@ photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
 }
 
 photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
+    const std::scoped_lock lock(m_mutex);
     const store::PhotoRecord record =
         m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
     std::vector<std::shared_ptr<const photo::Sketch>> sketches;

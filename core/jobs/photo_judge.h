@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -17,14 +18,14 @@ namespace spherewalk::jobs {
 
 /// Judges photos of a survey against the survey's profile and the photos near them, and keeps the verdicts in
 /// the store. What was seen of the latest photos stays in memory, so that neighbours are not read again.
-/// Threads: one at a time.
+/// Threads: any.
 class PhotoJudge {
   public:
     explicit PhotoJudge(SharedStore& store);
 
     /// Errors: NotFound; those of reading the file; those of the store; Stopped, before the photo itself is
-    /// looked at. Cost: a third of a second for 5376 x
-    /// 2688 pixels, and a fifth for each neighbour that is not in memory.
+    /// looked at. Cost: a third of a second for 5376 x 2688 pixels, and a fifth for each neighbour that is
+    /// not in memory.
     photo::Verdict judge(std::int64_t photo, const std::stop_token& stop);
 
   private:
@@ -35,6 +36,7 @@ class PhotoJudge {
     photo::JudgedPhoto judged(const store::PhotoRecord& photo, std::span<const photo::Neighbour> near) const;
 
     SharedStore& m_store;
+    std::mutex m_mutex;
     photo::ExpectedSettings m_expected;
     std::filesystem::path m_folder;
     std::map<std::int64_t, std::shared_ptr<const photo::Sketch>> m_sketches;

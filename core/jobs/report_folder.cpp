@@ -88,12 +88,7 @@ class HtmlPage {
 
 void writeReportFolder(const sheet::Document& document, const Json& figures,
                        const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
-    }
+    ensureFolder(folder);
     HtmlPage(folder).write(document);
     writeFile(folder / "report.pdf", sheet::pdf(document));
     writeFile(folder / "report.json", bytesOf(figures.dump(1) + "\n"));

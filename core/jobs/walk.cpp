@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
+#include "cache_key.h"
 #include "walk_journal.h"
 
 #include "spherewalk/base/error.h"
@@ -43,14 +44,10 @@ FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report) {
 }
 
 /// Of all that the frames depend on.
-std::string keyOf(const render::DatasetInfo& info, const CameraModel& camera,
-                  const std::vector<TimedPose>& path, const WalkOptions& options) {
-    const CameraIntrinsics& k = camera.intrinsics();
-    std::string key = text("walk ", kMethod, "\n", render::toJson(info).dump(), "\n", k.width, " ", k.height,
-                           " ", k.fx, " ", k.fy, " ", k.cx, " ", k.cy, " ", name(k.lens));
-    for (const double parameter : k.distortion) {
-        key += text(" ", parameter);
-    }
+std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
+                    const std::vector<TimedPose>& path, const WalkOptions& options) {
+    std::string key =
+        text("walk ", kMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
                 name(options.view.sampling), " ", name(options.stream.late));
     if (options.ball) {
@@ -58,15 +55,6 @@ std::string keyOf(const render::DatasetInfo& info, const CameraModel& camera,
         key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", options.ball->radiusM);
     }
     return sha256Hex(bytesOf(key + "\n" + tumText(path)));
-}
-
-void makeFolders(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
-    }
 }
 
 void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraModel& camera,
@@ -105,8 +93,8 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
-    makeFolders(folder);
-    WalkJournal journal(folder, keyOf(renderer.dataset().info(), camera, path, options), options.shard);
+    ensureFolder(folder);
+    WalkJournal journal(folder, walkKey(renderer.dataset().info(), camera, path, options), options.shard);
     const auto isThere = [&](std::size_t frame) {
         return journal.frames().contains(frame) && std::filesystem::exists(folder / frameName(frame));
     };

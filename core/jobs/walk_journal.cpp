@@ -23,16 +23,11 @@ WalkJournal::WalkJournal(const fs::path& folder, const std::string& key, const S
     const std::string prefix = key.substr(0, 16);
     const fs::path parts = folder / "parts";
     m_file = parts / text(prefix, ".", shard.index + 1, "-of-", shard.count, ".tsv");
-    try {
-        fs::create_directories(parts);
-        for (const fs::directory_entry& entry : fs::directory_iterator(parts)) {
-            if (entry.path().filename().string().starts_with(prefix)) {
-                read(entry.path());
-            }
+    ensureFolder(parts);
+    for (const fs::directory_entry& entry : fs::directory_iterator(parts)) {
+        if (entry.path().filename().string().starts_with(prefix)) {
+            read(entry.path());
         }
-    } catch (const fs::filesystem_error& failure) {
-        throw Error(ErrorKind::Io,
-                    text("Could not make the folder ", parts.string(), ": ", failure.code().message(), "."));
     }
     m_out.open(m_file, std::ios::app);
     m_out << '\n'; // after a line that was cut off

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/photo/sketch.h"
 
+#include "brightness.h"
 #include "edge_widths.h"
 
 #include "spherewalk/base/error.h"
@@ -66,7 +67,7 @@ void measureLight(Sketch& sketch) {
             const int most = std::max({p[0], p[1], p[2]});
             const int least = std::min({p[0], p[1], p[2]});
             area += weight;
-            sketch.brightness += weight * (0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]);
+            sketch.brightness += weight * static_cast<double>(brightness(p));
             sketch.blackPart += most <= kBlack ? weight : 0;
             sketch.burntPart += least >= kBurnt ? weight : 0;
         }

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sketch_match.h"
 
+#include "brightness.h"
+
+#include "spherewalk/base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::photo {
@@ -26,7 +31,7 @@ class Relief {
             double mean = 0;
             for (int u = 0; u < kSketchWidth; ++u) {
                 const std::uint8_t* p = sketch.picture.at(u, v + kFirstRow);
-                row[u] = 0.299F * p[0] + 0.587F * p[1] + 0.114F * p[2];
+                row[u] = brightness(p);
                 mean += row[u] / kSketchWidth;
             }
             const double elevation = kPi / 2 - kPi * (v + kFirstRow + 0.5) / kSketchHeight;
@@ -114,9 +119,7 @@ std::array<double, 3> gains(const RgbImage& photo, const RgbImage& other, int sh
     std::array<double, 3> result{1, 1, 1};
     for (std::size_t c = 0; c < 3; ++c) {
         if (!ratios[c].empty()) {
-            const auto middle = ratios[c].begin() + static_cast<std::ptrdiff_t>(ratios[c].size() / 2);
-            std::nth_element(ratios[c].begin(), middle, ratios[c].end());
-            result[c] = *middle;
+            result[c] = median(std::move(ratios[c]));
         }
     }
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict_rules.h"
 
+#include "spherewalk/base/median.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -15,13 +16,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kAlike = 0.3; ///< correlation of photos that show the same room from places near each other
-
-/// What half of the values do not exceed. Range: not empty.
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 std::vector<double> each(std::span<const MatchedSketch> neighbours,
                          const std::function<double(const MatchedSketch&)>& value) {

@@ -49,12 +49,7 @@ CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
     if (m_folder.empty()) {
         m_folder = m_temporary.emplace("practice-camera").path();
     }
-    std::error_code failure;
-    std::filesystem::create_directories(m_folder / kDcfFolder, failure);
-    if (failure) {
-        throw Error(ErrorKind::Io, text("Could not make the practice camera's storage folder ",
-                                        m_folder.string(), ": ", failure.message(), "."));
-    }
+    ensureFolder(m_folder / kDcfFolder);
     load();
     m_urlFolder = text("/files/", m_id, "/");
 }

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera_time.h"
 
+#include "spherewalk/base/text.h"
+
 namespace spherewalk::practice {
 
 namespace {
 
 std::string twoDigits(int number) {
     return {static_cast<char>('0' + number / 10 % 10), static_cast<char>('0' + number % 10)};
-}
-
-/// The number that these places spell, or -1.
-int digits(std::string_view text, std::size_t begin, std::size_t count) {
-    int number = 0;
-    for (const char c : text.substr(begin, count)) {
-        if (c < '0' || c > '9') {
-            return -1;
-        }
-        number = 10 * number + (c - '0');
-    }
-    return number;
 }
 
 } // namespace
@@ -58,12 +48,12 @@ std::optional<ZonedTime> parseDateTimeZone(std::string_view text) {
             return std::nullopt;
         }
     }
-    const year_month_day date{year(digits(text, 0, 4)), month(static_cast<unsigned>(digits(text, 5, 2))),
-                              day(static_cast<unsigned>(digits(text, 8, 2)))};
-    const int hour = digits(text, 11, 2);
-    const int minute = digits(text, 14, 2);
-    const int second = digits(text, 17, 2);
-    const minutes size{60 * digits(text, 20, 2) + digits(text, 23, 2)};
+    const year_month_day date{year(digitsAt(text, 0, 4)), month(static_cast<unsigned>(digitsAt(text, 5, 2))),
+                              day(static_cast<unsigned>(digitsAt(text, 8, 2)))};
+    const int hour = digitsAt(text, 11, 2);
+    const int minute = digitsAt(text, 14, 2);
+    const int second = digitsAt(text, 17, 2);
+    const minutes size{60 * digitsAt(text, 20, 2) + digitsAt(text, 23, 2)};
     if (!date.ok() || hour > 23 || minute > 59 || second > 59 || size > hours(14)) {
         return std::nullopt;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "digest_gate.h"
 
-#include "md5.h"
 #include "prng.h"
 
+#include "spherewalk/base/md5.h"
 #include "spherewalk/base/text.h"
 
 #include <utility>
@@ -13,6 +13,10 @@ namespace spherewalk::practice {
 namespace {
 
 constexpr std::string_view kScheme = "Digest ";
+
+std::string md5Of(std::string_view words) {
+    return md5Hex(bytesOf(words));
+}
 
 /// The names and values of: name="value", name=value, ...
 std::map<std::string, std::string> fieldsOf(std::string_view header) {
@@ -47,7 +51,7 @@ DigestGate::DigestGate(std::string realm, std::string user, std::string password
 }
 
 void DigestGate::makeNonce() {
-    m_nonce = md5Hex(text("nonce ", m_count++));
+    m_nonce = md5Of(text("nonce ", m_count++));
     m_countersSeen.clear();
 }
 
@@ -62,10 +66,10 @@ DigestGate::Verdict DigestGate::judge(std::string_view method, std::string_view 
         const auto found = given.find(name);
         return found == given.end() ? std::string() : found->second;
     };
-    const std::string secret = md5Hex(text(m_user, ":", m_realm, ":", m_password));
-    const std::string asked = md5Hex(text(method, ":", field("uri")));
-    const std::string expected = md5Hex(text(secret, ":", field("nonce"), ":", field("nc"), ":",
-                                             field("cnonce"), ":", field("qop"), ":", asked));
+    const std::string secret = md5Of(text(m_user, ":", m_realm, ":", m_password));
+    const std::string asked = md5Of(text(method, ":", field("uri")));
+    const std::string expected = md5Of(text(secret, ":", field("nonce"), ":", field("nc"), ":",
+                                            field("cnonce"), ":", field("qop"), ":", asked));
     const bool isRight = field("username") == m_user && field("realm") == m_realm && field("qop") == "auth" &&
                          field("uri") == uri && field("nc").size() == 8 && field("response") == expected;
     if (!isRight) {

@@ -98,11 +98,11 @@ std::vector<PlacedPhoto> DepthView::drawPhotos(const PixelRays& rays, const Rigi
             m_places.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }
         const int uncovered = m_open.update(m_places.inverse, pool, threads);
+        const double openShare = uncovered / (static_cast<double>(m_width) * m_height);
         if (i == 0) {
-            m_filledShare = uncovered / (static_cast<double>(m_width) * m_height);
+            m_filledShare = openShare;
         }
         placed.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
-        const double openShare = uncovered / (static_cast<double>(m_width) * m_height);
         if (i > 0 && openShare < kLeastOpenShare) {
             break;
         }

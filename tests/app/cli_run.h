@@ -3,7 +3,11 @@
 
 #include "program.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
+
+#include <filesystem>
+#include <string>
 
 namespace spherewalk::test {
 
@@ -21,6 +25,13 @@ inline CliResult runCli(std::vector<std::string> arguments, const Program::Optio
     Program program(arguments, options);
     const int status = program.wait();
     return {status, program.output(), program.errors()};
+}
+
+/// Of a robot's camera that takes little time to render. Returns the file's name.
+inline std::string writeSmallCamera(const std::filesystem::path& file) {
+    writeFile(file, bytesOf("image_width: 160\nimage_height: 120\n"
+                            "camera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}\n"));
+    return file;
 }
 
 } // namespace spherewalk::test

@@ -9,18 +9,8 @@ namespace spherewalk {
 
 using test::CliResult;
 using test::runCli;
+using test::writeSmallCamera;
 using testing::HasSubstr;
-
-namespace {
-
-std::string writeCamera(const test::PhotographedSurvey& survey) {
-    const std::filesystem::path file = survey / "c.yaml";
-    writeFile(file, bytesOf("image_width: 160\nimage_height: 120\n"
-                            "camera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}\n"));
-    return file;
-}
-
-} // namespace
 
 TEST(ExportCommand, OnlyLooksWhenAsked) {
     const test::PhotographedSurvey survey(2);
@@ -33,7 +23,7 @@ TEST(ExportCommand, OnlyLooksWhenAsked) {
 
 TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
     const test::PhotographedSurvey survey{2};
-    const std::string camera = writeCamera(survey);
+    const std::string camera = writeSmallCamera(survey / "c.yaml");
     const std::string dataset = survey / "d";
     const CliResult refused = runCli({"export", survey.path(), dataset, "--scene", "auto"});
     EXPECT_EQ(refused.status, 1);
@@ -78,9 +68,9 @@ TEST(WalkCommand, WritesItsPosesAsOtherProgramsReadThem) {
     const test::PhotographedSurvey survey{2};
     ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
     writeFile(survey / "p.tum", bytesOf("0 2 1.5 1.2 0 0 0 1\n0.1 2.1 1.5 1.2 0 0 0.1 0.995\n"));
-    const CliResult walked = runCli({"walk", survey / "d", "--camera", writeCamera(survey), "--frame", "body",
-                                     "--path", survey / "p.tum", "--out", survey / "w", "--format", "colmap",
-                                     "--format", "kitti", "--format", "tum"});
+    const CliResult walked = runCli({"walk", survey / "d", "--camera", writeSmallCamera(survey / "c.yaml"),
+                                     "--frame", "body", "--path", survey / "p.tum", "--out", survey / "w",
+                                     "--format", "colmap", "--format", "kitti", "--format", "tum"});
     ASSERT_EQ(walked.status, 0) << walked.errors;
     for (const char* file : {"sparse/0/images.txt", "poses.txt", "times.txt", "groundtruth.txt"}) {
         EXPECT_TRUE(std::filesystem::exists(survey / "w" / file)) << file;

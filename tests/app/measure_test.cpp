@@ -9,22 +9,12 @@ namespace spherewalk {
 
 using test::CliResult;
 using test::runCli;
+using test::writeSmallCamera;
 using testing::HasSubstr;
-
-namespace {
-
-std::string writeCamera(const test::PhotographedSurvey& survey) {
-    const std::filesystem::path file = survey / "c.yaml";
-    writeFile(file, bytesOf("image_width: 160\nimage_height: 120\n"
-                            "camera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}\n"));
-    return file;
-}
-
-} // namespace
 
 TEST(MeasureCommand, ExportsASurveyMeasuresItAndReusesBoth) {
     const test::PhotographedSurvey survey;
-    const std::string camera = writeCamera(survey);
+    const std::string camera = writeSmallCamera(survey / "c.yaml");
     const std::vector<std::string> arguments{
         "measure",  survey.path(), "--camera",         camera, "--scene", "sphere", "--views", "3",
         "--report", survey / "r",  "--sampling-views", "1",    "--json"};
@@ -41,7 +31,7 @@ TEST(MeasureCommand, ExportsASurveyMeasuresItAndReusesBoth) {
 
 TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
     const test::PhotographedSurvey survey;
-    const std::string camera = writeCamera(survey);
+    const std::string camera = writeSmallCamera(survey / "c.yaml");
     const CliResult refused = runCli({"measure", survey.path(), "--camera", camera, "--store"});
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.errors, HasSubstr("this is a survey"));
@@ -63,7 +53,7 @@ TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
 TEST(GridStudyCommand, SaysWhatBlockItNeeds) {
     const test::PhotographedSurvey survey(2);
     const CliResult result =
-        runCli({"grid-study", survey.path(), "--camera", writeCamera(survey), "--no-depth"});
+        runCli({"grid-study", survey.path(), "--camera", writeSmallCamera(survey / "c.yaml"), "--no-depth"});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.errors, HasSubstr("5 x 5 best"));
 }

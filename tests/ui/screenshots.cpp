@@ -234,7 +234,7 @@ class Album {
         plan.findChild<QCheckBox*>("gridDepth")->setChecked(false);
         plan.findChild<QPushButton*>("gridStudy")->click();
         waitForTasks();
-        plan.findChild<QScrollArea*>()->ensureWidgetVisible(plan.findChild<QPushButton*>("gridUse"));
+        plan.findChild<QScrollArea*>()->ensureWidgetVisible(plan.findChild<QTableView*>("gridTable"));
         shoot("plan-grid");
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_mode.h"
 
+#include "ui/look/column_scroll_area.h"
 #include "ui/look/icon.h"
 #include "ui/look/section.h"
 #include "ui/plan/grid_study_panel.h"
@@ -17,7 +18,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -45,12 +45,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     sideLayout->addWidget(study);
     sideLayout->addWidget(m_form);
     sideLayout->addWidget(m_stored);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(side);
-    scroll->setMinimumWidth(290);
+    auto* scroll = new ColumnScrollArea(side, this);
     m_hint = new QLabel(this);
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(8, 2, 8, 4);

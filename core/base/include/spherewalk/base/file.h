@@ -54,6 +54,9 @@ class DurableFile {
 void writeFile(const std::filesystem::path& file, ByteView bytes,
                DurableFile::Overwrite overwrite = DurableFile::Overwrite::Yes);
 
+/// Makes the folder, and those above it, unless they are there. Errors: Io.
+void ensureFolder(const std::filesystem::path& folder);
+
 /// Makes a rename or a new file in this folder survive a power cut.
 void syncFolder(const std::filesystem::path& folder);
 

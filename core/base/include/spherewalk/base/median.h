@@ -8,7 +8,8 @@
 namespace spherewalk {
 
 /// The middle value, the upper one of two; 0 if there are none.
-inline double median(std::vector<double> values) {
+template <class Number>
+Number median(std::vector<Number> values) {
     if (values.empty()) {
         return 0;
     }

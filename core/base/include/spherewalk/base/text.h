@@ -52,6 +52,10 @@ std::string fixed(double number, int digits);
 /// infinity.
 std::optional<double> parseNumber(std::string_view text);
 
+/// The number that so many decimal digits spell from a place of the text on; -1 if there are other characters
+/// among them. Range: begin within the text, count up to 9.
+int digitsAt(std::string_view text, std::size_t begin, std::size_t count);
+
 /// A moment as ISO 8601 in UTC with milliseconds: "2026-01-02T03:04:05.678Z".
 std::string isoUtc(std::chrono::system_clock::time_point moment);
 

@@ -45,6 +45,11 @@ int worthwhileRepeats(OscErrorCode code);
 /// True if a camera that refuses takePicture so has certainly not taken a picture.
 bool provesNothingDone(OscErrorCode code);
 
+/// What a camera answers to a command of another API level, or of a session that has ended.
+bool isOfOtherLevel(OscErrorCode code);
+/// True for errors that come from the camera or the way to it, not from this computer or a stop.
+bool isCameraTrouble(ErrorKind kind);
+
 /// The error for a refused command, with the advice. detail: the camera's own words, or empty.
 Error refusal(std::string_view tried, OscErrorCode code, std::string_view detail);
 /// The error for a host that answers, but not as a spherical camera does. what: "it sent a web page".

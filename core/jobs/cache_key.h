@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <string>
@@ -13,6 +14,16 @@ inline std::string keyOf(const Rigid3& pose) {
     const Eigen::Quaterniond& q = pose.rotation;
     const Eigen::Vector3d& t = pose.translation;
     return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
+}
+
+/// A camera's part.
+inline std::string keyOf(const CameraIntrinsics& camera) {
+    std::string key = text(camera.width, " ", camera.height, " ", camera.fx, " ", camera.fy, " ", camera.cx,
+                           " ", camera.cy, " ", name(camera.lens));
+    for (const double parameter : camera.distortion) {
+        key += text(" ", parameter);
+    }
+    return key;
 }
 
 } // namespace spherewalk::jobs
