@@ -16,10 +16,11 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 3; ///< grows when the same dataset and subject give other comparisons
+constexpr int kMethod = 4; ///< grows when the same dataset and subject give other comparisons
 constexpr double kMostDb = 99;
 constexpr std::uint64_t kLargestFile = 64ULL << 20;
 constexpr int kMostHundredths = 10'000'000;
+constexpr int kMostMillimetres = 10'000'000;
 constexpr std::size_t kMostValues = 10'000'000;
 
 std::vector<int> hundredths(const std::vector<measure::Displacement>& displacements) {
@@ -42,6 +43,32 @@ std::vector<int> integers(const JsonReader& list) {
     return result;
 }
 
+constexpr std::size_t kIntegersOfThing = 4;
+
+std::vector<int> integersOf(const std::vector<SeenThing>& things) {
+    std::vector<int> result;
+    for (const SeenThing& thing : things) {
+        for (const double value : {1e3 * thing.at.x(), 1e3 * thing.at.y(), 1e3 * thing.at.z(),
+                                   std::min(100 * thing.errorPx, double{kMostHundredths})}) {
+            result.push_back(static_cast<int>(std::lround(value)));
+        }
+    }
+    return result;
+}
+
+std::vector<SeenThing> thingsOf(const JsonReader& list) {
+    std::vector<SeenThing> result(list.arraySize(kMostValues) / kIntegersOfThing);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const auto value = [&](std::size_t k) {
+            const auto least = k == 3 ? 0 : -kMostMillimetres;
+            return static_cast<double>(
+                list.element(kIntegersOfThing * i + k).asInteger(least, kMostMillimetres));
+        };
+        result[i] = {1e-3 * Eigen::Vector3d(value(0), value(1), value(2)), 1e-2 * value(3)};
+    }
+    return result;
+}
+
 Json jsonOf(const Comparisons& comparisons) {
     Json views = Json::array();
     for (const auto& [with, comparison] : comparisons.views) {
@@ -51,7 +78,8 @@ Json jsonOf(const Comparisons& comparisons) {
                          {"psnr_db", comparison.psnrDb},
                          {"ssim", comparison.ssim},
                          {"matched", comparison.matched},
-                         {"exact", comparison.exact}});
+                         {"exact", comparison.exact},
+                         {"things", integersOf(comparison.things)}});
     }
     Json samplings = Json::array();
     for (const auto& [sampling, errors] : comparisons.samplings) {
@@ -67,8 +95,11 @@ Comparisons comparisonsOf(const JsonReader& reader, std::size_t photos) {
         const JsonReader entry = views.element(i);
         result.views[{render::sceneKind(entry.string("scene")), render::sampling(entry.string("sampling"))}] =
             {static_cast<std::size_t>(entry.integer("photo", 0, static_cast<std::int64_t>(photos) - 1)),
-             entry.number("psnr_db"), entry.number("ssim"), integers(entry.member("matched")),
-             integers(entry.member("exact"))};
+             entry.number("psnr_db"),
+             entry.number("ssim"),
+             integers(entry.member("matched")),
+             integers(entry.member("exact")),
+             thingsOf(entry.member("things"))};
     }
     const JsonReader samplings = reader.member("samplings");
     for (std::size_t i = 0; i < samplings.arraySize(kSamplings.size()); ++i) {
@@ -104,6 +135,24 @@ render::View viewOf(const Subject& subject, const render::Renderer& renderer, co
 
 namespace {
 
+/// Every so many pixels of a row and rows. Things farther than 10 km count as none.
+constexpr int kThingEvery = 32;
+
+std::vector<SeenThing> thingsAt(const std::vector<measure::Displacement>& displacements,
+                                const Subject& subject, const CameraModel& camera) {
+    std::vector<SeenThing> things;
+    for (const measure::Displacement& displacement : displacements) {
+        const Eigen::Vector2i pixel = displacement.pixel.cast<int>();
+        const auto ray = camera.ray(displacement.pixel);
+        const double z = *subject.depth.at(pixel.x(), pixel.y());
+        if (pixel.x() % kThingEvery == 0 && pixel.y() % kThingEvery == 0 && ray &&
+            z < 1e-3 * kMostMillimetres) {
+            things.push_back({subject.roomFromCamera.rotation * (z / ray->z() * *ray), displacement.errorPx});
+        }
+    }
+    return things;
+}
+
 Comparison compared(const Subject& subject, const measure::PictureFeatures& features,
                     const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with) {
@@ -117,8 +166,10 @@ Comparison compared(const Subject& subject, const measure::PictureFeatures& feat
     if (!subject.depth.empty()) {
         const Eigen::Vector3d photoAt =
             renderer.dataset().info().photos[result.photo].roomFromPhoto.translation;
-        result.exact = hundredths(
-            measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth));
+        const std::vector<measure::Displacement> exact =
+            measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth);
+        result.exact = hundredths(exact);
+        result.things = thingsAt(exact, subject, camera);
     }
     return result;
 }

@@ -26,8 +26,9 @@ struct Comparison {
     std::size_t photo = 0; ///< that the view was made from
     double psnrDb = 0;
     double ssim = 0;
-    std::vector<int> matched; ///< displacements of features, hundredths of a pixel
-    std::vector<int> exact;   ///< of pixels whose depth is known
+    std::vector<int> matched;      ///< displacements of features, hundredths of a pixel
+    std::vector<int> exact;        ///< of pixels whose depth is known
+    std::vector<SeenThing> things; ///< some of them, to the millimetre
 };
 
 /// Displacements that a sampling makes by itself, in hundredths of a pixel: features of a view beside the

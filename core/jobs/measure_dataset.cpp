@@ -187,9 +187,8 @@ class Measurement {
         view.photo = from.file;
         view.index = i;
         view.leftOut = place.without;
-        view.axis = place.roomFromCamera.rotation * Eigen::Vector3d::UnitZ();
-        view.at = place.roomFromCamera.translation;
-        view.offset = view.at - from.roomFromPhoto.translation;
+        view.roomFromCamera = place.roomFromCamera;
+        view.offset = view.at() - from.roomFromPhoto.translation;
         return view;
     }
 
@@ -296,7 +295,7 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
         leftOut.worst = 0;
         auto foretold =
             std::make_shared<MeasureReport>(measured(renderer, camera, leftOut, true, leaving, stop));
-        report.predictions = predictions(*foretold, report);
+        report.predictions = predictions(*foretold, report, camera);
         report.leaveOneOut = std::move(foretold);
     }
     return report;

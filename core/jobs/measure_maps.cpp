@@ -107,8 +107,8 @@ std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& s
         plan.svg().circle(plan.at(placeOf(info, i)), plan.pixels(radiusM), kNoError);
     }
     for (const ViewLikeness& view : scene.views) {
-        const double angle = std::atan2(view.axis.y(), view.axis.x());
-        plan.svg().polygon(sector(plan, view.at.head<2>(), radiusM, angle - half, angle + half),
+        const double angle = std::atan2(view.axis().y(), view.axis().x());
+        plan.svg().polygon(sector(plan, view.at().head<2>(), radiusM, angle - half, angle + half),
                            measure::errorColour(view.errorPx(report.places), tolerancePx), Svg::Line::Grid);
     }
     errorLegend(plan, tolerancePx);

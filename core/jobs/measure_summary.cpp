@@ -64,6 +64,7 @@ void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
     view.p95Px = quantilePx(comparison.matched, kNearlyAll);
     view.exactMedianPx = quantilePx(comparison.exact, kMedian);
     view.exactP95Px = quantilePx(comparison.exact, kNearlyAll);
+    view.things = comparison.things;
     append(m_matched, comparison.matched);
     append(m_exact, comparison.exact);
     if (view.leftOut) {

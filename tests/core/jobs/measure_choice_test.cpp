@@ -35,9 +35,11 @@ const std::vector<Rung> kLadder{{SceneKind::Sphere, Sampling::Nearest, 9.0, 0.5,
                                 {SceneKind::Depth, Sampling::Nearest, 3.0, 15.0, 200},
                                 {SceneKind::Depth, Sampling::Footprint, 2.0, 20.0, 200}};
 
+const CameraModel kCamera(CameraIntrinsics::pinhole(640, 480, 1.0));
+
 ViewLikeness viewAt(double x, double offsetY, double medianPx) {
     ViewLikeness view;
-    view.at = {x, 0, 0};
+    view.roomFromCamera.translation = {x, 0, 0};
     view.offset = {0, offsetY, 0};
     view.medianPx = medianPx;
     return view;
@@ -98,26 +100,45 @@ TEST(MeasureChoice, BelievesNoPhotoOfWhichLittleWasCompared) {
 TEST(MeasurePrediction, GrowsWithTheOffsetAcrossTheAxis) {
     SceneLikeness leftOut;
     leftOut.views = {viewAt(0, 0.2, 4)};
-    EXPECT_DOUBLE_EQ(foretoldPx(leftOut, viewAt(0, 0.1, 0)).value(), 2);
+    EXPECT_DOUBLE_EQ(foretoldPx(leftOut, viewAt(0, 0.1, 0), kCamera).value(), 2);
     ViewLikeness along = viewAt(0, 0, 0);
-    along.offset = {0.1, 0, 0};
-    EXPECT_LT(foretoldPx(leftOut, along).value(), 1);
+    along.offset = {0, 0, 0.1};
+    EXPECT_LT(foretoldPx(leftOut, along, kCamera).value(), 1);
 }
 
 TEST(MeasurePrediction, ListensToTheNearestViewsMost) {
     SceneLikeness leftOut;
     leftOut.views = {viewAt(0, 0.2, 1), viewAt(2, 0.2, 10)};
-    EXPECT_LT(foretoldPx(leftOut, viewAt(0.2, 0.2, 0)).value(), 1.1);
-    EXPECT_GT(foretoldPx(leftOut, viewAt(1.8, 0.2, 0)).value(), 9.9);
-    leftOut.views[1].at = leftOut.views[0].at;
-    leftOut.views[1].axis = -leftOut.views[0].axis;
-    EXPECT_LT(foretoldPx(leftOut, viewAt(0, 0.2, 0)).value(), 1.1);
+    EXPECT_LT(foretoldPx(leftOut, viewAt(0.2, 0.2, 0), kCamera).value(), 1.1);
+    EXPECT_GT(foretoldPx(leftOut, viewAt(1.8, 0.2, 0), kCamera).value(), 9.9);
+    leftOut.views[1].roomFromCamera = {Eigen::Quaterniond(0, 0, 1, 0), leftOut.views[0].at()};
+    EXPECT_LT(foretoldPx(leftOut, viewAt(0, 0.2, 0), kCamera).value(), 1.1);
+}
+
+TEST(MeasurePrediction, CountsTheThingsThatTheViewHasInItsFrame) {
+    // To the left all is right, to the right nothing.
+    SceneLikeness leftOut;
+    leftOut.views = {viewAt(0, 0.2, 5)};
+    for (int i = 0; i < 100; ++i) {
+        const double along = 0.02 * i;
+        leftOut.views[0].things.push_back({{-2 - along, 0, 2}, 1.0});
+        leftOut.views[0].things.push_back({{2 + along, 0, 2}, 9.0});
+    }
+    ViewLikeness left = viewAt(0, 0.1, 0);
+    left.roomFromCamera.rotation = Eigen::AngleAxisd(-0.8, Eigen::Vector3d::UnitY());
+    ViewLikeness right = left;
+    right.roomFromCamera.rotation = left.roomFromCamera.rotation.conjugate();
+    EXPECT_NEAR(foretoldPx(leftOut, left, kCamera).value(), 0.5, 1e-6); // at half the offset
+    EXPECT_NEAR(foretoldPx(leftOut, right, kCamera).value(), 4.5, 1e-6);
+    ViewLikeness behind = left;
+    behind.roomFromCamera.rotation = Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitY());
+    EXPECT_NE(foretoldPx(leftOut, behind, kCamera), std::nullopt); // by the view as a whole
 }
 
 TEST(MeasurePrediction, IsUnknownWithoutAViewThatWasCompared) {
     SceneLikeness leftOut;
     leftOut.views = {ViewLikeness{}};
-    EXPECT_FALSE(foretoldPx(leftOut, viewAt(0, 0.1, 0)));
+    EXPECT_FALSE(foretoldPx(leftOut, viewAt(0, 0.1, 0), kCamera));
 }
 
 } // namespace spherewalk::jobs

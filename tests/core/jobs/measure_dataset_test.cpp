@@ -83,7 +83,7 @@ TEST(MeasureDataset, CountsFeaturesOrPixels) {
         EXPECT_GT(pixels.scenes[i].photos.front().places, features.scenes[i].photos.front().places);
     }
     EXPECT_EQ(places(name(Places::Pixels)), Places::Pixels);
-    test::expectError(ErrorKind::InvalidInput, "features or pixels", [] { places("voxels"); });
+    test::expectError(ErrorKind::InvalidInput, "features and pixels", [] { places("voxels"); });
 }
 
 TEST(MeasureDataset, LeavesOutEveryPhotoBeforeAnyTwice) {
@@ -93,7 +93,7 @@ TEST(MeasureDataset, LeavesOutEveryPhotoBeforeAnyTwice) {
     EXPECT_EQ(report.scenes.front().photos.size(), 4U);
     std::vector<double> turns;
     for (const ViewLikeness& view : report.scenes.front().views) {
-        turns.push_back(std::round(std::atan2(view.axis.y(), view.axis.x()) / 1.57));
+        turns.push_back(std::round(std::atan2(view.axis().y(), view.axis().x()) / 1.57));
     }
     std::sort(turns.begin(), turns.end());
     EXPECT_EQ(std::unique(turns.begin(), turns.end()) - turns.begin(), 4); // each in another direction

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/image.h"
 #include "spherewalk/base/json.h"
+#include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/dataset_format.h"
 
 #include <Eigen/Core>
@@ -31,14 +32,19 @@ Places places(std::string_view name);
 std::optional<double> errorPx(Places places, const std::optional<double>& features,
                               const std::optional<double>& pixels);
 
+/// A thing of which a view shows how far it is off.
+struct SeenThing {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero(); ///< room frame, metres from the camera
+    double errorPx = 0;
+};
+
 /// How like the truth one view is.
 struct ViewLikeness {
     std::string subject;                ///< the photo left out and the direction, or the robot's picture
     std::string photo;                  ///< it was made from
     std::size_t index = 0;              ///< of the picture it was compared with
     std::optional<std::size_t> leftOut; ///< the photo, by its index in the dataset
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of the camera, room frame
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< of the camera, room frame
+    Rigid3 roomFromCamera;
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< of the camera from the photo, room frame
     double psnrDb = 0;                                ///< at most 99
     double ssim = 0;
@@ -48,6 +54,12 @@ struct ViewLikeness {
     /// Of all pixels with a true depth; where a photo was left out, with the depth that was estimated for it.
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
+    std::vector<SeenThing> things; ///< some of those pixels
+
+    const Eigen::Vector3d& at() const { return roomFromCamera.translation; }
+
+    /// Of the camera, room frame.
+    Eigen::Vector3d axis() const { return roomFromCamera.rotation * Eigen::Vector3d::UnitZ(); }
 
     std::optional<double> errorPx(Places of) const { return jobs::errorPx(of, p95Px, exactP95Px); }
 };
