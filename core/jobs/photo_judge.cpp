@@ -23,6 +23,8 @@ photo::ExpectedSettings expectedBy(const std::optional<survey::CaptureProfile>& 
         expected.iso = profile->iso;
         expected.exposureS = profile->shutterS;
         expected.width = profile->photoWidth;
+        expected.hasFixedWhiteBalance =
+            profile->whiteBalance != survey::WhiteBalance::Auto || profile->colourTemperatureK.has_value();
     }
     return expected;
 }

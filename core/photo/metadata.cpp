@@ -42,6 +42,12 @@ std::optional<double> exifNumber(const Exiv2::ExifData& exif, const char* key) {
     return static_cast<double>(value.first) / value.second;
 }
 
+/// WhiteBalance of Exif: 0 automatic, 1 manual.
+std::optional<bool> isManual(const Exiv2::Exifdatum* datum) {
+    const auto value = datum == nullptr ? -1 : datum->toRational().first;
+    return value == 0 || value == 1 ? std::optional(value == 1) : std::nullopt;
+}
+
 /// "2026:01:02 03:04:05" as "2026-01-02T03:04:05"; empty for anything else, a clock that was not set among
 /// it.
 std::string isoTime(const std::string& exif) {
@@ -78,6 +84,7 @@ void readExif(ByteView tiff, PhotoMetadata& metadata) {
         if (const auto iso = exifNumber(exif, "Exif.Photo.ISOSpeedRatings"); iso && *iso <= 1e7) {
             metadata.iso = static_cast<int>(*iso);
         }
+        metadata.hasFixedWhiteBalance = isManual(find(exif, "Exif.Photo.WhiteBalance"));
     } catch (const std::exception& error) {
         metadata.remarks.push_back(text("The Exif data are damaged (", printable(error.what()), ")."));
     }

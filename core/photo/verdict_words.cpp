@@ -68,6 +68,15 @@ void addSettings(Findings& findings, const PhotoMetadata& metadata, const Expect
             {Flaw::Settings, Quality::Failed,
              text("It was taken at ISO ", *metadata.iso, " instead of ", *expected.iso, "; take it again.")});
     }
+    if (expected.hasFixedWhiteBalance && metadata.hasFixedWhiteBalance &&
+        *metadata.hasFixedWhiteBalance != *expected.hasFixedWhiteBalance) {
+        // Its colours say more: where they differ from the neighbours', that is found.
+        findings.push_back(
+            {Flaw::Settings, Quality::Doubtful,
+             text("It was taken with ", *metadata.hasFixedWhiteBalance ? "a fixed" : "automatic",
+                  " white balance, against the survey's settings; take it again if its colours "
+                  "differ.")});
+    }
 }
 
 } // namespace

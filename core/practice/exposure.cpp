@@ -128,6 +128,7 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     tags.exposureTimeS = settings.exposureTimeS > 0 ? settings.exposureTimeS : 1.0 / 60;
     tags.isoSpeed = settings.isoSpeed > 0 ? settings.isoSpeed : 200;
     tags.exposureBias = settings.exposureBias;
+    tags.hasFixedWhiteBalance = settings.hasFixedWhiteBalance;
     tags.withMakerNote = settings.defect != PhotoDefect::NoMakerNote;
     tags.withHostileMakerNote = settings.defect == PhotoDefect::HostileMakerNote;
     const EquirectSize size{m_options.width, m_options.width / 2};

@@ -24,6 +24,7 @@ struct ExposureSettings {
     double exposureTimeS = 0; ///< 0: the camera chooses
     int isoSpeed = 0;         ///< 0: the camera chooses
     double exposureBias = 0;
+    bool hasFixedWhiteBalance = false;
     PhotoDefect defect = PhotoDefect::None;
     Json options = Json::object(); ///< of the exposure, for the truth
 };

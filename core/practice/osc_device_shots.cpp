@@ -101,6 +101,7 @@ ExposureSettings OscDevice::settingsNow(int shot) const {
     settings.isoSpeed = m_settings.value("iso").get<int>();
     settings.options = m_settings.exposure();
     settings.exposureBias = m_settings.value("exposureCompensation").get<double>();
+    settings.hasFixedWhiteBalance = m_settings.value("whiteBalance") != "auto";
     return settings;
 }
 

@@ -94,7 +94,7 @@ std::vector<TiffWriter::Entry> photoEntries(const TiffWriter& w, const ThetaTags
     for (const TiffWriter::Entry& entry :
          {w.undefined(0xA000, "0100"), w.shorts(0xA001, {1}), w.longs(0xA002, {size(picture.width())}),
           w.longs(0xA003, {size(picture.height())}), w.shorts(0xA402, {tags.exposureProgram == 1 ? 1 : 0}),
-          w.shorts(0xA403, {0}), w.shorts(0xA406, {0})}) {
+          w.shorts(0xA403, {tags.hasFixedWhiteBalance ? 1 : 0}), w.shorts(0xA406, {0})}) {
         entries.push_back(entry);
     }
     return entries;

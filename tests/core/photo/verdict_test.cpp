@@ -172,7 +172,8 @@ TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
     tags.isoSpeed = 400;
     tags.exposureTimeS = 1.0 / 30;
     const Bytes jpeg = practice::thetaJpeg(picture, tags);
-    const ExpectedSettings expected{.iso = 400, .exposureS = 1.0 / 30, .width = kWidth};
+    const ExpectedSettings expected{
+        .iso = 400, .exposureS = 1.0 / 30, .width = kWidth, .hasFixedWhiteBalance = false};
     EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", expected, {}).verdict.quality(), Quality::Good);
     for (const ExpectedSettings& other :
          {ExpectedSettings{.iso = 200}, ExpectedSettings{.exposureS = 1.0 / 60}}) {
@@ -182,6 +183,10 @@ TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
         EXPECT_EQ(verdict.quality(), Quality::Failed);
     }
     EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", {.width = 5376}, {}).verdict.findings[0].flaw, Flaw::Size);
+    const Verdict balance = judgeJpeg(jpeg, "a.JPG", {.hasFixedWhiteBalance = true}, {}).verdict;
+    ASSERT_EQ(balance.findings.size(), 1U);
+    EXPECT_EQ(balance.findings[0].flaw, Flaw::Settings);
+    EXPECT_EQ(balance.quality(), Quality::Doubtful);
 }
 
 TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {

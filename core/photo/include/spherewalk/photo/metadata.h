@@ -61,6 +61,7 @@ struct PhotoMetadata {
     std::optional<double> exposureS;
     std::optional<double> fNumber;
     std::optional<int> iso;
+    std::optional<bool> hasFixedWhiteBalance; ///< not chosen by the camera
     std::optional<PanoramaXmp> panorama;
     std::optional<ThetaMakerNote> theta;
     std::vector<std::string> remarks; ///< sentences about parts that are there but could not be read

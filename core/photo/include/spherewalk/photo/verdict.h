@@ -66,6 +66,7 @@ struct ExpectedSettings {
     std::optional<int> iso = {};
     std::optional<double> exposureS = {};
     std::optional<int> width = {};
+    std::optional<bool> hasFixedWhiteBalance = {};
 };
 
 /// A photo that was taken near the one that is judged.

@@ -23,6 +23,7 @@ struct ThetaTags {
     int isoSpeed = 200;
     int exposureProgram = 2;
     double exposureBias = 0;
+    bool hasFixedWhiteBalance = false;
     bool levelled = false; ///< the zenith correction has been applied to the pixels
     double posePitchDeg = 0;
     double poseRollDeg = 0;
