@@ -45,7 +45,7 @@ void CameraOptions::declare(CLI::App& command) {
 
 std::unique_ptr<camera::OscClient> CameraOptions::client(const std::stop_token& stop) const {
     camera::OscOptions options = camera::OscOptions{}.scaled(m_timeScale);
-    options.http.credentials = [stop] { return credentials(stop); };
+    options.http.credentials = camera::rememberingCredentials([stop] { return credentials(stop); });
     return std::make_unique<camera::OscClient>(endpoint(), options, systemClock());
 }
 

@@ -225,28 +225,36 @@ HttpResponse HttpClient::authorised(const std::function<HttpResponse()>& request
     return response;
 }
 
-/// Tries the credentials with a request that does nothing. False if they are not accepted; they are asked for
-/// anew next time.
+/// Tries credentials with a request that does nothing, until they are accepted or there are no others.
 bool HttpClient::authorise(const std::stop_token& stop) {
-    if (!m_credentials) {
-        m_credentials = m_options.credentials();
+    constexpr int kMostTries = 3;
+    std::optional<Credentials> refused;
+    for (int tries = 0; tries < kMostTries; ++tries) {
+        if (!m_credentials) {
+            m_credentials = m_options.credentials();
+        }
+        if (!m_credentials || m_credentials == refused) {
+            m_credentials.reset();
+            return false;
+        }
+        if (areAccepted(stop)) {
+            return true;
+        }
+        refused = std::exchange(m_credentials, std::nullopt);
     }
-    if (!m_credentials) {
-        return false;
-    }
+    return false;
+}
+
+bool HttpClient::areAccepted(const std::stop_token& stop) {
     curl_easy_reset(m_handles->easy.get()); // an old nonce would be taken for a refused password
-    bool isAccepted = false;
     try {
-        isAccepted = getOnce("/osc/info", stop).status != kUnauthorised;
+        const bool result = getOnce("/osc/info", stop).status != kUnauthorised;
+        curl_easy_reset(m_handles->easy.get()); // the nonce may have been good for this once
+        return result;
     } catch (const Error&) {
         m_credentials.reset();
         throw;
     }
-    if (!isAccepted) {
-        m_credentials.reset();
-    }
-    curl_easy_reset(m_handles->easy.get()); // the nonce may have been good for this once
-    return isAccepted;
 }
 
 HttpResponse HttpClient::get(std::string_view path, const std::stop_token& stop) {

@@ -485,6 +485,13 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::CameraLogin</name>
+    <message>
+        <source>The system&apos;s keychain did not keep the password (%1); it is asked for again when the program starts next.</source>
+        <translation>Systemowy pęk kluczy nie zachował hasła (%1); program zapyta o nie przy następnym uruchomieniu.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CameraPanel</name>
     <message>
         <source>&amp;Connect</source>
@@ -1133,6 +1140,45 @@ Znaleziono w %2: %n zdjęcia co %L3 cm.</numerusform>
             <numerusform>%1
 Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::LoginForm</name>
+    <message>
+        <source>&amp;Keep them in the system&apos;s keychain</source>
+        <translation>&amp;Zachowaj je w systemowym pęku kluczy</translation>
+    </message>
+    <message>
+        <source>The camera asks who is there</source>
+        <translation>Kamera pyta, kto się łączy</translation>
+    </message>
+    <message>
+        <source>The camera at %1 did not accept this user name and password.</source>
+        <translation>Kamera pod adresem %1 nie przyjęła tej nazwy użytkownika i hasła.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 is in client mode, and wants a user name and a password.</source>
+        <translation>Kamera pod adresem %1 działa w trybie klienta i żąda nazwy użytkownika i hasła.</translation>
+    </message>
+    <message>
+        <source>As set in the camera; at first THETA and its serial number.</source>
+        <translation>Jak ustawiono w kamerze; na początku THETA i numer seryjny.</translation>
+    </message>
+    <message>
+        <source>As set in the camera; at first the digits of its serial number.</source>
+        <translation>Jak ustawiono w kamerze; na początku cyfry numeru seryjnego.</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Połącz</translation>
+    </message>
+    <message>
+        <source>&amp;User name:</source>
+        <translation>Nazwa &amp;użytkownika:</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>&amp;Hasło:</translation>
     </message>
 </context>
 <context>

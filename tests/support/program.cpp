@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
+#include <linux/capability.h>
 #include <poll.h>
 #include <sstream>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -45,6 +47,11 @@ void becomeProgram(const std::vector<std::string>& command, const Program::Optio
         const rlimit limit{bytes, bytes};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         ::signal(SIGXFSZ, SIG_IGN);
+    }
+    for (const int capability : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH}) {
+        if (options.obeysPermissions) {
+            ::prctl(PR_CAPBSET_DROP, capability); // refused to others, who have to obey anyway
+        }
     }
     std::vector<char*> arguments;
     for (const std::string& word : command) {

@@ -14,8 +14,9 @@ namespace spherewalk::test {
 class Program {
   public:
     struct Options {
-        std::string input;                 ///< standard input
-        std::optional<long> fileSizeLimit; ///< RLIMIT_FSIZE, bytes
+        std::string input = {};                 ///< standard input
+        std::optional<long> fileSizeLimit = {}; ///< RLIMIT_FSIZE, bytes
+        bool obeysPermissions = false;          ///< of files and folders, also as the superuser
     };
 
     Program(const std::vector<std::string>& command, const Options& options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/camera_panel.h"
 
+#include "ui/capture/login_form.h"
 #include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
 #include "ui/look/icon_label.h"
@@ -80,6 +81,7 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     m_hide->setValue(QSettings().value(kHideKey, 0).toInt());
     connect(m_automatic, &QCheckBox::toggled, this, [this](bool isOn) { m_desk.setAutomatic(isOn); });
     connect(&m_desk, &CaptureDesk::changed, this, &CameraPanel::showAll);
+    connect(&m_desk.login(), &CameraLogin::wanted, this, &CameraPanel::askLogin);
     connect(&m_finder, &CameraFinder::changed, this, &CameraPanel::showFound);
     showFound();
     showAll();
@@ -144,6 +146,18 @@ void CameraPanel::editProfile() {
     auto* form = new ProfileForm(m_desk.profile(), this);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &QDialog::accepted, this, [this, form] { m_desk.setProfile(form->profile()); });
+    form->open();
+}
+
+void CameraPanel::askLogin(const camera::Endpoint& endpoint, bool wasRefused) {
+    if (m_login && m_login->isVisible()) {
+        return; // several clients ask
+    }
+    auto* form = new LoginForm(endpoint, wasRefused, this);
+    m_login = form;
+    form->setAttribute(Qt::WA_DeleteOnClose);
+    connect(form, &QDialog::accepted, this,
+            [this, form, endpoint] { m_desk.giveLogin(endpoint, form->credentials(), form->isKept()); });
     form->open();
 }
 

@@ -5,6 +5,7 @@
 #include "ui/capture/capture_desk.h"
 #include "ui/capture/preview_view.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QCheckBox;
@@ -15,6 +16,8 @@ class QPushButton;
 class QSpinBox;
 
 namespace spherewalk::ui {
+
+class LoginForm;
 
 /// Which camera, how it is, how it is set, and what it sees.
 class CameraPanel : public QWidget {
@@ -29,6 +32,7 @@ class CameraPanel : public QWidget {
     QWidget* makeExposure();
     void connectAt(const QString& address);
     void editProfile();
+    void askLogin(const camera::Endpoint& endpoint, bool wasRefused);
     void showAll();
     void showFound();
 
@@ -49,6 +53,7 @@ class CameraPanel : public QWidget {
     QPushButton* m_profile = nullptr;
     QPushButton* m_showPreview = nullptr;
     PreviewView* m_preview = nullptr;
+    QPointer<LoginForm> m_login;
 };
 
 } // namespace spherewalk::ui

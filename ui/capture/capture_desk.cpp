@@ -25,6 +25,7 @@ CaptureDesk::CaptureDesk(TaskList& tasks, QObject* parent) : QObject(parent), m_
     m_timer.setInterval(std::chrono::seconds(1));
     connect(&m_timer, &QTimer::timeout, this, &CaptureDesk::tick);
     connect(this, &CaptureDesk::changed, this, &CaptureDesk::followWithPreview);
+    connect(&m_login, &CameraLogin::known, this, &CaptureDesk::connectAgain);
 }
 
 CaptureDesk::~CaptureDesk() {
@@ -110,7 +111,8 @@ void CaptureDesk::followWithPreview() {
     }
     m_isPreviewing = wants;
     if (wants) {
-        m_preview.start(m_endpoint, timeScale(), m_isPractice ? patientPreview() : camera::PreviewOptions{});
+        m_preview.start(m_endpoint, timeScale(), m_isPractice ? patientPreview() : camera::PreviewOptions{},
+                        m_login.sourceFor(m_endpoint));
     } else {
         m_preview.stop();
     }
@@ -130,14 +132,31 @@ void CaptureDesk::connectTo(const QString& address) {
     setState(State::Connecting);
     m_task = m_tasks.start(
         tr("Connecting to %1").arg(QString::fromStdString(m_endpoint.name())), this,
-        [endpoint = m_endpoint](ProgressSink& /*progress*/, const std::stop_token& stop) {
+        [endpoint = m_endpoint, login = m_login.sourceFor(m_endpoint)](ProgressSink& /*progress*/,
+                                                                       const std::stop_token& stop) {
             camera::OscOptions options;
             options.attempts = 1; // a person waits, and can try again
+            options.http.credentials = login;
             camera::OscClient client(endpoint, options, systemClock());
             return askCamera(client, stop);
         },
         [this](const CameraStatus& status) { connected(status); });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] { connectingEnded(task); });
+}
+
+void CaptureDesk::giveLogin(const camera::Endpoint& endpoint, const camera::Credentials& credentials,
+                            bool isKept) {
+    m_login.give(endpoint, credentials, isKept);
+    connectAgain(endpoint);
+}
+
+/// Now that it is known who is there; not in the middle of a run, whose next call has it.
+void CaptureDesk::connectAgain(const camera::Endpoint& endpoint) {
+    if (endpoint == m_endpoint && m_state == State::Connecting) {
+        m_connectsAgain = true; // what still runs knew nothing of it
+    } else if (endpoint == m_endpoint && m_state == State::NoCamera) {
+        connectTo(QString::fromStdString(endpoint.name()));
+    }
 }
 
 void CaptureDesk::connectToPractice() {
@@ -165,10 +184,14 @@ void CaptureDesk::connectingEnded(const Task* task) {
     if (m_task == task && m_state == State::Connecting) { // else it has led on
         m_state = State::NoCamera;
         failed(task->sentence());
+        if (std::exchange(m_connectsAgain, false)) {
+            connectTo(QString::fromStdString(m_endpoint.name()));
+        }
     }
 }
 
 void CaptureDesk::connected(const CameraStatus& status) {
+    m_connectsAgain = false;
     m_status = status;
     m_verdict = Verdict::None;
     m_sentence = status.troubles.join(" ");
@@ -249,10 +272,12 @@ void CaptureDesk::start() {
     m_task = m_tasks.start(
         tr("Capturing %1").arg(m_session->name()), this,
         [folder = m_session->path(), endpoint = m_endpoint, practice, options = captureOptions(),
-         scale = timeScale(), key = m_key, events = events(),
+         login = m_login.sourceFor(m_endpoint), scale = timeScale(), key = m_key, events = events(),
          isAutomatic = m_isPractice && m_isAutomatic](ProgressSink& progress, const std::stop_token& stop) {
             auto store = store::SurveyStore::open(folder, store::Access::Write);
-            camera::OscClient client(endpoint, camera::OscOptions{}.scaled(scale), systemClock());
+            camera::OscOptions clientOptions = camera::OscOptions{}.scaled(scale);
+            clientOptions.http.credentials = login;
+            camera::OscClient client(endpoint, clientOptions, systemClock());
             DeskOperator people(client, *key, events, practice, isAutomatic);
             return jobs::captureSurvey(store, client, people, systemClock(), options, progress, stop);
         },

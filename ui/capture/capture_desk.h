@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/capture/camera_login.h"
 #include "ui/capture/camera_status.h"
 #include "ui/capture/desk_operator.h"
 #include "ui/capture/pace.h"
@@ -54,6 +55,12 @@ class CaptureDesk : public QObject {
 
     /// Asks the camera at this address how it is.
     void connectTo(const QString& address);
+
+    /// Who is there, for a camera that asks.
+    const CameraLogin& login() const { return m_login; }
+
+    /// What a person has said; connects again to the camera that has asked. isKept: in the keychain.
+    void giveLogin(const camera::Endpoint& endpoint, const camera::Credentials& credentials, bool isKept);
 
     /// Of the practice camera that is started next.
     void setPracticeSettings(const PracticeSettings& settings) { m_practiceSettings = settings; }
@@ -141,6 +148,7 @@ class CaptureDesk : public QObject {
     void followWithPreview();
     void markRails();
     void read();
+    void connectAgain(const camera::Endpoint& endpoint);
     void connected(const CameraStatus& status);
     void connectingEnded(const Task* task);
     void failed(const QString& sentence);
@@ -164,6 +172,8 @@ class CaptureDesk : public QObject {
     std::unique_ptr<PracticeHost> m_practice;
     bool m_isPractice = false;
     bool m_isAutomatic = false;
+    CameraLogin m_login;
+    bool m_connectsAgain = false;
     PreviewFeed m_preview;
     bool m_showsPreview = false;
     bool m_isPreviewing = false;

@@ -72,6 +72,7 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
         emit message(isComplete ? tr("Every station has its photo.")
                                 : tr("Capturing has ended; it goes on where it stopped."));
     });
+    connect(&m_desk.login(), &CameraLogin::trouble, this, &CaptureMode::message);
     showAll();
 }
 

@@ -26,13 +26,13 @@ void PreviewFeed::setState(State state) {
 }
 
 void PreviewFeed::start(const camera::Endpoint& endpoint, double timeScale,
-                        const camera::PreviewOptions& options) {
+                        const camera::PreviewOptions& options, camera::CredentialsSource credentials) {
     ++m_number;
     m_sentence.clear();
     m_picture = {};
     {
         const std::scoped_lock lock(m_mutex);
-        m_waiting = Request{endpoint, timeScale, options, m_number};
+        m_waiting = Request{endpoint, timeScale, options, std::move(credentials), m_number};
         m_current.request_stop();
     }
     m_changed.notify_all();
@@ -82,8 +82,9 @@ void PreviewFeed::run(const std::stop_token& end) {
 /// Until it ends; why, if anything is wrong.
 QString PreviewFeed::show(const Request& request, const std::stop_token& stop) {
     try {
-        camera::OscClient client(request.endpoint, camera::OscOptions{}.scaled(request.timeScale),
-                                 systemClock());
+        camera::OscOptions options = camera::OscOptions{}.scaled(request.timeScale);
+        options.http.credentials = request.credentials;
+        camera::OscClient client(request.endpoint, options, systemClock());
         const auto pictures = camera::showLivePreview(
             client, systemClock(), request.options.scaled(request.timeScale),
             [&](const camera::PreviewFrame& frame) { publish(request.number, frame); }, stop);

@@ -34,8 +34,8 @@ class PreviewFeed : public QObject {
     ~PreviewFeed() override;
 
     /// In place of what runs. timeScale: of a practice camera's times.
-    void start(const camera::Endpoint& endpoint, double timeScale,
-               const camera::PreviewOptions& options = {});
+    void start(const camera::Endpoint& endpoint, double timeScale, const camera::PreviewOptions& options = {},
+               camera::CredentialsSource credentials = {});
     /// Returns at once; no picture comes after it.
     void stop();
     /// Ends the preview and returns when nothing more is asked of the camera; whether there was any. To be
@@ -58,6 +58,7 @@ class PreviewFeed : public QObject {
         camera::Endpoint endpoint;
         double timeScale = 1;
         camera::PreviewOptions options;
+        camera::CredentialsSource credentials;
         int number = 0;
     };
 

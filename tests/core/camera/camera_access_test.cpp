@@ -150,11 +150,36 @@ TEST_F(CameraPassword, AWrongOneIsToldAfterOneTry) {
     runCamera();
     credentials->password = "wrong";
     expectError(ErrorKind::Unsupported, "user name and a password", [&] { client->info({}); });
-    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(asked, 2);                                           // and the same was said again
     EXPECT_LE(practice().stats().requests.at("GET /osc/info"), 3); // bare, for the nonce, with the answer
     credentials->password = "00123456";                            // asked for anew, and right now
     EXPECT_EQ(client->info({}).model, "RICOH THETA V");
-    EXPECT_EQ(asked, 2);
+    EXPECT_EQ(asked, 3);
+}
+
+TEST_F(CameraPassword, AnotherIsAskedForAtOnceAfterAWrongOne) {
+    oscOptions.http.credentials = [this]() -> std::optional<Credentials> {
+        return Credentials{"THETAYL00123456", ++asked < 3 ? "wrong " + std::to_string(asked) : "00123456"};
+    };
+    runCamera();
+    EXPECT_EQ(client->info({}).model, "RICOH THETA V");
+    EXPECT_EQ(asked, 3);
+}
+
+TEST_F(CameraPassword, IsAskedForOnceForAllClientsOfOneCamera) {
+    oscOptions.http.credentials =
+        rememberingCredentials([this]() -> std::optional<Credentials> { return ++asked, credentials; });
+    runCamera();
+    client->info({});
+    client->another()->info({});
+    OscClient(client->endpoint(), oscOptions, systemClock()).info({});
+    EXPECT_EQ(asked, 1);
+    credentials->password = "wrong";
+    practice().stop();
+    cameraOptions.digestPassword = "changed";
+    runCamera();
+    expectError(ErrorKind::Unsupported, "user name and a password", [&] { client->info({}); });
+    EXPECT_EQ(asked, 3); // after the one that was known, and after a wrong one
 }
 
 TEST_F(CameraPassword, NoneIsToldAsWell) {

@@ -91,6 +91,25 @@ TEST_F(CaptureDeskTest, TakesAStationAgainThatHasAPhoto) {
     EXPECT_NE(session->store().chosenPhoto(station)->id, before);
 }
 
+TEST_F(CaptureDeskTest, OffersAPhotoThatFailedToBeTakenAgain) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().practice()->camera().arm({practice::FaultKind::SmallPhoto, "camera.takePicture", 0, 1, 0});
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && !played.empty(); });
+    EXPECT_EQ(played.front(), Verdict::Failed);
+    EXPECT_EQ(std::ranges::count(played, Verdict::Failed), 1);
+    const std::int64_t failed = session->store().stations().front().id;
+    ASSERT_EQ(desk().stationsLeft(), 1);
+    EXPECT_EQ(desk().next()->id, failed);
+    const auto photos = session->store().counts().photos;
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    EXPECT_EQ(played.back(), Verdict::Good) << desk().sentence().toStdString();
+    EXPECT_EQ(session->store().counts().photos, photos + 1);
+    EXPECT_TRUE(desk().again().empty());
+}
+
 TEST_F(CaptureDeskTest, AKeyDuringTheCountdownEndsIt) {
     connectPractice();
     desk().setHideSeconds(30);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/camera/credentials.h"
 #include "spherewalk/camera/endpoint.h"
 
 #include <chrono>
@@ -14,16 +15,6 @@
 #include <string_view>
 
 namespace spherewalk::camera {
-
-/// By which a camera in client mode knows its users.
-struct Credentials {
-    std::string user;
-    std::string password;
-};
-
-/// Asked when a camera wants to know who asks, and again when it does not accept what was said: from a
-/// keychain, the environment, a person. Nothing: there are none. Threads: the client's.
-using CredentialsSource = std::function<std::optional<Credentials>()>;
 
 struct HttpOptions {
     std::chrono::milliseconds connectTimeout{5'000};
@@ -98,6 +89,7 @@ class HttpClient {
     void prepare(Transfer& transfer, std::string_view path);
     HttpResponse authorised(const std::function<HttpResponse()>& request, const std::stop_token& stop);
     bool authorise(const std::stop_token& stop);
+    bool areAccepted(const std::stop_token& stop);
     HttpResponse getOnce(std::string_view path, const std::stop_token& stop);
     HttpResponse perform(Transfer& transfer, const std::stop_token& stop);
     [[noreturn]] void fail(const Transfer& transfer, int code) const;
