@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_prediction.h"
 
+#include "spherewalk/base/median.h"
 #include "spherewalk/measure/rank_correlation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace spherewalk::jobs {
 
@@ -15,8 +15,6 @@ constexpr double kAlongShare = 0.3; ///< of an offset along the axis, at half wa
 constexpr double kLeastAcrossM = 0.01;
 constexpr double kNearM = 0.5;    ///< at which a view that was left out counts half as much
 constexpr double kTurnRad = 0.35; ///< likewise, a third of a usual field of view
-
-constexpr std::size_t kEnoughThings = 30;
 
 double nearness(const ViewLikeness& from, const ViewLikeness& view) {
     const double apart = (from.at() - view.at()).norm() / kNearM;
@@ -38,44 +36,77 @@ bool isInFrame(const Eigen::Vector2d& pixel, const CameraModel& camera) {
            pixel.y() <= camera.height() - 1;
 }
 
-struct Weighted {
-    double value;
-    double weight;
+/// What is foretold of one part of a view's frame.
+struct Part {
+    double nearestM = HUGE_VAL; ///< what hides the rest
+    double errors = 0;          ///< weighted sum
+    double weights = 0;
 };
 
-/// Range: not empty.
-double weightedMedian(std::vector<Weighted> values) {
-    std::ranges::sort(values, {}, &Weighted::value);
-    const double half = 0.5 * std::accumulate(values.begin(), values.end(), 0.0,
-                                              [](double sum, const Weighted& w) { return sum + w.weight; });
-    double sum = 0;
-    for (const Weighted& one : values) {
-        sum += one.weight;
-        if (sum >= half) {
-            return one.value;
-        }
-    }
-    return values.back().value;
-}
+/// A view's frame in square parts, about as many as a person would tell apart.
+class Frame {
+  public:
+    explicit Frame(const CameraModel& camera)
+        : m_sidePx(std::max(camera.width(), camera.height()) / double{kAcross}),
+          m_columns(1 + static_cast<int>((camera.width() - 1) / m_sidePx)),
+          m_parts(static_cast<std::size_t>(m_columns) *
+                  static_cast<std::size_t>(1 + static_cast<int>((camera.height() - 1) / m_sidePx))) {}
 
-/// Nothing where too little is known of what the view has in its frame.
+    /// Range: inside the frame.
+    Part& at(const Eigen::Vector2d& pixel) {
+        const auto row = static_cast<std::size_t>(pixel.y() / m_sidePx);
+        const auto column = static_cast<std::size_t>(pixel.x() / m_sidePx);
+        return m_parts[row * static_cast<std::size_t>(m_columns) + column];
+    }
+
+    /// Of the parts' errors; nothing where too few are known.
+    std::optional<double> median() const {
+        std::vector<double> errors;
+        for (const Part& part : m_parts) {
+            if (part.weights > 0) {
+                errors.push_back(part.errors / part.weights);
+            }
+        }
+        constexpr std::size_t kEnough = 4; // one part of so many
+        return kEnough * errors.size() < m_parts.size() ? std::nullopt
+                                                        : std::optional(spherewalk::median(errors));
+    }
+
+  private:
+    static constexpr int kAcross = 20;
+
+    double m_sidePx;
+    int m_columns;
+    std::vector<Part> m_parts;
+};
+
 std::optional<double> foretoldByThings(const SceneLikeness& leaveOneOut, const ViewLikeness& view,
                                        const CameraModel& camera) {
     const Eigen::Quaterniond cameraFromRoom = view.roomFromCamera.rotation.conjugate();
-    std::vector<Weighted> errors;
-    for (const ViewLikeness& from : leaveOneOut.views) {
-        const double w = nearness(from, view);
-        const Eigen::Vector3d apart = from.at() - view.at();
-        for (const SeenThing& thing : from.things) {
-            const Eigen::Vector3d seen = apart + thing.at;
-            const auto pixel = camera.project(cameraFromRoom * seen);
-            if (pixel && isInFrame(*pixel, camera)) {
-                errors.push_back(
-                    {thing.errorPx * parallax(view.offset, seen) / parallax(from.offset, thing.at), w});
+    Frame frame(camera);
+    const auto forEach = [&](const auto& what) {
+        for (const ViewLikeness& from : leaveOneOut.views) {
+            const Eigen::Vector3d apart = from.at() - view.at();
+            for (const SeenThing& thing : from.things) {
+                const Eigen::Vector3d seen = apart + thing.at;
+                const auto pixel = camera.project(cameraFromRoom * seen);
+                if (pixel && isInFrame(*pixel, camera)) {
+                    what(from, thing, seen, frame.at(*pixel));
+                }
             }
         }
-    }
-    return errors.size() < kEnoughThings ? std::nullopt : std::optional(weightedMedian(std::move(errors)));
+    };
+    forEach([](const ViewLikeness& /*from*/, const SeenThing& /*thing*/, const Eigen::Vector3d& seen,
+               Part& part) { part.nearestM = std::min(part.nearestM, seen.norm()); });
+    forEach([&](const ViewLikeness& from, const SeenThing& thing, const Eigen::Vector3d& seen, Part& part) {
+        constexpr double kHidden = 1.2;
+        if (seen.norm() <= kHidden * part.nearestM) {
+            const double w = nearness(from, view);
+            part.errors += w * thing.errorPx * parallax(view.offset, seen) / parallax(from.offset, thing.at);
+            part.weights += w;
+        }
+    });
+    return frame.median();
 }
 
 std::optional<double> foretoldByViews(const SceneLikeness& leaveOneOut, const ViewLikeness& view) {

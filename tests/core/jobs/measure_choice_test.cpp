@@ -116,13 +116,15 @@ TEST(MeasurePrediction, ListensToTheNearestViewsMost) {
 }
 
 TEST(MeasurePrediction, CountsTheThingsThatTheViewHasInItsFrame) {
-    // To the left all is right, to the right nothing.
+    // A wall ahead: little is off to the left, much to the right; something farther is off by far more.
     SceneLikeness leftOut;
     leftOut.views = {viewAt(0, 0.2, 5)};
-    for (int i = 0; i < 100; ++i) {
-        const double along = 0.02 * i;
-        leftOut.views[0].things.push_back({{-2 - along, 0, 2}, 1.0});
-        leftOut.views[0].things.push_back({{2 + along, 0, 2}, 9.0});
+    for (int i = -40; i <= 40; ++i) {
+        for (int j = -20; j <= 20; ++j) {
+            const Eigen::Vector3d at(0.1 * i, 0.1 * j, 2);
+            leftOut.views[0].things.push_back({at, i < 0 ? 1.0 : 9.0});
+            leftOut.views[0].things.push_back({1.5 * at, 100});
+        }
     }
     ViewLikeness left = viewAt(0, 0.1, 0);
     left.roomFromCamera.rotation = Eigen::AngleAxisd(-0.8, Eigen::Vector3d::UnitY());
