@@ -4,6 +4,7 @@
 #include "temporary_folder.h"
 #include "ui/align/align_mode.h"
 #include "ui/capture/capture_mode.h"
+#include "ui/capture/login_form.h"
 #include "ui/export/export_mode.h"
 #include "ui/panorama/panorama_presenter.h"
 #include "ui/plan/plan_mode.h"
@@ -87,7 +88,9 @@ class Album {
     }
 
   private:
-    void shoot(const QString& name) {
+    void shoot(const QString& name) { shoot(name, m_window); }
+
+    void shoot(const QString& name, QWidget& window) {
         if (m_isForGuide && !kGuide.contains(name)) {
             return;
         }
@@ -95,7 +98,7 @@ class Album {
         time.start();
         waitUntil([&] { return time.elapsed() > 300; }); // what is late comes: layouts, thumbnails
         const QString file = m_folder + "/" + name + m_suffix + ".png";
-        const QImage picture = m_window.grab().toImage();
+        const QImage picture = window.grab().toImage();
         if (!(m_isForGuide ? small(picture) : picture).save(file)) {
             throw Error(ErrorKind::Io, "Could not write " + file.toStdString() + ".");
         }
@@ -137,6 +140,7 @@ class Album {
         using State = CaptureDesk::State;
         CaptureDesk& desk = open<CaptureMode>().desk();
         shoot("capture-no-camera");
+        shootLogin(desk);
         desk.setPracticeSettings({.width = 2048, .timeScale = 0.001, .keepsPhotos = false});
         desk.connectToPractice();
         waitUntil([&] { return desk.state() == State::Ready; });
@@ -160,6 +164,21 @@ class Album {
         shoot("capture-failed");
         desk.stop();
         waitUntil([&] { return desk.state() == State::Ready; });
+    }
+
+    /// A camera in client mode asks for a password.
+    void shootLogin(CaptureDesk& desk) {
+        practice::PracticeCameraOptions options;
+        options.digestUser = "THETAYL00123456";
+        options.digestPassword = "00123456";
+        practice::PracticeCamera camera(options);
+        camera.start();
+        desk.connectTo(QString("127.0.0.1:%1").arg(camera.port()));
+        LoginForm* form = nullptr;
+        waitUntil([&] { return (form = m_window.findChild<LoginForm*>()) != nullptr && form->isVisible(); });
+        shoot("capture-login", *form);
+        form->reject();
+        waitUntil([&] { return desk.state() == CaptureDesk::State::NoCamera; });
     }
 
     void shootReview() {

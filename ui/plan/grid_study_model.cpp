@@ -71,7 +71,8 @@ QString GridStudyModel::text(const Line& line, int column) const {
         return line.cost ? minutesText(line.cost->minutes) : QString();
     default: {
         const auto error = errorPx(line, column);
-        return error ? tr("%L1 px").arg(*error, 0, 'f', 1) : QStringLiteral("–");
+        constexpr double kLarge = 99.95; // whose tenths say nothing, and would not fit
+        return error ? tr("%L1 px").arg(*error, 0, 'f', *error < kLarge ? 1 : 0) : QStringLiteral("–");
     }
     }
 }

@@ -46,6 +46,7 @@ std::optional<std::vector<double>> heightsOf(const QString& text) {
 
 PlanPanel::PlanPanel(PlanEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
     auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(makeResult());
     m_grid = makeGrid();
     layout->addWidget(m_grid);

@@ -86,7 +86,10 @@ void MainWindow::makeDocks() {
     m_tasksButton->setToolTip(tr("Show what runs, and what has ended (Ctrl+T)"));
     connect(m_tasksButton, &QToolButton::clicked, this,
             [this] { m_tasksDock->setVisible(!m_tasksDock->isVisible()); });
-    connect(&m_tasks, &TaskList::started, this, &MainWindow::showTasks);
+    connect(&m_tasks, &TaskList::started, this, [this] {
+        statusBar()->clearMessage(); // it is of what was done before
+        showTasks();
+    });
     connect(&m_tasks, &TaskList::ended, this, [this](const Task* task) {
         showTasks();
         if (task->state() == Task::State::Failed) {
@@ -286,7 +289,10 @@ void MainWindow::showTasks() {
 }
 
 void MainWindow::say(const QString& sentence) {
-    statusBar()->showMessage(sentence);
+    constexpr int kGapsPx = 40; // around what always stands there
+    const int room = statusBar()->width() - m_counts->width() - m_tasksButton->width() - kGapsPx;
+    statusBar()->showMessage(statusBar()->fontMetrics().elidedText(sentence, Qt::ElideRight, room));
+    statusBar()->setToolTip(sentence);
 }
 
 void MainWindow::chooseSurvey() {
