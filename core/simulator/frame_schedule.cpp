@@ -17,7 +17,7 @@ constexpr std::size_t kMostOverlays = 32;
 constexpr std::size_t kMostPoses = 16384;
 
 /// Simulators round 1/30 s to whole nanoseconds, some downwards.
-constexpr Stamp kEarly = std::chrono::microseconds(1);
+constexpr long double kEarlyNs = 1000;
 
 } // namespace
 
@@ -25,7 +25,7 @@ std::int64_t FrameSchedule::slotOf(Stamp stamp) const {
     if (m_options.rateHz == 0) {
         return stamp.count();
     }
-    const auto seconds = static_cast<long double>((stamp + kEarly).count()) * 1e-9L;
+    const auto seconds = (static_cast<long double>(stamp.count()) + kEarlyNs) * 1e-9L;
     return static_cast<std::int64_t>(std::floor(seconds * static_cast<long double>(m_options.rateHz)));
 }
 
@@ -59,19 +59,18 @@ void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
     forgetOld();
 }
 
-OverlayParts& FrameSchedule::partsOf(Stamp stamp) {
+OverlayParts* FrameSchedule::partsOf(Stamp stamp) {
     OverlayParts& parts = m_overlays[stamp];
-    if (m_overlays.size() > kMostOverlays) { // the one farthest from now, which may be one of a far future
-        const auto first = m_overlays.begin();
-        const auto last = std::prev(m_overlays.end());
-        const Stamp now = m_newest.value_or(stamp);
-        const auto farthest = last->first - now > now - first->first ? last : first;
-        if (farthest->first != stamp) {
-            m_overlays.erase(farthest);
-            ++m_counters.overlaysUnused;
-        }
+    if (m_overlays.size() <= kMostOverlays) {
+        return &parts;
     }
-    return parts;
+    const auto first = m_overlays.begin();
+    const auto last = std::prev(m_overlays.end());
+    const Stamp now = m_newest.value_or(stamp);
+    const Stamp farthest = last->first - now > now - first->first ? last->first : first->first;
+    m_overlays.erase(farthest);
+    ++m_counters.overlaysUnused;
+    return farthest == stamp ? nullptr : &parts;
 }
 
 void FrameSchedule::forgetOld() {

@@ -33,8 +33,9 @@ class FrameSchedule {
     /// Range: stamp >= 0. One that is before the last is a new start, the same again is ignored.
     void addPose(Stamp stamp, const Rigid3& roomFromCamera, std::chrono::steady_clock::time_point takenAt);
 
-    /// The parts of a stamp, to be filled. Valid until the next call.
-    OverlayParts& partsOf(Stamp stamp);
+    /// The parts of a stamp, to be filled before the next call; null if there is room only for those nearer
+    /// to the newest pose. Range: stamp >= 0.
+    OverlayParts* partsOf(Stamp stamp);
 
     /// The frame whose turn it is, if one can be rendered.
     std::optional<DueFrame> next();

@@ -50,6 +50,17 @@ void OverlayOptions::validate() const {
     }
 }
 
+void OverlayParts::take(OverlayParts&& other) {
+    const auto replace = [](auto& own, auto& with) {
+        if (!with.empty()) {
+            own = std::move(with);
+        }
+    };
+    replace(colour, other.colour);
+    replace(depth, other.depth);
+    replace(labels, other.labels);
+}
+
 ObjectOverlay::ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
                              const CameraIntrinsics& camera, int threads)
     : m_options(options), m_camera(camera), m_threads(threads), m_pool(threads) {

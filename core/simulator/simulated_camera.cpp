@@ -29,6 +29,22 @@ bool isIn(const render::DatasetInfo& dataset, const Eigen::Vector3d& pInRoom) {
     return isBetween && (dataset.outline.size() < 3 || contains(dataset.outline, pInRoom.head<2>()));
 }
 
+OverlayParts partOf(OverlayPart part, const RawPicture& picture, const CameraIntrinsics& camera) {
+    OverlayParts parts;
+    switch (part) {
+    case OverlayPart::Colour:
+        parts.colour = colourOf(picture, camera);
+        break;
+    case OverlayPart::Depth:
+        parts.depth = depthOf(picture, camera);
+        break;
+    case OverlayPart::Labels:
+        parts.labels = labelsOf(picture, camera);
+        break;
+    }
+    return parts;
+}
+
 std::string componentsOf(const Eigen::Quaterniond& q) {
     return text("w ", q.w(), ", x ", q.x(), ", y ", q.y(), ", z ", q.z());
 }
@@ -142,36 +158,14 @@ void SimulatedCamera::State::putPart(OverlayPart part, Stamp stamp, const RawPic
         const std::scoped_lock lock(mutex);
         taken = overlayCamera();
     }
-    OverlayParts parts; // copied without the lock, which rendering and poses want too
-    switch (part) {
-    case OverlayPart::Colour:
-        parts.colour = colourOf(picture, taken);
-        break;
-    case OverlayPart::Depth:
-        parts.depth = depthOf(picture, taken);
-        break;
-    case OverlayPart::Labels:
-        parts.labels = labelsOf(picture, taken);
-        break;
-    }
+    OverlayParts parts = partOf(part, picture, taken); // without the lock, which rendering and poses want too
     const std::scoped_lock lock(mutex);
-    if (taken != overlayCamera()) {
-        return; // of the camera before
+    OverlayParts* known = taken == overlayCamera() ? schedule.partsOf(stamp) : nullptr;
+    if (known != nullptr) {
+        known->take(std::move(parts));
+        isBusy = true;
+        changed.notify_all();
     }
-    OverlayParts& known = schedule.partsOf(stamp);
-    switch (part) {
-    case OverlayPart::Colour:
-        known.colour = std::move(parts.colour);
-        break;
-    case OverlayPart::Depth:
-        known.depth = std::move(parts.depth);
-        break;
-    case OverlayPart::Labels:
-        known.labels = std::move(parts.labels);
-        break;
-    }
-    isBusy = true;
-    changed.notify_all();
 }
 
 void SimulatedCamera::State::work(const std::stop_token& stop) {

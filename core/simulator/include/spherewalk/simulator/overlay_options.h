@@ -48,6 +48,9 @@ struct OverlayParts {
     DepthImage depth; ///< z along the optical axis, metres
     MaskImage labels;
 
+    /// Those of the other that have come, in place of its own.
+    void take(OverlayParts&& other);
+
     bool isWhole(ObjectsBy by) const {
         return !colour.empty() && !depth.empty() && (by != ObjectsBy::Labels || !labels.empty());
     }
