@@ -17,11 +17,10 @@ struct Options {
     DatasetOptions dataset;
     std::string path;
     std::string out;
-    std::string late = "wait";
+    program::StreamOptions stream;
     std::string ball;
     std::vector<std::string> formats;
     std::string shard = "1/1";
-    double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
 Result walk(const Options& options, Context& context) {
@@ -31,8 +30,7 @@ Result walk(const Options& options, Context& context) {
     }
     const CameraModel camera = options.dataset.cameraModel();
     const render::Renderer renderer = options.dataset.renderer(context);
-    jobs::WalkOptions walkOptions{options.dataset.viewOptions(),
-                                  {render::latePolicy(options.late), options.prefetchS}};
+    jobs::WalkOptions walkOptions{options.dataset.viewOptions(), options.stream.options()};
     if (!options.ball.empty()) {
         walkOptions.ball = jobs::parseBall(options.ball);
     }
@@ -64,16 +62,7 @@ void addWalk(Commands& commands) {
     command.add_option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"")->required();
     command.add_option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
         ->required();
-    command
-        .add_option("--late", options->late,
-                    "What a frame is made from when its photo is not decoded yet: wait for it, coarse (the "
-                    "thumbnail), or previous (the photo before)")
-        ->check(CLI::IsMember({"wait", "coarse", "previous"}))
-        ->capture_default_str();
-    command
-        .add_option("--prefetch", options->prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+    options->stream.declare(command);
     command
         .add_option("--format", options->formats,
                     "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "

@@ -107,7 +107,6 @@ struct SimulatedCamera::State {
         return options.overlay->camera ? *options.overlay->camera : camera;
     }
 
-    bool checkPose(Stamp stamp, const Rigid3& worldFromLink);
     void putPart(OverlayPart part, Stamp stamp, const RawPicture& picture);
     void work(const std::stop_token& stop);
     void make(FrameMaker& with, DueFrame due);
@@ -130,27 +129,6 @@ struct SimulatedCamera::State {
     Frame frame; ///< of the rendering thread
     std::jthread thread;
 };
-
-bool SimulatedCamera::State::checkPose(Stamp stamp, const Rigid3& worldFromLink) {
-    const Eigen::Vector3d& at = worldFromLink.translation;
-    if (stamp < Stamp::zero()) {
-        refusals.add(Refusal::Time, text("A pose came for ", stamp.count(),
-                                          " ns, before the simulation's beginning, and was not used."));
-        return false;
-    }
-    if (!(at.cwiseAbs().maxCoeff() <= kFarthestM) || !at.allFinite()) {
-        refusals.add(Refusal::Place, text("A pose at x ", at.x(), ", y ", at.y(), ", z ", at.z(),
-                                          " came and was not used; places are finite and within 10^7 m."));
-        return false;
-    }
-    if (!isPose(worldFromLink, kUnitTolerance)) {
-        refusals.add(Refusal::Rotation,
-                     text("A pose with the rotation ", componentsOf(worldFromLink.rotation),
-                          " came and was not used; it is not a unit quaternion."));
-        return false;
-    }
-    return true;
-}
 
 void SimulatedCamera::State::putPart(OverlayPart part, Stamp stamp, const RawPicture& picture) {
     CameraIntrinsics taken;
@@ -240,8 +218,28 @@ void SimulatedCamera::setListening(bool isListening) {
     }
 }
 
+bool SimulatedCamera::accepts(Stamp stamp, const Rigid3& pose) {
+    const Eigen::Vector3d& at = pose.translation;
+    if (stamp < Stamp::zero()) {
+        refuse(Refusal::Time, text("A pose came for ", stamp.count(),
+                                   " ns, before the simulation's beginning, and was not used."));
+        return false;
+    }
+    if (!(at.cwiseAbs().maxCoeff() <= kFarthestM) || !at.allFinite()) {
+        refuse(Refusal::Place, text("A pose at x ", at.x(), ", y ", at.y(), ", z ", at.z(),
+                                    " came and was not used; places are finite and within 10^7 m."));
+        return false;
+    }
+    if (!isPose(pose, kUnitTolerance)) {
+        refuse(Refusal::Rotation, text("A pose with the rotation ", componentsOf(pose.rotation),
+                                       " came and was not used; it is not a unit quaternion."));
+        return false;
+    }
+    return true;
+}
+
 void SimulatedCamera::takePose(Stamp stamp, const Rigid3& worldFromLink) {
-    if (!m_state->checkPose(stamp, worldFromLink)) {
+    if (!accepts(stamp, worldFromLink)) {
         return;
     }
     const Rigid3 pose{worldFromLink.rotation.normalized(), worldFromLink.translation};
@@ -262,7 +260,7 @@ void SimulatedCamera::takeOverlay(OverlayPart part, Stamp stamp, const RawPictur
     }
     if (stamp < Stamp::zero()) {
         refuse(Refusal::Time, text("A picture came for ", stamp.count(),
-                                    " ns, before the simulation's beginning, and was not used."));
+                                   " ns, before the simulation's beginning, and was not used."));
         return;
     }
     try {

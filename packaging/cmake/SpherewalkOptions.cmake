@@ -6,6 +6,8 @@ include(CMakeDependentOption)
 option(SPHEREWALK_RENDER_ONLY "Build the render library and what it links, nothing else" OFF)
 cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_GAZEBO "Build the camera for Gazebo, where its transport is found" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
 option(SPHEREWALK_TESTS "Build the tests" ON)
 option(SPHEREWALK_WERROR "Treat warnings as errors" OFF)
 option(SPHEREWALK_FUZZ "Build the libFuzzer programs (needs clang)" OFF)

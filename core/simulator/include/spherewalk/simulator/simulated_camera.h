@@ -59,6 +59,9 @@ class SimulatedCamera {
     /// forgotten. Costs next to nothing if it does not change.
     void setListening(bool isListening);
 
+    /// Whether this is a time and a pose; if not, it is refused.
+    bool accepts(Stamp stamp, const Rigid3& pose);
+
     /// The link's pose, of which CameraOptions::mounting makes the camera's. Range: quaternions within 1 % of
     /// unit length are normalised.
     void takePose(Stamp stamp, const Rigid3& worldFromLink);
