@@ -2,6 +2,7 @@
 #include "program/simulator_options.h"
 
 #include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/render/camera_info.h"
 
 #include <chrono>
 
@@ -46,6 +47,9 @@ void SimulatorOptions::declare(CLI::App& command) {
                     "Seconds of simulation time that a frame waits for pictures of the objects")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command.add_option("--overlay-camera", m_overlayCamera,
+                       "Camera that takes the pictures of the objects, if it is not the same: a ROS "
+                       "camera-info YAML");
 }
 
 simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& view, bool hasOverlay) const {
@@ -61,6 +65,9 @@ simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& vi
         overlay.roomLabels.assign(m_roomLabels.begin(), m_roomLabels.end());
         overlay.wait =
             std::chrono::duration_cast<simulator::Stamp>(std::chrono::duration<double>(m_overlayWaitS));
+        if (!m_overlayCamera.empty()) {
+            overlay.camera = render::readCameraInfo(m_overlayCamera);
+        }
     }
     options.validate();
     return options;

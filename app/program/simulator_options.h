@@ -14,7 +14,7 @@ namespace spherewalk::program {
 class SimulatorOptions {
   public:
     /// --rate, --pace, --late, --prefetch, --mount, --room-from-world, and the overlay's --objects-by,
-    /// --room-labels, --overlay-wait.
+    /// --room-labels, --overlay-wait, --overlay-camera.
     void declare(CLI::App& command);
 
     /// hasOverlay: whether pictures of objects are to come. Errors: InvalidInput with a sentence.
@@ -29,6 +29,7 @@ class SimulatorOptions {
     std::string m_objectsBy = "labels";
     std::vector<int> m_roomLabels = {0, 1};
     double m_overlayWaitS = 0.5;
+    std::string m_overlayCamera;
 };
 
 } // namespace spherewalk::program
