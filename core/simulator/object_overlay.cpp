@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace spherewalk::simulator {
@@ -63,7 +64,12 @@ void OverlayParts::take(OverlayParts&& other) {
 
 ObjectOverlay::ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
                              const CameraIntrinsics& camera, int threads)
-    : m_options(options), m_camera(camera), m_threads(threads), m_pool(threads) {
+    : m_options(options),
+      m_camera(camera),
+      m_threads(threads),
+      m_pool(threads),
+      m_nothing(camera.width, camera.height) {
+    std::fill(m_nothing.values().begin(), m_nothing.values().end(), std::numeric_limits<float>::infinity());
     for (const std::uint8_t label : options.roomLabels) {
         m_isRoom[label] = true;
     }
@@ -73,37 +79,45 @@ ObjectOverlay::ObjectOverlay(const OverlayOptions& options, const render::Datase
     }
 }
 
-render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFromCamera) {
+render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFromCamera,
+                                       render::SceneKind scene) {
     render::Overlay overlay;
     overlay.camera = m_camera;
     overlay.picture = RgbaImage(m_camera.width, m_camera.height);
+    switch (m_options.by) {
+    case ObjectsBy::Labels:
+        show(
+            parts, [&](int x, int y) { return !m_isRoom[*parts.labels.at(x, y)]; }, overlay.picture);
+        break;
+    case ObjectsBy::Depth:
+        show(
+            parts, [&](int x, int y) { return isNearer(*parts.depth.at(x, y), roomFromCamera, x, y); },
+            overlay.picture);
+        break;
+    case ObjectsBy::Alone:
+        show(
+            parts, [](int, int) { return true; }, overlay.picture);
+        break;
+    }
+    overlay.depth = std::move(parts.depth);
+    if (m_options.by != ObjectsBy::Alone && !render::hasSurfaces(scene)) {
+        overlay.roomDepth = m_nothing;
+    }
+    return overlay;
+}
+
+template <class IsObject>
+void ObjectOverlay::show(const OverlayParts& parts, const IsObject& isObject, RgbaImage& picture) {
     m_pool.run(m_camera.height, m_threads, [&](int y, int) {
+        const float* depth = parts.depth.at(0, y);
         for (int x = 0; x < m_camera.width; ++x) {
-            if (isObject(parts, roomFromCamera, x, y)) {
-                std::uint8_t* rgba = overlay.picture.at(x, y);
+            if (depth[x] > 0 && std::isfinite(depth[x]) && isObject(x, y)) {
+                std::uint8_t* rgba = picture.at(x, y);
                 std::copy_n(parts.colour.at(x, y), 3, rgba);
                 rgba[3] = 255;
             }
         }
     });
-    overlay.depth = std::move(parts.depth);
-    return overlay;
-}
-
-bool ObjectOverlay::isObject(const OverlayParts& parts, const Rigid3& roomFromCamera, int x, int y) const {
-    const float depth = *parts.depth.at(x, y);
-    if (!(depth > 0) || !std::isfinite(depth)) {
-        return false;
-    }
-    switch (m_options.by) {
-    case ObjectsBy::Labels:
-        return !m_isRoom[*parts.labels.at(x, y)];
-    case ObjectsBy::Depth:
-        return isNearer(depth, roomFromCamera, x, y);
-    case ObjectsBy::Alone:
-        break;
-    }
-    return true;
 }
 
 bool ObjectOverlay::isNearer(float depth, const Rigid3& roomFromCamera, int x, int y) const {

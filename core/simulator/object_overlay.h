@@ -23,11 +23,14 @@ class ObjectOverlay {
 
     const CameraIntrinsics& camera() const { return m_camera; }
 
-    /// Range: parts that are whole, of the camera's size.
-    render::Overlay overlay(OverlayParts parts, const Rigid3& roomFromCamera);
+    /// What hides the objects is the simulator's model of the room, and, of a scene model with surfaces or
+    /// where the simulator models no room (ObjectsBy::Alone), that of the view too. Range: parts that are
+    /// whole, of the camera's size.
+    render::Overlay overlay(OverlayParts parts, const Rigid3& roomFromCamera, render::SceneKind scene);
 
   private:
-    bool isObject(const OverlayParts& parts, const Rigid3& roomFromCamera, int x, int y) const;
+    template <class IsObject>
+    void show(const OverlayParts& parts, const IsObject& isObject, RgbaImage& picture);
     bool isNearer(float depth, const Rigid3& roomFromCamera, int x, int y) const;
 
     OverlayOptions m_options;
@@ -35,6 +38,7 @@ class ObjectOverlay {
     int m_threads;
     WorkerPool m_pool;
     std::array<bool, 256> m_isRoom{}; ///< of each label
+    DepthImage m_nothing;             ///< a room that hides nothing
     render::RoomShape m_room;         ///< ObjectsBy::Depth
     std::optional<render::PixelRays> m_rays;
 };

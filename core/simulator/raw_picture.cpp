@@ -63,14 +63,22 @@ const std::uint8_t* rowOf(const RawPicture& picture, int y, std::size_t rowBytes
 
 template <class Picture>
 Picture bytesOf(const RawPicture& picture, const CameraIntrinsics& camera, const Layout& layout) {
+    constexpr auto kValues = static_cast<std::size_t>(Picture::kChannels);
     Picture result(camera.width, camera.height);
-    const std::size_t rowBytes = static_cast<std::size_t>(camera.width) * layout.bytesPerPixel;
+    const std::array<std::size_t, 3> order = layout.from;
+    const std::size_t step = layout.bytesPerPixel;
+    const std::size_t rowBytes = static_cast<std::size_t>(camera.width) * step;
+    const bool isSame = step == kValues && order[0] == 0;
     for (int y = 0; y < camera.height; ++y) {
         const std::uint8_t* from = rowOf(picture, y, rowBytes);
         std::uint8_t* to = result.at(0, y);
-        for (int x = 0; x < camera.width; ++x, from += layout.bytesPerPixel, to += Picture::kChannels) {
-            for (std::size_t c = 0; c < Picture::kChannels; ++c) {
-                to[c] = from[layout.from[c]];
+        if (isSame) {
+            std::memcpy(to, from, rowBytes);
+            continue;
+        }
+        for (int x = 0; x < camera.width; ++x, from += step, to += kValues) {
+            for (std::size_t c = 0; c < kValues; ++c) {
+                to[c] = from[order[c]];
             }
         }
     }

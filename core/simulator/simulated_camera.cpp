@@ -183,7 +183,10 @@ void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
     render::ViewOptions view = options.view;
     view.overlays = {};
     if (due.overlay) {
-        overlay[0] = with.objects->overlay(std::move(*due.overlay), due.roomFromCamera);
+        const render::DatasetInfo& info = renderer.dataset().info();
+        const std::size_t photo = renderer.dataset().nearestPhoto(due.roomFromCamera.translation);
+        const render::SceneKind scene = view.scene.value_or(render::autoScene(info, photo, frame.camera));
+        overlay[0] = with.objects->overlay(std::move(*due.overlay), due.roomFromCamera, scene);
         view.overlays = overlay;
     }
     frame.stamp = due.stamp;

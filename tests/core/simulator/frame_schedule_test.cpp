@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame_schedule.h"
-
 #include "random.h"
 
 #include <gmock/gmock.h>

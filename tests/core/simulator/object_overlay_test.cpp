@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "object_overlay.h"
-
 #include "expect_error.h"
+#include "object_overlay.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -37,12 +36,13 @@ class Objects : public testing::Test {
     /// How many pixels are shown, all of which have the picture's colour.
     int shown(const OverlayOptions& options) {
         ObjectOverlay objects(options, dataset, camera, 1);
-        const render::Overlay overlay = objects.overlay(parts, pose);
+        const render::Overlay overlay = objects.overlay(parts, pose, render::SceneKind::Sphere);
         int count = 0;
         for (int y = 0; y < camera.height; ++y) {
             for (int x = 0; x < camera.width; ++x) {
                 const std::uint8_t* rgba = overlay.picture.at(x, y);
-                EXPECT_TRUE(rgba[3] == 0 || (rgba[3] == 255 && rgba[0] == *parts.colour.at(x, y))) << x << " " << y;
+                EXPECT_TRUE(rgba[3] == 0 || (rgba[3] == 255 && rgba[0] == *parts.colour.at(x, y)))
+                    << x << " " << y;
                 count += rgba[3] != 0 ? 1 : 0;
             }
         }
@@ -85,6 +85,19 @@ TEST_F(Objects, AreAllThatADepthCameraSeesThatSeesThemAlone) {
     OverlayOptions options;
     options.by = ObjectsBy::Alone;
     EXPECT_EQ(shown(options), 1);
+}
+
+TEST_F(Objects, AreHiddenByTheScenesSurfacesAndElseByTheSimulatorsRoomAlone) {
+    const auto hasOwnRoom = [this](ObjectsBy by, render::SceneKind scene) {
+        OverlayOptions options;
+        options.by = by;
+        return !ObjectOverlay(options, dataset, camera, 1).overlay(parts, pose, scene).roomDepth.empty();
+    };
+    EXPECT_TRUE(hasOwnRoom(ObjectsBy::Labels, render::SceneKind::Sphere));
+    EXPECT_TRUE(hasOwnRoom(ObjectsBy::Depth, render::SceneKind::None));
+    EXPECT_FALSE(hasOwnRoom(ObjectsBy::Labels, render::SceneKind::Depth));
+    EXPECT_FALSE(hasOwnRoom(ObjectsBy::Depth, render::SceneKind::Room));
+    EXPECT_FALSE(hasOwnRoom(ObjectsBy::Alone, render::SceneKind::Sphere));
 }
 
 TEST_F(Objects, CannotBeToldByDepthWithoutAnOutline) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/simulator/raw_picture.h"
-
 #include "expect_error.h"
+
+#include "spherewalk/simulator/raw_picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,9 +27,8 @@ TEST(RawPicture, ColoursOfAllOrdersAreRedGreenBlue) {
     const auto expected = ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12);
     EXPECT_THAT(colourOf(raw("rgb8", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}), kCamera).values(), expected);
     EXPECT_THAT(colourOf(raw("bgr8", {3, 2, 1, 6, 5, 4, 9, 8, 7, 12, 11, 10}), kCamera).values(), expected);
-    EXPECT_THAT(
-        colourOf(raw("bgra8", {3, 2, 1, 0, 6, 5, 4, 0, 9, 8, 7, 0, 12, 11, 10, 0}), kCamera).values(),
-        expected);
+    EXPECT_THAT(colourOf(raw("bgra8", {3, 2, 1, 0, 6, 5, 4, 0, 9, 8, 7, 0, 12, 11, 10, 0}), kCamera).values(),
+                expected);
 }
 
 TEST(RawPicture, RowsMayBePadded) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/simulator/calibration.h"
-#include "spherewalk/simulator/simulated_camera.h"
-
 #include "expect_error.h"
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/simulator/calibration.h"
+#include "spherewalk/simulator/simulated_camera.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
