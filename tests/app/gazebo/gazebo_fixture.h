@@ -113,8 +113,6 @@ class Simulation {
     explicit Simulation(const std::string& topic = "/model/robot/pose")
         : m_publisher(m_node.Advertise<gz::Pose_V>(topic)) {}
 
-    bool isHeard() const { return m_publisher.HasConnections(); }
-
     static Rigid3 cameraAt(double x, double yaw) {
         return {yawRotation(Radians(yaw)), Eigen::Vector3d(x, 0.5, 1)};
     }
