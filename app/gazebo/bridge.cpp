@@ -119,6 +119,7 @@ void Bridge::unsubscribeFromOverlay() {
 
 template <class Message>
 void Bridge::takePoses(const Message& message) {
+    const std::scoped_lock lock(m_mutex);
     if (!m_isRunning) {
         return;
     }
@@ -134,7 +135,9 @@ void Bridge::takePoses(const Message& message) {
     if (poses.empty()) {
         return;
     }
-    const std::scoped_lock lock(m_treeMutex);
+    for (NamedPose& pose : poses) {
+        pose.parentFromChild.rotation.normalize();
+    }
     const std::uint64_t missedBefore = m_tree.missedSteps();
     if (const std::optional<Rigid3> worldFromFrame = m_tree.add(poses)) {
         m_camera.setListening(hasListeners());
@@ -188,7 +191,10 @@ void Bridge::run(const std::stop_token& stop) {
     do {
         followListeners();
     } while (systemClock().sleep(kInterval, stop));
-    m_isRunning = false;
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_isRunning = false;
+    }
     m_camera.setListening(false);
     m_camera.waitUntilIdle();
 }

@@ -6,7 +6,6 @@
 
 #include "spherewalk/simulator/simulated_camera.h"
 
-#include <atomic>
 #include <mutex>
 #include <stop_token>
 #include <string>
@@ -65,9 +64,9 @@ class Bridge {
 
     const BridgeOptions m_options;
     const bool m_hasOverlay;
+    std::mutex m_mutex; ///< of what poses come to
     PoseTree m_tree;
-    std::mutex m_treeMutex;
-    std::atomic<bool> m_isRunning = true; ///< false: what still comes is not used
+    bool m_isRunning = true; ///< false: what still comes is not used
     std::uint64_t m_sequence = 0;
     program::Latencies m_latencies;
     msgs::Image m_image;

@@ -123,6 +123,20 @@ class GazeboObjects : public Gazebo {
         m_colour.Publish(colour);
     }
 
+    /// The picture of this stamp, with the objects in it.
+    static std::optional<gz::Image> laid(Listener& listener, Stamp stamp) {
+        for (const gz::Param& report : listener.reports()) {
+            if (stampOf(report.header()) == stamp && report.params().at("overlay").string_value() == "laid") {
+                for (const gz::Image& message : listener.images()) {
+                    if (stampOf(message.header()) == stamp) {
+                        return message;
+                    }
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
     bool isHeard() const {
         return m_colour.HasConnections() && m_depth.HasConnections() && m_labels.HasConnections();
     }
@@ -142,34 +156,36 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
     Simulation simulation;
     {
         Listener listener("/robot/front");
-        for (int i = 0; i < 3000 && !(listener.has(1) && isHeard()); ++i) {
+        for (int i = 0; i < 3000 && !listener.has(1); ++i) {
             simulation.robotAt(i * 1s, 0.3, 0); // each ends the wait for the one before
             std::this_thread::sleep_for(20ms);
         }
         ASSERT_TRUE(listener.has(1)) << program->errors();
         EXPECT_EQ(listener.reports().front().params().at("overlay").string_value(), "missing");
         expectPicture(listener.images().front(), expected(0.3, 0));
-
-        const Stamp stamp = std::chrono::hours(2) + 3ns;
+        Stamp stamp = std::chrono::hours(2) + 3ns;
+        for (int i = 0; i < 3000 && !laid(listener, stamp); ++i) { // the first pictures may be lost
+            stamp += 1s;
+            publish(stamp);
+            simulation.robotAt(stamp, 0.3, 0);
+            std::this_thread::sleep_for(20ms);
+        }
+        stamp += 1s;
         m_colour.Publish(image(stamp, gz::RGB_INT8)); // without pixels
         m_depth.Publish(image(stamp, gz::RGB_INT8));
         m_labels.Publish(image(stamp, gz::R_FLOAT32, 1 << 30));
         publish(stamp);
         simulation.robotAt(stamp, 0.8, 0.3);
-        std::optional<gz::Image> laid;
-        for (int i = 0; i < 3000 && !laid; ++i) {
-            for (const gz::Image& message : listener.images()) {
-                if (stampOf(message.header()) == stamp) {
-                    laid = message;
-                }
-            }
+        for (int i = 0; i < 3000 && !laid(listener, stamp); ++i) {
             std::this_thread::sleep_for(20ms);
         }
-        ASSERT_TRUE(laid) << program->errors();
+        const std::optional<gz::Image> picture = laid(listener, stamp);
+        ASSERT_TRUE(picture) << program->errors();
         const RgbImage photo = expected(0.8, 0.3);
         for (int y = 0; y < 120; ++y) {
             for (int x = 0; x < 160; ++x) {
-                const std::string seen = laid->data().substr(static_cast<std::size_t>(3 * (160 * y + x)), 3);
+                const std::string seen =
+                    picture->data().substr(static_cast<std::size_t>(3 * (160 * y + x)), 3);
                 const std::string wanted =
                     isObject(x, y) ? "\x0a\xc8\x14"
                                    : std::string(reinterpret_cast<const char*>(photo.at(x, y)), 3);
@@ -183,7 +199,7 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
     }
     EXPECT_FALSE(isHeard());
     const Json summary = end();
-    EXPECT_EQ(summary["overlays_laid"], 1);
+    EXPECT_GE(summary["overlays_laid"].get<int>(), 2);
     EXPECT_EQ(summary["refused"]["size"], 1);
     EXPECT_EQ(summary["refused"]["encoding"], 2);
 }

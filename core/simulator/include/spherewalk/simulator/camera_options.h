@@ -13,7 +13,8 @@ namespace spherewalk::simulator {
 /// What becomes of a frame whose turn comes before the one before it is rendered.
 enum class Pace {
     Newest, ///< frames that are late are left out: for a simulation that runs by itself
-    Every,  ///< all are rendered in turn: for lock-step and recordings
+    Every,  ///< all are rendered in turn, for lock-step and recordings; the oldest of more than 256 is left
+            ///< out
 };
 
 /// "newest", "every". Errors of the latter: InvalidInput.
