@@ -4,7 +4,6 @@
 #include "frame_schedule.h"
 #include "object_overlay.h"
 
-#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/pose_check.h"
@@ -20,7 +19,6 @@ namespace spherewalk::simulator {
 
 namespace {
 
-constexpr EnumNames<Pace, 2> kPaces{{{Pace::Newest, "newest"}, {Pace::Every, "every"}}};
 constexpr double kFarthestM = 1e7;
 constexpr double kUnitTolerance = 0.01;
 
@@ -50,25 +48,6 @@ std::string componentsOf(const Eigen::Quaterniond& q) {
 }
 
 } // namespace
-
-std::string_view name(Pace pace) {
-    return nameOf(kPaces, pace);
-}
-
-Pace pace(std::string_view name) {
-    return valueOf(kPaces, "The pace", name);
-}
-
-void CameraOptions::validate() const {
-    if (!(rateHz >= 0 && rateHz <= 1000)) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("A camera cannot give ", rateHz, " frames a second; ask for 0 to 1000."));
-    }
-    mounting.validate();
-    if (overlay) {
-        overlay->validate();
-    }
-}
 
 /// What makes frames with one camera model; used by the rendering thread alone.
 struct FrameMaker {
