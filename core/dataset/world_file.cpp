@@ -135,7 +135,7 @@ std::string overlaySensors(const CameraIntrinsics& camera) {
 
 std::string lidar() {
     return "<sensor name=\"lidar\" type=\"gpu_lidar\">\n"
-           "<pose>0 0 0.15 0 0 0</pose>\n"
+           "<pose>0 0 0.25 0 0 0</pose>\n"
            "<always_on>1</always_on><update_rate>10</update_rate><topic>robot/lidar</topic>\n"
            "<lidar><scan><horizontal><samples>360</samples><min_angle>-3.14159</min_angle>"
            "<max_angle>3.14159</max_angle></horizontal></scan>\n"
@@ -152,7 +152,7 @@ std::string inertia(double massKg) {
 std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
     const Eigen::Vector3d& at = room.cameraAt;
     const std::string body =
-        solid("body", pose(0, 0, 0.11),
+        solid("body", pose(0, 0, 0.1),
               tag("geometry", tag("cylinder", tag("radius", text(0.15)) + tag("length", text(0.2)))),
               kHiddenFromCamera, material(0.2, 0.3, 0.5));
     const std::string poses =

@@ -49,8 +49,13 @@ dataset::WorldRoom roomOfSurvey(const std::filesystem::path& folder) {
     const auto store = store::SurveyStore::open(folder, store::Access::Read);
     const survey::Room room = store.room();
     std::vector<Eigen::Vector3d> places;
-    for (const auto& station : store.stations()) {
-        places.push_back(station.station.positionM);
+    for (const store::PhotoRecord& photo : store.keptPhotos()) {
+        places.push_back(photo.positionM);
+    }
+    if (places.empty()) {
+        for (const store::StationRecord& station : store.stations()) {
+            places.push_back(station.station.positionM);
+        }
     }
     return {store.info().name, room.outline, 0, room.ceilingM, mostCentral(places, folder)};
 }

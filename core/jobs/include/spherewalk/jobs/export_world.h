@@ -7,9 +7,9 @@
 
 namespace spherewalk::jobs {
 
-/// The room of a survey or of a dataset, whichever the folder is; the robot's camera begins at the photo, or
-/// the station, that is nearest to the middle of them all. Errors: those of opening it; InvalidInput for a
-/// folder without photos or stations.
+/// The room of a survey or of a dataset, whichever the folder is; the robot's camera begins at the photo, or,
+/// while there is none, at the station that is nearest to the middle of them all. Errors: those of opening
+/// it; InvalidInput for a folder without photos or stations.
 dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder);
 
 /// Writes world.sdf and camera.yaml, the camera that it is for, into a new folder. Errors: Exists, Full, Io;
