@@ -23,8 +23,8 @@ struct Layout {
     std::array<std::size_t, 3> from; ///< the bytes of the pixel's values in turn
 };
 
-const Layout& layoutOf(const RawPicture& picture, std::string_view whose,
-                       const std::initializer_list<Layout>& known) {
+Layout layoutOf(const RawPicture& picture, std::string_view whose,
+                const std::initializer_list<Layout>& known) {
     std::string list;
     for (const Layout& layout : known) {
         if (layout.encoding == picture.encoding) {
@@ -104,7 +104,7 @@ DepthImage scaledOf(const RawPicture& picture, const CameraIntrinsics& camera, f
 } // namespace
 
 RgbImage colourOf(const RawPicture& picture, const CameraIntrinsics& camera) {
-    const Layout& layout = layoutOf(
+    const Layout layout = layoutOf(
         picture, "colour",
         {{"rgb8", 3, {0, 1, 2}}, {"bgr8", 3, {2, 1, 0}}, {"rgba8", 4, {0, 1, 2}}, {"bgra8", 4, {2, 1, 0}}});
     checkSize(picture, "colour", camera, layout.bytesPerPixel);
@@ -112,7 +112,7 @@ RgbImage colourOf(const RawPicture& picture, const CameraIntrinsics& camera) {
 }
 
 DepthImage depthOf(const RawPicture& picture, const CameraIntrinsics& camera) {
-    const Layout& layout = layoutOf(picture, "depth", {{"32FC1", 4, {}}, {"16UC1", 2, {}}});
+    const Layout layout = layoutOf(picture, "depth", {{"32FC1", 4, {}}, {"16UC1", 2, {}}});
     checkSize(picture, "depth", camera, layout.bytesPerPixel);
     if (picture.isBigEndian) {
         throw Error(ErrorKind::Unsupported, "A depth picture came with its highest bytes first and was not "
