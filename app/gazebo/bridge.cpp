@@ -176,7 +176,7 @@ void Bridge::publish(const simulator::Frame& frame) {
         setHeader(*header, frame.stamp, m_options.frameId, m_sequence);
     }
     ++m_sequence;
-    setCameraInfo(m_info, simulator::calibration(frame.camera));
+    setCameraInfo(m_info, calibration(frame.camera));
     setImage(m_image, frame.view.picture);
     m_infoPublisher.Publish(m_info);
     m_imagePublisher.Publish(m_image);

@@ -142,7 +142,7 @@ void setImage(msgs::Image& message, const RgbImage& picture) {
     message.set_data(picture.values().data(), picture.values().size());
 }
 
-void setCameraInfo(msgs::CameraInfo& message, const simulator::Calibration& calibration) {
+void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration) {
     using Distortion = msgs::CameraInfo::Distortion;
     message.set_width(static_cast<std::uint32_t>(calibration.width));
     message.set_height(static_cast<std::uint32_t>(calibration.height));

@@ -4,7 +4,7 @@
 #include "middleware.h"
 #include "pose_tree.h"
 
-#include "spherewalk/simulator/calibration.h"
+#include "spherewalk/geometry/calibration.h"
 #include "spherewalk/simulator/frame.h"
 #include "spherewalk/simulator/raw_picture.h"
 
@@ -28,7 +28,7 @@ void setHeader(msgs::Header& header, simulator::Stamp stamp, const std::string& 
                std::uint64_t sequence);
 
 void setImage(msgs::Image& message, const RgbImage& picture);
-void setCameraInfo(msgs::CameraInfo& message, const simulator::Calibration& calibration);
+void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 
 /// What the picture of the same stamp was made from: trust, late, outside, overlay, photo, origin, offset_m,
 /// parallax_px, render_ms, latency_ms.

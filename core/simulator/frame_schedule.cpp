@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame_schedule.h"
 
+#include "spherewalk/geometry/interpolation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -93,19 +95,35 @@ void FrameSchedule::forgetOld() {
     }
 }
 
+std::optional<FrameSchedule::Pose> FrameSchedule::poseAt(Stamp stamp) const {
+    const auto after = m_recent.lower_bound(stamp);
+    if (after == m_recent.end()) {
+        return std::nullopt;
+    }
+    if (after->first == stamp) {
+        return after->second;
+    }
+    if (!m_options.overlay->interpolatesPoses || after == m_recent.begin()) {
+        return std::nullopt;
+    }
+    const auto before = std::prev(after);
+    const double share = static_cast<double>((stamp - before->first).count()) /
+                         static_cast<double>((after->first - before->first).count());
+    return Pose{interpolated(before->second.roomFromCamera, after->second.roomFromCamera, share),
+                after->second.takenAt};
+}
+
 std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
     const auto& [number, first] = slot;
     if (!m_options.overlay) {
         return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, {}};
     }
-    for (auto it = m_overlays.lower_bound(first.stamp); it != m_overlays.end(); ++it) {
-        const auto pose = m_recent.find(it->first);
-        if (slotOf(it->first) != number) {
-            break;
+    for (auto it = m_overlays.begin(); it != m_overlays.end(); ++it) {
+        if (slotOf(it->first) != number || !it->second.isWhole(m_options.overlay->by)) {
+            continue;
         }
-        if (pose != m_recent.end() && it->second.isWhole(m_options.overlay->by)) {
-            DueFrame frame{it->first, pose->second.roomFromCamera, pose->second.takenAt,
-                           std::move(it->second)};
+        if (const std::optional<Pose> pose = poseAt(it->first)) {
+            DueFrame frame{it->first, pose->roomFromCamera, pose->takenAt, std::move(it->second)};
             m_overlays.erase(it);
             return frame;
         }

@@ -61,6 +61,7 @@ class FrameSchedule {
     using Slots = std::map<std::int64_t, Slot>;
 
     std::int64_t slotOf(Stamp stamp) const;
+    std::optional<Pose> poseAt(Stamp stamp) const; ///< of the recent ones
     std::optional<DueFrame> frameOf(const Slots::value_type& slot);
     std::optional<DueFrame> take(Slots::iterator slot);
     void forgetOld();

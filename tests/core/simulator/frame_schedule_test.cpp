@@ -162,6 +162,21 @@ TEST_F(Schedule, AFrameMovesToThePoseInItsSlotThatHasAnOverlay) {
     EXPECT_THAT(frames(), IsEmpty()); // the slot has had its frame
 }
 
+TEST_F(Schedule, AnOverlayBetweenTwoPosesIsOfThePoseBetweenThemWhereThatIsWanted) {
+    want(30, Pace::Every, 500ms);
+    options.overlay->interpolatesPoses = true;
+    pose(34ms);
+    pose(50ms);
+    overlay(40ms);
+    overlay(55ms); // beyond the newest pose, and later in the same slot
+    const auto frame = schedule.next();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->stamp, 40ms);
+    EXPECT_NEAR(frame->roomFromCamera.translation.x(), 0.040, 1e-12);
+    EXPECT_TRUE(frame->overlay);
+    EXPECT_FALSE(schedule.next());
+}
+
 TEST_F(Schedule, OverlaysThatFitNothingAreCountedAndForgotten) {
     want(10, Pace::Newest, 200ms);
     pose(0ms);

@@ -4,7 +4,6 @@
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/simulator/calibration.h"
 #include "spherewalk/simulator/simulated_camera.h"
 
 #include <gmock/gmock.h>
@@ -283,18 +282,6 @@ TEST_F(InTheSimulator, RefusesOptionsOutOfRange) {
     options.overlay.reset();
     options.mounting.roomFromWorld.rotation = Quaterniond(0, 0, 0, 0);
     test::expectError(ErrorKind::InvalidInput, "unit quaternions", [this] { make(); });
-}
-
-TEST(Calibration, IsWhatRosAndGazeboCallIt) {
-    const Calibration pinhole = calibration({640, 480, 500, 501, 319.5, 239.5, LensModel::Pinhole, {}});
-    EXPECT_EQ(pinhole.distortionModel, "plumb_bob");
-    EXPECT_THAT(pinhole.d, ElementsAre(0, 0, 0, 0, 0));
-    EXPECT_THAT(pinhole.k, ElementsAre(500, 0, 319.5, 0, 501, 239.5, 0, 0, 1));
-    EXPECT_THAT(pinhole.p, ElementsAre(500, 0, 319.5, 0, 0, 501, 239.5, 0, 0, 0, 1, 0));
-    const Calibration fisheye =
-        calibration({640, 480, 300, 300, 320, 240, LensModel::Equidistant, {0.1, 0.2, 0.3, 0.4}});
-    EXPECT_EQ(fisheye.distortionModel, "equidistant");
-    EXPECT_THAT(fisheye.d, ElementsAre(0.1, 0.2, 0.3, 0.4));
 }
 
 } // namespace

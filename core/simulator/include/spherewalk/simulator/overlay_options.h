@@ -34,6 +34,9 @@ struct OverlayOptions {
     double nearerShare = 0.01;
     /// How much later, in simulation time, a pose may be before a frame is rendered without an overlay.
     Stamp wait = std::chrono::milliseconds(500);
+    /// Whether an overlay between two poses is laid into the frame of the pose between them; if not, only
+    /// that of exactly its stamp will do.
+    bool interpolatesPoses = false;
     std::optional<CameraIntrinsics> camera; ///< that took the pictures; nothing: the simulated one
 
     /// Errors: InvalidInput with a sentence for what is out of range: wait up to 10 s, distances 0 or more.

@@ -34,7 +34,8 @@ struct CameraCounters {
 /// What comes in is not believed: poses that are none and pictures that do not fit are counted, told of as
 /// Refusals says, and change nothing. A pose far from the room is rendered, with trust 0.
 ///
-/// An overlay is laid into the frame of exactly its stamp. A frame waits for it until a pose comes that is
+/// An overlay is laid into the frame of exactly its stamp, whose pose may be one between two that came
+/// (OverlayOptions::interpolatesPoses). A frame waits for it until a pose comes that is
 /// OverlayOptions::wait later; then it is rendered without, and counted. So in lock-step nothing is rendered
 /// without an overlay while the simulation stands still.
 ///

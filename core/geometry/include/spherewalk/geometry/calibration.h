@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
-
-#include "spherewalk/geometry/camera_model.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-namespace spherewalk::simulator {
+namespace spherewalk {
+
+struct CameraIntrinsics;
 
 /// A camera as sensor_msgs/CameraInfo and gz.msgs.CameraInfo carry it. Shape: k and r are 3 x 3, p is 3 x 4,
 /// row after row.
@@ -23,4 +23,9 @@ struct Calibration {
 
 Calibration calibration(const CameraIntrinsics& camera);
 
-} // namespace spherewalk::simulator
+/// The camera that a calibration from outside describes; its r and p concern rectified pictures and are not
+/// looked at. Errors: InvalidInput for numbers that describe no camera; Unsupported for a distortion model
+/// that is none of ours, and for a k with other entries than focal lengths and centre.
+CameraIntrinsics intrinsicsOf(const Calibration& calibration);
+
+} // namespace spherewalk
