@@ -20,6 +20,7 @@ struct Options {
     program::StreamOptions stream;
     std::string ball;
     std::vector<std::string> formats;
+    std::string bagPictures = "raw";
     std::string shard = "1/1";
 };
 
@@ -36,8 +37,13 @@ Result walk(const Options& options, Context& context) {
     }
     walkOptions.shard = jobs::Shard::parse(options.shard);
     for (const std::string& format : options.formats) {
-        walkOptions.formats.push_back(dataset::poseFormat(format));
+        if (format == "rosbag" || format == "mcap") {
+            walkOptions.bags.push_back(dataset::bagFormat(format));
+        } else {
+            walkOptions.formats.push_back(dataset::poseFormat(format));
+        }
     }
+    walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
     const std::string known =
@@ -66,8 +72,13 @@ void addWalk(Commands& commands) {
     command
         .add_option("--format", options->formats,
                     "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "
-                    "nerfstudio; can be repeated")
-        ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio"}));
+                    "nerfstudio; or frames and poses as ROS messages: rosbag or mcap; can be repeated")
+        ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio", "rosbag", "mcap"}));
+    command
+        .add_option("--bag-pictures", options->bagPictures,
+                    "Frames in a bag: raw (sensor_msgs/Image) or png (CompressedImage, smaller)")
+        ->check(CLI::IsMember({"raw", "png"}))
+        ->capture_default_str();
     command
         .add_option(
             "--shard", options->shard,
