@@ -2,12 +2,11 @@
 #pragma once
 
 #include "command.h"
+#include "program/render_options.h"
 
 #include "spherewalk/jobs/robot_pictures.h"
-#include "spherewalk/render/renderer.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,16 +18,19 @@ class DatasetOptions {
     void declare(CLI::App& command);
 
     /// As it was given: for a command that takes a survey too.
-    const std::string& folder() const { return m_dataset; }
+    const std::string& folder() const { return m_render.folder(); }
 
-    CameraModel cameraModel() const;
-    render::ViewOptions viewOptions() const;
+    CameraModel cameraModel() const { return m_render.cameraModel(); }
+
+    render::ViewOptions viewOptions() const { return m_render.viewOptions(); }
 
     /// With hashes compared when the dataset is opened, or photo by photo.
-    render::Renderer renderer(Context& context) const { return renderer(context, m_dataset); }
+    render::Renderer renderer(Context& context) const { return renderer(context, folder()); }
 
     /// Of another dataset, in place of the one that was given.
-    render::Renderer renderer(Context& context, const std::filesystem::path& dataset) const;
+    render::Renderer renderer(Context& context, const std::filesystem::path& dataset) const {
+        return m_render.renderer(dataset, context.progress, context.stop);
+    }
 
     /// A robot's pictures, whose poses are of the frame that the user named.
     std::vector<jobs::RobotPicture> robotPictures(const std::filesystem::path& csv) const;
@@ -37,13 +39,8 @@ class DatasetOptions {
     Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
 
   private:
-    std::string m_dataset;
-    std::string m_camera;
+    program::RenderOptions m_render;
     std::string m_frame = "optical";
-    std::string m_scene = "auto";
-    std::string m_sampling = "footprint";
-    int m_threads = 0;
-    bool m_noVerify = false;
 };
 
 } // namespace spherewalk::cli

@@ -5,6 +5,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_chosen.h"
 #include "spherewalk/jobs/export_foreign.h"
+#include "spherewalk/jobs/export_world.h"
 #include "spherewalk/jobs/measure_survey.h"
 #include "spherewalk/render/camera_info.h"
 
@@ -95,7 +96,21 @@ Result exportForeign(const Options& options, const store::SurveyStore& store, Co
                  options.format, " to ", options.dataset, ".")};
 }
 
+/// Of a VGA camera, if none is named.
+Result exportWorld(const Options& options) {
+    const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
+                                                           : render::readCameraInfo(options.camera);
+    const dataset::WorldRoom room = jobs::worldRoomOf(options.survey);
+    jobs::exportWorld(room, camera, options.dataset);
+    return {{{"folder", options.dataset}, {"walls", room.outline.size()}},
+            text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
+                 " walls with a robot in it, and camera.yaml.")};
+}
+
 Result exportSurvey(const Options& options, Context& context) {
+    if (options.format == "sdf") {
+        return exportWorld(options);
+    }
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     if (options.format != "spherewalk") {
         return exportForeign(options, store, context);
@@ -116,7 +131,8 @@ void addExport(Commands& commands) {
         commands.add("export", "Export a survey as a dataset for simulators", [options](Context& context) {
             return options->isCheck ? check(*options, context) : exportSurvey(*options, context);
         });
-    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command.add_option("survey", options->survey, "Folder of the survey; with --format sdf, or of a dataset")
+        ->required();
     command.add_option("dataset", options->dataset, "Folder to make")->required();
     command
         .add_option("--restart-every", options->write.write.mcusPerInterval,
@@ -127,9 +143,9 @@ void addExport(Commands& commands) {
     command
         .add_option(
             "--format", options->format,
-            "What for: spherewalk's own simulators, or pictures with poses as colmap, nerfstudio, tum, "
-            "kitti or euroc read them")
-        ->check(CLI::IsMember({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc"}))
+            "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
+            "euroc read them, or the room as a world for Gazebo (sdf)")
+        ->check(CLI::IsMember({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf"}))
         ->capture_default_str();
     command.add_flag("--faces", options->withFaces,
                      "With another format, the six faces of a cube instead of each photo");
@@ -141,8 +157,9 @@ void addExport(Commands& commands) {
                     "the tolerance; the cheaper ones come with it")
         ->check(CLI::IsMember({"sphere", "room", "depth", "auto"}))
         ->capture_default_str();
-    command.add_option("--camera", options->camera,
-                       "Camera that a scene model is chosen for: a ROS camera-info YAML");
+    command.add_option(
+        "--camera", options->camera,
+        "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML");
     command
         .add_option("--tolerance", options->measure.tolerancePx,
                     "Pixels of that camera that 95 of 100 places may be displaced by")

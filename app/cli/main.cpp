@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
+#include "program/program.h"
+#include "program/stop_on_signal.h"
 #include "terminal.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/text.h"
 
 #include <cstdio>
-#include <exception>
-#include <string>
 
 namespace spherewalk::cli {
 
 namespace {
-
-enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kStopped = 3 };
 
 void declareCommands(Commands& commands) {
     addNew(commands);
@@ -37,36 +34,22 @@ void declareCommands(Commands& commands) {
     addDemo(commands);
 }
 
-void print(std::FILE* stream, const std::string& line) {
-    std::fputs((line + "\n").c_str(), stream);
-}
-
-int fail(const Error& error, bool json) {
-    if (json) {
-        const Json report = {{"error", {{"kind", name(error.kind())}, {"sentence", error.sentence()}}}};
-        print(stdout, report.dump());
-    }
-    print(stderr, error.sentence());
-    if (!error.context().empty()) {
-        print(stderr, text("  (", error.context(), ")"));
-    }
-    return error.kind() == ErrorKind::Stopped ? kStopped : kFailed;
-}
-
 int run(const Commands& commands, const std::stop_token& stop) {
-    try {
-        TerminalProgress progress;
-        Context context{progress, stop, commands.json()};
-        const Result result = commands.chosen()(context);
-        print(stdout, commands.json() ? result.json.dump() : result.text);
-        return result.succeeded ? kDone : kFailed;
-    } catch (const Error& error) {
-        return fail(error, commands.json());
-    } catch (const std::exception& defect) { // whatever no module translated
-        return fail(
-            Error(ErrorKind::Internal, text("Spherewalk met a defect of its own: ", defect.what(), ".")),
-            commands.json());
-    }
+    return program::guarded(
+        [&] {
+            TerminalProgress progress;
+            Context context{progress, stop, commands.json()};
+            const Result result = commands.chosen()(context);
+            program::printLine(stdout, commands.json() ? result.json.dump() : result.text);
+            return result.succeeded ? program::kDone : program::kFailed;
+        },
+        [&](const Error& error) {
+            if (commands.json()) {
+                const Json report = {
+                    {"error", {{"kind", name(error.kind())}, {"sentence", error.sentence()}}}};
+                program::printLine(stdout, report.dump());
+            }
+        });
 }
 
 int runProgram(int argc, char** argv) {
@@ -79,9 +62,9 @@ int runProgram(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const int status = app.exit(error);
-        return status == 0 ? kDone : kUsage;
+        return status == 0 ? program::kDone : program::kUsage;
     }
-    const StopOnSignal signals;
+    const program::StopOnSignal signals;
     return run(commands, signals.token());
 }
 

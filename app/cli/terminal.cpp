@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <poll.h>
 #include <termios.h>
 #include <unistd.h>
@@ -19,14 +17,6 @@ namespace spherewalk::cli {
 namespace {
 
 using namespace std::chrono_literals;
-
-sigset_t stopSignals() {
-    sigset_t signals;
-    ::sigemptyset(&signals);
-    ::sigaddset(&signals, SIGINT);
-    ::sigaddset(&signals, SIGTERM);
-    return signals;
-}
 
 void print(const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stderr);
@@ -72,28 +62,6 @@ void TerminalProgress::warning(std::string_view sentence) {
     clearLine();
     print(text(sentence, "\n"));
 }
-
-StopOnSignal::StopOnSignal() {
-    const sigset_t signals = stopSignals();
-    ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    ::signal(SIGPIPE, SIG_IGN); // a broken pipe and a file size limit are errors of the call
-    ::signal(SIGXFSZ, SIG_IGN);
-    m_thread = std::jthread([this](const std::stop_token& end) {
-        const sigset_t waitedFor = stopSignals();
-        const timespec interval{0, 100'000'000};
-        int count = 0;
-        while (!end.stop_requested()) {
-            if (::sigtimedwait(&waitedFor, nullptr, &interval) > 0 && ++count == 1) {
-                print("\nStopping; press Ctrl-C again to end at once.\n");
-                m_stop.request_stop();
-            } else if (count > 1) {
-                ::_exit(3);
-            }
-        }
-    });
-}
-
-StopOnSignal::~StopOnSignal() = default;
 
 std::optional<std::string> readLine(const std::stop_token& stop) {
     static std::string buffer;

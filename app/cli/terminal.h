@@ -9,7 +9,6 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
-#include <thread>
 
 namespace spherewalk::cli {
 
@@ -31,22 +30,6 @@ class TerminalProgress : public ProgressSink {
     std::chrono::steady_clock::time_point m_nextShow;
     bool m_isTerminal;
     bool m_lineIsShown = false;
-};
-
-/// Turns the first SIGINT or SIGTERM into a request to stop, and the second into the end of the program. It
-/// must be made before any other thread, which inherit the blocked signals from it.
-class StopOnSignal {
-  public:
-    StopOnSignal();
-    ~StopOnSignal();
-    StopOnSignal(const StopOnSignal&) = delete;
-    StopOnSignal& operator=(const StopOnSignal&) = delete;
-
-    std::stop_token token() const { return m_stop.get_token(); }
-
-  private:
-    std::stop_source m_stop;
-    std::jthread m_thread;
 };
 
 /// The next line of standard input, without its end; nothing at the end of input. Errors: Stopped.

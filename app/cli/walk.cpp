@@ -17,11 +17,11 @@ struct Options {
     DatasetOptions dataset;
     std::string path;
     std::string out;
-    std::string late = "wait";
+    program::StreamOptions stream;
     std::string ball;
     std::vector<std::string> formats;
+    std::string bagPictures = "raw";
     std::string shard = "1/1";
-    double prefetchS = render::StreamOptions().prefetchSeconds;
 };
 
 Result walk(const Options& options, Context& context) {
@@ -31,15 +31,19 @@ Result walk(const Options& options, Context& context) {
     }
     const CameraModel camera = options.dataset.cameraModel();
     const render::Renderer renderer = options.dataset.renderer(context);
-    jobs::WalkOptions walkOptions{options.dataset.viewOptions(),
-                                  {render::latePolicy(options.late), options.prefetchS}};
+    jobs::WalkOptions walkOptions{options.dataset.viewOptions(), options.stream.options()};
     if (!options.ball.empty()) {
         walkOptions.ball = jobs::parseBall(options.ball);
     }
     walkOptions.shard = jobs::Shard::parse(options.shard);
     for (const std::string& format : options.formats) {
-        walkOptions.formats.push_back(dataset::poseFormat(format));
+        if (format == "rosbag" || format == "mcap") {
+            walkOptions.bags.push_back(dataset::bagFormat(format));
+        } else {
+            walkOptions.formats.push_back(dataset::poseFormat(format));
+        }
     }
+    walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
     const std::string known =
@@ -64,21 +68,17 @@ void addWalk(Commands& commands) {
     command.add_option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"")->required();
     command.add_option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
         ->required();
-    command
-        .add_option("--late", options->late,
-                    "What a frame is made from when its photo is not decoded yet: wait for it, coarse (the "
-                    "thumbnail), or previous (the photo before)")
-        ->check(CLI::IsMember({"wait", "coarse", "previous"}))
-        ->capture_default_str();
-    command
-        .add_option("--prefetch", options->prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+    options->stream.declare(command);
     command
         .add_option("--format", options->formats,
                     "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "
-                    "nerfstudio; can be repeated")
-        ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio"}));
+                    "nerfstudio; or frames and poses as ROS messages: rosbag or mcap; can be repeated")
+        ->check(CLI::IsMember({"tum", "kitti", "euroc", "colmap", "nerfstudio", "rosbag", "mcap"}));
+    command
+        .add_option("--bag-pictures", options->bagPictures,
+                    "Frames in a bag: raw (sensor_msgs/Image) or png (CompressedImage, smaller)")
+        ->check(CLI::IsMember({"raw", "png"}))
+        ->capture_default_str();
     command
         .add_option(
             "--shard", options->shard,

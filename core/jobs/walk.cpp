@@ -29,6 +29,14 @@ std::string frameName(std::size_t frame) {
     return std::string(6 - std::min<std::size_t>(6, number.size()), '0') + number + ".png";
 }
 
+std::vector<std::filesystem::path> frameFiles(std::size_t frames, const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < frames; ++i) {
+        files.push_back(folder / frameName(i));
+    }
+    return files;
+}
+
 constexpr std::string_view kColumns =
     "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust";
 constexpr std::string_view kTimeColumns = "frame,decode_ms,render_ms,origin,late";
@@ -80,6 +88,10 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
     writeFile(folder / "index.csv", bytesOf(index));
     writeFile(folder / "times.csv", bytesOf(times));
     writePoses(options.formats, camera, path, folder);
+    for (const dataset::BagFormat format : options.bags) {
+        writeWalkBag(format, options.bagPictures, camera.intrinsics(), path, frameFiles(path.size(), folder),
+                     folder / text("walk.", extension(format)));
+    }
     const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
     std::vector<RgbImage> sheet;
     for (std::size_t i = 0; i < path.size(); i += sheetStep) {
@@ -93,6 +105,9 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
+    if (!options.bags.empty()) {
+        requireRosTimes(path);
+    }
     ensureFolder(folder);
     WalkJournal journal(folder, walkKey(renderer.dataset().info(), camera, path, options), options.shard);
     const auto isThere = [&](std::size_t frame) {

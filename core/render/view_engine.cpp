@@ -214,7 +214,9 @@ void ViewEngine::addLayers(const ViewRequest& request, const ViewPlan& plan, con
     const ViewGeometry geometry{
         *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
         plan.radiusM};
-    if (options.wantsDepth || !options.overlays.empty()) {
+    const bool needDepth = std::any_of(options.overlays.begin(), options.overlays.end(),
+                                       [](const Overlay& overlay) { return overlay.roomDepth.empty(); });
+    if (options.wantsDepth || needDepth) {
         view.depth = plan.surface ? std::move(depth) : viewDepth(geometry, pool, threads);
     }
     if (!options.overlays.empty()) {

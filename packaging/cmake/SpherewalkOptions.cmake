@@ -6,6 +6,14 @@ include(CMakeDependentOption)
 option(SPHEREWALK_RENDER_ONLY "Build the render library and what it links, nothing else" OFF)
 cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_GAZEBO "Build the camera for Gazebo, where its transport is found" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_ROS1 "Build the camera of ROS 1, where roscpp is found" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_DDS "Build the camera of ROS 2 that needs no ROS, where Cyclone DDS is found" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_RCLCPP "Build the camera of ROS 2, where rclcpp is found" ON
+                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
 option(SPHEREWALK_TESTS "Build the tests" ON)
 option(SPHEREWALK_WERROR "Treat warnings as errors" OFF)
 option(SPHEREWALK_FUZZ "Build the libFuzzer programs (needs clang)" OFF)

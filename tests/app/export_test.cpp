@@ -53,6 +53,25 @@ TEST(ExportCommand, CutsPhotosIntoFacesThatColmapReads) {
     EXPECT_THAT(again.errors, HasSubstr("exists already"));
 }
 
+TEST(ExportCommand, MakesTheSameWorldOfASurveyAndOfItsDataset) {
+    const test::PhotographedSurvey survey{4};
+    const std::string camera = writeSmallCamera(survey / "c.yaml");
+    const std::string dataset = survey / "d";
+    ASSERT_EQ(runCli({"export", survey.path(), dataset}).status, 0);
+    for (const std::string& from : {survey.path().string(), dataset}) {
+        const CliResult made =
+            runCli({"export", from, from + ".world", "--format", "sdf", "--camera", camera});
+        ASSERT_EQ(made.status, 0) << made.errors;
+        EXPECT_THAT(made.output, HasSubstr("4 walls"));
+    }
+    const std::string world = readTextFile(dataset + ".world/world.sdf");
+    EXPECT_EQ(world, readTextFile(survey.path().string() + ".world/world.sdf"));
+    EXPECT_THAT(world, HasSubstr("<fx>120</fx><fy>120</fy><cx>80</cx><cy>60</cy>"));
+    EXPECT_THAT(readTextFile(dataset + ".world/camera.yaml"),
+                HasSubstr("data: [120, 0, 79.5, 0, 120, 59.5,"));
+    EXPECT_EQ(runCli({"export", dataset, dataset + ".world", "--format", "sdf"}).status, 1);
+}
+
 TEST(ExportCommand, GivesNerfstudioThePhotosAsTheyAre) {
     const test::PhotographedSurvey survey{2};
     ASSERT_EQ(runCli({"export", survey.path(), survey / "n", "--format", "nerfstudio"}).status, 0);

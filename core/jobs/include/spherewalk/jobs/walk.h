@@ -7,6 +7,7 @@
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/jobs/shard.h"
+#include "spherewalk/jobs/walk_bag.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
@@ -22,7 +23,9 @@ struct WalkOptions {
         stream; ///< the poses' times tell how the camera moves; frames are not paced by them
     std::optional<Ball> ball = {};                 ///< laid into each frame
     std::vector<dataset::PoseFormat> formats = {}; ///< whose files are written besides
-    Shard shard = {};                              ///< this part of the frames only
+    std::vector<dataset::BagFormat> bags = {};     ///< walk.bag and walk.mcap
+    BagPictures bagPictures = BagPictures::Raw;
+    Shard shard = {}; ///< this part of the frames only
 };
 
 struct WalkReport {
@@ -41,10 +44,10 @@ struct WalkReport {
 /// Renders a view at each pose and writes 000000.png ... into the folder, which is made if need be. Frames of
 /// the same walk that are there are kept: a walk that was stopped goes on, and parts may be rendered by
 /// several processes at once. Once all are there, also index.csv (a line a frame, with its pose and what it
-/// was made from), times.csv, contact-sheet.png, and the files of the formats, for which the room is the
-/// world. Files of these names are replaced. With LatePolicy::Wait all but times.csv is the same in every
-/// run, whatever the parts. Frames: the poses are of the optical frame. Errors: those of rendering and
-/// writing; Stopped, with the frames so far kept.
+/// was made from), times.csv, contact-sheet.png, the bags, and the files of the formats, for which the room
+/// is the world. Files of these names are replaced. With LatePolicy::Wait all but times.csv is the same in
+/// every run, whatever the parts. Frames: the poses are of the optical frame. Errors: those of rendering and
+/// writing, of bags before anything is rendered; Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge.h"
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace spherewalk::gazebo {
+
+using simulator::OverlayPart;
+using simulator::Refusal;
+
+namespace {
+
+/// How often one looks whether somebody listens, besides at each pose.
+constexpr auto kInterval = std::chrono::milliseconds(20);
+
+/// A pose publisher that is joined in the middle of a step completes the next one, or the one after.
+constexpr std::uint64_t kStepsToFindItsPlace = 3;
+
+[[noreturn]] void failWith(const std::string& what, const std::string& topic) {
+    throw Error(ErrorKind::Network,
+                text("Could not ", what, " the topic ", printable(topic),
+                     "; check the network that Gazebo's transport uses (IGN_IP, GZ_IP)."));
+}
+
+} // namespace
+
+std::string Topics::beside(const std::string& name) const {
+    return image.substr(0, image.rfind('/') + 1) + name;
+}
+
+void Topics::validate() const {
+    std::vector<std::string> all = poses;
+    all.push_back(image);
+    for (const std::string& topic : {overlayColour, overlayDepth, overlayLabels}) {
+        if (!topic.empty()) {
+            all.push_back(topic);
+        }
+    }
+    for (const std::string& topic : all) {
+        if (!transport::TopicUtils::IsValidTopic(topic)) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("\"", printable(topic), "\" cannot be a topic's name."));
+        }
+    }
+    const std::size_t last = image.rfind('/');
+    if (last == std::string::npos || last == 0) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The image's topic \"", printable(image),
+                         "\" has one level, so that its camera_info would be that of all such cameras; give "
+                         "it two, like /robot/image."));
+    }
+}
+
+Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
+               const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
+               simulator::Refusals::Tell tell)
+    : m_options(options),
+      m_hasOverlay(cameraOptions.overlay.has_value()),
+      m_tree(options.frame),
+      m_camera(
+          renderer, camera, cameraOptions, [this](const simulator::Frame& frame) { publish(frame); },
+          std::move(tell)) {
+    const Topics& topics = m_options.topics;
+    topics.validate();
+    const auto checked = [](transport::Node::Publisher publisher, const std::string& topic) {
+        if (!publisher) {
+            failWith("advertise", topic);
+        }
+        return publisher;
+    };
+    m_imagePublisher = checked(m_node.Advertise<msgs::Image>(topics.image), topics.image);
+    m_infoPublisher = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
+                              topics.beside("camera_info"));
+    m_reportPublisher =
+        checked(m_node.Advertise<msgs::Param>(topics.beside("report")), topics.beside("report"));
+    subscribeToPoses();
+}
+
+void Bridge::subscribeToPoses() {
+    std::function<void(const msgs::Pose&)> one = [this](const msgs::Pose& message) { takePoses(message); };
+    std::function<void(const msgs::Pose_V&)> many = [this](const msgs::Pose_V& message) {
+        takePoses(message);
+    };
+    for (const std::string& topic : m_options.topics.poses) {
+        if (!m_node.Subscribe(topic, one) || !m_node.Subscribe(topic, many)) {
+            failWith("subscribe to", topic);
+        }
+    }
+}
+
+void Bridge::subscribeToOverlay() {
+    const auto subscribe = [this](const std::string& topic, OverlayPart part) {
+        std::function<void(const msgs::Image&)> take = [this, part](const msgs::Image& message) {
+            takePicture(part, message);
+        };
+        if (!topic.empty() && !m_node.Subscribe(topic, take)) {
+            failWith("subscribe to", topic);
+        }
+    };
+    subscribe(m_options.topics.overlayColour, OverlayPart::Colour);
+    subscribe(m_options.topics.overlayDepth, OverlayPart::Depth);
+    subscribe(m_options.topics.overlayLabels, OverlayPart::Labels);
+}
+
+void Bridge::unsubscribeFromOverlay() {
+    const Topics& topics = m_options.topics;
+    for (const std::string& topic : {topics.overlayColour, topics.overlayDepth, topics.overlayLabels}) {
+        if (!topic.empty()) {
+            m_node.Unsubscribe(topic);
+        }
+    }
+}
+
+template <class Message>
+void Bridge::takePoses(const Message& message) {
+    const std::scoped_lock lock(m_mutex);
+    if (!m_isRunning) {
+        return;
+    }
+    std::vector<NamedPose> poses;
+    try {
+        poses = posesOf(message);
+    } catch (const Error& error) {
+        m_camera.refuse(Refusal::Time, error.sentence());
+        return;
+    }
+    std::erase_if(
+        poses, [this](const NamedPose& pose) { return !m_camera.accepts(pose.stamp, pose.parentFromChild); });
+    if (poses.empty()) {
+        return;
+    }
+    for (NamedPose& pose : poses) {
+        pose.parentFromChild.rotation.normalize();
+    }
+    const std::uint64_t missedBefore = m_tree.missedSteps();
+    if (const std::optional<Rigid3> worldFromFrame = m_tree.add(poses)) {
+        m_camera.setListening(hasListeners());
+        m_camera.takePose(poses.back().stamp, *worldFromFrame);
+    } else if (m_tree.missedSteps() > std::max(missedBefore, kStepsToFindItsPlace)) {
+        m_camera.refuse(Refusal::FrameId, m_tree.trouble());
+    }
+}
+
+void Bridge::takePicture(OverlayPart part, const msgs::Image& message) {
+    try {
+        m_camera.takeOverlay(part, stampOf(message.header()), pictureOf(message));
+    } catch (const Error& error) {
+        m_camera.refuse(Refusal::Time, error.sentence());
+    }
+}
+
+bool Bridge::hasListeners() const {
+    return m_imagePublisher.HasConnections() || m_infoPublisher.HasConnections() ||
+           m_reportPublisher.HasConnections();
+}
+
+/// The simulator renders no pictures of objects while nobody wants ours.
+void Bridge::followListeners() {
+    const bool isListening = hasListeners();
+    m_camera.setListening(isListening);
+    if (m_hasOverlay && isListening != m_isOverlaySubscribed) {
+        isListening ? subscribeToOverlay() : unsubscribeFromOverlay();
+        m_isOverlaySubscribed = isListening;
+    }
+}
+
+void Bridge::publish(const simulator::Frame& frame) {
+    for (msgs::Header* header :
+         {m_image.mutable_header(), m_info.mutable_header(), m_report.mutable_header()}) {
+        setHeader(*header, frame.stamp, m_options.frameId, m_sequence);
+    }
+    ++m_sequence;
+    setCameraInfo(m_info, calibration(frame.camera));
+    setImage(m_image, frame.view.picture);
+    m_infoPublisher.Publish(m_info);
+    m_imagePublisher.Publish(m_image);
+    const std::chrono::duration<double, std::milli> latency =
+        std::chrono::steady_clock::now() - frame.poseTakenAt;
+    m_latencies.add(latency);
+    setReport(m_report, frame, latency.count());
+    m_reportPublisher.Publish(m_report);
+}
+
+void Bridge::run(const std::stop_token& stop) {
+    do {
+        followListeners();
+    } while (systemClock().sleep(kInterval, stop));
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_isRunning = false;
+    }
+    m_camera.setListening(false);
+    m_camera.waitUntilIdle();
+}
+
+} // namespace spherewalk::gazebo

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "camera_node.h"
+
+#include "camera_diagnostics.h"
+#include "camera_options.h"
+#include "transform_tree.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/render/camera_info.h"
+#include "spherewalk/simulator/simulated_camera.h"
+
+#include <mutex>
+#include <optional>
+
+namespace spherewalk::ros {
+
+using simulator::OverlayPart;
+using simulator::Refusal;
+
+namespace {
+
+render::Renderer openRenderer(const NodeOptions& options) {
+    if (options.dataset.empty() || options.cameraInfoUrl.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The dataset's folder and the camera's camera-info file are not named.");
+    }
+    render::RendererOptions renderer;
+    renderer.cacheBytes = static_cast<std::uint64_t>(options.cacheMb) << 20U;
+    renderer.verify = render::VerifyPhotos::InBackground;
+    return render::Renderer(std::make_shared<const render::Dataset>(render::Dataset::open(options.dataset)),
+                            renderer);
+}
+
+CameraModel readCamera(const std::string& urlOrFile) {
+    constexpr std::string_view kFile = "file://";
+    return CameraModel(
+        render::readCameraInfo(urlOrFile.starts_with(kFile) ? urlOrFile.substr(kFile.size()) : urlOrFile));
+}
+
+OverlayPart partOf(OverlayTopic topic) {
+    switch (topic) {
+    case OverlayTopic::Depth:
+        return OverlayPart::Depth;
+    case OverlayTopic::Labels:
+        return OverlayPart::Labels;
+    case OverlayTopic::Colour:
+        break;
+    }
+    return OverlayPart::Colour;
+}
+
+} // namespace
+
+struct CameraNode::State {
+    State(const NodeOptions& wanted, GiveFrame give, Tell tell)
+        : options(wanted),
+          giveFrame(std::move(give)),
+          camera(
+              openRenderer(wanted), readCamera(wanted.cameraInfoUrl), cameraOptions(wanted),
+              [this](const simulator::Frame& frame) { publish(frame); }, std::move(tell)) {}
+
+    void publish(const simulator::Frame& frame) {
+        const RgbImage& picture = frame.view.picture;
+        giveFrame({frame.stamp, picture.width(), picture.height(), picture.values().data(),
+                   calibration(frame.camera)});
+        const std::scoped_lock lock(mutex);
+        diagnostics.add(frame);
+    }
+
+    /// With the lock held.
+    void takeNewest(Stamp newest) {
+        if (const auto pose = tree.at(options.roomFrame, options.cameraFrame, newest)) {
+            lastPose = newest;
+            camera.takePose(newest, *pose);
+        }
+    }
+
+    const NodeOptions options;
+    GiveFrame giveFrame;
+    std::mutex mutex; ///< of what follows
+    TransformTree tree;
+    std::optional<Stamp> lastPose;
+    CameraDiagnostics diagnostics;
+    simulator::SimulatedCamera camera; ///< last: its thread uses the others
+};
+
+CameraNode::CameraNode(const NodeOptions& options, GiveFrame giveFrame, Tell tell)
+    : m_state(std::make_unique<State>(options, std::move(giveFrame), std::move(tell))) {
+}
+
+CameraNode::~CameraNode() = default;
+
+const NodeOptions& CameraNode::options() const {
+    return m_state->options;
+}
+
+std::vector<OverlayTopic> CameraNode::overlayTopics() const {
+    if (m_state->options.overlay == "none") {
+        return {};
+    }
+    if (m_state->options.overlay == "labels") {
+        return {OverlayTopic::Colour, OverlayTopic::Depth, OverlayTopic::Labels};
+    }
+    return {OverlayTopic::Colour, OverlayTopic::Depth};
+}
+
+void CameraNode::takeTransform(const Transform& transform, bool isStatic) {
+    State& state = *m_state;
+    const std::scoped_lock lock(state.mutex);
+    if (const auto refused = state.tree.put(transform, isStatic)) {
+        state.camera.refuse(refused->kind, refused->sentence);
+        return;
+    }
+    const auto newest = state.tree.newest(state.options.roomFrame, state.options.cameraFrame);
+    if (newest && newest != Stamp::max() && newest != state.lastPose) {
+        state.takeNewest(*newest);
+    }
+}
+
+void CameraNode::takeTime(Stamp now) {
+    State& state = *m_state;
+    const std::scoped_lock lock(state.mutex);
+    if (state.tree.newest(state.options.roomFrame, state.options.cameraFrame) == Stamp::max()) {
+        state.takeNewest(now);
+    }
+}
+
+void CameraNode::takePose(const std::string& frame, Stamp stamp, const Rigid3& frameFromCamera) {
+    State& state = *m_state;
+    const std::scoped_lock lock(state.mutex);
+    const std::optional<Rigid3> roomFromFrame = state.tree.at(state.options.roomFrame, frame, stamp);
+    if (!roomFromFrame) {
+        state.camera.refuse(Refusal::FrameId, text("A pose in the frame \"", printable(frame),
+                                                   "\" came and was not used; no transform leads from it to ",
+                                                   state.options.roomFrame, " at its time."));
+        return;
+    }
+    state.camera.takePose(stamp, *roomFromFrame * frameFromCamera);
+}
+
+void CameraNode::takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture) {
+    m_state->camera.takeOverlay(partOf(topic), stamp,
+                                {picture.width,
+                                 picture.height,
+                                 picture.stepBytes,
+                                 picture.encoding,
+                                 picture.isBigEndian,
+                                 {picture.bytes, picture.sizeBytes}});
+}
+
+void CameraNode::setListening(bool isListening) {
+    m_state->camera.setListening(isListening);
+}
+
+void CameraNode::setCamera(const Calibration& calibration) {
+    m_state->camera.setCamera(CameraModel(intrinsicsOf(calibration)));
+}
+
+Diagnostics CameraNode::diagnostics() {
+    const simulator::CameraCounters counters = m_state->camera.counters();
+    const std::scoped_lock lock(m_state->mutex);
+    return m_state->diagnostics.since(counters, m_state->options);
+}
+
+} // namespace spherewalk::ros

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dds_messages.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace spherewalk::ros {
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+std::string textOf(const char* text) {
+    return text == nullptr ? "" : text;
+}
+
+/// For a member of a message that is written: C knows no constant strings there.
+char* borrowed(const std::string& text) {
+    return const_cast<char*>(text.c_str());
+}
+
+template <class Place, class Turn>
+Rigid3 rigid(const Place& place, const Turn& turn) {
+    return {Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z), Eigen::Vector3d(place.x, place.y, place.z)};
+}
+
+} // namespace
+
+Stamp stampOf(const TimeMessage& time) {
+    return Stamp(kSecond * time.sec + time.nanosec);
+}
+
+TimeMessage timeOf(Stamp stamp) {
+    return {static_cast<std::int32_t>(stamp.count() / kSecond),
+            static_cast<std::uint32_t>(stamp.count() % kSecond)};
+}
+
+Rigid3 poseOf(const PoseMessage& message) {
+    return rigid(message.pose.position, message.pose.orientation);
+}
+
+Transform transformOf(const TransformMessage& message) {
+    return {textOf(message.header.frame_id), textOf(message.child_frame_id), stampOf(message.header.stamp),
+            rigid(message.transform.translation, message.transform.rotation)};
+}
+
+Calibration calibrationOf(const CameraInfoMessage& message) {
+    Calibration calibration;
+    calibration.width = static_cast<int>(message.width);
+    calibration.height = static_cast<int>(message.height);
+    calibration.distortionModel = textOf(message.distortion_model);
+    calibration.d.assign(message.d._buffer, message.d._buffer + message.d._length);
+    std::copy(std::begin(message.k), std::end(message.k), calibration.k.begin());
+    return calibration;
+}
+
+ImageMessage imageOf(const PublishedFrame& frame, const std::string& frameId) {
+    static const std::string encoding = "rgb8";
+    ImageMessage message{};
+    message.header = {timeOf(frame.stamp), borrowed(frameId)};
+    message.width = static_cast<std::uint32_t>(frame.width);
+    message.height = static_cast<std::uint32_t>(frame.height);
+    message.step = 3 * message.width;
+    message.encoding = borrowed(encoding);
+    message.data._length = message.data._maximum = message.step * message.height;
+    message.data._buffer = const_cast<std::uint8_t*>(frame.rgb);
+    return message;
+}
+
+CameraInfoMessage cameraInfoOf(const PublishedFrame& frame, const std::string& frameId) {
+    const Calibration& calibration = frame.calibration;
+    CameraInfoMessage message{};
+    message.header = {timeOf(frame.stamp), borrowed(frameId)};
+    message.width = static_cast<std::uint32_t>(calibration.width);
+    message.height = static_cast<std::uint32_t>(calibration.height);
+    message.distortion_model = borrowed(calibration.distortionModel);
+    message.d._length = message.d._maximum = static_cast<std::uint32_t>(calibration.d.size());
+    message.d._buffer = const_cast<double*>(calibration.d.data());
+    std::copy(calibration.k.begin(), calibration.k.end(), message.k);
+    std::copy(calibration.r.begin(), calibration.r.end(), message.r);
+    std::copy(calibration.p.begin(), calibration.p.end(), message.p);
+    return message;
+}
+
+} // namespace spherewalk::ros

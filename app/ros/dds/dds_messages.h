@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "camera/camera_node.h"
+#include "ros_messages.h"
+
+#include <string>
+
+namespace spherewalk::ros {
+
+/// Shorter names for what the IDL compiler made.
+using TimeMessage = builtin_interfaces_msg_dds__Time_;
+using ImageMessage = sensor_msgs_msg_dds__Image_;
+using CameraInfoMessage = sensor_msgs_msg_dds__CameraInfo_;
+using TransformMessage = geometry_msgs_msg_dds__TransformStamped_;
+using TransformsMessage = tf2_msgs_msg_dds__TFMessage_;
+using PoseMessage = geometry_msgs_msg_dds__PoseStamped_;
+using DiagnosticMessage = diagnostic_msgs_msg_dds__DiagnosticArray_;
+using ClockMessage = rosgraph_msgs_msg_dds__Clock_;
+
+Stamp stampOf(const TimeMessage& time);
+TimeMessage timeOf(Stamp stamp);
+Rigid3 poseOf(const PoseMessage& message);
+Transform transformOf(const TransformMessage& message);
+Calibration calibrationOf(const CameraInfoMessage& message);
+
+/// Messages that refer to what they are made of. Owner: that must live while they are used.
+ImageMessage imageOf(const PublishedFrame& frame, const std::string& frameId);
+CameraInfoMessage cameraInfoOf(const PublishedFrame& frame, const std::string& frameId);
+
+} // namespace spherewalk::ros

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dds_node.h"
+
+#include "program/program.h"
+
+#include "spherewalk/base/error.h"
+
+namespace spherewalk::ros {
+
+namespace {
+
+const char* nameOf(OverlayTopic topic) {
+    switch (topic) {
+    case OverlayTopic::Depth:
+        return "overlay/depth";
+    case OverlayTopic::Labels:
+        return "overlay/labels";
+    case OverlayTopic::Colour:
+        break;
+    }
+    return "overlay/image_raw";
+}
+
+} // namespace
+
+DdsNode::DdsNode(const DdsOptions& options)
+    : m_options(options),
+      m_port(options.domain),
+      m_images(m_port.writer(topic("camera/image_raw"), sensor_msgs_msg_dds__Image__desc, Quality::Sensor)),
+      m_infos(
+          m_port.writer(topic("camera/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc, Quality::Sensor)),
+      m_diagnostics(
+          m_port.writer("/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc, Quality::Reliable)),
+      m_node(
+          options.node, [this](const PublishedFrame& frame) { publish(frame); },
+          [](const std::string& sentence) { program::printLine(stderr, sentence); }) {
+    readPoses();
+    readCamera();
+    for (const OverlayTopic overlay : m_node.overlayTopics()) {
+        readOverlay(overlay);
+    }
+    if (options.usesSimTime) {
+        m_port.read<ClockMessage>("/clock", rosgraph_msgs_msg_dds__Clock__desc, Quality::Sensor,
+                                  [this](const ClockMessage& message) { m_clock = stampOf(message.clock); });
+    }
+}
+
+std::string DdsNode::topic(const std::string& name) const {
+    const std::string& in = m_options.nameSpace;
+    return (in.starts_with('/') ? "" : "/") + in + (in.ends_with('/') ? "" : "/") + name;
+}
+
+void DdsNode::readPoses() {
+    const auto read = [this](const char* topic, Quality quality, bool isStatic) {
+        m_port.read<TransformsMessage>(topic, tf2_msgs_msg_dds__TFMessage__desc, quality,
+                                       [this, isStatic](const TransformsMessage& message) {
+                                           for (std::uint32_t i = 0; i < message.transforms._length; ++i) {
+                                               m_node.takeTransform(
+                                                   transformOf(message.transforms._buffer[i]), isStatic);
+                                           }
+                                       });
+    };
+    read("/tf_static", Quality::Latched, true);
+    read("/tf", Quality::Reliable, false);
+    m_port.read<PoseMessage>(topic("camera/pose"), geometry_msgs_msg_dds__PoseStamped__desc, Quality::Sensor,
+                             [this](const PoseMessage& message) {
+                                 const auto& header = message.header;
+                                 m_node.takePose(header.frame_id, stampOf(header.stamp), poseOf(message));
+                             });
+}
+
+void DdsNode::readOverlay(OverlayTopic overlay) {
+    m_port.read<ImageMessage>(topic(nameOf(overlay)), sensor_msgs_msg_dds__Image__desc, Quality::Sensor,
+                              [this, overlay](const ImageMessage& message) {
+                                  const std::string encoding = message.encoding;
+                                  m_node.takeOverlay(overlay, stampOf(message.header.stamp),
+                                                     {message.width, message.height, message.step, encoding,
+                                                      message.is_bigendian != 0, message.data._buffer,
+                                                      message.data._length});
+                              });
+}
+
+/// ROS 2's services are laid out differently by each of its middlewares; a topic is the same for all.
+void DdsNode::readCamera() {
+    m_port.read<CameraInfoMessage>(topic("camera/set_camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
+                                   Quality::Reliable, [this](const CameraInfoMessage& message) {
+                                       try {
+                                           m_node.setCamera(calibrationOf(message));
+                                       } catch (const Error& error) {
+                                           program::printLine(stderr, error.sentence());
+                                       }
+                                   });
+}
+
+void DdsNode::publish(const PublishedFrame& frame) {
+    const std::string& frameId = m_node.options().cameraFrame;
+    const CameraInfoMessage info = cameraInfoOf(frame, frameId);
+    const ImageMessage image = imageOf(frame, frameId);
+    DdsPort::write(m_infos, &info);
+    DdsPort::write(m_images, &image);
+}
+
+void DdsNode::publishDiagnostics() {
+    Diagnostics diagnostics = m_node.diagnostics();
+    std::vector<diagnostic_msgs_msg_dds__KeyValue_> values;
+    for (auto& [key, value] : diagnostics.values) {
+        values.push_back({key.data(), value.data()});
+    }
+    std::string name = topic("camera");
+    std::string hardware = "spherewalk";
+    std::string none;
+    diagnostic_msgs_msg_dds__DiagnosticStatus_ status{};
+    status.level = diagnostics.level;
+    status.name = name.data();
+    status.message = diagnostics.message.data();
+    status.hardware_id = hardware.data();
+    status.values._length = status.values._maximum = static_cast<std::uint32_t>(values.size());
+    status.values._buffer = values.data();
+    DiagnosticMessage message{};
+    message.header = {timeOf(now()), none.data()};
+    message.status._length = message.status._maximum = 1;
+    message.status._buffer = &status;
+    DdsPort::write(m_diagnostics, &message);
+}
+
+Stamp DdsNode::now() const {
+    return m_options.usesSimTime
+               ? m_clock
+               : std::chrono::duration_cast<Stamp>(std::chrono::system_clock::now().time_since_epoch());
+}
+
+void DdsNode::run(const std::stop_token& stop) {
+    constexpr std::chrono::milliseconds kTurn(10);
+    Clock::time_point diagnosed = Clock::now();
+    while (!stop.stop_requested()) {
+        m_port.spinFor(kTurn);
+        m_node.setListening(DdsPort::readersOf(m_images) > 0 || DdsPort::readersOf(m_infos) > 0);
+        m_node.takeTime(now());
+        if (Clock::now() - diagnosed >= std::chrono::seconds(1)) {
+            diagnosed = Clock::now();
+            publishDiagnostics();
+        }
+    }
+}
+
+} // namespace spherewalk::ros

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace spherewalk {
+
+struct CameraIntrinsics;
+
+/// A camera as sensor_msgs/CameraInfo and gz.msgs.CameraInfo carry it. Shape: k and r are 3 x 3, p is 3 x 4,
+/// row after row.
+struct Calibration {
+    int width = 0;
+    int height = 0;
+    std::string distortionModel; ///< "plumb_bob", "rational_polynomial" or "equidistant"
+    std::vector<double> d;       ///< as many as the model has; five zeros for a pinhole
+    std::array<double, 9> k{};
+    std::array<double, 9> r{};  ///< identity: one camera
+    std::array<double, 12> p{}; ///< k and no baseline
+};
+
+Calibration calibration(const CameraIntrinsics& camera);
+
+/// The camera that a calibration from outside describes; its r and p concern rectified pictures and are not
+/// looked at. Errors: InvalidInput for numbers that describe no camera; Unsupported for a distortion model
+/// that is none of ours, and for a k with other entries than focal lengths and centre.
+CameraIntrinsics intrinsicsOf(const Calibration& calibration);
+
+} // namespace spherewalk
