@@ -32,6 +32,7 @@ set(SPHEREWALK_OWNER_spherewalk_avahi "camera")
 set(SPHEREWALK_OWNER_spherewalk_httplib "practice")
 set(SPHEREWALK_OWNER_spherewalk_cairo "sheet")
 set(SPHEREWALK_OWNER_spherewalk_rsvg "sheet")
+set(SPHEREWALK_OWNER_pybind11::module "app")
 
 function(spherewalk_layer_of module result)
   foreach(level RANGE 6)
