@@ -6,7 +6,7 @@
 set(SPHEREWALK_LAYER_0 base)
 set(SPHEREWALK_LAYER_1 geometry jpeg)
 set(SPHEREWALK_LAYER_2 survey photo render)
-set(SPHEREWALK_LAYER_3 store camera dataset practice align scene measure sheet)
+set(SPHEREWALK_LAYER_3 store camera dataset practice align scene measure sheet simulator)
 set(SPHEREWALK_LAYER_4 jobs)
 set(SPHEREWALK_LAYER_5 ui)
 set(SPHEREWALK_LAYER_6 app)

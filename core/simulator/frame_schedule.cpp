@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace spherewalk::simulator {
+
+namespace {
+
+/// How many may wait: of frames more than any wait for an overlay makes at usual rates, of overlays as much
+/// memory as one wants to give, of poses a physics step each for as long as one may wait.
+constexpr std::size_t kMostDue = 256;
+constexpr std::size_t kMostOverlays = 32;
+constexpr std::size_t kMostPoses = 16384;
+
+/// Simulators round 1/30 s to whole nanoseconds, some downwards.
+constexpr long double kEarlyNs = 1000;
+
+} // namespace
+
+std::int64_t FrameSchedule::slotOf(Stamp stamp) const {
+    if (m_options.rateHz == 0) {
+        return stamp.count();
+    }
+    const auto seconds = (static_cast<long double>(stamp.count()) + kEarlyNs) * 1e-9L;
+    return static_cast<std::int64_t>(std::floor(seconds * static_cast<long double>(m_options.rateHz)));
+}
+
+void FrameSchedule::clear() {
+    m_newest.reset();
+    m_lastSlot.reset();
+    m_due.clear();
+    m_recent.clear();
+    m_overlays.clear();
+}
+
+void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
+                            std::chrono::steady_clock::time_point takenAt) {
+    if (m_newest && stamp < *m_newest) {
+        clear();
+        ++m_counters.restarts;
+    }
+    if (m_newest == stamp) {
+        return;
+    }
+    m_newest = stamp;
+    const Pose pose{roomFromCamera, takenAt};
+    const std::int64_t slot = slotOf(stamp);
+    if (!m_lastSlot || slot > *m_lastSlot) {
+        m_due.emplace(slot, Slot{stamp, pose});
+        m_lastSlot = slot;
+    }
+    if (m_options.overlay) {
+        m_recent.emplace(stamp, pose);
+    }
+    forgetOld();
+}
+
+OverlayParts* FrameSchedule::partsOf(Stamp stamp) {
+    OverlayParts& parts = m_overlays[stamp];
+    if (m_overlays.size() <= kMostOverlays) {
+        return &parts;
+    }
+    const auto first = m_overlays.begin();
+    const auto last = std::prev(m_overlays.end());
+    const Stamp now = m_newest.value_or(stamp);
+    const Stamp farthest = last->first - now > now - first->first ? last->first : first->first;
+    m_overlays.erase(farthest);
+    ++m_counters.overlaysUnused;
+    return farthest == stamp ? nullptr : &parts;
+}
+
+void FrameSchedule::forgetOld() {
+    while (m_due.size() > kMostDue) {
+        m_due.erase(m_due.begin());
+        ++m_counters.dropped;
+    }
+    if (!m_options.overlay) {
+        return;
+    }
+    // Frames that are due hold on to the poses and overlays since their own.
+    const Stamp since = m_due.empty() ? *m_newest : m_due.begin()->second.stamp;
+    const Stamp oldest = std::min(since, *m_newest - m_options.overlay->wait);
+    while (!m_recent.empty() && (m_recent.begin()->first < oldest || m_recent.size() > kMostPoses)) {
+        m_recent.erase(m_recent.begin());
+    }
+    while (!m_overlays.empty() && m_overlays.begin()->first < oldest) {
+        m_overlays.erase(m_overlays.begin());
+        ++m_counters.overlaysUnused;
+    }
+}
+
+std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
+    const auto& [number, first] = slot;
+    if (!m_options.overlay) {
+        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, {}};
+    }
+    for (auto it = m_overlays.lower_bound(first.stamp); it != m_overlays.end(); ++it) {
+        const auto pose = m_recent.find(it->first);
+        if (slotOf(it->first) != number) {
+            break;
+        }
+        if (pose != m_recent.end() && it->second.isWhole(m_options.overlay->by)) {
+            DueFrame frame{it->first, pose->second.roomFromCamera, pose->second.takenAt,
+                           std::move(it->second)};
+            m_overlays.erase(it);
+            return frame;
+        }
+    }
+    if (*m_newest - first.stamp >= m_options.overlay->wait) {
+        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, {}};
+    }
+    return std::nullopt;
+}
+
+std::optional<DueFrame> FrameSchedule::next() {
+    if (m_options.pace == Pace::Every) {
+        return m_due.empty() ? std::nullopt : take(m_due.begin());
+    }
+    for (auto slot = m_due.end(); slot != m_due.begin();) {
+        --slot;
+        if (std::optional<DueFrame> frame = take(slot)) {
+            return frame;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Takes the slot out, and those before it, whose turn has passed.
+std::optional<DueFrame> FrameSchedule::take(Slots::iterator slot) {
+    std::optional<DueFrame> frame = frameOf(*slot);
+    if (frame) {
+        m_counters.dropped += static_cast<std::uint64_t>(std::distance(m_due.begin(), slot));
+        m_due.erase(m_due.begin(), std::next(slot));
+    }
+    return frame;
+}
+
+} // namespace spherewalk::simulator

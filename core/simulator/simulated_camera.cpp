@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/simulator/simulated_camera.h"
+
+#include "frame_schedule.h"
+#include "object_overlay.h"
+
+#include "spherewalk/base/enum_names.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/pose_check.h"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace spherewalk::simulator {
+
+namespace {
+
+constexpr EnumNames<Pace, 2> kPaces{{{Pace::Newest, "newest"}, {Pace::Every, "every"}}};
+constexpr double kFarthestM = 1e7;
+constexpr double kUnitTolerance = 0.01;
+
+bool isIn(const render::DatasetInfo& dataset, const Eigen::Vector3d& pInRoom) {
+    const bool isBetween = dataset.ceilingM <= 0 || (pInRoom.z() >= 0 && pInRoom.z() <= dataset.ceilingM);
+    return isBetween && (dataset.outline.size() < 3 || contains(dataset.outline, pInRoom.head<2>()));
+}
+
+OverlayParts partOf(OverlayPart part, const RawPicture& picture, const CameraIntrinsics& camera) {
+    OverlayParts parts;
+    switch (part) {
+    case OverlayPart::Colour:
+        parts.colour = colourOf(picture, camera);
+        break;
+    case OverlayPart::Depth:
+        parts.depth = depthOf(picture, camera);
+        break;
+    case OverlayPart::Labels:
+        parts.labels = labelsOf(picture, camera);
+        break;
+    }
+    return parts;
+}
+
+std::string componentsOf(const Eigen::Quaterniond& q) {
+    return text("w ", q.w(), ", x ", q.x(), ", y ", q.y(), ", z ", q.z());
+}
+
+} // namespace
+
+std::string_view name(Pace pace) {
+    return nameOf(kPaces, pace);
+}
+
+Pace pace(std::string_view name) {
+    return valueOf(kPaces, "The pace", name);
+}
+
+void CameraOptions::validate() const {
+    if (!(rateHz >= 0 && rateHz <= 1000)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("A camera cannot give ", rateHz, " frames a second; ask for 0 to 1000."));
+    }
+    mounting.validate();
+    if (overlay) {
+        overlay->validate();
+    }
+}
+
+/// What makes frames with one camera model; used by the rendering thread alone.
+struct FrameMaker {
+    FrameMaker(const render::Renderer& renderer, const CameraModel& model, const CameraOptions& options)
+        : stream(renderer, model, options.stream) {
+        if (options.overlay) {
+            objects.emplace(*options.overlay, renderer.dataset().info(),
+                            options.overlay->camera.value_or(model.intrinsics()), options.view.threads);
+        }
+    }
+
+    render::ViewStream stream;
+    std::optional<ObjectOverlay> objects;
+};
+
+struct SimulatedCamera::State {
+    State(const render::Renderer& sharedRenderer, const CameraModel& model, const CameraOptions& wanted,
+          GiveFrame give, Refusals::Tell tell)
+        : renderer(sharedRenderer),
+          options(checked(wanted)),
+          giveFrame(std::move(give)),
+          refusals(std::move(tell)),
+          schedule(options),
+          maker(std::make_shared<FrameMaker>(renderer, model, options)) {
+        frame.camera = model.intrinsics();
+        camera = model.intrinsics();
+        thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
+    }
+
+    static const CameraOptions& checked(const CameraOptions& options) {
+        options.validate();
+        return options;
+    }
+
+    const CameraIntrinsics& overlayCamera() const {
+        return options.overlay->camera ? *options.overlay->camera : camera;
+    }
+
+    bool checkPose(Stamp stamp, const Rigid3& worldFromLink);
+    void putPart(OverlayPart part, Stamp stamp, const RawPicture& picture);
+    void work(const std::stop_token& stop);
+    void make(FrameMaker& with, DueFrame due);
+    void countFrame();
+
+    render::Renderer renderer;
+    const CameraOptions options;
+    GiveFrame giveFrame;
+    Refusals refusals;
+    std::atomic<bool> isListening = false;
+
+    mutable std::mutex mutex; ///< of what follows
+    std::condition_variable_any changed;
+    FrameSchedule schedule;
+    CameraCounters counters;
+    CameraIntrinsics camera; ///< of the maker
+    std::shared_ptr<FrameMaker> maker;
+    bool isBusy = true; ///< something may be there to be rendered
+
+    Frame frame; ///< of the rendering thread
+    std::jthread thread;
+};
+
+bool SimulatedCamera::State::checkPose(Stamp stamp, const Rigid3& worldFromLink) {
+    const Eigen::Vector3d& at = worldFromLink.translation;
+    if (stamp < Stamp::zero()) {
+        refusals.add(Refusal::Time, text("A pose came for ", stamp.count(),
+                                          " ns, before the simulation's beginning, and was not used."));
+        return false;
+    }
+    if (!(at.cwiseAbs().maxCoeff() <= kFarthestM) || !at.allFinite()) {
+        refusals.add(Refusal::Place, text("A pose at x ", at.x(), ", y ", at.y(), ", z ", at.z(),
+                                          " came and was not used; places are finite and within 10^7 m."));
+        return false;
+    }
+    if (!isPose(worldFromLink, kUnitTolerance)) {
+        refusals.add(Refusal::Rotation,
+                     text("A pose with the rotation ", componentsOf(worldFromLink.rotation),
+                          " came and was not used; it is not a unit quaternion."));
+        return false;
+    }
+    return true;
+}
+
+void SimulatedCamera::State::putPart(OverlayPart part, Stamp stamp, const RawPicture& picture) {
+    CameraIntrinsics taken;
+    {
+        const std::scoped_lock lock(mutex);
+        taken = overlayCamera();
+    }
+    OverlayParts parts = partOf(part, picture, taken); // without the lock, which rendering and poses want too
+    const std::scoped_lock lock(mutex);
+    OverlayParts* known = taken == overlayCamera() ? schedule.partsOf(stamp) : nullptr;
+    if (known != nullptr) {
+        known->take(std::move(parts));
+        isBusy = true;
+        changed.notify_all();
+    }
+}
+
+void SimulatedCamera::State::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+        std::optional<DueFrame> due = schedule.next();
+        if (!due) {
+            isBusy = false;
+            changed.notify_all();
+            changed.wait(lock, stop, [this] { return isBusy; });
+            continue;
+        }
+        const std::shared_ptr<FrameMaker> with = maker;
+        frame.camera = camera;
+        lock.unlock();
+        std::optional<Error> failure;
+        try {
+            make(*with, std::move(*due));
+            giveFrame(frame);
+        } catch (const Error& error) {
+            failure = error;
+        }
+        lock.lock();
+        if (failure) {
+            refusals.add(Refusal::Rendering, failure->sentence());
+        } else {
+            countFrame();
+        }
+        if (with == maker) {
+            counters.stream = with->stream.counters();
+        }
+    }
+}
+
+void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
+    std::array<render::Overlay, 1> overlay;
+    render::ViewOptions view = options.view;
+    view.overlays = {};
+    if (due.overlay) {
+        overlay[0] = with.objects->overlay(std::move(*due.overlay), due.roomFromCamera);
+        view.overlays = overlay;
+    }
+    frame.stamp = due.stamp;
+    frame.roomFromCamera = due.roomFromCamera;
+    frame.poseTakenAt = due.takenAt;
+    frame.overlay = !options.overlay        ? OverlayUse::NotWanted
+                    : view.overlays.empty() ? OverlayUse::Missing
+                                            : OverlayUse::Laid;
+    with.stream.next(due.roomFromCamera, std::chrono::duration<double>(due.stamp).count(), view, frame.view);
+    frame.isOutside = !isIn(renderer.dataset().info(), due.roomFromCamera.translation);
+    frame.trust = frame.isOutside ? 0 : frame.view.report.trust;
+}
+
+void SimulatedCamera::State::countFrame() {
+    ++counters.frames;
+    counters.outside += frame.isOutside ? 1 : 0;
+    counters.overlaysLaid += frame.overlay == OverlayUse::Laid ? 1 : 0;
+    counters.overlaysMissing += frame.overlay == OverlayUse::Missing ? 1 : 0;
+}
+
+SimulatedCamera::SimulatedCamera(const render::Renderer& renderer, const CameraModel& camera,
+                                 const CameraOptions& options, GiveFrame giveFrame, Refusals::Tell tell)
+    : m_state(std::make_unique<State>(renderer, camera, options, std::move(giveFrame), std::move(tell))) {
+}
+
+SimulatedCamera::~SimulatedCamera() = default;
+
+void SimulatedCamera::setListening(bool isListening) {
+    if (m_state->isListening.exchange(isListening) != isListening && !isListening) {
+        const std::scoped_lock lock(m_state->mutex);
+        m_state->schedule.clear();
+    }
+}
+
+void SimulatedCamera::takePose(Stamp stamp, const Rigid3& worldFromLink) {
+    if (!m_state->checkPose(stamp, worldFromLink)) {
+        return;
+    }
+    const Rigid3 pose{worldFromLink.rotation.normalized(), worldFromLink.translation};
+    const Rigid3 roomFromOptical = m_state->options.mounting.roomFromOptical(pose);
+    const auto now = std::chrono::steady_clock::now();
+    const std::scoped_lock lock(m_state->mutex);
+    ++m_state->counters.poses;
+    if (m_state->isListening) {
+        m_state->schedule.addPose(stamp, roomFromOptical, now);
+        m_state->isBusy = true;
+        m_state->changed.notify_all();
+    }
+}
+
+void SimulatedCamera::takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture) {
+    if (!m_state->options.overlay || !m_state->isListening) {
+        return;
+    }
+    if (stamp < Stamp::zero()) {
+        refuse(Refusal::Time, text("A picture came for ", stamp.count(),
+                                    " ns, before the simulation's beginning, and was not used."));
+        return;
+    }
+    try {
+        m_state->putPart(part, stamp, picture);
+    } catch (const Error& error) {
+        refuse(error.kind() == ErrorKind::Unsupported ? Refusal::Encoding : Refusal::Size, error.sentence());
+    }
+}
+
+void SimulatedCamera::setCamera(const CameraModel& camera) {
+    State& state = *m_state;
+    auto maker = std::make_shared<FrameMaker>(state.renderer, camera, state.options);
+    const std::scoped_lock lock(state.mutex);
+    state.maker = std::move(maker);
+    state.camera = camera.intrinsics();
+    state.schedule.forgetOverlays();
+}
+
+void SimulatedCamera::refuse(Refusal kind, const std::string& sentence) {
+    m_state->refusals.add(kind, sentence);
+}
+
+void SimulatedCamera::waitUntilIdle() {
+    std::unique_lock lock(m_state->mutex);
+    m_state->changed.wait(lock, [this] { return !m_state->isBusy; });
+}
+
+CameraCounters SimulatedCamera::counters() const {
+    const std::scoped_lock lock(m_state->mutex);
+    CameraCounters counters = m_state->counters;
+    const FrameSchedule::Counters& schedule = m_state->schedule.counters();
+    counters.dropped = schedule.dropped;
+    counters.restarts = schedule.restarts;
+    counters.overlaysUnused = schedule.overlaysUnused;
+    counters.refused = m_state->refusals.counts();
+    return counters;
+}
+
+} // namespace spherewalk::simulator

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame_schedule.h"
+
+#include "random.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spherewalk::simulator {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Schedule : public testing::Test {
+  protected:
+    void want(double rateHz, Pace pace, std::optional<Stamp> overlayWait = {}) {
+        options.rateHz = rateHz;
+        options.pace = pace;
+        if (overlayWait) {
+            options.overlay.emplace();
+            options.overlay->by = ObjectsBy::Alone;
+            options.overlay->wait = *overlayWait;
+        }
+    }
+
+    /// The pose's place says its time.
+    void pose(Stamp stamp) {
+        const auto seconds = std::chrono::duration<double>(stamp).count();
+        schedule.addPose(stamp, {Eigen::Quaterniond::Identity(), Eigen::Vector3d(seconds, 0, 0)}, {});
+    }
+
+    void overlay(Stamp stamp) {
+        if (OverlayParts* parts = schedule.partsOf(stamp)) {
+            parts->colour = RgbImage(1, 1);
+            parts->depth = DepthImage(1, 1);
+        }
+    }
+
+    /// The stamps of all frames that can be rendered now, in milliseconds.
+    std::vector<std::int64_t> frames() {
+        std::vector<std::int64_t> result;
+        while (const auto frame = schedule.next()) {
+            EXPECT_EQ(frame->roomFromCamera.translation.x(),
+                      std::chrono::duration<double>(frame->stamp).count());
+            withOverlay.push_back(frame->overlay.has_value());
+            result.push_back(frame->stamp / 1ms);
+        }
+        return result;
+    }
+
+    CameraOptions options;
+    FrameSchedule schedule{options};
+    std::vector<bool> withOverlay;
+};
+
+TEST_F(Schedule, AFrameIsDueAtTheFirstPoseAtOrAfterEachMultiple) {
+    want(30, Pace::Every);
+    for (int ms = 0; ms <= 140; ++ms) {
+        pose(ms * 1ms);
+    }
+    EXPECT_THAT(frames(), ElementsAre(0, 34, 67, 100, 134));
+    EXPECT_EQ(schedule.counters().dropped, 0U);
+}
+
+TEST_F(Schedule, StampsThatWereRoundedDownAreDue) {
+    want(30, Pace::Every);
+    for (std::int64_t k = 0; k < 100'000; k += 999) { // an hour
+        schedule.addPose(Stamp(k * 1'000'000'000 / 30), {}, {});
+        EXPECT_TRUE(schedule.next()) << k;
+    }
+}
+
+TEST_F(Schedule, GivesTheRateWhateverTheStepsOfTheSimulationAre) {
+    test::Random random(7);
+    for (int round = 0; round < 50; ++round) {
+        want(random.uniform(1, 120), Pace::Every);
+        FrameSchedule own(options);
+        const double stepS = random.uniform(0.1, 1) / options.rateHz;
+        int count = 0;
+        for (double time = 0; time < 20; time += stepS) {
+            own.addPose(Stamp(std::llround(1e9 * time)), {}, {});
+            count += own.next() ? 1 : 0;
+        }
+        EXPECT_NEAR(count, 20 * options.rateHz, 1.5) << options.rateHz << " " << stepS;
+    }
+}
+
+TEST_F(Schedule, WithoutARateEachPoseIsAFrameAndTheSameStampIsOnlyOne) {
+    want(0, Pace::Every);
+    for (const Stamp stamp : {0ms, 1ms, 1ms, 7ms}) {
+        pose(stamp);
+    }
+    EXPECT_THAT(frames(), ElementsAre(0, 1, 7));
+}
+
+TEST_F(Schedule, ASlowMachineTakesTheNewestAndCountsWhatItDrops) {
+    want(10, Pace::Newest);
+    pose(0ms);
+    EXPECT_THAT(frames(), ElementsAre(0));
+    for (const Stamp stamp : {100ms, 150ms, 200ms, 310ms}) {
+        pose(stamp);
+    }
+    EXPECT_THAT(frames(), ElementsAre(310));
+    EXPECT_EQ(schedule.counters().dropped, 2U);
+}
+
+TEST_F(Schedule, TimeThatGoesBackIsANewStart) {
+    want(10, Pace::Every);
+    pose(5000ms);
+    pose(5100ms);
+    pose(20ms);
+    pose(90ms);
+    pose(100ms);
+    EXPECT_THAT(frames(), ElementsAre(20, 100));
+    EXPECT_EQ(schedule.counters().restarts, 1U);
+}
+
+TEST_F(Schedule, AnOverlayIsTakenWhetherItComesBeforeOrAfterItsPose) {
+    want(10, Pace::Newest, 200ms);
+    overlay(0ms);
+    EXPECT_THAT(frames(), IsEmpty());
+    pose(0ms);
+    EXPECT_THAT(frames(), ElementsAre(0));
+    pose(100ms);
+    EXPECT_THAT(frames(), IsEmpty());
+    overlay(100ms);
+    EXPECT_THAT(frames(), ElementsAre(100));
+    EXPECT_THAT(withOverlay, ElementsAre(true, true));
+}
+
+TEST_F(Schedule, AFrameIsWholeOrNotAtAll) {
+    want(10, Pace::Newest, 200ms);
+    pose(0ms);
+    schedule.partsOf(0ms)->colour = RgbImage(1, 1);
+    EXPECT_THAT(frames(), IsEmpty());
+}
+
+TEST_F(Schedule, WithoutItsOverlayAFrameIsRenderedOnceTheWaitIsOver) {
+    want(10, Pace::Newest, 200ms);
+    for (const Stamp stamp : {0ms, 50ms, 199ms}) {
+        pose(stamp);
+        EXPECT_THAT(frames(), IsEmpty());
+    }
+    pose(200ms);
+    EXPECT_THAT(frames(), ElementsAre(0));
+    EXPECT_THAT(withOverlay, ElementsAre(false));
+}
+
+TEST_F(Schedule, AFrameMovesToThePoseInItsSlotThatHasAnOverlay) {
+    want(10, Pace::Newest, 200ms);
+    for (int ms = 0; ms < 100; ms += 10) {
+        pose(ms * 1ms);
+    }
+    overlay(55ms); // of no pose
+    overlay(70ms);
+    EXPECT_THAT(frames(), ElementsAre(70));
+    EXPECT_THAT(withOverlay, ElementsAre(true));
+    overlay(80ms);
+    EXPECT_THAT(frames(), IsEmpty()); // the slot has had its frame
+}
+
+TEST_F(Schedule, OverlaysThatFitNothingAreCountedAndForgotten) {
+    want(10, Pace::Newest, 200ms);
+    pose(0ms);
+    for (int ms = 1; ms <= 1000; ++ms) {
+        overlay(ms * 1ms);
+    }
+    overlay(Stamp::max());
+    EXPECT_GT(schedule.counters().overlaysUnused, 900U);
+    pose(5000ms);
+    EXPECT_THAT(frames(), ElementsAre(0));
+    pose(5300ms);
+    overlay(5300ms);
+    EXPECT_THAT(frames(), ElementsAre(5300));
+    EXPECT_THAT(withOverlay, ElementsAre(false, true));
+}
+
+TEST_F(Schedule, WhatWaitsIsBounded) {
+    want(0, Pace::Every);
+    for (int ms = 0; ms < 1000; ++ms) {
+        pose(ms * 1ms);
+    }
+    EXPECT_EQ(frames().size() + schedule.counters().dropped, 1000U);
+    EXPECT_GT(schedule.counters().dropped, 500U);
+}
+
+} // namespace
+} // namespace spherewalk::simulator

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "object_overlay.h"
+
+#include "expect_error.h"
+
+#include "spherewalk/geometry/rotation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace spherewalk::simulator {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A camera in the middle of a room of 4 x 4 m, which looks at the wall 2 m before it.
+class Objects : public testing::Test {
+  protected:
+    Objects() {
+        dataset.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+        dataset.ceilingM = 2.5;
+        parts.colour = RgbImage(camera.width, camera.height);
+        parts.depth = DepthImage(camera.width, camera.height);
+        std::fill(parts.depth.values().begin(), parts.depth.values().end(), 2.0F);
+        parts.labels = MaskImage(camera.width, camera.height);
+        std::fill(parts.labels.values().begin(), parts.labels.values().end(), std::uint8_t{1});
+    }
+
+    void put(int x, int y, float depth, std::uint8_t label) {
+        *parts.depth.at(x, y) = depth;
+        *parts.labels.at(x, y) = label;
+        std::fill_n(parts.colour.at(x, y), 3, std::uint8_t{200});
+    }
+
+    /// How many pixels are shown, all of which have the picture's colour.
+    int shown(const OverlayOptions& options) {
+        ObjectOverlay objects(options, dataset, camera, 1);
+        const render::Overlay overlay = objects.overlay(parts, pose);
+        int count = 0;
+        for (int y = 0; y < camera.height; ++y) {
+            for (int x = 0; x < camera.width; ++x) {
+                const std::uint8_t* rgba = overlay.picture.at(x, y);
+                EXPECT_TRUE(rgba[3] == 0 || (rgba[3] == 255 && rgba[0] == *parts.colour.at(x, y))) << x << " " << y;
+                count += rgba[3] != 0 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    CameraIntrinsics camera = CameraIntrinsics::pinhole(8, 6, 0.6); // sees the wall alone
+    render::DatasetInfo dataset;
+    Rigid3 pose{bodyFromOptical(), Eigen::Vector3d(2, 2, 1.2)};
+    OverlayParts parts;
+};
+
+TEST_F(Objects, AreWhatHasALabelThatIsNotTheRooms) {
+    put(3, 3, 1.5F, 10);
+    put(4, 3, 1.5F, 0);
+    put(5, 3, 1.5F, 1);
+    EXPECT_EQ(shown({}), 1);
+    OverlayOptions options;
+    options.roomLabels = {10};
+    put(6, 3, kInfinity, 0);
+    EXPECT_EQ(shown(options), 8 * 6 - 2); // nothing has no depth
+}
+
+TEST_F(Objects, AreNearerThanTheRoomOfTheOutline) {
+    put(0, 0, 1.5F, 1);
+    put(4, 3, 1.97F, 1);
+    put(5, 3, 1.99F, 1); // of the wall, inexactly
+    put(6, 3, kInfinity, 10);
+    put(7, 3, std::numeric_limits<float>::quiet_NaN(), 10);
+    parts.labels = {}; // not needed
+    OverlayOptions options;
+    options.by = ObjectsBy::Depth;
+    EXPECT_EQ(shown(options), 2);
+}
+
+TEST_F(Objects, AreAllThatADepthCameraSeesThatSeesThemAlone) {
+    std::fill(parts.depth.values().begin(), parts.depth.values().end(), kInfinity);
+    put(0, 0, 3.5F, 1);
+    put(1, 0, -1, 1);
+    OverlayOptions options;
+    options.by = ObjectsBy::Alone;
+    EXPECT_EQ(shown(options), 1);
+}
+
+TEST_F(Objects, CannotBeToldByDepthWithoutAnOutline) {
+    dataset.outline.clear();
+    OverlayOptions options;
+    options.by = ObjectsBy::Depth;
+    test::expectError(ErrorKind::InvalidInput, "by labels", [&] { shown(options); });
+}
+
+} // namespace
+} // namespace spherewalk::simulator

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/simulator/calibration.h"
+#include "spherewalk/simulator/simulated_camera.h"
+
+#include "expect_error.h"
+#include "temporary_folder.h"
+#include "test_dataset.h"
+
+#include "spherewalk/geometry/rotation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace spherewalk::simulator {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::uint64_t refused(const CameraCounters& counters, Refusal kind) {
+    return counters.refused[static_cast<std::size_t>(kind)];
+}
+
+/// A room of 2 x 1 m with photos along its middle.
+class InTheSimulator : public testing::Test {
+  protected:
+    InTheSimulator() {
+        std::vector<Rigid3> poses;
+        for (int i = 0; i < 4; ++i) {
+            poses.push_back({yawRotation(Radians(i)), Vector3d(0.2 + 0.4 * i, 0.5, 1)});
+        }
+        render::DatasetInfo info = test::writeTestDataset(folder.path(), poses, test::smoothWorld, 512, 2.0);
+        info.outline = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+        info.ceilingM = 2.5;
+        for (render::DatasetPhoto& photo : info.photos) {
+            test::mark(folder.path(), photo);
+        }
+        test::rewriteInfo(folder.path(), info);
+        renderer.emplace(std::make_shared<const render::Dataset>(render::Dataset::open(folder.path())));
+        options.rateHz = 0;
+        options.pace = Pace::Every;
+    }
+
+    std::unique_ptr<SimulatedCamera> make() {
+        auto made = std::make_unique<SimulatedCamera>(
+            *renderer, CameraModel(camera), options,
+            [this](const Frame& frame) {
+                const std::scoped_lock lock(mutex);
+                frames.push_back(frame);
+            },
+            [this](const std::string& sentence) {
+                const std::scoped_lock lock(mutex);
+                told.push_back(sentence);
+            });
+        made->setListening(true);
+        return made;
+    }
+
+    /// Of a link whose x axis points into the room.
+    static Rigid3 at(double x, double yaw = 0) { return {yawRotation(Radians(yaw)), Vector3d(x, 0.5, 1)}; }
+
+    static Rigid3 optical(const Rigid3& body) { return body * Rigid3{bodyFromOptical(), Vector3d::Zero()}; }
+
+    std::vector<std::int64_t> stamps() {
+        std::vector<std::int64_t> result;
+        for (const Frame& frame : frames) {
+            result.push_back(frame.stamp.count());
+        }
+        return result;
+    }
+
+    test::TemporaryFolder folder;
+    std::optional<render::Renderer> renderer;
+    CameraIntrinsics camera = CameraIntrinsics::pinhole(64, 48, 1.2);
+    CameraOptions options;
+    std::mutex mutex;
+    std::vector<Frame> frames;
+    std::vector<std::string> told;
+};
+
+TEST_F(InTheSimulator, InLockStepEachPoseGivesItsFrameWithItsStampAndTheViewsBytes) {
+    const auto simulated = make();
+    for (int i = 0; i < 20; ++i) {
+        const Rigid3 pose = at(0.1 + 0.09 * i, 0.3 * i);
+        const Stamp stamp(1'000'000'007LL * i);
+        simulated->takePose(stamp, pose);
+        simulated->waitUntilIdle();
+        ASSERT_EQ(frames.size(), static_cast<std::size_t>(i + 1));
+        const Frame& frame = frames.back();
+        EXPECT_EQ(frame.stamp, stamp);
+        EXPECT_EQ(frame.camera, camera);
+        const render::View expected = renderer->render(CameraModel(camera), optical(pose));
+        EXPECT_EQ(frame.view.picture, expected.picture) << i;
+        EXPECT_EQ(frame.trust, expected.report.trust);
+        EXPECT_FALSE(frame.isOutside);
+    }
+    EXPECT_EQ(simulated->counters().frames, 20U);
+    EXPECT_EQ(simulated->counters().stream.views, 20U);
+}
+
+TEST_F(InTheSimulator, TheMountingTakesThePoseOfALinkToTheCamerasInTheRoom) {
+    options.mounting.roomFromWorld = {yawRotation(Radians(2)), Vector3d(1, -3, 0)};
+    options.mounting.linkFromCamera = {yawRotation(Radians(-0.4)), Vector3d(0.1, 0.02, 0.3)};
+    const auto simulated = make();
+    const Rigid3 wanted = at(0.7, 0.5);
+    simulated->takePose(0s, options.mounting.roomFromWorld.inverse() * wanted *
+                                options.mounting.linkFromCamera.inverse());
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_TRUE(frames[0].roomFromCamera.translation.isApprox(wanted.translation, 1e-12));
+    EXPECT_LT(angleBetween(frames[0].roomFromCamera.rotation, optical(wanted).rotation).value(), 1e-9);
+}
+
+TEST_F(InTheSimulator, NothingIsRenderedWhileNobodyListens) {
+    const auto simulated = make();
+    simulated->setListening(false);
+    simulated->takePose(0s, at(0.3));
+    simulated->waitUntilIdle();
+    EXPECT_THAT(stamps(), IsEmpty());
+    simulated->setListening(true);
+    simulated->takePose(1s, at(0.3));
+    simulated->waitUntilIdle();
+    EXPECT_THAT(stamps(), ElementsAre(1'000'000'000));
+    EXPECT_EQ(simulated->counters().poses, 2U);
+}
+
+TEST_F(InTheSimulator, RefusesPosesThatAreNoneAndGoesOn) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto simulated = make();
+    for (int i = 0; i < 25; ++i) {
+        simulated->takePose(1s, {Quaterniond::Identity(), Vector3d(0, nan, 0)});
+    }
+    simulated->takePose(1s, {Quaterniond::Identity(), Vector3d(1e300, 0, 0)});
+    simulated->takePose(1s, {Quaterniond(0, 0, 0, 0), Vector3d(0.5, 0.5, 1)});
+    simulated->takePose(1s, {Quaterniond(nan, 0, 0, 0), Vector3d(0.5, 0.5, 1)});
+    simulated->takePose(-1s, at(0.5));
+    simulated->takePose(2s, {Quaterniond(0.995, 0, 0, 0), Vector3d(0.5, 0.5, 1)});
+    simulated->waitUntilIdle();
+    EXPECT_THAT(stamps(), ElementsAre(2'000'000'000));
+    EXPECT_EQ(frames[0].view.picture, renderer->render(CameraModel(camera), optical(at(0.5))).picture);
+    const CameraCounters counters = simulated->counters();
+    EXPECT_EQ(refused(counters, Refusal::Place), 26U);
+    EXPECT_EQ(refused(counters, Refusal::Rotation), 2U);
+    EXPECT_EQ(refused(counters, Refusal::Time), 1U);
+    EXPECT_THAT(told, ElementsAre(HasSubstr("y nan"), HasSubstr("10 of this kind"),
+                                  HasSubstr("not a unit quaternion"), HasSubstr("before")));
+}
+
+TEST_F(InTheSimulator, OutsideOfTheRoomNothingIsTrusted) {
+    const auto simulated = make();
+    simulated->takePose(1s, at(1.4));
+    simulated->takePose(2s, at(30));
+    simulated->takePose(3s, {Quaterniond::Identity(), Vector3d(0.5, 0.5, 3)});
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 3U);
+    EXPECT_GT(frames[0].trust, 0);
+    for (const int i : {1, 2}) {
+        EXPECT_TRUE(frames[static_cast<std::size_t>(i)].isOutside);
+        EXPECT_EQ(frames[static_cast<std::size_t>(i)].trust, 0);
+    }
+    EXPECT_EQ(simulated->counters().outside, 2U);
+}
+
+TEST_F(InTheSimulator, AMissingPhotoIsToldOfAndTheOthersAreRendered) {
+    std::filesystem::remove(folder / "photos/3.jpg");
+    const auto simulated = make();
+    simulated->takePose(1s, at(1.4));
+    simulated->takePose(2s, at(0.2));
+    simulated->waitUntilIdle();
+    EXPECT_THAT(stamps(), ElementsAre(2'000'000'000));
+    EXPECT_EQ(refused(simulated->counters(), Refusal::Rendering), 1U);
+    EXPECT_THAT(told, ElementsAre(HasSubstr("photos/3.jpg")));
+}
+
+TEST_F(InTheSimulator, ACameraThatIsChangedIsUsedFromThenOn) {
+    const auto simulated = make();
+    simulated->takePose(1s, at(0.5));
+    simulated->waitUntilIdle();
+    const CameraIntrinsics other = CameraIntrinsics::pinhole(32, 20, 0.8);
+    simulated->setCamera(CameraModel(other));
+    simulated->takePose(2s, at(0.5));
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[1].camera, other);
+    EXPECT_EQ(frames[1].view.picture, renderer->render(CameraModel(other), optical(at(0.5))).picture);
+}
+
+/// With an object's pictures as messages carry them: a square in the middle, 0.2 m before the camera.
+class WithObjects : public InTheSimulator {
+  protected:
+    static constexpr std::uint8_t kLabel = 20;
+
+    WithObjects() : colour(64 * 48 * 3), labels(64 * 48), depths(64 * 48) {
+        options.overlay.emplace();
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                const std::size_t i = static_cast<std::size_t>(64 * y + x);
+                labels[i] = isObject(x, y) ? kLabel : 1;
+                depths[i] = isObject(x, y) ? 0.2F : 5;
+                colour[3 * i + 1] = isObject(x, y) ? 250 : 0;
+            }
+        }
+    }
+
+    static bool isObject(int x, int y) { return std::abs(x - 32) < 8 && std::abs(y - 24) < 8; }
+
+    void giveOverlay(SimulatedCamera& simulated, Stamp stamp) const {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(depths.data());
+        simulated.takeOverlay(OverlayPart::Depth, stamp, {64, 48, 0, "32FC1", false, {bytes, 64 * 48 * 4}});
+        simulated.takeOverlay(OverlayPart::Labels, stamp, {64, 48, 0, "mono8", false, labels});
+        simulated.takeOverlay(OverlayPart::Colour, stamp, {64, 48, 0, "rgb8", false, colour});
+    }
+
+    std::vector<std::uint8_t> colour;
+    std::vector<std::uint8_t> labels;
+    std::vector<float> depths;
+};
+
+TEST_F(WithObjects, TheObjectIsLaidIntoTheFrameOfItsStampAndTheRestIsThePhoto) {
+    const auto simulated = make();
+    simulated->takePose(1s, at(0.5));
+    giveOverlay(*simulated, 1s);
+    simulated->takePose(2s, at(0.5));
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].stamp, 1s);
+    EXPECT_EQ(frames[0].overlay, OverlayUse::Laid);
+    const RgbImage photo = renderer->render(CameraModel(camera), optical(at(0.5))).picture;
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const std::uint8_t* seen = frames[0].view.picture.at(x, y);
+            if (isObject(x, y)) {
+                ASSERT_THAT(std::vector<int>(seen, seen + 3), ElementsAre(0, 250, 0)) << x << " " << y;
+            } else {
+                ASSERT_TRUE(std::equal(seen, seen + 3, photo.at(x, y))) << x << " " << y;
+            }
+        }
+    }
+}
+
+TEST_F(WithObjects, WithoutThemTheFrameIsThePhotoAndIsCounted) {
+    const auto simulated = make();
+    simulated->takePose(1s, at(0.5));
+    simulated->takePose(2s, at(0.9));
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].overlay, OverlayUse::Missing);
+    EXPECT_EQ(frames[0].view.picture, renderer->render(CameraModel(camera), optical(at(0.5))).picture);
+    EXPECT_EQ(simulated->counters().overlaysMissing, 1U);
+    EXPECT_EQ(simulated->counters().overlaysLaid, 0U);
+}
+
+TEST_F(WithObjects, PicturesThatDoNotFitAreRefused) {
+    const auto simulated = make();
+    simulated->takeOverlay(OverlayPart::Colour, 1s, {63, 48, 0, "rgb8", false, colour});
+    simulated->takeOverlay(OverlayPart::Colour, 1s, {64, 48, 0, "jpeg", false, colour});
+    simulated->takeOverlay(OverlayPart::Depth, 1s, {64, 48, 0, "32FC1", false, colour});
+    simulated->takeOverlay(OverlayPart::Labels, -1s, {64, 48, 0, "mono8", false, labels});
+    simulated->takePose(1s, at(0.5));
+    giveOverlay(*simulated, 1s);
+    simulated->waitUntilIdle();
+    EXPECT_EQ(simulated->counters().overlaysLaid, 1U);
+    EXPECT_EQ(refused(simulated->counters(), Refusal::Size), 2U);
+    EXPECT_EQ(refused(simulated->counters(), Refusal::Encoding), 1U);
+    EXPECT_EQ(refused(simulated->counters(), Refusal::Time), 1U);
+    EXPECT_THAT(told[0], HasSubstr("63 x 48"));
+}
+
+TEST_F(InTheSimulator, RefusesOptionsOutOfRange) {
+    options.rateHz = 1001;
+    test::expectError(ErrorKind::InvalidInput, "0 to 1000", [this] { make(); });
+    options.rateHz = 30;
+    options.overlay.emplace().wait = 11s;
+    test::expectError(ErrorKind::InvalidInput, "0 to 10 s", [this] { make(); });
+    options.overlay.reset();
+    options.mounting.roomFromWorld.rotation = Quaterniond(0, 0, 0, 0);
+    test::expectError(ErrorKind::InvalidInput, "unit quaternions", [this] { make(); });
+}
+
+TEST(Calibration, IsWhatRosAndGazeboCallIt) {
+    const Calibration pinhole = calibration({640, 480, 500, 501, 319.5, 239.5, LensModel::Pinhole, {}});
+    EXPECT_EQ(pinhole.distortionModel, "plumb_bob");
+    EXPECT_THAT(pinhole.d, ElementsAre(0, 0, 0, 0, 0));
+    EXPECT_THAT(pinhole.k, ElementsAre(500, 0, 319.5, 0, 501, 239.5, 0, 0, 1));
+    EXPECT_THAT(pinhole.p, ElementsAre(500, 0, 319.5, 0, 0, 501, 239.5, 0, 0, 0, 1, 0));
+    const Calibration fisheye =
+        calibration({640, 480, 300, 300, 320, 240, LensModel::Equidistant, {0.1, 0.2, 0.3, 0.4}});
+    EXPECT_EQ(fisheye.distortionModel, "equidistant");
+    EXPECT_THAT(fisheye.d, ElementsAre(0.1, 0.2, 0.3, 0.4));
+}
+
+} // namespace
+} // namespace spherewalk::simulator
