@@ -33,6 +33,8 @@ set(SPHEREWALK_OWNER_spherewalk_httplib "practice")
 set(SPHEREWALK_OWNER_spherewalk_cairo "sheet")
 set(SPHEREWALK_OWNER_spherewalk_rsvg "sheet")
 set(SPHEREWALK_OWNER_pybind11::module "app")
+set(SPHEREWALK_OWNER_mujoco::mujoco "packaging/examples")
+set(SPHEREWALK_OWNER_OpenGL::EGL "packaging/examples")
 
 function(spherewalk_layer_of module result)
   foreach(level RANGE 6)
