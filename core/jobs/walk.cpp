@@ -145,6 +145,7 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         progress.progress(static_cast<double>(report.frames) / static_cast<double>(end - begin),
                           "Rendering the walk");
     }
+    journal.refresh(); // other parts may have been rendered meanwhile
     report.isComplete = true;
     for (std::size_t i = 0; i < path.size() && report.isComplete; ++i) {
         report.isComplete = isThere(i);

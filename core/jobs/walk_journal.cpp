@@ -19,18 +19,21 @@ constexpr std::string_view kEnd = "end";
 
 } // namespace
 
-WalkJournal::WalkJournal(const fs::path& folder, const std::string& key, const Shard& shard) {
-    const std::string prefix = key.substr(0, 16);
-    const fs::path parts = folder / "parts";
-    m_file = parts / text(prefix, ".", shard.index + 1, "-of-", shard.count, ".tsv");
-    ensureFolder(parts);
-    for (const fs::directory_entry& entry : fs::directory_iterator(parts)) {
-        if (entry.path().filename().string().starts_with(prefix)) {
+WalkJournal::WalkJournal(const fs::path& folder, const std::string& key, const Shard& shard)
+    : m_prefix(key.substr(0, 16)),
+      m_file(folder / "parts" / text(m_prefix, ".", shard.index + 1, "-of-", shard.count, ".tsv")) {
+    ensureFolder(m_file.parent_path());
+    refresh();
+    m_out.open(m_file, std::ios::app);
+    m_out << '\n'; // after a line that was cut off
+}
+
+void WalkJournal::refresh() {
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_file.parent_path())) {
+        if (entry.path().filename().string().starts_with(m_prefix)) {
             read(entry.path());
         }
     }
-    m_out.open(m_file, std::ios::app);
-    m_out << '\n'; // after a line that was cut off
 }
 
 void WalkJournal::read(const fs::path& file) {

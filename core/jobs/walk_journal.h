@@ -27,12 +27,16 @@ class WalkJournal {
 
     const std::map<std::size_t, FrameLines>& frames() const { return m_frames; }
 
+    /// Reads what other processes have added since.
+    void refresh();
+
     /// Errors: Io, Full.
     void add(std::size_t frame, const FrameLines& lines);
 
   private:
     void read(const std::filesystem::path& file);
 
+    std::string m_prefix; ///< of the names of this walk's files
     std::filesystem::path m_file;
     std::ofstream m_out;
     std::map<std::size_t, FrameLines> m_frames;

@@ -51,17 +51,19 @@ class WalkTest : public testing::Test {
 
     WalkReport run(const std::stop_token& stop = {}) { return run("out/walk", {}, stop); }
 
-    WalkReport run(const std::string& out, const WalkOptions& options, const std::stop_token& stop = {}) {
+    WalkReport run(const std::string& out, const WalkOptions& options, const std::stop_token& stop = {},
+                   ProgressSink& progress = noProgress()) {
         const render::Renderer renderer(
             std::make_shared<const render::Dataset>(render::Dataset::open(folder / "d")));
         return walk(renderer, CameraModel(CameraIntrinsics::pinhole(32, 24, 1)), path, options, folder / out,
-                    noProgress(), stop);
+                    progress, stop);
     }
 
-    WalkReport runPart(const std::string& out, const std::string& shard) {
+    WalkReport runPart(const std::string& out, const std::string& shard,
+                       ProgressSink& progress = noProgress()) {
         WalkOptions options;
         options.shard = Shard::parse(shard);
-        return run(out, options);
+        return run(out, options, {}, progress);
     }
 
     /// All files by name, but for those that tell how long it took.
@@ -107,6 +109,23 @@ TEST_F(WalkTest, IsTheSameInOnePieceAndInParts) {
     EXPECT_TRUE(runPart("parts", "2/3").isComplete);
     EXPECT_EQ(filesOf("parts"), filesOf("whole"));
     EXPECT_EQ(filesOf("whole").size(), 7U); // five frames, index, sheet
+}
+
+TEST_F(WalkTest, IsFinishedByTheLastOfPartsThatRunAtATime) {
+    struct : ProgressSink {
+        void progress(double /*fraction*/, std::string_view /*activity*/) override {
+            std::exchange(meanwhile, [] {})();
+        }
+
+        void warning(std::string_view /*sentence*/) override {}
+
+        std::function<void()> meanwhile;
+    } duringTheFirst;
+
+    duringTheFirst.meanwhile = [&] { EXPECT_FALSE(runPart("parts", "2/2").isComplete); };
+    EXPECT_TRUE(runPart("parts", "1/2", duringTheFirst).isComplete);
+    run("whole", {});
+    EXPECT_EQ(filesOf("parts"), filesOf("whole"));
 }
 
 TEST_F(WalkTest, GoesOnWithFramesThatAreMissing) {

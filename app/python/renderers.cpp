@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers.h"
+
+#include "datasets.h"
+#include "poses.h"
+#include "view_options.h"
+
+#include "spherewalk/base/enum_names.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/render/view_stream.h"
+
+#include <mutex>
+#include <unistd.h>
+
+namespace spherewalk::python {
+
+namespace {
+
+using render::Renderer;
+using render::VerifyPhotos;
+using render::View;
+using render::ViewOptions;
+using render::ViewStream;
+
+constexpr EnumNames<VerifyPhotos, 2> kVerifications{
+    {{VerifyPhotos::BeforeUse, "before_use"}, {VerifyPhotos::InBackground, "in_background"}}};
+
+/// Of a process: threads do not come along into a process that is forked, as multiprocessing does by default.
+class OwnProcess {
+  public:
+    /// Errors: Busy in another process.
+    void check() const {
+        if (getpid() != m_process) {
+            throw Error(ErrorKind::Busy,
+                        "This renderer was made by the process that this one was forked from, and "
+                        "its threads stayed there: make a renderer in each process.");
+        }
+    }
+
+  private:
+    pid_t m_process = getpid();
+};
+
+struct OwnRenderer {
+    Renderer renderer;
+    OwnProcess process = {};
+};
+
+/// A stream, which one thread may use at a time.
+struct OwnStream {
+    CameraModel camera;
+    ViewStream stream;
+    std::mutex inUse = {};
+    OwnProcess process = {};
+
+    /// Errors: Busy.
+    std::unique_lock<std::mutex> lock() {
+        process.check();
+        std::unique_lock lock(inUse, std::try_to_lock);
+        if (!lock) {
+            throw Error(
+                ErrorKind::Busy,
+                "Another thread is using this stream; make one for each thread, they share a renderer.");
+        }
+        return lock;
+    }
+};
+
+OwnRenderer makeRenderer(const OpenDataset& dataset, std::uint64_t cacheBytes,
+                         const std::string& verifyPhotos) {
+    VerifyPhotos verify = valueOf(kVerifications, "The verification of photos", verifyPhotos);
+    verify = dataset.isVerified ? VerifyPhotos::AtOpen : verify;
+    return {Renderer(dataset.dataset, {cacheBytes, verify})};
+}
+
+View render(const OwnRenderer& self, const CameraModel& camera, const py::object& pose, ViewOptions options,
+            const py::object& overlays, const std::string& frame) {
+    self.process.check();
+    const Rigid3 roomFromCamera = opticalPose(pose, frame);
+    const std::vector<render::Overlay> laidIn = overlaysFrom(overlays, camera.intrinsics());
+    options.overlays = laidIn;
+    const py::gil_scoped_release unlocked;
+    return self.renderer.render(camera, roomFromCamera, options);
+}
+
+/// So that Ctrl-C ends a long call. Threads: any; only Python's main thread hears signals.
+void raiseIfInterrupted() {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+    }
+}
+
+std::vector<View> renderAll(const OwnRenderer& self, const CameraModel& camera,
+                            const std::vector<Rigid3>& poses, ViewOptions options) {
+    std::vector<View> views(poses.size());
+    const int threads = std::exchange(options.threads, 1);
+    parallelFor(static_cast<int>(poses.size()), 1, threads, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            self.renderer.render(camera, poses[at], options, views[at]);
+            raiseIfInterrupted();
+        }
+    });
+    return views;
+}
+
+py::list renderMany(const OwnRenderer& self, const CameraModel& camera, const py::object& poses,
+                    const ViewOptions& options, const std::string& frame) {
+    self.process.check();
+    const std::vector<Rigid3> path = opticalPoses(poses, frame);
+    std::vector<View> views;
+    {
+        const py::gil_scoped_release unlocked;
+        views = renderAll(self, camera, path, options);
+    }
+    py::list result;
+    for (View& view : views) {
+        result.append(std::move(view));
+    }
+    return result;
+}
+
+std::unique_ptr<OwnStream> makeStream(const OwnRenderer& renderer, const CameraModel& camera,
+                                      const std::string& late, double prefetchS) {
+    renderer.process.check();
+    const render::StreamOptions options{render::latePolicy(late), prefetchS};
+    return std::unique_ptr<OwnStream>(new OwnStream{camera, ViewStream(renderer.renderer, camera, options)});
+}
+
+View next(OwnStream& self, const py::object& pose, double timeS, ViewOptions options,
+          const py::object& overlays, const std::string& frame) {
+    const Rigid3 roomFromCamera = opticalPose(pose, frame);
+    const std::vector<render::Overlay> laidIn = overlaysFrom(overlays, self.camera.intrinsics());
+    options.overlays = laidIn;
+    const auto lock = self.lock();
+    const py::gil_scoped_release unlocked;
+    return self.stream.next(roomFromCamera, timeS, options);
+}
+
+void bindRenderer(py::module_& module) {
+    py::class_<OwnRenderer>(
+        module, "Renderer",
+        "Answers \"what does my camera see from here?\" from a dataset. Any number of threads; "
+        "the interpreter's lock is free while a view is made. Make one in each process.")
+        .def(py::init(&makeRenderer), py::arg("dataset"), py::kw_only(),
+             py::arg("cache_bytes") = render::RendererOptions().cacheBytes,
+             py::arg("verify_photos") = "before_use",
+             "cache_bytes: for decoded pixels; verify_photos: compare a photo's hash \"before_use\" or, in "
+             "streams, "
+             "\"in_background\". A dataset that was opened with verify=\"hashes\" is not verified again.")
+        .def("render", &render, py::arg("camera"), py::arg("pose"),
+             py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
+             py::arg("overlays") = py::tuple(), py::arg("frame") = "optical",
+             "One view. pose: room_from_camera as (4, 4), or x y z qx qy qz qw, metres; frame: which frame "
+             "it is the "
+             "pose of, \"optical\" (z forward) or \"body\" (x forward).")
+        .def("render_many", &renderMany, py::arg("camera"), py::arg("poses"),
+             py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
+             py::arg("frame") = "optical",
+             "A view of each pose, (n, 4, 4) or (n, 7), several at a time, each by one thread; "
+             "options.threads at "
+             "once. The pixels are those of render(). Ctrl-C ends it between views.");
+}
+
+void bindStream(py::module_& module) {
+    using render::StreamCounters;
+    py::class_<StreamCounters>(module, "StreamCounters", "Views of a stream, since it was made.")
+        .def_readonly("views", &StreamCounters::views)
+        .def_readonly("late", &StreamCounters::late)
+        .def_readonly("waited", &StreamCounters::waited, "Late ones that waited.")
+        .def_readonly("coarse", &StreamCounters::coarse, "Made from a thumbnail.")
+        .def_readonly("previous", &StreamCounters::previous, "Made from the photo of the view before.");
+    py::class_<OwnStream>(
+        module, "ViewStream",
+        "The views of one moving camera in turn: what it will see next is decoded ahead. One "
+        "thread at a time; several streams of one renderer run beside each other.")
+        .def(py::init(&makeStream), py::arg("renderer"), py::arg("camera"), py::kw_only(),
+             py::arg("late") = "wait", py::arg("prefetch_s") = render::StreamOptions().prefetchSeconds,
+             "late: what a view is made from when its photo is not decoded yet, \"wait\" for it, \"coarse\" "
+             "(the "
+             "thumbnail), or \"previous\" (the photo before); prefetch_s: seconds of motion to decode ahead.")
+        .def("next", &next, py::arg("pose"), py::arg("time_s"),
+             py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
+             py::arg("overlays") = py::tuple(), py::arg("frame") = "optical",
+             "The view at a time, on any clock; what is not later than the view before is a new start.")
+        .def_property_readonly("counters",
+                               [](OwnStream& self) {
+                                   const auto lock = self.lock();
+                                   return self.stream.counters();
+                               })
+        .def(
+            "wait_for_prefetch",
+            [](OwnStream& self) {
+                const auto lock = self.lock();
+                const py::gil_scoped_release unlocked;
+                self.stream.waitForPrefetch();
+            },
+            "Returns when all that was predicted is decoded.");
+}
+
+} // namespace
+
+void bindRenderers(py::module_& module) {
+    bindRenderer(module);
+    bindStream(module);
+}
+
+} // namespace spherewalk::python

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the example with MuJoCo needs.
+option(SPHEREWALK_MUJOCO "Build the example with MuJoCo, if MuJoCo and EGL are found" ON)
+if(SPHEREWALK_MUJOCO)
+  find_package(mujoco QUIET)
+  find_package(OpenGL QUIET COMPONENTS EGL)
+  # Debian's target names a folder of libqhull-dev, which its package does not ask for.
+  if(TARGET mujoco::mujoco)
+    get_target_property(mujoco_folders mujoco::mujoco INTERFACE_INCLUDE_DIRECTORIES)
+    foreach(folder IN LISTS mujoco_folders)
+      if(NOT IS_DIRECTORY ${folder})
+        set(mujoco_FOUND OFF)
+      endif()
+    endforeach()
+  endif()
+  if(SPHEREWALK_RENDER_ONLY OR NOT mujoco_FOUND OR NOT TARGET OpenGL::EGL)
+    set(SPHEREWALK_MUJOCO OFF)
+  endif()
+endif()
+add_feature_info(mujoco SPHEREWALK_MUJOCO "the example with MuJoCo (needs libmujoco-dev libqhull-dev libegl-dev)")

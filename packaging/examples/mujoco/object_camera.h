@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "headless_gl.h"
+#include "simulation.h"
+
+#include "spherewalk/render/overlay.h"
+
+namespace mujoco_example {
+
+/// The camera that MuJoCo renders objects with for a robot's camera: the same where that has no lens and its
+/// axis meets the picture's centre, which is all that MuJoCo knows; else one of the same size that sees as
+/// much.
+spherewalk::CameraIntrinsics objectCamera(const spherewalk::CameraModel& camera);
+
+/// Renders what is in a simulation besides the room, to be laid into views. Threads: the one that made it.
+class ObjectRenderer {
+  public:
+    /// camera: as objectCamera() gives it, and as the world was made for. Owner: the simulation must outlive
+    /// it.
+    ObjectRenderer(Simulation& simulation, const spherewalk::CameraIntrinsics& camera);
+    ~ObjectRenderer();
+    ObjectRenderer(const ObjectRenderer&) = delete;
+    ObjectRenderer& operator=(const ObjectRenderer&) = delete;
+
+    /// Objects as the camera sees them now. wantsRoomDepth: that of the walls as MuJoCo has them comes along,
+    /// to hide objects where views have no scene model with surfaces.
+    spherewalk::render::Overlay overlay(bool wantsRoomDepth);
+
+  private:
+    struct Rendered;
+
+    /// Of the geoms in the room's group, or of all others.
+    Rendered rendered(bool isRoom);
+
+    HeadlessGl m_gl;
+    Simulation& m_simulation;
+    spherewalk::CameraIntrinsics m_camera;
+    mjvScene m_scene{};
+    mjrContext m_context{};
+};
+
+} // namespace mujoco_example
