@@ -2,8 +2,12 @@
 #include "cli_run.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/base/text.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cctype>
 
 namespace spherewalk {
 
@@ -51,6 +55,30 @@ TEST(ExportCommand, CutsPhotosIntoFacesThatColmapReads) {
     const CliResult again = runCli({"export", survey.path(), folder, "--format", "colmap"});
     EXPECT_EQ(again.status, 1);
     EXPECT_THAT(again.errors, HasSubstr("exists already"));
+}
+
+TEST(ExportCommand, WritesPosesIntoPhotosThatExiftoolReads) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    const Json description = parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json");
+    for (const Json& photo : description["photos"]) {
+        const std::string file = survey / "d" / photo["file"].get<std::string>();
+        test::Program exiftool({"/usr/bin/env", "exiftool", "-json", "-n", "-XMP-spherewalk:all", file});
+        ASSERT_EQ(exiftool.wait(), 0) << exiftool.errors();
+        const Json found = parseJson(exiftool.output(), "what exiftool says").at(0);
+        const auto number = [&](const std::string& tag) { // long ones come as texts
+            const Json& value = found.at(tag);
+            return value.is_string() ? parseNumber(value.get<std::string>()).value() : value.get<double>();
+        };
+        int i = 0;
+        for (const char* axis : {"X", "Y", "Z"}) {
+            EXPECT_NEAR(number(text("Position", axis)), photo["position_m"][i++].get<double>(), 1e-9);
+        }
+        for (const auto& [component, value] : photo["room_from_photo"].items()) {
+            const auto capital = static_cast<char>(std::toupper(component.front()));
+            EXPECT_NEAR(number(std::string("RoomFromPhoto") + capital), value.get<double>(), 1e-9);
+        }
+    }
 }
 
 TEST(ExportCommand, MakesTheSameWorldOfASurveyAndOfItsDataset) {
