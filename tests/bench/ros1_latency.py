@@ -35,7 +35,7 @@ with socket.socket() as free:
     free.bind(("127.0.0.1", 0))
     port = free.getsockname()[1]
 scratch = tempfile.TemporaryDirectory(prefix="spherewalk-bench-")
-os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_HOSTNAME="localhost", HOME=scratch.name,
+os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_HOSTNAME="127.0.0.1", HOME=scratch.name,
                   ROS_HOME=scratch.name)
 
 import rosgraph  # noqa: E402, as they look at the environment

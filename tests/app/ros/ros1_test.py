@@ -21,7 +21,7 @@ with socket.socket() as free:
     free.bind(("127.0.0.1", 0))
     PORT = free.getsockname()[1]
 SCRATCH = tempfile.TemporaryDirectory(prefix="spherewalk-ros1-")
-os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{PORT}", ROS_HOSTNAME="localhost", HOME=SCRATCH.name,
+os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{PORT}", ROS_HOSTNAME="127.0.0.1", HOME=SCRATCH.name,
                   ROS_HOME=SCRATCH.name)
 os.environ.pop("ROS_IP", None)
 
