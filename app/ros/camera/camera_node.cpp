@@ -52,6 +52,18 @@ OverlayPart partOf(OverlayTopic topic) {
 
 } // namespace
 
+const char* nameOf(OverlayTopic topic) {
+    switch (topic) {
+    case OverlayTopic::Depth:
+        return "overlay/depth";
+    case OverlayTopic::Labels:
+        return "overlay/labels";
+    case OverlayTopic::Colour:
+        break;
+    }
+    return "overlay/image_raw";
+}
+
 struct CameraNode::State {
     State(const NodeOptions& wanted, GiveFrame give, Tell tell)
         : options(wanted),

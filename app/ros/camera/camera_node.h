@@ -74,6 +74,9 @@ struct Diagnostics {
 
 enum class OverlayTopic { Colour, Depth, Labels };
 
+/// Relative to the camera's name space.
+const char* nameOf(OverlayTopic topic);
+
 /// A node without its middleware, which hands over what comes and publishes what is given. Each time for
 /// which the camera's place in the room becomes known is a pose. What comes is not believed: what cannot be
 /// used is counted and told of. Threads: all functions may be called from any thread; frames are handed over

@@ -8,8 +8,6 @@ namespace spherewalk::ros {
 
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-
 std::string textOf(const char* text) {
     return text == nullptr ? "" : text;
 }
@@ -19,29 +17,24 @@ char* borrowed(const std::string& text) {
     return const_cast<char*>(text.c_str());
 }
 
-template <class Place, class Turn>
-Rigid3 rigid(const Place& place, const Turn& turn) {
-    return {Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z), Eigen::Vector3d(place.x, place.y, place.z)};
-}
-
 } // namespace
 
 Stamp stampOf(const TimeMessage& time) {
-    return Stamp(kSecond * time.sec + time.nanosec);
+    return Stamp(kNanosecondsOfSecond * time.sec + time.nanosec);
 }
 
 TimeMessage timeOf(Stamp stamp) {
-    return {static_cast<std::int32_t>(stamp.count() / kSecond),
-            static_cast<std::uint32_t>(stamp.count() % kSecond)};
+    return {static_cast<std::int32_t>(stamp.count() / kNanosecondsOfSecond),
+            static_cast<std::uint32_t>(stamp.count() % kNanosecondsOfSecond)};
 }
 
 Rigid3 poseOf(const PoseMessage& message) {
-    return rigid(message.pose.position, message.pose.orientation);
+    return rigidOf(message.pose.position, message.pose.orientation);
 }
 
 Transform transformOf(const TransformMessage& message) {
     return {textOf(message.header.frame_id), textOf(message.child_frame_id), stampOf(message.header.stamp),
-            rigid(message.transform.translation, message.transform.rotation)};
+            rigidOf(message.transform.translation, message.transform.rotation)};
 }
 
 Calibration calibrationOf(const CameraInfoMessage& message) {

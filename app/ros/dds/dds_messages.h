@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "camera/camera_node.h"
+#include "camera/message_fields.h"
 #include "ros_messages.h"
 
 #include <string>

@@ -7,22 +7,6 @@
 
 namespace spherewalk::ros {
 
-namespace {
-
-const char* nameOf(OverlayTopic topic) {
-    switch (topic) {
-    case OverlayTopic::Depth:
-        return "overlay/depth";
-    case OverlayTopic::Labels:
-        return "overlay/labels";
-    case OverlayTopic::Colour:
-        break;
-    }
-    return "overlay/image_raw";
-}
-
-} // namespace
-
 DdsNode::DdsNode(const DdsOptions& options)
     : m_options(options),
       m_port(options.domain),

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "camera/camera_node.h"
+#include "camera/message_fields.h"
 
 #include <builtin_interfaces/msg/time.hpp>
-#include <diagnostic_msgs/msg/diagnostic_status.hpp>
 #include <geometry_msgs/msg/pose.hpp>
 #include <geometry_msgs/msg/transform_stamped.hpp>
 #include <sensor_msgs/msg/camera_info.hpp>
-#include <sensor_msgs/msg/image.hpp>
-#include <string>
 
 namespace spherewalk::ros {
 
@@ -19,12 +16,8 @@ Stamp stampOf(const builtin_interfaces::msg::Time& time);
 builtin_interfaces::msg::Time timeOf(Stamp stamp);
 Rigid3 poseOf(const geometry_msgs::msg::Pose& pose);
 Transform transformOf(const geometry_msgs::msg::TransformStamped& message);
-/// Owner: refers to the message.
-Picture pictureOf(const sensor_msgs::msg::Image& message);
 Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message);
 /// All but the header.
-void fill(sensor_msgs::msg::Image& message, const PublishedFrame& frame);
 void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration);
-diagnostic_msgs::msg::DiagnosticStatus statusOf(const Diagnostics& diagnostics, const std::string& node);
 
 } // namespace spherewalk::ros

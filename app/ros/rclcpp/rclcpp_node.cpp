@@ -3,8 +3,6 @@
 
 #include "rclcpp_messages.h"
 
-#include "spherewalk/base/error.h"
-
 #include <chrono>
 #include <utility>
 
@@ -13,18 +11,6 @@ namespace spherewalk::ros {
 namespace {
 
 constexpr std::size_t kTransformQueue = 100; ///< as tf2_ros has it
-
-const char* nameOf(OverlayTopic topic) {
-    switch (topic) {
-    case OverlayTopic::Depth:
-        return "overlay/depth";
-    case OverlayTopic::Labels:
-        return "overlay/labels";
-    case OverlayTopic::Colour:
-        break;
-    }
-    return "overlay/image_raw";
-}
 
 } // namespace
 
@@ -108,7 +94,7 @@ void RclcppNode::publish(const PublishedFrame& frame) {
     fill(*info, frame.calibration);
     auto image = std::make_unique<sensor_msgs::msg::Image>();
     image->header = info->header;
-    fill(*image, frame);
+    fillImage(*image, frame);
     m_infos->publish(std::move(info));
     m_images->publish(std::move(image));
 }
@@ -116,19 +102,13 @@ void RclcppNode::publish(const PublishedFrame& frame) {
 void RclcppNode::publishDiagnostics() {
     diagnostic_msgs::msg::DiagnosticArray message;
     message.header.stamp = get_clock()->now();
-    message.status.push_back(statusOf(m_node->diagnostics(), get_fully_qualified_name()));
+    message.status.push_back(
+        statusOf<diagnostic_msgs::msg::DiagnosticStatus>(m_node->diagnostics(), get_fully_qualified_name()));
     m_diagnostics->publish(message);
 }
 
 void RclcppNode::setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response) {
-    try {
-        m_node->setCamera(calibrationOf(request.camera_info));
-        response.success = true;
-        response.status_message = "The camera is used until the node ends; its file is unchanged.";
-    } catch (const Error& error) {
-        response.success = false;
-        response.status_message = error.sentence();
-    }
+    answerSetCamera(*m_node, calibrationOf(request.camera_info), response);
 }
 
 } // namespace spherewalk::ros

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "camera/camera_node.h"
+#include "camera/message_fields.h"
 
-#include <diagnostic_msgs/DiagnosticStatus.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/time.h>
 #include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/Image.h>
-#include <string>
 
 namespace spherewalk::ros {
 
@@ -19,12 +16,8 @@ Stamp stampOf(const ::ros::Time& time);
 ::ros::Time rosTime(Stamp stamp);
 Rigid3 poseOf(const geometry_msgs::Pose& pose);
 Transform transformOf(const geometry_msgs::TransformStamped& message);
-/// Owner: refers to the message.
-Picture pictureOf(const sensor_msgs::Image& message);
 Calibration calibrationOf(const sensor_msgs::CameraInfo& message);
 /// All but the header.
-void fill(sensor_msgs::Image& message, const PublishedFrame& frame);
 void fill(sensor_msgs::CameraInfo& message, const Calibration& calibration);
-diagnostic_msgs::DiagnosticStatus statusOf(const Diagnostics& diagnostics, const std::string& node);
 
 } // namespace spherewalk::ros

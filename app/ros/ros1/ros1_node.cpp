@@ -3,8 +3,6 @@
 
 #include "ros1_messages.h"
 
-#include "spherewalk/base/error.h"
-
 namespace spherewalk::ros {
 
 namespace {
@@ -15,18 +13,6 @@ constexpr std::uint32_t kPictureQueue = 5;
 /// Frames that wait to be sent; where every one counts there is no limit.
 std::uint32_t frameQueue(const NodeOptions& options) {
     return options.pace == "every" ? 0 : 2;
-}
-
-const char* nameOf(OverlayTopic topic) {
-    switch (topic) {
-    case OverlayTopic::Depth:
-        return "overlay/depth";
-    case OverlayTopic::Labels:
-        return "overlay/labels";
-    case OverlayTopic::Colour:
-        break;
-    }
-    return "overlay/image_raw";
 }
 
 } // namespace
@@ -83,7 +69,7 @@ void Ros1Node::listen() {
 void Ros1Node::publish(const PublishedFrame& frame) {
     m_image.header.stamp = rosTime(frame.stamp);
     m_image.header.frame_id = m_node.options().cameraFrame;
-    fill(m_image, frame);
+    fillImage(m_image, frame);
     fill(m_info, frame.calibration);
     m_info.header = m_image.header;
     m_publisher.publish(m_image, m_info);
@@ -92,20 +78,14 @@ void Ros1Node::publish(const PublishedFrame& frame) {
 void Ros1Node::publishDiagnostics() {
     diagnostic_msgs::DiagnosticArray message;
     message.header.stamp = ::ros::Time::now();
-    message.status.push_back(statusOf(m_node.diagnostics(), ::ros::this_node::getName()));
+    message.status.push_back(
+        statusOf<diagnostic_msgs::DiagnosticStatus>(m_node.diagnostics(), ::ros::this_node::getName()));
     m_diagnostics.publish(message);
 }
 
 bool Ros1Node::setCamera(sensor_msgs::SetCameraInfo::Request& request,
                          sensor_msgs::SetCameraInfo::Response& response) {
-    try {
-        m_node.setCamera(calibrationOf(request.camera_info));
-        response.success = true;
-        response.status_message = "The camera is used until the node ends; its file is unchanged.";
-    } catch (const Error& error) {
-        response.success = false;
-        response.status_message = error.sentence();
-    }
+    answerSetCamera(m_node, calibrationOf(request.camera_info), response);
     return true; // it was answered
 }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What messages of ROS 1, of ROS 2 and of DDS have in common: fields of the same names, in types of their
+// own.
+#pragma once
+
+#include "camera_node.h"
+
+#include "spherewalk/base/error.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace spherewalk::ros {
+
+inline constexpr std::int64_t kNanosecondsOfSecond = 1'000'000'000;
+
+template <class Place, class Turn>
+Rigid3 rigidOf(const Place& place, const Turn& turn) {
+    return {Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z), Eigen::Vector3d(place.x, place.y, place.z)};
+}
+
+/// Of a TransformStamped whose texts are C++'s.
+template <class Message>
+Transform transformIn(const Message& message, Stamp stamp) {
+    return {message.header.frame_id, message.child_frame_id, stamp,
+            rigidOf(message.transform.translation, message.transform.rotation)};
+}
+
+/// Of an Image whose texts and arrays are C++'s. Owner: refers to the message.
+template <class Message>
+Picture pictureOf(const Message& message) {
+    return {
+        message.width,       message.height,     message.step, message.encoding, message.is_bigendian != 0,
+        message.data.data(), message.data.size()};
+}
+
+/// Of a CameraInfo, whose matrices have names in capitals in ROS 1 and in small letters in ROS 2.
+template <class Message, class Coefficients, class Matrix>
+Calibration calibrationIn(const Message& message, const Coefficients& d, const Matrix& k) {
+    Calibration calibration;
+    calibration.width = static_cast<int>(message.width);
+    calibration.height = static_cast<int>(message.height);
+    calibration.distortionModel = message.distortion_model;
+    calibration.d.assign(d.begin(), d.end());
+    std::copy(k.begin(), k.end(), calibration.k.begin());
+    return calibration;
+}
+
+/// All of a CameraInfo but the header.
+template <class Message, class Coefficients, class Square, class Projection>
+void fillCalibration(Message& message, Coefficients& d, Square& k, Square& r, Projection& p,
+                     const Calibration& calibration) {
+    message.width = static_cast<std::uint32_t>(calibration.width);
+    message.height = static_cast<std::uint32_t>(calibration.height);
+    message.distortion_model = calibration.distortionModel;
+    d.assign(calibration.d.begin(), calibration.d.end());
+    std::copy(calibration.k.begin(), calibration.k.end(), k.begin());
+    std::copy(calibration.r.begin(), calibration.r.end(), r.begin());
+    std::copy(calibration.p.begin(), calibration.p.end(), p.begin());
+}
+
+/// All of an Image but the header.
+template <class Message>
+void fillImage(Message& message, const PublishedFrame& frame) {
+    message.width = static_cast<std::uint32_t>(frame.width);
+    message.height = static_cast<std::uint32_t>(frame.height);
+    message.step = 3 * message.width;
+    message.encoding = "rgb8";
+    message.data.assign(frame.rgb, frame.rgb + std::size_t{message.step} * message.height);
+}
+
+/// A DiagnosticStatus.
+template <class Message>
+Message statusOf(const Diagnostics& diagnostics, const std::string& node) {
+    Message status;
+    status.level = static_cast<decltype(status.level)>(diagnostics.level);
+    status.name = node + ": camera";
+    status.hardware_id = "spherewalk";
+    status.message = diagnostics.message;
+    for (const auto& [key, value] : diagnostics.values) {
+        status.values.emplace_back();
+        status.values.back().key = key;
+        status.values.back().value = value;
+    }
+    return status;
+}
+
+/// Answers SetCameraInfo.
+template <class Response>
+void answerSetCamera(CameraNode& node, const Calibration& calibration, Response& response) {
+    try {
+        node.setCamera(calibration);
+        response.success = true;
+        response.status_message = "The camera is used until the node ends; its file is unchanged.";
+    } catch (const Error& error) {
+        response.success = false;
+        response.status_message = error.sentence();
+    }
+}
+
+} // namespace spherewalk::ros
