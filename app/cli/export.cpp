@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
+#include "measured_dataset.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -160,11 +161,7 @@ void addExport(Commands& commands) {
     command.add_option(
         "--camera", options->camera,
         "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML");
-    command
-        .add_option("--tolerance", options->measure.tolerancePx,
-                    "Pixels of that camera that 95 of 100 places may be displaced by")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
+    declareTolerance(command, options->measure.tolerancePx);
 }
 
 } // namespace spherewalk::cli

@@ -50,11 +50,7 @@ void addGridStudy(Commands& commands) {
         "grid-study", "From a dense block of photos, find how coarse a grid may be, and what it costs",
         [options](Context& context) { return study(*options, context); });
     options->dataset.declare(command);
-    command
-        .add_option("--tolerance", options->study.tolerancePx,
-                    "Pixels of the robot's camera that 95 of 100 places may be displaced by")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
+    declareTolerance(command, options->study.tolerancePx);
     command.add_option("--largest", options->study.largest, "The coarsest grid keeps every so many-th photo")
         ->check(CLI::Range(2, 20))
         ->capture_default_str();

@@ -89,11 +89,7 @@ void addMeasure(Commands& commands) {
     command.add_option(
         "--pictures", options->pictures,
         "CSV of the robot camera's own pictures with their poses, compared besides photos that are left out");
-    command
-        .add_option("--tolerance", options->measure.tolerancePx,
-                    "Pixels of the robot's camera that 95 of 100 places may be displaced by")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
+    declareTolerance(command, options->measure.tolerancePx);
     command
         .add_option(
             "--places", options->places,

@@ -8,6 +8,14 @@ namespace spherewalk::cli {
 
 namespace fs = std::filesystem;
 
+void declareTolerance(CLI::App& command, double& tolerancePx) {
+    command
+        .add_option("--tolerance", tolerancePx,
+                    "Pixels of the robot's camera that 95 of 100 places may be displaced by")
+        ->check(CLI::Range(0.01, 1000.0))
+        ->capture_default_str();
+}
+
 void MeasuredDataset::declare(CLI::App& command) {
     m_options.declare(command);
     command.get_option("dataset")->description(

@@ -10,6 +10,9 @@
 
 namespace spherewalk::cli {
 
+/// The option --tolerance.
+void declareTolerance(CLI::App& command, double& tolerancePx);
+
 /// What measuring commands have in common: a dataset, or a survey that is exported first; and a folder for
 /// results.
 class MeasuredDataset {
