@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge.h"
+#include "middleware.h"
 #include "program/program.h"
 #include "program/simulator_options.h"
 #include "program/stop_on_signal.h"
@@ -104,5 +105,5 @@ int runProgram(int argc, char** argv) {
 } // namespace spherewalk::gazebo
 
 int main(int argc, char** argv) {
-    return spherewalk::gazebo::runProgram(argc, argv);
+    spherewalk::gazebo::endProgram(spherewalk::gazebo::runProgram(argc, argv));
 }

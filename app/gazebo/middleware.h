@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdio>
+#include <cstdlib>
+
 // Gazebo's transport and messages by one name: gz-transport and gz-msgs, or ignition-transport and
 // ignition-msgs, as they were called up to Fortress.
 #ifdef SPHEREWALK_IGNITION
@@ -28,3 +31,14 @@ namespace msgs = gz::msgs;
 namespace transport = gz::transport;
 } // namespace spherewalk::gazebo
 #endif
+
+namespace spherewalk::gazebo {
+
+/// Ends a program that used the transport. Its thread of discovery is never joined, so static objects must
+/// not be destroyed under it.
+[[noreturn]] inline void endProgram(int status) {
+    std::fflush(nullptr);
+    std::_Exit(status);
+}
+
+} // namespace spherewalk::gazebo

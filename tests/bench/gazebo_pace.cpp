@@ -167,5 +167,6 @@ int main(int count, char** values) {
     }
     play(values[1], std::stod(values[2]), count > 3 ? std::stod(values[3]) : 30,
          count > 4 && std::string(values[4]) == "overlay");
-    return 0;
+    std::cout.flush();
+    spherewalk::gazebo::endProgram(0);
 }

@@ -85,11 +85,8 @@ TEST_F(Gazebo, TakesPosesOfTheSceneByBareNames) {
         Simulation::add(message, "", "camera", {Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 0.8)});
         simulation.publish(message);
     };
-    for (int i = 0; i < 3000 && !listener.has(1); ++i) {
-        publish(i * 1ms);
-        std::this_thread::sleep_for(20ms);
-    }
-    ASSERT_TRUE(listener.has(1)) << program->errors();
+    ASSERT_TRUE(repeatUntil([&] { return listener.has(1); }, [&](int i) { publish(i * 1ms); }))
+        << program->errors();
     expectPicture(listener.images().front(), expected(0.9, 1));
     EXPECT_EQ(entryOf(listener.images().front().header(), "frame_id"), "eye");
 }
@@ -105,26 +102,22 @@ TEST_F(Gazebo, NothingIsRenderedWhileNobodyListens) {
         simulation.publish(message);
     };
     const auto isTold = [&](const std::string& sentence) {
-        std::this_thread::sleep_for(20ms);
         return program->errors().find(sentence) != std::string::npos;
     };
-    for (int i = 0; i < 3000 && !isTold("not a unit quaternion"); ++i) {
-        refused({2, 0, 0, 0}, 0);
-    }
+    ASSERT_TRUE(repeatUntil([&] { return isTold("not a unit quaternion"); },
+                            [&](int) {
+                                refused({2, 0, 0, 0}, 0);
+                            }));
     constexpr int kUnheard = 200;
     for (int i = 0; i < kUnheard; ++i) {
         simulation.robotAt(i * 1ms, 0.3, 0);
     }
     refused({1, 0, 0, 0}, 1e9);
-    for (int i = 0; i < 3000 && !isTold("within 10^7 m"); ++i) {
-    }
+    ASSERT_TRUE(waitUntil([&] { return isTold("within 10^7 m"); }));
     Listener listener("/robot/front");
     int heard = 0;
-    for (; heard < 3000 && !listener.has(1); ++heard) {
-        simulation.robotAt((kUnheard + heard) * 1ms, 0.3, 0);
-        std::this_thread::sleep_for(20ms);
-    }
-    ASSERT_TRUE(listener.has(1));
+    ASSERT_TRUE(repeatUntil([&] { return listener.has(1); },
+                            [&](int) { simulation.robotAt((kUnheard + heard++) * 1ms, 0.3, 0); }));
     EXPECT_GE(stampOf(listener.images().front().header()), kUnheard * 1ms);
     const Json summary = end();
     EXPECT_LE(summary["frames"].get<int>(), heard);

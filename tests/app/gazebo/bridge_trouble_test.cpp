@@ -156,36 +156,33 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
     Simulation simulation;
     {
         Listener listener("/robot/front");
-        for (int i = 0; i < 3000 && !listener.has(1); ++i) {
-            simulation.robotAt(i * 1s, 0.3, 0); // each ends the wait for the one before
-            std::this_thread::sleep_for(20ms);
-        }
-        ASSERT_TRUE(listener.has(1)) << program->errors();
+        ASSERT_TRUE(repeatUntil(
+            [&] { return listener.has(1); },
+            [&](int i) { simulation.robotAt(i * 1s, 0.3, 0); })) // each ends the wait for the one before
+            << program->errors();
         EXPECT_EQ(listener.reports().front().params().at("overlay").string_value(), "missing");
         expectPicture(listener.images().front(), expected(0.3, 0));
         Stamp stamp = std::chrono::hours(2) + 3ns;
-        for (int i = 0; i < 3000 && !laid(listener, stamp); ++i) { // the first pictures may be lost
-            stamp += 1s;
-            publish(stamp);
-            simulation.robotAt(stamp, 0.3, 0);
-            std::this_thread::sleep_for(20ms);
-        }
+        ASSERT_TRUE(repeatUntil([&] { return laid(listener, stamp).has_value(); },
+                                [&](int) {
+                                    stamp += 1s;
+                                    publish(stamp);
+                                    simulation.robotAt(stamp, 0.3, 0);
+                                }))
+            << program->errors();
         stamp += 1s;
         m_colour.Publish(image(stamp, gz::RGB_INT8)); // without pixels
         m_depth.Publish(image(stamp, gz::RGB_INT8));
         m_labels.Publish(image(stamp, gz::R_FLOAT32, 1 << 30));
         publish(stamp);
         simulation.robotAt(stamp, 0.8, 0.3);
-        for (int i = 0; i < 3000 && !laid(listener, stamp); ++i) {
-            std::this_thread::sleep_for(20ms);
-        }
-        const std::optional<gz::Image> picture = laid(listener, stamp);
-        ASSERT_TRUE(picture) << program->errors();
+        ASSERT_TRUE(waitUntil([&] { return laid(listener, stamp).has_value(); })) << program->errors();
+        const gz::Image picture = laid(listener, stamp).value();
         const RgbImage photo = expected(0.8, 0.3);
         for (int y = 0; y < 120; ++y) {
             for (int x = 0; x < 160; ++x) {
                 const std::string seen =
-                    picture->data().substr(static_cast<std::size_t>(3 * (160 * y + x)), 3);
+                    picture.data().substr(static_cast<std::size_t>(3 * (160 * y + x)), 3);
                 const std::string wanted =
                     isObject(x, y) ? "\x0a\xc8\x14"
                                    : std::string(reinterpret_cast<const char*>(photo.at(x, y)), 3);
@@ -194,10 +191,7 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
         }
     }
     // The simulator need not render what nobody wants.
-    for (int i = 0; i < 3000 && isHeard(); ++i) {
-        std::this_thread::sleep_for(20ms);
-    }
-    EXPECT_FALSE(isHeard());
+    EXPECT_TRUE(waitUntil([this] { return !isHeard(); }));
     const Json summary = end();
     EXPECT_GE(summary["overlays_laid"].get<int>(), 2);
     EXPECT_EQ(summary["refused"]["size"], 1);

@@ -22,7 +22,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -218,13 +217,30 @@ class Gazebo : public testing::Test {
         ASSERT_NE(program->waitForError("Waits for poses"), "") << program->errors();
     }
 
+    /// Does it with 0, 1, ..., until the condition holds: what is published at first may be lost. False if
+    /// that takes a minute, or the program ends.
+    template <class Condition, class Action>
+    bool repeatUntil(const Condition& holds, const Action& act) {
+        constexpr int kMost = 3000;
+        for (int i = 0; i < kMost && !holds(); ++i) {
+            act(i);
+            if (program->endsWithin(std::chrono::milliseconds(20))) {
+                break;
+            }
+        }
+        return holds();
+    }
+
+    template <class Condition>
+    bool waitUntil(const Condition& holds) {
+        return repeatUntil(holds, [](int) {});
+    }
+
     /// Until poses get there and pictures come back, by poses of a time that is over then.
     void connect(Simulation& simulation, Listener& listener) {
-        for (int i = 0; i < 3000 && !listener.has(1); ++i) {
-            simulation.robotAt(std::chrono::milliseconds(i), 0.3, 0);
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        }
-        ASSERT_TRUE(listener.has(1)) << program->errors();
+        ASSERT_TRUE(repeatUntil([&] { return listener.has(1); },
+                                [&](int i) { simulation.robotAt(std::chrono::milliseconds(i), 0.3, 0); }))
+            << program->errors();
         settle(simulation, listener);
     }
 
@@ -232,13 +248,10 @@ class Gazebo : public testing::Test {
     void settle(Simulation& simulation, Listener& listener) {
         const Stamp last = std::chrono::hours(1);
         simulation.robotAt(last, 0.3, 0);
-        for (int i = 0; i < 3000; ++i) {
+        EXPECT_TRUE(waitUntil([&] {
             const auto reports = listener.reports();
-            if (!reports.empty() && stampOf(reports.back().header()) == last) {
-                break;
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        }
+            return !reports.empty() && stampOf(reports.back().header()) == last;
+        }));
         listener.clear();
     }
 
