@@ -26,8 +26,8 @@ void print(const std::string& text) {
 } // namespace
 
 TerminalProgress::TerminalProgress()
-    : m_start(std::chrono::steady_clock::now()),
-      m_nextShow(m_start + 1s),
+    : m_timeLeft(std::chrono::steady_clock::now()),
+      m_nextShow(std::chrono::steady_clock::now() + 1s),
       m_isTerminal(::isatty(STDERR_FILENO) == 1) {
 }
 
@@ -45,11 +45,11 @@ void TerminalProgress::clearLine() {
 void TerminalProgress::progress(double fraction, std::string_view activity) {
     const std::scoped_lock lock(m_mutex);
     const auto now = std::chrono::steady_clock::now();
+    const auto left = m_timeLeft.at(now, fraction);
     if (now < m_nextShow) {
         return;
     }
     m_nextShow = now + (m_isTerminal ? 200ms : 5000ms);
-    const auto left = TimeLeft(m_start).at(now, fraction);
     const std::string line = text(activity, ": ", static_cast<int>(std::floor(100 * fraction)), " %",
                                   left ? text(", ", humanDuration(*left), " left") : "");
     clearLine();

@@ -26,7 +26,7 @@ class TerminalProgress : public ProgressSink {
     void clearLine();
 
     std::mutex m_mutex;
-    const std::chrono::steady_clock::time_point m_start;
+    TimeLeft m_timeLeft;
     std::chrono::steady_clock::time_point m_nextShow;
     bool m_isTerminal;
     bool m_lineIsShown = false;

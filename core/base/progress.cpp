@@ -36,12 +36,21 @@ void ProgressStep::warning(std::string_view sentence) {
     m_parent.warning(sentence);
 }
 
-std::optional<std::chrono::duration<double>> TimeLeft::at(TimePoint now, double fraction) const {
-    const std::chrono::duration<double> passed = now - m_start;
-    if (fraction < 0.01 || passed.count() < 1) {
+std::optional<std::chrono::duration<double>> TimeLeft::at(TimePoint now, double fraction) {
+    constexpr int kSeenAtMost = 64; // in all of the time so far; about half of them are kept
+    const auto passed = now - m_start;
+    while (m_seen.size() > 1 && m_seen[1].at <= m_start + passed / 2) {
+        m_seen.pop_front();
+    }
+    const Seen begin = m_seen.front();
+    if (now - m_seen.back().at >= passed / kSeenAtMost) {
+        m_seen.push_back({now, fraction});
+    }
+    const double gained = fraction - begin.fraction;
+    if (fraction < 0.01 || passed < std::chrono::seconds(1) || gained <= 0) {
         return std::nullopt;
     }
-    return passed * std::max(0.0, 1 - fraction) / fraction;
+    return std::chrono::duration<double>(now - begin.at) * std::max(0.0, 1 - fraction) / gained;
 }
 
 void throwIfStopped(const std::stop_token& stop) {

@@ -38,13 +38,33 @@ TEST(ProgressStep, MapsItsStepIntoTheWholeAndNeverGoesBack) {
     EXPECT_EQ(whole.warnings, std::vector<std::string>{"look"});
 }
 
-TEST(TimeLeft, IsTheRestAtThePaceSoFar) {
+TEST(TimeLeft, IsTheRestAtThePaceOfBefore) {
     const TimeLeft::TimePoint start{};
-    const TimeLeft left(start);
+    TimeLeft left(start);
     EXPECT_FALSE(left.at(start, 0));
-    EXPECT_FALSE(left.at(start + std::chrono::milliseconds(500), 0.5));
+    EXPECT_FALSE(left.at(start + std::chrono::milliseconds(500), 0.25 / 60));
     EXPECT_NEAR(left.at(start + std::chrono::seconds(30), 0.25)->count(), 90, 1e-9);
     EXPECT_EQ(left.at(start + std::chrono::seconds(30), 1.5)->count(), 0);
+}
+
+TEST(TimeLeft, IsNotFooledByWhatAResumedJobFindsDone) {
+    const TimeLeft::TimePoint start{};
+    TimeLeft left(start);
+    for (int i = 1; i <= 4000; ++i) { // 60 percent at once, then one percent in ten seconds
+        const double seconds = i / 10.0;
+        const auto rest = left.at(start + std::chrono::milliseconds(100 * i), 0.6 + seconds / 1000);
+        if (seconds >= 1) {
+            ASSERT_TRUE(rest);
+            EXPECT_NEAR(rest->count(), 400 - seconds, 1e-6) << seconds;
+        }
+    }
+}
+
+TEST(TimeLeft, SaysNothingWhileNothingMoves) {
+    const TimeLeft::TimePoint start{};
+    TimeLeft left(start);
+    EXPECT_TRUE(left.at(start + std::chrono::seconds(10), 0.5));
+    EXPECT_FALSE(left.at(start + std::chrono::seconds(30), 0.5));
 }
 
 TEST(Stop, EndsASleepAndThrowsStopped) {

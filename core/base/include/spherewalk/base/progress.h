@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <optional>
 #include <stop_token>
 #include <string_view>
@@ -39,18 +40,26 @@ class ProgressStep : public ProgressSink {
     double m_reached = 0;
 };
 
-/// Estimates the time left of a job from the fractions seen so far.
+/// Estimates the time left of a job from the fractions seen so far. What a job found done already, when it is
+/// resumed, hardly counts: the pace is that of the later half of the time.
 class TimeLeft {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
 
-    explicit TimeLeft(TimePoint start) : m_start(start) {}
+    explicit TimeLeft(TimePoint start) : m_start(start), m_seen{{start, 0}} {}
 
-    /// The time that the rest will take at the average pace so far; nothing before one percent or one second.
-    std::optional<std::chrono::duration<double>> at(TimePoint now, double fraction) const;
+    /// The time that the rest will take; nothing before one percent or one second, or while nothing moves.
+    /// Calls are in the order of time; the more of them, the sooner the pace is right.
+    std::optional<std::chrono::duration<double>> at(TimePoint now, double fraction);
 
   private:
+    struct Seen {
+        TimePoint at;
+        double fraction;
+    };
+
     TimePoint m_start;
+    std::deque<Seen> m_seen; ///< oldest first; the first is the last one of the earlier half of the time
 };
 
 /// Throws Error{Stopped} if a stop was asked for; call it at every photo, tile, iteration and network tick.
