@@ -21,7 +21,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 1; ///< grows when the same photos and options give another depth
+constexpr int kMethod = 2; ///< grows when the same photos and options give another depth
 constexpr std::uint64_t kLargestFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;

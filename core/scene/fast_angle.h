@@ -30,4 +30,19 @@ inline float fastAngle(float y, float x) {
     return y < 0 ? -result : result;
 }
 
+/// Where an equirectangular picture of some width shows a direction, in single precision: from its first
+/// column's and row's centre on, within a turn and not above that row.
+struct FastPixel {
+    float u;
+    float v;
+};
+
+inline FastPixel fastPixel(float x, float y, float z, float width) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const float perRadian = width / (2 * kPi);
+    const float column = (kPi - fastAngle(y, x)) * perRadian - 0.5F;
+    const float line = (0.5F * kPi - fastAngle(z, std::sqrt(x * x + y * y))) * perRadian - 0.5F;
+    return {column < 0 ? column + width : column, line < 0 ? 0 : line};
+}
+
 } // namespace spherewalk::scene

@@ -2,20 +2,21 @@
 #include "sweep_cost.h"
 
 #include "fast_angle.h"
+#include "vector_clones.h"
 
 #include "spherewalk/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 
 namespace spherewalk::scene {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
-/// Where the neighbour shows a row's pixels. Directions are never normalised.
+/// Directions of a row's pixels.
 struct RowRays {
     const float* cosAzimuth;
     const float* sinAzimuth;
@@ -23,32 +24,81 @@ struct RowRays {
     float sinElevation;
 };
 
-void places(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& offset, int width,
-            float* __restrict u, float* __restrict v) {
-    const float perTurn = static_cast<float>(width) / (2 * kPi);
-    const auto turn = static_cast<float>(width);
+/// Where a picture's values are from which a row's are interpolated.
+struct RowPlaces {
+    std::int32_t* first; ///< of the upper left pixel
+    float* right;
+    float* down;
+};
+
+/// Where a neighbour shows a row's pixels. Directions are never normalised.
+SPHEREWALK_VECTOR_CLONES
+void findPlaces(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& offset, int width,
+                int stride, const RowPlaces& places) {
     const float ox = offset.x();
     const float oy = offset.y();
     const float oz = offset.z();
+    const RowRays r = rays; // which no store can change
+    std::int32_t* __restrict first = places.first;
+    float* __restrict right = places.right;
+    float* __restrict down = places.down;
     for (int i = 0; i < width; ++i) {
-        const float x = rays.cosElevation * rays.cosAzimuth[i] - inverseM[i] * ox;
-        const float y = rays.cosElevation * rays.sinAzimuth[i] - inverseM[i] * oy;
-        const float z = rays.sinElevation - inverseM[i] * oz;
-        const float column = (kPi - fastAngle(y, x)) * perTurn - 0.5F;
-        u[i] = column < 0 ? column + turn : column;
-        const float line = (0.5F * kPi - fastAngle(z, std::sqrt(x * x + y * y))) * perTurn - 0.5F;
-        v[i] = line < 0 ? 0 : line;
+        const FastPixel at = fastPixel(r.cosElevation * r.cosAzimuth[i] - inverseM[i] * ox,
+                                       r.cosElevation * r.sinAzimuth[i] - inverseM[i] * oy,
+                                       r.sinElevation - inverseM[i] * oz, static_cast<float>(width));
+        const int column = std::min(static_cast<int>(at.u), width - 1);
+        const int line = std::min(static_cast<int>(at.v), width / 2 - 1);
+        first[i] = line * stride + 4 * column;
+        right[i] = at.u - static_cast<float>(column);
+        down[i] = at.v - static_cast<float>(line);
     }
 }
 
-/// Differences count up to a limit, since beyond it the neighbour shows something else.
-inline float difference(const Eigen::Array4f& a, const Eigen::Array4f& b) {
-    const Eigen::Array4f limits(20, 12, 12, 16);
-    const Eigen::Array4f weights(1, 1.5F, 1.5F, 0.8F);
-    return ((a - b).abs().min(limits) * weights).sum();
+using Four = float __attribute__((vector_size(16)));
+using Eight = float __attribute__((vector_size(32)));
+
+/// Weighted differences between a pixel's values and those interpolated. They count up to a limit, since
+/// beyond it the neighbour shows something else.
+inline Four differences(const float* here, const float* first, int stride, float right, float down) {
+    constexpr Four kLimits = {20, 12, 12, 16};
+    constexpr Four kWeights = {1, 1.5F, 1.5F, 0.8F};
+    Eight upper;
+    Eight lower;
+    Four own;
+    std::memcpy(&upper, first, sizeof upper);
+    std::memcpy(&lower, first + stride, sizeof lower);
+    std::memcpy(&own, here, sizeof own);
+    const Eight values = upper + (lower - upper) * down;
+    const Four left = __builtin_shufflevector(values, values, 0, 1, 2, 3);
+    const Four beside = __builtin_shufflevector(values, values, 4, 5, 6, 7);
+    const Four difference = own - (left + (beside - left) * right);
+    const Four size = difference < 0 ? -difference : difference;
+    return (size < kLimits ? size : kLimits) * kWeights;
+}
+
+/// The sums of four pixels' differences.
+inline Four sums(const Four& a, const Four& b, const Four& c, const Four& d) {
+    const Four ab = __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
+    const Four cd = __builtin_shufflevector(c, d, 0, 1, 4, 5) + __builtin_shufflevector(c, d, 2, 3, 6, 7);
+    return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+}
+
+/// Range: width a multiple of 4.
+SPHEREWALK_VECTOR_CLONES
+void costsAt(const RowPlaces& places, const float* here, const float* picture, int stride, int width,
+             float* costs) {
+    const RowPlaces p = places;
+    for (int x = 0; x < width; x += 4) {
+        const auto at = [&](int i) {
+            return differences(here + 4 * i, picture + p.first[i], stride, p.right[i], p.down[i]);
+        };
+        const Four four = sums(at(x), at(x + 1), at(x + 2), at(x + 3));
+        std::memcpy(costs + x, &four, sizeof four);
+    }
 }
 
 /// The smallest `kept` values of each column come first.
+SPHEREWALK_VECTOR_CLONES
 void sortSmallest(std::vector<std::vector<float>>& rows, std::size_t kept, int width) {
     for (std::size_t i = 0; i < kept; ++i) {
         for (std::size_t j = rows.size() - 1; j > i; --j) {
@@ -93,30 +143,20 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
 }
 
 SweepCost::Scratch::Scratch(const SweepCost& cost)
-    : m_u(static_cast<std::size_t>(cost.width())),
-      m_v(static_cast<std::size_t>(cost.width())),
-      m_costs(cost.m_neighbours.size(), std::vector<float>(static_cast<std::size_t>(cost.width()))) {
+    : m_first(static_cast<std::size_t>(cost.width())),
+      m_right(m_first.size()),
+      m_down(m_first.size()),
+      m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())) {
 }
 
 void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
                              float* costs) const {
     const auto row = static_cast<std::size_t>(y);
-    places({m_cosAzimuth.data(), m_sinAzimuth.data(), m_cosElevation[row], m_sinElevation[row]}, inverseM,
-           neighbour.fromPhotoM, width(), scratch.m_u.data(), scratch.m_v.data());
-    using Values = Eigen::Map<const Eigen::Array4f>;
-    const int below = neighbour.picture.stride();
-    const float* here = m_photo.at(0, y);
-    for (int x = 0; x < width(); ++x, here += 4) {
-        const float u = scratch.m_u[static_cast<std::size_t>(x)];
-        const float v = scratch.m_v[static_cast<std::size_t>(x)];
-        const int column = std::min(static_cast<int>(u), width() - 1);
-        const int line = std::min(static_cast<int>(v), height() - 1);
-        const float* p = neighbour.picture.at(column, line);
-        const float right = u - static_cast<float>(column);
-        const Eigen::Array4f upper = Values(p) + (Values(p + 4) - Values(p)) * right;
-        const Eigen::Array4f lower = Values(p + below) + (Values(p + below + 4) - Values(p + below)) * right;
-        costs[x] = difference(Values(here), upper + (lower - upper) * (v - static_cast<float>(line)));
-    }
+    const int stride = neighbour.picture.stride();
+    const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
+    findPlaces({m_cosAzimuth.data(), m_sinAzimuth.data(), m_cosElevation[row], m_sinElevation[row]}, inverseM,
+               neighbour.fromPhotoM, width(), stride, places);
+    costsAt(places, m_photo.at(0, y), neighbour.picture.at(0, 0), stride, width(), costs);
 }
 
 void SweepCost::row(int y, const float* inverseM, Scratch& scratch, float* costs) const {

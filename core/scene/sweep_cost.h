@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -35,8 +36,9 @@ class SweepCost {
 
       private:
         friend class SweepCost;
-        std::vector<float> m_u;
-        std::vector<float> m_v;
+        std::vector<std::int32_t> m_first; ///< of where a row's pixels are in a neighbour
+        std::vector<float> m_right;
+        std::vector<float> m_down;
         std::vector<std::vector<float>> m_costs; ///< of each neighbour
     };
 

@@ -1,27 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_picture.h"
 
+#include "fast_angle.h"
+#include "vector_clones.h"
+
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
-#include "spherewalk/render/bilinear.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 
 namespace spherewalk::scene {
 
 namespace {
 
+/// Where a row of a frame's directions lies in a photo.
+class TurnedRow {
+  public:
+    TurnedRow(const Eigen::Matrix3f& photoFromFrame, int width)
+        : m_turn(photoFromFrame),
+          m_cosAzimuth(static_cast<std::size_t>(width)),
+          m_sinAzimuth(m_cosAzimuth),
+          m_u(m_cosAzimuth),
+          m_v(m_cosAzimuth) {
+        for (int x = 0; x < width; ++x) {
+            const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
+            m_cosAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::cos(azimuth));
+            m_sinAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::sin(azimuth));
+        }
+    }
+
+    /// photoWidth: pixels of the photo.
+    SPHEREWALK_VECTOR_CLONES
+    void place(int line, int photoWidth) {
+        const std::size_t width = m_u.size();
+        const double elevation =
+            std::numbers::pi / 2 - 2 * std::numbers::pi / static_cast<double>(width) * (line + 0.5);
+        const Eigen::Vector3f x = static_cast<float>(std::cos(elevation)) * m_turn.col(0);
+        const Eigen::Vector3f y = static_cast<float>(std::cos(elevation)) * m_turn.col(1);
+        const Eigen::Vector3f up = static_cast<float>(std::sin(elevation)) * m_turn.col(2);
+        for (std::size_t i = 0; i < width; ++i) {
+            const float c = m_cosAzimuth[i];
+            const float s = m_sinAzimuth[i];
+            const FastPixel at = fastPixel(x[0] * c + y[0] * s + up[0], x[1] * c + y[1] * s + up[1],
+                                           x[2] * c + y[2] * s + up[2], static_cast<float>(photoWidth));
+            m_u[i] = at.u;
+            m_v[i] = at.v;
+        }
+    }
+
+    float u(int x) const { return m_u[static_cast<std::size_t>(x)]; }
+
+    float v(int x) const { return m_v[static_cast<std::size_t>(x)]; }
+
+  private:
+    Eigen::Matrix3f m_turn;
+    std::vector<float> m_cosAzimuth;
+    std::vector<float> m_sinAzimuth;
+    std::vector<float> m_u;
+    std::vector<float> m_v;
+};
+
+/// Bilinear. Range: as fastPixel().
+void sample(const RgbImage& photo, float u, float v, float* rgb) {
+    const int left = std::min(static_cast<int>(u), photo.width() - 1);
+    const int right = left + 1 < photo.width() ? left + 1 : 0;
+    const int above = std::min(static_cast<int>(v), photo.height() - 1);
+    const int below = std::min(above + 1, photo.height() - 1);
+    const float across = u - static_cast<float>(left);
+    const float down = v - static_cast<float>(above);
+    const std::array<const std::uint8_t*, 4> p{photo.at(left, above), photo.at(right, above),
+                                               photo.at(left, below), photo.at(right, below)};
+    for (int c = 0; c < 3; ++c) {
+        const auto upper = static_cast<float>(p[0][c]) + across * static_cast<float>(p[1][c] - p[0][c]);
+        const auto lower = static_cast<float>(p[2][c]) + across * static_cast<float>(p[3][c] - p[2][c]);
+        rgb[c] = upper + down * (lower - upper);
+    }
+}
+
 Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads) {
-    const EquirectSize from{photo.width(), photo.height()};
-    const EquirectSize to{width, width / 2};
-    Image<float, 3> picture(to.width, to.height);
-    parallelFor(to.height, 8, threads, [&](int begin, int end) {
+    Image<float, 3> picture(width, width / 2);
+    parallelFor(picture.height(), 32, threads, [&](int begin, int end) {
+        TurnedRow row(photoFromFrame.cast<float>(), width);
         for (int y = begin; y < end; ++y) {
-            for (int x = 0; x < to.width; ++x) {
-                const Eigen::Vector3d ray = photoFromFrame * direction(to, Eigen::Vector2d(x, y));
-                Eigen::Map<Eigen::Vector3f>(picture.at(x, y)) =
-                    render::bilinear(photo, pixel(from, ray)).cast<float>();
+            row.place(y, photo.width());
+            for (int x = 0; x < width; ++x) {
+                sample(photo, row.u(x), row.v(x), picture.at(x, y));
             }
         }
     });
@@ -43,9 +110,11 @@ SweepPicture::SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFr
         photo.width() >= 4 * width
             ? turned(photo::resized(photo, 2 * width, width), photoFromFrame, width, threads)
             : turned(photo, photoFromFrame, width, threads);
-    for (int y = 0; y < height(); ++y) {
-        differentiate(picture, y);
-    }
+    parallelFor(height(), 32, threads, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            differentiate(picture, y);
+        }
+    });
     repeatEdges();
 }
 
