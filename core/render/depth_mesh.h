@@ -51,12 +51,27 @@ class DepthMesh {
                          static_cast<std::size_t>(x)];
     }
 
+    /// Cosine and sine of a column's azimuth or of a row's elevation, at half pixels as direction() has them.
+    struct Angle {
+        float cosine, sine;
+    };
+
+    Angle azimuth(int halfX) const {
+        const auto x = static_cast<std::size_t>(halfX + 1);
+        return {m_cosAzimuth[x], m_sinAzimuth[x]};
+    }
+
+    Angle elevation(int halfY) const {
+        const auto y = static_cast<std::size_t>(halfY + 1);
+        return {m_cosElevation[y], m_sinElevation[y]};
+    }
+
     /// Unit vector. Units: half pixels, so that a pixel's corners can be had: (2 x, 2 y) is its centre.
     /// Range: -1 <= halfX <= 2 width, likewise y.
     Eigen::Vector3f direction(int halfX, int halfY) const {
-        const auto x = static_cast<std::size_t>(halfX + 1);
-        const auto y = static_cast<std::size_t>(halfY + 1);
-        return {m_cosElevation[y] * m_cosAzimuth[x], m_cosElevation[y] * m_sinAzimuth[x], m_sinElevation[y]};
+        const auto [cosAzimuth, sinAzimuth] = azimuth(halfX);
+        const auto [cosElevation, sinElevation] = elevation(halfY);
+        return {cosElevation * cosAzimuth, cosElevation * sinAzimuth, sinElevation};
     }
 
     /// A block's vertices, as many rows of them as it has.

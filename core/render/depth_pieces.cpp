@@ -244,7 +244,8 @@ void cut(const Quads& quads, int width, int height, std::vector<Piece>& pieces) 
     for (std::size_t from = 0; from < count; from += done) {
         done = HWY_DYNAMIC_DISPATCH(cutSome)(quads, from, width, height, columns);
         for (std::size_t lane = 0; lane < std::min(done, count - from); ++lane) {
-            if (columns.left[lane] > columns.right[lane] || columns.top[lane] > columns.bottom[lane]) {
+            if (!(columns.least[lane] > 0) || columns.left[lane] > columns.right[lane] ||
+                columns.top[lane] > columns.bottom[lane]) {
                 continue;
             }
             if (columns.sign[lane] != 0) {

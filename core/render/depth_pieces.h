@@ -9,7 +9,7 @@
 /// The flat pieces that a surface is drawn as. The same bytes on every processor.
 namespace spherewalk::render::simd {
 
-/// Quads as the camera sees them, their vertices in turn. Range: each vertex is in front of the camera.
+/// Quads as the camera sees them, their vertices in turn.
 struct Quads {
     static constexpr int kMost = 64;
     std::array<std::array<float, kMost>, 4> x, y, value; ///< as ProjectedPart
@@ -25,7 +25,8 @@ struct Piece {
 };
 
 /// Adds the pieces that the quads have in a view of that size. A convex quad is one, whose values are the
-/// plane's through its middle that rises as its diagonals do; another is two triangles.
+/// plane's through its middle that rises as its diagonals do; another is two triangles. Those with a vertex
+/// that is not placed have none.
 void cut(const Quads& quads, int width, int height, std::vector<Piece>& pieces);
 
 /// How many columns a buffer's rows have more than a view needs: multiples of this.

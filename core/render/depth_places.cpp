@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_places.h"
 
+#include "depth_cells.h"
+#include "depth_fit.h"
 #include "depth_locate.h"
-#include "depth_simd.h"
+#include "depth_rays.h"
 #include "lattice.h"
 #include "photo_plane.h"
 
@@ -36,85 +38,6 @@ simd::PhotoTarget targetOf(const Rigid3& roomFromCamera, const PlacedPhoto& phot
     target.lastV = static_cast<float>(photo.size.height + PlaneLayout::kGuard - 0.5);
     return target;
 }
-
-/// Rays of a row of cells, in single precision.
-class RowRays {
-  public:
-    RowRays(const PixelRays& rays, int width) : m_rays(rays), m_width(width) {
-        const CameraIntrinsics& k = rays.camera().intrinsics();
-        m_isPinhole = k.lens == LensModel::Pinhole;
-        const int rows = m_isPinhole ? 1 : kCell;
-        m_x.resize(static_cast<std::size_t>(width * rows));
-        m_y.resize(m_isPinhole ? DepthPlaces::kCellPixels : m_x.size());
-        m_z.resize(m_isPinhole ? kCell : m_x.size(), 1);
-        for (int x = 0; x < width && m_isPinhole; ++x) {
-            m_x[static_cast<std::size_t>(x)] = static_cast<float>((x - k.cx) / k.fx);
-        }
-        for (std::size_t node = 0; node < m_nodes.size() && m_isPinhole; ++node) {
-            for (int x = simd::NodeRays::kNodes[node]; x < width; x += kCell) {
-                m_nodes[node].push_back(m_x[static_cast<std::size_t>(x)]);
-            }
-            m_nodes[node].resize(m_nodes[node].size() + kCell); // SIMD reads beyond the end
-        }
-    }
-
-    void cast(int row) {
-        const CameraIntrinsics& k = m_rays.camera().intrinsics();
-        for (int y = 0; y < kCell; ++y) {
-            const int line = row * kCell + y;
-            if (m_isPinhole) {
-                std::fill_n(m_y.begin() + y * kCell, kCell, static_cast<float>((line - k.cy) / k.fy));
-                continue;
-            }
-            for (int x = 0; x < m_width; ++x) {
-                const bool isInView = x < k.width && line < k.height;
-                const Vector3d ray = isInView ? m_rays.ray(x, line) : Vector3d(0, 0, 1);
-                const auto i = static_cast<std::size_t>(y * m_width + x);
-                m_x[i] = static_cast<float>(ray.x());
-                m_y[i] = static_cast<float>(ray.y());
-                m_z[i] = static_cast<float>(ray.z());
-            }
-        }
-    }
-
-    /// Range: x a multiple of kCell.
-    std::array<simd::CellRays, 3> cell(int x) const {
-        if (m_isPinhole) {
-            return {{{m_x.data() + x, 0}, {m_y.data(), kCell}, {m_z.data(), 0}}};
-        }
-        return {{{m_x.data() + x, m_width}, {m_y.data() + x, m_width}, {m_z.data() + x, m_width}}};
-    }
-
-    bool isPinhole() const { return m_isPinhole; }
-
-    /// Range: of a pinhole.
-    simd::NodeRays nodes() const {
-        const CameraIntrinsics& k = m_rays.camera().intrinsics();
-        simd::NodeRays nodes;
-        for (std::size_t i = 0; i < m_nodes.size(); ++i) {
-            nodes.x[i] = m_nodes[i].data();
-            nodes.y[i] = m_y[static_cast<std::size_t>(simd::NodeRays::kNodes[i] * kCell)];
-        }
-        nodes.stepX = static_cast<float>(1 / k.fx);
-        nodes.stepY = static_cast<float>(1 / k.fy);
-        return nodes;
-    }
-
-    /// Whether the lens sees nothing there. Range: not of a pinhole; y in the row of cells.
-    bool isBlind(int x, int y) const {
-        const auto i = static_cast<std::size_t>(y * m_width + x);
-        return m_x[i] == 0 && m_y[i] == 0 && m_z[i] == 0;
-    }
-
-  private:
-    const PixelRays& m_rays;
-    int m_width;
-    bool m_isPinhole;
-    std::vector<float> m_x;
-    std::vector<float> m_y;
-    std::vector<float> m_z;
-    std::array<std::vector<float>, 3> m_nodes; ///< x of the cells' nodes
-};
 
 /// Places a row of cells after the other.
 class RowPlacer {

@@ -16,8 +16,7 @@ namespace {
 
 constexpr int kCulledLevel = 2; ///< quads of this size that cannot show are left out as one
 
-/// A rectangle of a photo with 1 / distance at its corners, in turn from the upper left. Units: half pixels
-/// right and down of a pixel's centre.
+/// A rectangle of a photo with 1 / distance at its corners, in turn from the upper left. Units: half pixels.
 struct Facing {
     int left, top, right, bottom;
     std::array<float, 4> inverseM;
@@ -49,8 +48,14 @@ class DepthRaster::BlockCutter {
 
     /// To be called at the end.
     void flush() {
-        simd::cut(m_quads, m_width, m_height, m_pieces);
+        flushFacings();
+        cutAll(m_quads);
         m_quads.count = 0;
+    }
+
+  private:
+    void cutAll(const simd::Quads& quads) {
+        simd::cut(quads, m_width, m_height, m_pieces);
         for (const Piece& piece : m_pieces) {
             if (!m_open.isAllOpen() &&
                 !m_open.anyIn(static_cast<float>(piece.left), static_cast<float>(piece.top),
@@ -64,7 +69,6 @@ class DepthRaster::BlockCutter {
         m_pieces.clear();
     }
 
-  private:
     void quad(int level, int x, int y) {
         const int size = 1 << level;
         const int endY = std::min(y + size, m_mesh.height() - 1);
@@ -108,58 +112,53 @@ class DepthRaster::BlockCutter {
         const float b = m_mesh.inverseM(x + 1, y);
         const float c = m_mesh.inverseM(x, y + 1);
         const float d = m_mesh.inverseM(x + 1, y + 1);
-        std::array<Facing, 4> parts;
-        std::size_t count = 0;
         const auto row = [&](int top, float left, float right) {
             if (DepthMesh::isSurface({left, right})) {
-                parts[count++] = {0, top, 2, top + 1, {left, right, right, left}};
+                add({2 * x, top, 2 * x + 2, top + 1, {left, right, right, left}});
             } else {
-                parts[count++] = {0, top, 1, top + 1, {left, left, left, left}};
-                parts[count++] = {1, top, 2, top + 1, {right, right, right, right}};
+                add({2 * x, top, 2 * x + 1, top + 1, {left, left, left, left}});
+                add({2 * x + 1, top, 2 * x + 2, top + 1, {right, right, right, right}});
             }
         };
         const auto column = [&](int left, float top, float bottom) {
             if (DepthMesh::isSurface({top, bottom})) {
-                parts[count++] = {left, 0, left + 1, 2, {top, top, bottom, bottom}};
+                add({left, 2 * y, left + 1, 2 * y + 2, {top, top, bottom, bottom}});
             } else {
-                parts[count++] = {left, 0, left + 1, 1, {top, top, top, top}};
-                parts[count++] = {left, 1, left + 1, 2, {bottom, bottom, bottom, bottom}};
+                add({left, 2 * y, left + 1, 2 * y + 1, {top, top, top, top}});
+                add({left, 2 * y + 1, left + 1, 2 * y + 2, {bottom, bottom, bottom, bottom}});
             }
         };
         if (DepthMesh::isSurface({a, b}) || DepthMesh::isSurface({c, d})) {
-            row(0, a, b);
-            row(1, c, d);
+            row(2 * y, a, b);
+            row(2 * y + 1, c, d);
         } else {
-            column(0, a, c);
-            column(1, b, d);
+            column(2 * x, a, c);
+            column(2 * x + 1, b, d);
         }
-        add(x, y, {parts.data(), count});
     }
 
-    /// Parts of the four pixels there.
-    void add(int x, int y, std::span<const Facing> parts) {
-        std::array<Eigen::Vector3f, 9> directions;
-        for (int i = 0; i < 9; ++i) {
-            directions[static_cast<std::size_t>(i)] = m_mesh.direction(2 * x + i % 3, 2 * y + i / 3);
+    void add(const Facing& part) {
+        if (m_facings.count == simd::Quads::kMost) {
+            flushFacings();
         }
-        simd::SixteenPoints points{};
-        std::size_t to = 0;
-        for (const Facing& part : parts) {
-            const std::array<int, 4> at{part.top * 3 + part.left, part.top * 3 + part.right,
-                                        part.bottom * 3 + part.right, part.bottom * 3 + part.left};
-            for (std::size_t i = 0; i < 4; ++i, ++to) {
-                const Eigen::Vector3f& direction = directions[static_cast<std::size_t>(at[i])];
-                points.x[to] = direction.x();
-                points.y[to] = direction.y();
-                points.z[to] = direction.z();
-                points.inverseM[to] = part.inverseM[i];
-            }
+        const std::array<DepthMesh::Angle, 2> across{m_mesh.azimuth(part.left), m_mesh.azimuth(part.right)};
+        const std::array<DepthMesh::Angle, 2> up{m_mesh.elevation(part.top), m_mesh.elevation(part.bottom)};
+        const auto to = static_cast<std::size_t>(m_facings.count++);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const DepthMesh::Angle& azimuth = across[i == 1 || i == 2 ? 1 : 0];
+            const DepthMesh::Angle& elevation = up[i / 2];
+            m_facings.x[i][to] = elevation.cosine * azimuth.cosine;
+            m_facings.y[i][to] = elevation.cosine * azimuth.sine;
+            m_facings.z[i][to] = elevation.sine;
+            m_facings.inverseM[i][to] = part.inverseM[i];
         }
-        simd::SixteenVertices vertices;
-        m_projector.project(points, vertices);
-        for (std::size_t i = 0; i < 4 * parts.size(); i += 4) {
-            add(vertices, {i, i + 1, i + 2, i + 3});
-        }
+    }
+
+    void flushFacings() {
+        simd::Quads quads;
+        m_projector.project(m_facings, quads);
+        m_facings.count = 0;
+        cutAll(quads);
     }
 
     /// A quad of the block between these vertices. False if not all of it is in front of the camera.
@@ -167,23 +166,20 @@ class DepthRaster::BlockCutter {
         const auto index = [&](int x, int y) {
             return static_cast<std::size_t>((y - m_y) * ProjectedPart::kPitch + x - m_x);
         };
-        return add(m_part, {index(left, top), index(right, top), index(right, bottom), index(left, bottom)});
-    }
-
-    template <class Vertices>
-    bool add(const Vertices& vertices, const std::array<std::size_t, 4>& corners) {
-        const auto isPlaced = [&](std::size_t corner) { return vertices.value[corner] > 0; };
-        if (!std::all_of(corners.begin(), corners.end(), isPlaced)) {
+        const std::array<std::size_t, 4> corners{index(left, top), index(right, top), index(right, bottom),
+                                                 index(left, bottom)};
+        if (!std::ranges::all_of(corners, [&](std::size_t corner) { return m_part.value[corner] > 0; })) {
             return false;
         }
         if (m_quads.count == simd::Quads::kMost) {
-            flush();
+            cutAll(m_quads);
+            m_quads.count = 0;
         }
         const auto to = static_cast<std::size_t>(m_quads.count++);
         for (std::size_t i = 0; i < 4; ++i) {
-            m_quads.x[i][to] = vertices.x[corners[i]];
-            m_quads.y[i][to] = vertices.y[corners[i]];
-            m_quads.value[i][to] = vertices.value[corners[i]];
+            m_quads.x[i][to] = m_part.x[corners[i]];
+            m_quads.y[i][to] = m_part.y[corners[i]];
+            m_quads.value[i][to] = m_part.value[corners[i]];
         }
         return true;
     }
@@ -198,7 +194,8 @@ class DepthRaster::BlockCutter {
     std::vector<Piece> m_pieces;
     int m_x = 0;
     int m_y = 0;
-    simd::Quads m_quads; ///< that are yet to be cut
+    simd::Quads m_quads;          ///< that are yet to be cut
+    simd::SurfaceQuads m_facings; ///< that are yet to be projected
     ProjectedPart m_part;
     simd::PartBoxes m_boxes;
 };

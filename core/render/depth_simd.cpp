@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_simd.h"
 
-#include "lattice.h"
-#include "photo_plane.h"
-
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -22,10 +19,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using F = hn::CappedTag<float, 16>;
 using V = hn::Vec<F>;
-using I = hn::CappedTag<std::int32_t, 16>;
-using VI = hn::Vec<I>;
-
-constexpr int kCell = 16;
 
 // Not hn::MulAdd: where the processor has one, it rounds once instead of twice.
 template <class Vec>
@@ -73,22 +66,25 @@ void projectPart(const SurfaceCamera& camera, const SurfacePart& part, Projected
     }
 }
 
-void projectSixteen(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out) {
+void projectQuads(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out) {
     const F d;
     const std::array<float, 9>& m = camera.rotation;
-    for (std::size_t i = 0; i < 16; i += hn::Lanes(d)) {
-        const V x = hn::LoadU(d, points.x.data() + i);
-        const V y = hn::LoadU(d, points.y.data() + i);
-        const V z = hn::LoadU(d, points.z.data() + i);
-        const V w = hn::LoadU(d, points.inverseM.data() + i);
-        const auto component = [&](std::size_t k) {
-            const V turned =
-                mulAdd(hn::Set(d, m[3 * k]), x,
-                       mulAdd(hn::Set(d, m[3 * k + 1]), y, hn::Mul(hn::Set(d, m[3 * k + 2]), z)));
-            return mulAdd(w, hn::Set(d, camera.translation[k]), turned);
-        };
-        toView(d, camera, component(0), component(1), component(2), w, out.x.data() + i, out.y.data() + i,
-               out.value.data() + i);
+    out.count = quads.count;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); i += hn::Lanes(d)) {
+            const V x = hn::LoadU(d, quads.x[corner].data() + i);
+            const V y = hn::LoadU(d, quads.y[corner].data() + i);
+            const V z = hn::LoadU(d, quads.z[corner].data() + i);
+            const V w = hn::LoadU(d, quads.inverseM[corner].data() + i);
+            const auto component = [&](std::size_t k) {
+                const V turned =
+                    mulAdd(hn::Set(d, m[3 * k]), x,
+                           mulAdd(hn::Set(d, m[3 * k + 1]), y, hn::Mul(hn::Set(d, m[3 * k + 2]), z)));
+                return mulAdd(w, hn::Set(d, camera.translation[k]), turned);
+            };
+            toView(d, camera, component(0), component(1), component(2), w, out.x[corner].data() + i,
+                   out.y[corner].data() + i, out.value[corner].data() + i);
+        }
     }
 }
 
@@ -146,85 +142,6 @@ void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
     }
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
-    const F d;
-    const I di;
-    constexpr int kPart = 4;
-    std::array<std::int32_t, kCell * kCell / kPart> ofColumns;
-    VI any = hn::Zero(di);
-    for (int y = 0; y < kCell; y += kPart) {
-        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-            VI count = hn::Zero(di);
-            for (int i = 0; i < kPart; ++i) {
-                const V value = hn::LoadU(d, values + (y + i) * pitch + x);
-                const auto isZero = hn::RebindMask(di, hn::Eq(value, hn::Zero(d)));
-                count = hn::Add(count, hn::IfThenElseZero(isZero, hn::Set(di, 1)));
-            }
-            any = hn::Or(any, count);
-            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kPart) + x);
-        }
-    }
-    ofParts = {};
-    if (hn::AllTrue(di, hn::Eq(any, hn::Zero(di)))) {
-        return 0;
-    }
-    int all = 0;
-    for (std::size_t i = 0; i < ofColumns.size(); ++i) {
-        ofParts[i / kPart] += ofColumns[i];
-        all += ofColumns[i];
-    }
-    return all;
-}
-
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken) {
-    const F d;
-    const I di;
-    std::uint32_t rows = 0;
-    for (int y = 0; y < kCell; ++y) {
-        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-            const V mine = hn::LoadU(d, values + y * pitch + x);
-            const V other = hn::LoadU(d, seen + y * pitch + x);
-            const auto takes = hn::And(hn::Eq(mine, hn::Zero(d)), hn::Gt(other, hn::Zero(d)));
-            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + y * pitch + x);
-            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, takes), hn::Set(di, 1)), di,
-                       isTaken.data() + y * kCell + x);
-            rows |= hn::AllFalse(d, takes) ? 0 : 1U << y;
-        }
-    }
-    return rows;
-}
-
-void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
-               std::int32_t* places, std::int32_t* fractions) {
-    static_assert(PlaneLayout::kPixelBytes == 3);
-    const I d;
-    const VI addU = hn::Set(d, placing.addU);
-    const VI addV = hn::Set(d, placing.addV);
-    const VI first = hn::Set(d, placing.first);
-    const VI turn = hn::Set(d, placing.turn);
-    const VI beyond = hn::Set(d, placing.first + placing.turn);
-    const VI lastV = hn::Set(d, placing.lastV);
-    const VI rowBytes = hn::Set(d, placing.rowBytes);
-    for (int y = 0; y < rows; ++y) {
-        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-            VI atU = hn::Add(hn::LoadU(d, u + y * kCell + x), addU);
-            atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
-            atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
-            atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
-            VI atV = hn::Add(hn::LoadU(d, v + y * kCell + x), addV);
-            atV = hn::Min(hn::Max(atV, first), lastV);
-            const VI column = hn::ShiftRight<kFractionBits>(atU);
-            const VI row = hn::ShiftRight<kFractionBits>(atV);
-            const std::ptrdiff_t to = std::ptrdiff_t{y} * apart * kCell + x;
-            hn::StoreU(hn::Add(hn::Mul(row, rowBytes), hn::Add(column, hn::ShiftLeft<1>(column))), d,
-                       places + to);
-            const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
-            hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + to);
-        }
-    }
-}
-
 } // namespace spherewalk::render::simd::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -234,36 +151,19 @@ HWY_AFTER_NAMESPACE();
 namespace spherewalk::render::simd {
 
 HWY_EXPORT(projectPart);
-HWY_EXPORT(projectSixteen);
+HWY_EXPORT(projectQuads);
 HWY_EXPORT(boxes);
-HWY_EXPORT(zeros);
-HWY_EXPORT(takeUnseen);
-HWY_EXPORT(placeRows);
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
     HWY_DYNAMIC_DISPATCH(projectPart)(camera, part, out);
 }
 
-void project(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out) {
-    HWY_DYNAMIC_DISPATCH(projectSixteen)(camera, points, out);
+void project(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out) {
+    HWY_DYNAMIC_DISPATCH(projectQuads)(camera, quads, out);
 }
 
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
     HWY_DYNAMIC_DISPATCH(boxes)(part, rows, out);
-}
-
-int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
-    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
-}
-
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken) {
-    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
-}
-
-void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
-               std::int32_t* places, std::int32_t* fractions) {
-    HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
 }
 
 } // namespace spherewalk::render::simd

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "depth_pieces.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -52,39 +54,13 @@ struct PartBoxes {
 /// Range: of a part with that many rows.
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out);
 
-/// Sixteen directions with their 1 / distance, each component contiguous.
-struct SixteenPoints {
-    std::array<float, 16> x, y, z, inverseM;
+/// Quads of a photo's surface, their vertices in turn: unit directions and 1 / distance.
+struct SurfaceQuads {
+    std::array<std::array<float, Quads::kMost>, 4> x{}, y{}, z{}, inverseM{};
+    int count = 0;
 };
 
-/// Where they are in the view, as ProjectedPart.
-struct SixteenVertices {
-    std::array<float, 16> x, y, value;
-};
-
-void project(const SurfaceCamera& camera, const SixteenPoints& points, SixteenVertices& out);
-
-/// How many values are 0 in each 4 x 4 part of a cell of 16 x 16 pixels, row after row; and of all of it.
-int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts);
-
-/// Takes the values of `seen` for a cell's zeros. Where it did that for some of a row, isTaken has 1 for
-/// these pixels and 0 for the row's others. Back: a bit for each such row.
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken);
-
-/// How coordinates become places in a photo's plane, for one part of each pixel.
-struct PartPlacing {
-    std::int32_t addU;
-    std::int32_t addV;
-    std::int32_t first; ///< least coordinate; what is less in u goes on at the other side
-    std::int32_t turn;
-    std::int32_t lastV;
-    std::int32_t rowBytes;
-};
-
-/// Places and fractions, as LatticeScratch::places(), of rows of sixteen pixels, each of which is written
-/// `apart` rows after the one before.
-void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
-               std::int32_t* places, std::int32_t* fractions);
+/// Where they are in the view. Values are as ProjectedPart's.
+void project(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out);
 
 } // namespace spherewalk::render::simd

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "depth_view.h"
 
-#include "depth_locate.h"
-#include "depth_simd.h"
+#include "depth_cells.h"
 #include "fast_view.h"
 #include "sampler.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inverse_buffer.h"
 
+#include "depth_cells.h"
 #include "depth_pieces.h"
-#include "depth_simd.h"
 
 #include <algorithm>
 #include <array>

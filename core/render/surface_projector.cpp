@@ -56,16 +56,20 @@ SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction
     return isNear ? at : Vertex{};
 }
 
-void SurfaceProjector::project(const simd::SixteenPoints& points, simd::SixteenVertices& out) const {
+void SurfaceProjector::project(const simd::SurfaceQuads& quads, simd::Quads& out) const {
     if (m_isPinhole) {
-        simd::project(m_pinhole, points, out);
+        simd::project(m_pinhole, quads, out);
         return;
     }
-    for (std::size_t i = 0; i < points.x.size(); ++i) {
-        const Vertex at = throughLens({points.x[i], points.y[i], points.z[i]}, points.inverseM[i]);
-        out.x[i] = at.x;
-        out.y[i] = at.y;
-        out.value[i] = at.value;
+    out.count = quads.count;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
+            const Vertex at = throughLens({quads.x[corner][i], quads.y[corner][i], quads.z[corner][i]},
+                                          quads.inverseM[corner][i]);
+            out.x[corner][i] = at.x;
+            out.y[corner][i] = at.y;
+            out.value[corner][i] = at.value;
+        }
     }
 }
 

@@ -18,8 +18,7 @@ class SurfaceProjector {
     /// camera: outlives the projector.
     SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraModel& camera);
 
-    /// Points in the photo's frame.
-    void project(const simd::SixteenPoints& points, simd::SixteenVertices& out) const;
+    void project(const simd::SurfaceQuads& quads, simd::Quads& out) const;
 
     /// All vertices of a block.
     void project(const simd::SurfacePart& block, simd::ProjectedPart& out) const;

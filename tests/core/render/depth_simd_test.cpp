@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "depth_cells.h"
+#include "depth_fit.h"
 #include "depth_locate.h"
 #include "depth_pieces.h"
 #include "depth_simd.h"

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "depth_cells.h"
+
+#include "lattice.h"
+#include "photo_plane.h"
+
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "depth_cells.cpp"
+// The order matters here.
+// clang-format off
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+
+namespace spherewalk::render::simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 16>;
+using V = hn::Vec<F>;
+using I = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<I>;
+
+constexpr int kCell = 16;
+
+std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
+    const F d;
+    V least = hn::LoadU(d, values);
+    V greatest = least;
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const V value = hn::LoadU(d, values + y * pitch + x);
+            least = hn::Min(least, value);
+            greatest = hn::Max(greatest, value);
+        }
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
+}
+
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
+    const F d;
+    const I di;
+    constexpr int kPart = 4;
+    std::array<std::int32_t, kCell * kCell / kPart> ofColumns;
+    VI any = hn::Zero(di);
+    for (int y = 0; y < kCell; y += kPart) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI count = hn::Zero(di);
+            for (int i = 0; i < kPart; ++i) {
+                const V value = hn::LoadU(d, values + (y + i) * pitch + x);
+                const auto isZero = hn::RebindMask(di, hn::Eq(value, hn::Zero(d)));
+                count = hn::Add(count, hn::IfThenElseZero(isZero, hn::Set(di, 1)));
+            }
+            any = hn::Or(any, count);
+            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kPart) + x);
+        }
+    }
+    ofParts = {};
+    if (hn::AllTrue(di, hn::Eq(any, hn::Zero(di)))) {
+        return 0;
+    }
+    int all = 0;
+    for (std::size_t i = 0; i < ofColumns.size(); ++i) {
+        ofParts[i / kPart] += ofColumns[i];
+        all += ofColumns[i];
+    }
+    return all;
+}
+
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    const F d;
+    const I di;
+    std::uint32_t rows = 0;
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const V mine = hn::LoadU(d, values + y * pitch + x);
+            const V other = hn::LoadU(d, seen + y * pitch + x);
+            const auto takes = hn::And(hn::Eq(mine, hn::Zero(d)), hn::Gt(other, hn::Zero(d)));
+            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + y * pitch + x);
+            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, takes), hn::Set(di, 1)), di,
+                       isTaken.data() + y * kCell + x);
+            rows |= hn::AllFalse(d, takes) ? 0 : 1U << y;
+        }
+    }
+    return rows;
+}
+
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
+    static_assert(PlaneLayout::kPixelBytes == 3);
+    const I d;
+    const VI addU = hn::Set(d, placing.addU);
+    const VI addV = hn::Set(d, placing.addV);
+    const VI first = hn::Set(d, placing.first);
+    const VI turn = hn::Set(d, placing.turn);
+    const VI beyond = hn::Set(d, placing.first + placing.turn);
+    const VI lastV = hn::Set(d, placing.lastV);
+    const VI rowBytes = hn::Set(d, placing.rowBytes);
+    for (int y = 0; y < rows; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            VI atU = hn::Add(hn::LoadU(d, u + y * kCell + x), addU);
+            atU = hn::Add(atU, hn::IfThenElseZero(hn::Lt(atU, first), turn));
+            atU = hn::Sub(atU, hn::IfThenElseZero(hn::Not(hn::Lt(atU, beyond)), turn));
+            atU = hn::Min(hn::Max(atU, hn::Zero(d)), beyond); // of another photo's size
+            VI atV = hn::Add(hn::LoadU(d, v + y * kCell + x), addV);
+            atV = hn::Min(hn::Max(atV, first), lastV);
+            const VI column = hn::ShiftRight<kFractionBits>(atU);
+            const VI row = hn::ShiftRight<kFractionBits>(atV);
+            const std::ptrdiff_t to = std::ptrdiff_t{y} * apart * kCell + x;
+            hn::StoreU(hn::Add(hn::Mul(row, rowBytes), hn::Add(column, hn::ShiftLeft<1>(column))), d,
+                       places + to);
+            const VI right = hn::And(atU, hn::Set(d, (1 << kFractionBits) - 1));
+            hn::StoreU(hn::Or(right, hn::ShiftLeft<kFractionBits>(atV)), d, fractions + to);
+        }
+    }
+}
+
+void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
+             std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v) {
+    const I d;
+    const hn::Rebind<std::uint8_t, I> d8;
+    const VI one = hn::Set(d, photo);
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const VI source = hn::PromoteTo(d, hn::LoadU(d8, sources + y * pitch + x));
+            const auto isOwn = hn::Eq(source, one);
+            const std::ptrdiff_t at = y * kCell + x;
+            hn::StoreU(hn::IfThenElse(isOwn, hn::LoadU(d, ownU + at), hn::LoadU(d, u + at)), d, u + at);
+            hn::StoreU(hn::IfThenElse(isOwn, hn::LoadU(d, ownV + at), hn::LoadU(d, v + at)), d, v + at);
+        }
+    }
+}
+
+std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
+                                      const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo) {
+    const I d;
+    const hn::Rebind<std::uint8_t, I> d8;
+    const VI most = hn::Set(d, std::numeric_limits<std::int32_t>::max());
+    const VI one = hn::Set(d, photo);
+    VI left = most;
+    VI right = hn::Zero(d);
+    VI top = most;
+    VI bottom = hn::Zero(d);
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const VI source = hn::PromoteTo(d, hn::LoadU(d8, sources + y * pitch + x));
+            const auto isOwn = hn::Eq(source, one);
+            const VI atU = hn::LoadU(d, u + y * kCell + x);
+            const VI atV = hn::LoadU(d, v + y * kCell + x);
+            left = hn::Min(left, hn::IfThenElse(isOwn, atU, most));
+            right = hn::Max(right, hn::IfThenElseZero(isOwn, atU));
+            top = hn::Min(top, hn::IfThenElse(isOwn, atV, most));
+            bottom = hn::Max(bottom, hn::IfThenElseZero(isOwn, atV));
+        }
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, left)), hn::GetLane(hn::MaxOfLanes(d, right)),
+            hn::GetLane(hn::MinOfLanes(d, top)), hn::GetLane(hn::MaxOfLanes(d, bottom))};
+}
+
+} // namespace spherewalk::render::simd::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace spherewalk::render::simd {
+
+HWY_EXPORT(range);
+HWY_EXPORT(zeros);
+HWY_EXPORT(takeUnseen);
+HWY_EXPORT(placeRows);
+HWY_EXPORT(takeOwn);
+HWY_EXPORT(boxOfCell);
+
+std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
+    return HWY_DYNAMIC_DISPATCH(range)(values, pitch);
+}
+
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
+    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
+}
+
+std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
+                         std::array<std::int32_t, 256>& isTaken) {
+    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
+}
+
+void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
+               std::int32_t* places, std::int32_t* fractions) {
+    HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
+}
+
+void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
+             std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v) {
+    HWY_DYNAMIC_DISPATCH(takeOwn)(ownU, ownV, sources, pitch, photo, u, v);
+}
+
+std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
+                                      const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo) {
+    return HWY_DYNAMIC_DISPATCH(boxOfCell)(u, v, sources, pitch, photo);
+}
+
+} // namespace spherewalk::render::simd
+
+#endif
