@@ -977,6 +977,18 @@
         <source>Stop; nothing of the dataset is left then</source>
         <translation>Zatrzymaj; nic wtedy nie zostaje ze zbioru danych</translation>
     </message>
+    <message>
+        <source>The cheapest that holds a tolerance (all are tried and measured)</source>
+        <translation>Najtańszy, który mieści się w tolerancji (wszystkie są sprawdzane i mierzone)</translation>
+    </message>
+    <message>
+        <source>Eno&amp;ugh for</source>
+        <translation>Wystarczający dl&amp;a</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>z dokładnością</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ExportPresenter</name>

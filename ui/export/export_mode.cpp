@@ -6,6 +6,8 @@
 #include "ui/export/measure_presenter.h"
 #include "ui/look/quantity_text.h"
 #include "ui/look/standing.h"
+#include "ui/preview/camera_box.h"
+#include "ui/preview/tolerance_box.h"
 #include "ui/tasks/task_bar.h"
 
 #include <QCheckBox>
@@ -65,6 +67,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     layout->setAlignment(page, Qt::AlignTop);
     connect(m_presenter, &ExportPresenter::changed, this, &ExportMode::showAll);
     connect(m_presenter, &ExportPresenter::message, this, &Mode::message);
+    showTolerance(false);
     showAll();
 }
 
@@ -101,10 +104,12 @@ QWidget* ExportMode::makeWhere() {
                      static_cast<int>(render::SceneKind::Room));
     m_scene->addItem(tr("Depth of each pixel (some seconds a photo)"),
                      static_cast<int>(render::SceneKind::Depth));
+    m_scene->addItem(tr("The cheapest that holds a tolerance (all are tried and measured)"));
     m_scene->setToolTip(
         tr("What views of places between photos can be computed with; cheaper ones come with it"));
     connect(m_scene, &QComboBox::currentIndexChanged, this, &ExportMode::applyOptions);
     form->addRow(tr("Scene mode&l"), m_scene);
+    form->addRow(tr("Eno&ugh for"), makeTolerance(box));
     m_markers = new QComboBox(box);
     m_markers->setObjectName("markers");
     m_markers->addItem(tr("Fastest views (photos grow by about 2 %)"),
@@ -118,6 +123,24 @@ QWidget* ExportMode::makeWhere() {
     m_opens->setChecked(true);
     form->addRow(QString(), m_opens);
     return box;
+}
+
+/// What the scene model is chosen for.
+QWidget* ExportMode::makeTolerance(QWidget* parent) {
+    m_wanted = new QWidget(parent);
+    auto* row = new QHBoxLayout(m_wanted);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_camera = new CameraBox(m_wanted);
+    m_camera->setObjectName("sceneCamera");
+    connect(m_camera, &CameraBox::message, this, &Mode::message);
+    connect(m_camera, &CameraBox::cameraChanged, this, &ExportMode::applyOptions);
+    m_tolerance = new ToleranceBox("sceneTolerance", m_wanted);
+    connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &ExportMode::applyOptions);
+    row->addWidget(m_camera, 1);
+    row->addWidget(new QLabel(tr("within"), m_wanted));
+    row->addWidget(m_tolerance);
+    m_wanted->setFocusProxy(m_camera);
+    return m_wanted;
 }
 
 QWidget* ExportMode::makeBefore() {
@@ -174,11 +197,20 @@ void ExportMode::chooseFolder() {
 }
 
 void ExportMode::applyOptions() {
+    const bool isChosen = !m_scene->currentData().isValid();
     jobs::ExportOptions options;
-    options.scene = static_cast<render::SceneKind>(m_scene->currentData().toInt());
+    options.scene =
+        isChosen ? render::SceneKind::Depth : static_cast<render::SceneKind>(m_scene->currentData().toInt());
     options.write.mcusPerInterval = m_markers->currentData().toInt();
-    m_presenter->setOptions(options);
+    showTolerance(isChosen);
+    m_presenter->setOptions(options,
+                            isChosen ? std::optional(ViewTolerance{m_camera->camera(), m_tolerance->value()})
+                                     : std::nullopt);
     m_presenter->check();
+}
+
+void ExportMode::showTolerance(bool isWanted) {
+    static_cast<QFormLayout*>(m_wanted->parentWidget()->layout())->setRowVisible(m_wanted, isWanted);
 }
 
 void ExportMode::open(const QString& path) {
@@ -199,11 +231,14 @@ void ExportMode::showAll() {
         return;
     }
     const jobs::ExportReport& report = m_presenter->report();
-    m_result->setText(
-        marked(Standing::Accepted,
-               tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
-                   .arg(exported, bytesText(report.written.totalBytes),
-                        secondsText(report.depth.seconds + report.written.seconds))));
+    QString words = marked(Standing::Accepted,
+                           tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
+                               .arg(exported, bytesText(report.written.totalBytes),
+                                    secondsText(report.depth.seconds + report.written.seconds)));
+    if (const QString reason = m_presenter->reason(); !reason.isEmpty()) {
+        words += QLatin1Char('\n') + reason;
+    }
+    m_result->setText(words);
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;
         open(exported);

@@ -14,10 +14,12 @@ class QUrl;
 
 namespace spherewalk::ui {
 
+class CameraBox;
 class ExportPresenter;
 class MeasurePresenter;
 class TaskBar;
 class TaskList;
+class ToleranceBox;
 
 /// The survey becomes a dataset.
 class ExportMode : public Mode {
@@ -36,10 +38,12 @@ class ExportMode : public Mode {
 
   private:
     QWidget* makeWhere();
+    QWidget* makeTolerance(QWidget* parent);
     QWidget* makeBefore();
     QWidget* makeAfter();
     void chooseFolder();
     void applyOptions();
+    void showTolerance(bool isWanted);
     void open(const QString& path);
     void showAll();
     void showFound();
@@ -50,6 +54,9 @@ class ExportMode : public Mode {
     std::function<bool(const QUrl&)> m_open;
     QLineEdit* m_folder = nullptr;
     QComboBox* m_scene = nullptr;
+    QWidget* m_wanted = nullptr;
+    CameraBox* m_camera = nullptr;
+    ToleranceBox* m_tolerance = nullptr;
     QComboBox* m_markers = nullptr;
     QCheckBox* m_opens = nullptr;
     QLabel* m_amount = nullptr;

@@ -3,6 +3,9 @@
 
 #include "ui/look/quantity_text.h"
 
+#include "spherewalk/jobs/export_chosen.h"
+#include "spherewalk/jobs/measure_survey.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -32,8 +35,10 @@ void ExportPresenter::setFolder(const QString& folder) {
     }
 }
 
-void ExportPresenter::setOptions(const jobs::ExportOptions& options) {
+void ExportPresenter::setOptions(const jobs::ExportOptions& options,
+                                 const std::optional<ViewTolerance>& tolerance) {
     m_options = options;
+    m_tolerance = tolerance;
     read();
 }
 
@@ -85,11 +90,10 @@ void ExportPresenter::exportNow() {
     m_task = m_tasks.start(
         tr("Exporting %1").arg(session()->name()), this,
         [survey = session()->path(), folder = std::filesystem::path(m_folder.toStdString()),
-         options = m_options](ProgressSink& progress, const std::stop_token& stop) {
-            const auto store = store::SurveyStore::open(survey, store::Access::Read);
-            return jobs::exportDataset(store, folder, options, progress, stop);
+         options = m_options, tolerance = m_tolerance](ProgressSink& progress, const std::stop_token& stop) {
+            return exported(survey, folder, options, tolerance, progress, stop);
         },
-        [this, folder = m_folder](const jobs::ExportReport& report) { done(folder, report); });
+        [this, folder = m_folder](const Done& done) { show(folder, done); });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] {
         if (task->state() == Task::State::Stopped) {
             emit message(tr("Stopped; nothing of the dataset is left."));
@@ -99,12 +103,31 @@ void ExportPresenter::exportNow() {
     emit changed();
 }
 
-void ExportPresenter::done(const QString& folder, const jobs::ExportReport& report) {
+/// On the task's thread.
+ExportPresenter::Done ExportPresenter::exported(const std::filesystem::path& survey,
+                                                const std::filesystem::path& folder,
+                                                const jobs::ExportOptions& options,
+                                                const std::optional<ViewTolerance>& tolerance,
+                                                ProgressSink& progress, const std::stop_token& stop) {
+    const auto store = store::SurveyStore::open(survey, store::Access::Read);
+    if (!tolerance) {
+        return {jobs::exportDataset(store, folder, options, progress, stop), {}};
+    }
+    jobs::MeasureOptions measure;
+    measure.tolerancePx = tolerance->px;
+    measure.cacheFolder = jobs::measureCacheFolder(store.folder()) / "results";
+    const jobs::ChosenExport chosen = jobs::exportChosen(store, folder, CameraModel(tolerance->camera),
+                                                         measure, options.write, progress, stop);
+    return {chosen.exported, chosen.measured.choice.reason};
+}
+
+void ExportPresenter::show(const QString& folder, const Done& done) {
     m_exported = folder;
-    m_report = report;
+    m_done = done;
     m_found.reset();
-    emit message(tr("Exported %n photo(s) to %1: %2.", nullptr, static_cast<int>(report.written.photos))
-                     .arg(folder, bytesText(report.written.totalBytes)));
+    const dataset::WriteReport& written = done.report.written;
+    emit message(tr("Exported %n photo(s) to %1: %2.", nullptr, static_cast<int>(written.photos))
+                     .arg(folder, bytesText(written.totalBytes)));
 }
 
 } // namespace spherewalk::ui

@@ -7,6 +7,8 @@
 #include "spherewalk/render/dataset.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -48,7 +50,7 @@ class ExportTest : public testing::Test {
 
     void exportNow() {
         QTest::mouseClick(&widget<QPushButton>("export"), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 60'000));
         QCoreApplication::processEvents();
     }
 
@@ -106,6 +108,24 @@ TEST_F(ExportTest, ForgetsWhatItFoundWhenTheSurveyChanges) {
     EXPECT_FALSE(widget<QPushButton>("export").isEnabled());
     check();
     EXPECT_TRUE(widget<QLabel>("findings").text().contains("1 photo was rejected"));
+}
+
+TEST_F(ExportTest, ChoosesTheSceneModelThatHoldsATolerance) {
+    auto& scene = widget<QComboBox>("scene");
+    auto& tolerance = widget<QDoubleSpinBox>("sceneTolerance");
+    EXPECT_FALSE(tolerance.isVisible());
+    scene.setCurrentIndex(scene.count() - 1);
+    EXPECT_TRUE(tolerance.isVisible());
+    tolerance.setValue(50);
+    check();
+    exportNow();
+    const auto choice = render::Dataset::open(usual).info().choice;
+    ASSERT_TRUE(choice.has_value());
+    EXPECT_EQ(choice->tolerancePx, 50);
+    const QString words = widget<QLabel>("result").text();
+    EXPECT_TRUE(words.contains("holds 50.0 px")) << words.toStdString();
+    scene.setCurrentIndex(0);
+    EXPECT_FALSE(tolerance.isVisible());
 }
 
 TEST_F(ExportTest, StopsAndLeavesNothing) {
