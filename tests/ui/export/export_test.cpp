@@ -50,7 +50,7 @@ class ExportTest : public testing::Test {
 
     void exportNow() {
         QTest::mouseClick(&widget<QPushButton>("export"), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 60'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
         QCoreApplication::processEvents();
     }
 
