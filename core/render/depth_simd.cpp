@@ -8,23 +8,15 @@
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "lattice-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 
 namespace spherewalk::render::simd::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 using F = hn::CappedTag<float, 16>;
-using V = hn::Vec<F>;
-
-// Not hn::MulAdd: where the processor has one, it rounds once instead of twice.
-template <class Vec>
-HWY_INLINE Vec mulAdd(Vec a, Vec b, Vec c) {
-    return hn::Add(hn::Mul(a, b), c);
-}
+using VF = hn::Vec<F>;
 
 /// Where points are in the view that are q / w from the camera.
 template <class D, class Vec = hn::Vec<D>>
@@ -72,12 +64,12 @@ void projectQuads(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads&
     out.count = quads.count;
     for (std::size_t corner = 0; corner < 4; ++corner) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); i += hn::Lanes(d)) {
-            const V x = hn::LoadU(d, quads.x[corner].data() + i);
-            const V y = hn::LoadU(d, quads.y[corner].data() + i);
-            const V z = hn::LoadU(d, quads.z[corner].data() + i);
-            const V w = hn::LoadU(d, quads.inverseM[corner].data() + i);
+            const VF x = hn::LoadU(d, quads.x[corner].data() + i);
+            const VF y = hn::LoadU(d, quads.y[corner].data() + i);
+            const VF z = hn::LoadU(d, quads.z[corner].data() + i);
+            const VF w = hn::LoadU(d, quads.inverseM[corner].data() + i);
             const auto component = [&](std::size_t k) {
-                const V turned =
+                const VF turned =
                     mulAdd(hn::Set(d, m[3 * k]), x,
                            mulAdd(hn::Set(d, m[3 * k + 1]), y, hn::Mul(hn::Set(d, m[3 * k + 2]), z)));
                 return mulAdd(w, hn::Set(d, camera.translation[k]), turned);
