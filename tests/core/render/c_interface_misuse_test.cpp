@@ -5,7 +5,6 @@
 #include "c_test.h"
 
 #include <filesystem>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -14,16 +13,11 @@ namespace spherewalk::render {
 
 using test::CInterface;
 using test::expectStatus;
+using test::kInfinity;
+using test::kNan;
 using test::ready;
 
 using CMisuse = CInterface;
-
-namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 TEST_F(CMisuse, NullIsAnswered) {
     const auto stream = this->stream();

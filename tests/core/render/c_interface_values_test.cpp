@@ -3,7 +3,6 @@
 #include "c_test.h"
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,14 +11,13 @@ namespace spherewalk::render {
 
 using test::CInterface;
 using test::expectStatus;
+using test::kInfinity;
+using test::kNan;
 using test::ready;
 
 using CValues = CInterface;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Buffers into this memory that cannot hold a view for which it has just enough.
 std::vector<spherewalk_buffer> unfit(std::vector<std::uint8_t>& memory) {
