@@ -7,7 +7,6 @@
 #include "spherewalk/jobs/export_chosen.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/jobs/export_world.h"
-#include "spherewalk/jobs/measure_survey.h"
 #include "spherewalk/render/camera_info.h"
 
 #include <memory>
@@ -76,11 +75,9 @@ Result exportChosen(const Options& options, const store::SurveyStore& store, Con
                     "A scene model can be chosen for a camera only: name the robot's "
                     "with --camera, or a scene model other than auto.");
     }
-    jobs::MeasureOptions measure = options.measure;
-    measure.cacheFolder = jobs::measureCacheFolder(store.folder()) / "results";
     const jobs::ChosenExport chosen =
         jobs::exportChosen(store, options.dataset, CameraModel(render::readCameraInfo(options.camera)),
-                           measure, options.write.write, context.progress, context.stop);
+                           options.measure, options.write.write, context.progress, context.stop);
     Result result = resultOf(chosen.exported, options.dataset);
     result.json["scene"] = render::name(chosen.scene);
     result.json["measured"] = jobs::toJson(chosen.measured);

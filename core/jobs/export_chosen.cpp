@@ -30,7 +30,9 @@ ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folde
         render::Dataset::open(all, render::Verify::Sizes, noProgress(), stop)));
     ProgressStep measuring(progress, kExported, kMeasured);
     ChosenExport result;
-    result.measured = measureDataset(renderer, camera, measure, measuring, stop);
+    MeasureOptions kept = measure;
+    kept.cacheFolder = cache / "results";
+    result.measured = measureDataset(renderer, camera, kept, measuring, stop);
     if (result.measured.choice.rung) {
         result.scene = std::max(result.scene, result.measured.rungs[*result.measured.choice.rung].scene);
     }

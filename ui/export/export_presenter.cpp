@@ -4,7 +4,6 @@
 #include "ui/look/quantity_text.h"
 
 #include "spherewalk/jobs/export_chosen.h"
-#include "spherewalk/jobs/measure_survey.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -115,7 +114,6 @@ ExportPresenter::Done ExportPresenter::exported(const std::filesystem::path& sur
     }
     jobs::MeasureOptions measure;
     measure.tolerancePx = tolerance->px;
-    measure.cacheFolder = jobs::measureCacheFolder(store.folder()) / "results";
     const jobs::ChosenExport chosen = jobs::exportChosen(store, folder, CameraModel(tolerance->camera),
                                                          measure, options.write, progress, stop);
     return {chosen.exported, chosen.measured.choice.reason};
