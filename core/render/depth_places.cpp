@@ -263,7 +263,7 @@ std::array<std::int32_t, 4> placeSlopes(const PixelRays& rays, const Rigid3& roo
 
 void placePixels(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<const PlacedPhoto> photos,
                  const OpenCells& open, double usualDistanceM, bool wantsSlopes, WorkerPool& pool,
-                 int threads, DepthPlaces& places) {
+                 int threads, const std::function<void(int row)>& placed, DepthPlaces& places) {
     std::vector<simd::PhotoTarget> targets;
     for (const PlacedPhoto& photo : photos) {
         targets.push_back(targetOf(roomFromCamera, photo));
@@ -290,6 +290,7 @@ void placePixels(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<
             for (int column = 0; column < places.columns() && wantsSlopes; ++column) {
                 findSlopes(placer, column, row);
             }
+            placed(row);
         }
     });
 }

@@ -119,13 +119,12 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
     m_open = OpenCells(m_width, m_height);
     const std::vector<PlacedPhoto> placed = drawPhotos(rays, roomFromCamera, photos, pool, threads);
     m_photos = placed.size();
-    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, m_samples > 1, pool, threads, m_places);
     std::vector<TileSet> needs;
     for (const DepthPhoto& photo : photos) {
         needs.emplace_back(photo.grid);
     }
     std::mutex mutex;
-    pool.run(m_places.rows(), threads, [&](int row, int) {
+    const auto addNeeds = [&](int row) {
         std::vector<TileSet> own;
         for (const DepthPhoto& photo : photos) {
             own.emplace_back(photo.grid);
@@ -143,7 +142,9 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
         for (std::size_t i = 0; i < needs.size(); ++i) {
             needs[i].merge(own[i]);
         }
-    });
+    };
+    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, m_samples > 1, pool, threads, addNeeds,
+                m_places);
     return needs;
 }
 
@@ -155,6 +156,9 @@ struct DepthView::SampleSpace {
 
     std::vector<std::int32_t> places;
     std::vector<std::int32_t> fractions;
+    int step = 1; ///< CellSamples::nextStep
+
+    // Of the pixels that are taken from another photo than the first:
     std::array<std::int32_t, DepthPlaces::kCellPixels> u;
     std::array<std::int32_t, DepthPlaces::kCellPixels> v;
     std::array<std::uint8_t, DepthPlaces::kCellPixels> pixels; ///< of the cell
@@ -225,23 +229,29 @@ void DepthView::samplePart(const Cell& at, std::size_t source, const PlaneView& 
     }
 }
 
-void DepthView::sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
-                           SampleSpace& space, RgbImage& picture) const {
+/// What a cell shows of the first photo.
+void DepthView::fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling,
+                          SampleSpace& space) const {
     const std::size_t cell = m_places.index(at.column, at.row);
-    const std::uint32_t sources = m_places.sources[cell];
-    const int left = at.column * kCell;
-    const int top = at.row * kCell;
-    const PixelRows rows{m_places.u.data() + cell * DepthPlaces::kCellPixels,
-                         m_places.v.data() + cell * DepthPlaces::kCellPixels, at.height};
-    fillPlaces(cell, 0, planes[0], sampling, rows, space);
-    simd::sample(planes[0], sampling,
-                 {space.places.data(), space.fractions.data(), m_samples, picture.at(left, top),
-                  std::ptrdiff_t{3} * picture.width(), at.width, at.height, left + kCell + 2 <= m_width});
+    fillPlaces(cell, 0, plane, sampling,
+               {m_places.u.data() + cell * DepthPlaces::kCellPixels,
+                m_places.v.data() + cell * DepthPlaces::kCellPixels, kCell},
+               space);
+    space.step =
+        simd::stepToOtherMemory(space.places.data(), static_cast<int>(space.places.size()), plane.stride());
+}
+
+/// What the cell has of other photos, and what the lens does not see.
+void DepthView::sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
+                             SampleSpace& space, RgbImage& picture) const {
+    const std::uint32_t sources = m_places.sources[m_places.index(at.column, at.row)];
     for (std::size_t i = 1; i < planes.size(); ++i) {
         if ((sources >> i & 1U) != 0) {
             samplePart(at, i, planes[i], sampling, space, picture);
         }
     }
+    const int left = at.column * kCell;
+    const int top = at.row * kCell;
     for (int y = 0; y < at.height && (sources & DepthPlaces::kBlind) != 0; ++y) {
         for (int x = 0; x < at.width; ++x) {
             if (*m_places.source.at(left + x, top + y) == DepthPlaces::kUnseen) {
@@ -257,9 +267,29 @@ void DepthView::sample(const PixelRays& rays, std::span<const PlaneView> planes,
         picture = RgbImage(rays.camera().width(), rays.camera().height());
     }
     pool.run(m_places.rows(), threads, [&](int row, int) {
-        SampleSpace space(m_samples);
+        std::array<SampleSpace, 2> first{SampleSpace(m_samples), SampleSpace(m_samples)};
+        SampleSpace others(m_samples);
+        // A cell's pixels are on their way from memory while the cell before it is sampled.
+        fillFirst(cell(0, row), planes[0], sampling, first[0]);
         for (int column = 0; column < m_places.columns(); ++column) {
-            sampleCell(cell(column, row), planes, sampling, space, picture);
+            const Cell at = cell(column, row);
+            const SampleSpace& now = first[static_cast<std::size_t>(column % 2)];
+            simd::CellSamples samples{now.places.data(),
+                                      now.fractions.data(),
+                                      m_samples,
+                                      picture.at(column * kCell, row * kCell),
+                                      std::ptrdiff_t{3} * picture.width(),
+                                      at.width,
+                                      at.height,
+                                      (column + 1) * kCell + 2 <= m_width};
+            if (column + 1 < m_places.columns()) {
+                SampleSpace& next = first[static_cast<std::size_t>((column + 1) % 2)];
+                fillFirst(cell(column + 1, row), planes[0], sampling, next);
+                samples.next = next.places.data();
+                samples.nextStep = next.step;
+            }
+            simd::sample(planes[0], sampling, samples);
+            sampleOthers(at, planes, sampling, others, picture);
         }
     });
 }

@@ -63,8 +63,9 @@ class DepthView {
 
     Cell cell(int column, int row) const;
     void needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
-    void sampleCell(const Cell& at, std::span<const PlaneView> planes, Sampling sampling, SampleSpace& space,
-                    RgbImage& picture) const;
+    void fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling, SampleSpace& space) const;
+    void sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
+                      SampleSpace& space, RgbImage& picture) const;
 
     /// Sixteen pixels of a cell each.
     struct PixelRows {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <numbers>
 
@@ -30,19 +29,6 @@ void blackenUnseen(const RayTable::ExplicitCell& cell, const simd::CellSamples& 
     }
 }
 
-/// How far apart in a row of samples those are that lie in different cache lines.
-int stepToOtherMemory(const std::int32_t* places, int count, int stride) {
-    constexpr int kLine = 64;
-    const int rowBytes = stride * PlaneLayout::kPixelBytes;
-    int lines = 0;
-    for (const int row : {0, count - kCell}) { // the cell's first and last
-        const int apart = std::abs(places[row + kCell - 1] - places[row]);
-        const int down = (apart + rowBytes / 2) / rowBytes;
-        lines = std::max(lines, down + std::abs(apart - down * rowBytes) / kLine);
-    }
-    return lines < 1 ? 8 : lines < 3 ? 4 : lines < 7 ? 2 : 1;
-}
-
 void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling, int cellY,
                Workspace::Worker& worker, RgbImage& picture) {
     const RayTable& rays = *lattice.rays;
@@ -54,7 +40,7 @@ void renderRow(const Lattice& lattice, const PlaneView& photo, Sampling sampling
     const auto samples = [&](int cellX) {
         Workspace::Coordinates& at = worker.coordinates[static_cast<std::size_t>(cellX % 2)];
         worker.lattice.places(lattice, cellX, to, at.u.data(), at.v.data());
-        step = stepToOtherMemory(at.u.data(), count, photo.stride());
+        step = simd::stepToOtherMemory(at.u.data(), count, photo.stride());
         return simd::CellSamples{at.u.data(),
                                  at.v.data(),
                                  rays.samplesPerAxis(),

@@ -3,7 +3,9 @@
 
 #include "lattice.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
@@ -244,6 +246,19 @@ HWY_AFTER_NAMESPACE();
 namespace spherewalk::render::simd {
 
 HWY_EXPORT(sampleBilinear);
+
+int stepToOtherMemory(const std::int32_t* places, int count, int stride) {
+    constexpr int kLine = 64;
+    constexpr int kRow = 16;
+    const int rowBytes = stride * PlaneLayout::kPixelBytes;
+    int lines = 0;
+    for (const int row : {0, count - kRow}) { // the cell's first and last
+        const int apart = std::abs(places[row + kRow - 1] - places[row]);
+        const int down = (apart + rowBytes / 2) / rowBytes;
+        lines = std::max(lines, down + std::abs(apart - down * rowBytes) / kLine);
+    }
+    return lines < 1 ? 8 : lines < 3 ? 4 : lines < 7 ? 2 : 1;
+}
 
 void sampleBilinear(const PlaneView& photo, const CellSamples& cell) {
     HWY_DYNAMIC_DISPATCH(sampleBilinear)(photo, cell);

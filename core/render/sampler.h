@@ -26,6 +26,9 @@ struct CellSamples {
     int nextStep = 1; ///< how far apart the samples are that need different memory, 1 to 16
 };
 
+/// CellSamples::nextStep of a cell with so many places in a photo with that stride (PlaneView).
+int stepToOtherMemory(const std::int32_t* places, int count, int stride);
+
 /// Sixteen bytes, what Highway shuffles within.
 using Block = std::array<std::uint8_t, 16>;
 
