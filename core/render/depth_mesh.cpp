@@ -19,14 +19,6 @@ DepthMesh::DepthMesh(const DepthMap& map) : m_width(map.width()), m_height(map.h
         m_inverse.insert(m_inverse.end(), row.begin(), row.end());
         m_inverse.push_back(row.front());
     }
-    for (int y = 0; y < m_height - 1; ++y) {
-        for (int x = 0; x < m_width; ++x) {
-            m_isSurface.push_back(
-                isSurface({inverseM(x, y), inverseM(x + 1, y), inverseM(x, y + 1), inverseM(x + 1, y + 1)})
-                    ? 1
-                    : 0);
-        }
-    }
     const double half = std::numbers::pi / m_width; // half a pixel
     for (int i = -1; i <= 2 * m_width; ++i) {
         m_cosAzimuth.push_back(static_cast<float>(std::cos(std::numbers::pi - half * (i + 1))));
@@ -44,10 +36,11 @@ DepthMesh::DepthMesh(const DepthMap& map) : m_width(map.width()), m_height(map.h
         }
         m_centres[k].resize(m_centres[k].size() + simd::ProjectedPart::kPitch);
     }
-    for (int level = 1; level < kLevels; ++level) {
-        measureLevel(level);
+    for (int block = 0; block < blocksX() * blocksY(); ++block) {
+        measureBlock(block % blocksX(), block / blocksX());
     }
     boundBlocks();
+    m_patches = DepthPatches(*this);
     m_inverse.resize(m_inverse.size() + simd::ProjectedPart::kPitch);
 }
 
@@ -64,13 +57,26 @@ simd::SurfacePart DepthMesh::block(int blockX, int blockY) const {
             std::min(kBlock, m_height - 1 - y) + 1};
 }
 
-void DepthMesh::measureLevel(int level) {
-    Level& of = m_levels[static_cast<std::size_t>(level)];
-    const int size = 1 << level;
-    of.pitch = m_width / size;
-    for (int y = 0; y < m_height - 1; y += size) {
-        for (int x = 0; x < m_width; x += size) {
-            of.deviation.push_back(measured(x, y, x + size, std::min(y + size, m_height - 1)));
+bool DepthMesh::hasEdge(int x, int y) const {
+    for (int j = y; j < std::min(y + 2, m_height - 1); ++j) {
+        if (!isSurface(x, j) || !isSurface(x + 1, j)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void DepthMesh::measureBlock(int blockX, int blockY) {
+    for (int level = kLevels - 1; level > 0; --level) {
+        const int size = 1 << level;
+        for (int j = 0; j < kBlock; j += size) {
+            for (int i = 0; i < kBlock; i += size) {
+                const int x = blockX * kBlock + i;
+                const int y = blockY * kBlock + j;
+                const bool isTorn = y >= m_height - 1 || (level == 1 && hasEdge(x, y));
+                m_deviation.push_back(isTorn ? HUGE_VALF
+                                             : measured(x, y, x + size, std::min(y + size, m_height - 1)));
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "depth_patches.h"
 #include "depth_simd.h"
 
 #include "spherewalk/render/depth_map.h"
@@ -33,9 +34,11 @@ class DepthMesh {
     /// Whether the four pixels from there to the right and down are of one. Range: 0 <= x < width, 0 <= y <
     /// height - 1.
     bool isSurface(int x, int y) const {
-        return m_isSurface[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) +
-                           static_cast<std::size_t>(x)] != 0;
+        return isSurface({inverseM(x, y), inverseM(x + 1, y), inverseM(x, y + 1), inverseM(x + 1, y + 1)});
     }
+
+    /// Whether some of the two by two quads from there are not: they are made of patches.
+    bool hasEdge(int x, int y) const;
 
     int width() const { return m_width; }
 
@@ -77,13 +80,16 @@ class DepthMesh {
     /// A block's vertices, as many rows of them as it has.
     simd::SurfacePart block(int blockX, int blockY) const;
 
-    /// By how much 1 / distance is off, at most, if the quad with its upper left vertex at (x, y) is taken to
-    /// be flat. Range: level > 0; x and y multiples of 2^level.
-    float deviation(int level, int x, int y) const {
-        const Level& of = m_levels[static_cast<std::size_t>(level)];
-        return of.deviation[static_cast<std::size_t>(y >> level) * static_cast<std::size_t>(of.pitch) +
-                            static_cast<std::size_t>(x >> level)];
+    /// By how much 1 / distance is off, at most, if the quad with its upper left vertex at (x, y) of a block
+    /// is taken to be flat; infinite at level 1 where it has an edge. Range: level > 0; x and y multiples of
+    /// 2^level.
+    float deviation(std::size_t block, int level, int x, int y) const {
+        const int inBlock =
+            kOfLevel[static_cast<std::size_t>(level)] + (y >> level) * (kBlock >> level) + (x >> level);
+        return m_deviation[block * kOfBlock + static_cast<std::size_t>(inBlock)];
     }
+
+    const DepthPatches& patches() const { return m_patches; }
 
     /// All vertices of a block lie in it: directions within `radius` of the centre, and so many per metre.
     struct Bound {
@@ -99,25 +105,23 @@ class DepthMesh {
     }
 
   private:
-    struct Level {
-        int pitch = 0;
-        std::vector<float> deviation;
-    };
+    static constexpr std::array<int, kLevels> kOfLevel{-1, 21, 5, 1, 0}; ///< where a block has its quads
+    static constexpr std::size_t kOfBlock = 85;
 
-    void measureLevel(int level);
+    void measureBlock(int blockX, int blockY);
     float measured(int x, int y, int endX, int endY) const;
     void boundBlocks();
 
     int m_width;
     int m_height;
     std::vector<float> m_inverse;
-    std::vector<std::uint8_t> m_isSurface;
     std::vector<float> m_cosAzimuth;
     std::vector<float> m_sinAzimuth;
     std::vector<float> m_cosElevation;
     std::vector<float> m_sinElevation;
     std::array<std::vector<float>, 4> m_centres; ///< every second one of these: at the pixels' centres
-    std::array<Level, kLevels> m_levels;
+    std::vector<float> m_deviation;              ///< block after block
+    DepthPatches m_patches;
     std::vector<Bound> m_bounds;
 };
 

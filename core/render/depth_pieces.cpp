@@ -21,16 +21,6 @@ namespace spherewalk::render::simd {
 constexpr float kOverlapPx = 0.25F; ///< pieces reach so far beyond their edges: flat parts leave no cracks
 constexpr float kLeastTurn = 1e-4F; ///< of a corner; what is thinner is drawn as triangles, if at all
 
-/// Pieces side by side, as many as a vector has at most.
-struct PieceColumns {
-    static constexpr std::size_t kLanes = 16;
-    using Floats = std::array<float, kLanes>;
-    std::array<Floats, 4> a, b, c;
-    Floats slopeX, slopeY, base, least, most;
-    std::array<std::int32_t, kLanes> left, top, right, bottom;
-    Floats sign; ///< 0 of quads that are not convex
-};
-
 /// As ProjectedPart has them.
 struct Vertex {
     float x, y, value;
@@ -44,9 +34,9 @@ HWY_BEFORE_NAMESPACE();
 
 namespace spherewalk::render::simd::HWY_NAMESPACE {
 
-using F = hn::CappedTag<float, PieceColumns::kLanes>;
+using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
-using I = hn::CappedTag<std::int32_t, PieceColumns::kLanes>;
+using I = hn::CappedTag<std::int32_t, 16>;
 
 /// The least and the greatest of four.
 template <class Four>
@@ -59,16 +49,22 @@ HWY_INLINE VF greatestOf(const Four& of) {
     return hn::Max(hn::Max(of[0], of[1]), hn::Max(of[2], of[3]));
 }
 
-/// Pixels from the first that is not before `begin` to the last that is not after `end`.
-HWY_INLINE void pixelsBetween(VF begin, VF end, float last, std::int32_t* first, std::int32_t* final) {
+/// Pixels from the first that is not before `begin` to the last that is not after `end`; none unless they are
+/// wanted.
+template <class Mask>
+HWY_INLINE void pixelsBetween(VF begin, VF end, float last, Mask isWanted, std::int32_t* first,
+                              std::int32_t* final) {
     const F d;
     const I di;
     const VF inView = hn::Min(hn::Max(begin, hn::Zero(d)), hn::Set(d, last + 1));
     const auto cut = hn::ConvertTo(di, inView);
     const auto isCut = hn::RebindMask(di, hn::Lt(hn::ConvertTo(d, cut), inView));
-    hn::StoreU(hn::Add(cut, hn::IfThenElseZero(isCut, hn::Set(di, 1))), di, first);
+    hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, isWanted),
+                                  hn::Add(cut, hn::IfThenElseZero(isCut, hn::Set(di, 1)))),
+               di, first);
     const VF until = hn::Min(hn::Max(end, hn::Set(d, -1.0F)), hn::Set(d, last));
-    hn::StoreU(hn::Sub(hn::ConvertTo(di, hn::Add(until, hn::Set(d, 1.0F))), hn::Set(di, 1)), di, final);
+    const auto beyond = hn::ConvertTo(di, hn::Add(until, hn::Set(d, 1.0F)));
+    hn::StoreU(hn::Sub(hn::IfThenElseZero(hn::RebindMask(di, isWanted), beyond), hn::Set(di, 1)), di, final);
 }
 
 HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int height, PieceColumns& out) {
@@ -81,10 +77,11 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const std::array<VF, 4> y = four(quads.y);
     const std::array<VF, 4> value = four(quads.value);
     const VF overlap = hn::Set(d, kOverlapPx);
+    const auto isPlaced = hn::Gt(leastOf(value), hn::Zero(d));
     pixelsBetween(hn::Sub(leastOf(x), overlap), hn::Add(greatestOf(x), overlap),
-                  static_cast<float>(width - 1), out.left.data(), out.right.data());
+                  static_cast<float>(width - 1), isPlaced, out.left.data() + from, out.right.data() + from);
     pixelsBetween(hn::Sub(leastOf(y), overlap), hn::Add(greatestOf(y), overlap),
-                  static_cast<float>(height - 1), out.top.data(), out.bottom.data());
+                  static_cast<float>(height - 1), isPlaced, out.top.data() + from, out.bottom.data() + from);
     // Twice the areas of its corners' triangles: all of one sign if it is convex.
     std::array<VF, 4> turns;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -96,16 +93,16 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const VF left = hn::IfThenElseZero(hn::Gt(leastOf(turns), hn::Set(d, kLeastTurn)), hn::Set(d, 1.0F));
     const VF sign =
         hn::IfThenElse(hn::Lt(greatestOf(turns), hn::Set(d, -kLeastTurn)), hn::Set(d, -1.0F), left);
-    hn::StoreU(sign, d, out.sign.data());
+    hn::StoreU(sign, d, out.sign.data() + from);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
         const VF a = hn::Mul(sign, hn::Sub(y[i], y[j]));
         const VF b = hn::Mul(sign, hn::Sub(x[j], x[i]));
-        hn::StoreU(a, d, out.a[i].data());
-        hn::StoreU(b, d, out.b[i].data());
+        hn::StoreU(a, d, out.a[i].data() + from);
+        hn::StoreU(b, d, out.b[i].data() + from);
         hn::StoreU(
             hn::Sub(hn::Mul(overlap, hn::Add(hn::Abs(a), hn::Abs(b))), mulAdd(a, x[i], hn::Mul(b, y[i]))), d,
-            out.c[i].data());
+            out.c[i].data() + from);
     }
     const VF x1 = hn::Sub(x[2], x[0]);
     const VF y1 = hn::Sub(y[2], y[0]);
@@ -119,17 +116,17 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const auto sum = [](const auto& of) { return hn::Add(hn::Add(of[0], of[1]), hn::Add(of[2], of[3])); };
     const VF base =
         hn::Mul(hn::Set(d, 0.25F), hn::Sub(sum(value), mulAdd(slopeX, sum(x), hn::Mul(slopeY, sum(y)))));
-    hn::StoreU(slopeX, d, out.slopeX.data());
-    hn::StoreU(slopeY, d, out.slopeY.data());
-    hn::StoreU(base, d, out.base.data());
-    hn::StoreU(leastOf(value), d, out.least.data());
-    hn::StoreU(greatestOf(value), d, out.most.data());
+    hn::StoreU(slopeX, d, out.slopeX.data() + from);
+    hn::StoreU(slopeY, d, out.slopeY.data() + from);
+    hn::StoreU(base, d, out.base.data() + from);
+    hn::StoreU(leastOf(value), d, out.least.data() + from);
+    hn::StoreU(greatestOf(value), d, out.most.data() + from);
 }
 
-/// The columns of so many quads from the first on. Back: how many it did.
-std::size_t cutSome(const Quads& quads, std::size_t from, int width, int height, PieceColumns& out) {
-    cutColumns(quads, from, width, height, out);
-    return hn::Lanes(F());
+void cut(const Quads& quads, int width, int height, PieceColumns& out) {
+    for (std::size_t from = 0; from < static_cast<std::size_t>(quads.count); from += hn::Lanes(F())) {
+        cutColumns(quads, from, width, height, out);
+    }
 }
 
 void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {
@@ -179,27 +176,27 @@ HWY_AFTER_NAMESPACE();
 
 namespace spherewalk::render::simd {
 
-HWY_EXPORT(cutSome);
+HWY_EXPORT(cut);
 HWY_EXPORT(draw);
 
 namespace {
 
-Piece piece(const PieceColumns& from, std::size_t lane) {
+Piece piece(const PieceColumns& from, std::size_t quad) {
     Piece piece;
     for (std::size_t i = 0; i < 4; ++i) {
-        piece.a[i] = from.a[i][lane];
-        piece.b[i] = from.b[i][lane];
-        piece.c[i] = from.c[i][lane];
+        piece.a[i] = from.a[i][quad];
+        piece.b[i] = from.b[i][quad];
+        piece.c[i] = from.c[i][quad];
     }
-    piece.slopeX = from.slopeX[lane];
-    piece.slopeY = from.slopeY[lane];
-    piece.base = from.base[lane];
-    piece.least = from.least[lane];
-    piece.most = from.most[lane];
-    piece.left = from.left[lane];
-    piece.top = from.top[lane];
-    piece.right = from.right[lane];
-    piece.bottom = from.bottom[lane];
+    piece.slopeX = from.slopeX[quad];
+    piece.slopeY = from.slopeY[quad];
+    piece.base = from.base[quad];
+    piece.least = from.least[quad];
+    piece.most = from.most[quad];
+    piece.left = from.left[quad];
+    piece.top = from.top[quad];
+    piece.right = from.right[quad];
+    piece.bottom = from.bottom[quad];
     return piece;
 }
 
@@ -237,28 +234,20 @@ void addTriangle(const std::array<Vertex, 3>& v, Piece piece, std::vector<Piece>
 
 } // namespace
 
-void cut(const Quads& quads, int width, int height, std::vector<Piece>& pieces) {
-    PieceColumns columns;
-    const auto count = static_cast<std::size_t>(quads.count);
-    std::size_t done = 0;
-    for (std::size_t from = 0; from < count; from += done) {
-        done = HWY_DYNAMIC_DISPATCH(cutSome)(quads, from, width, height, columns);
-        for (std::size_t lane = 0; lane < std::min(done, count - from); ++lane) {
-            if (!(columns.least[lane] > 0) || columns.left[lane] > columns.right[lane] ||
-                columns.top[lane] > columns.bottom[lane]) {
-                continue;
-            }
-            if (columns.sign[lane] != 0) {
-                pieces.push_back(piece(columns, lane));
-                continue;
-            }
-            const auto vertex = [&](std::size_t i) {
-                return Vertex{quads.x[i][from + lane], quads.y[i][from + lane], quads.value[i][from + lane]};
-            };
-            addTriangle({vertex(0), vertex(1), vertex(3)}, piece(columns, lane), pieces);
-            addTriangle({vertex(1), vertex(2), vertex(3)}, piece(columns, lane), pieces);
-        }
+void cut(const Quads& quads, int width, int height, PieceColumns& columns) {
+    HWY_DYNAMIC_DISPATCH(cut)(quads, width, height, columns);
+}
+
+void add(const Quads& quads, const PieceColumns& columns, std::size_t quad, std::vector<Piece>& pieces) {
+    if (columns.sign[quad] != 0) {
+        pieces.push_back(piece(columns, quad));
+        return;
     }
+    const auto vertex = [&](std::size_t i) {
+        return Vertex{quads.x[i][quad], quads.y[i][quad], quads.value[i][quad]};
+    };
+    addTriangle({vertex(0), vertex(1), vertex(3)}, piece(columns, quad), pieces);
+    addTriangle({vertex(1), vertex(2), vertex(3)}, piece(columns, quad), pieces);
 }
 
 void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace spherewalk::render {
@@ -14,13 +15,7 @@ using simd::ProjectedPart;
 
 namespace {
 
-constexpr int kCulledLevel = 2; ///< quads of this size that cannot show are left out as one
-
-/// A rectangle of a photo with 1 / distance at its corners, in turn from the upper left. Units: half pixels.
-struct Facing {
-    int left, top, right, bottom;
-    std::array<float, 4> inverseM;
-};
+constexpr int kSquare = DepthPatches::kSquare; ///< quads of a square that cannot show are left out as one
 
 } // namespace
 
@@ -38,50 +33,61 @@ class DepthRaster::BlockCutter {
           m_bands(bands) {}
 
     void cut(int blockX, int blockY) {
-        m_x = blockX * DepthMesh::kBlock;
-        m_y = blockY * DepthMesh::kBlock;
+        m_block = static_cast<std::size_t>(blockY * m_mesh.blocksX() + blockX);
         const simd::SurfacePart part = m_mesh.block(blockX, blockY);
         m_projector.project(part, m_part);
         simd::boxes(m_part, part.rows, m_boxes);
-        quad(DepthMesh::kLevels - 1, m_x, m_y);
+        m_endY = part.rows - 1;
+        quad(DepthMesh::kLevels - 1, 0, 0);
+        addPatches();
     }
 
     /// To be called at the end.
     void flush() {
-        flushFacings();
         cutAll(m_quads);
         m_quads.count = 0;
     }
 
   private:
     void cutAll(const simd::Quads& quads) {
-        simd::cut(quads, m_width, m_height, m_pieces);
-        for (const Piece& piece : m_pieces) {
-            if (!m_open.isAllOpen() &&
-                !m_open.anyIn(static_cast<float>(piece.left), static_cast<float>(piece.top),
-                              static_cast<float>(piece.right), static_cast<float>(piece.bottom))) {
+        simd::cut(quads, m_width, m_height, m_columns);
+        const bool isAllOpen = m_open.isAllOpen();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
+            const int left = m_columns.left[i];
+            const int right = m_columns.right[i];
+            const int top = m_columns.top[i];
+            const int bottom = m_columns.bottom[i];
+            if (left > right || top > bottom || (!isAllOpen && !m_open.anyIn(left, top, right, bottom))) {
                 continue;
             }
-            for (int band = piece.top / kBand; band <= piece.bottom / kBand; ++band) {
-                m_bands[static_cast<std::size_t>(band)].push_back(piece);
+            for (int band = top / kBand; band <= bottom / kBand; ++band) {
+                simd::add(quads, m_columns, i, m_bands[static_cast<std::size_t>(band)]);
             }
         }
-        m_pieces.clear();
     }
 
+    /// x, y: in the block.
     void quad(int level, int x, int y) {
         const int size = 1 << level;
-        const int endY = std::min(y + size, m_mesh.height() - 1);
+        const int endY = std::min(y + size, m_endY);
         if (level == 0) {
-            smallest(x, y);
+            add(x, y, x + 1, y + 1);
             return;
         }
-        if (level == kCulledLevel && !mayShow(x, y)) {
+        const auto square = static_cast<std::size_t>(y / kSquare * DepthPatches::kSquares + x / kSquare);
+        if (size == kSquare && !mayShow(square)) {
             return;
         }
-        const bool flat = level <= m_projector.largestLevel() && m_mesh.deviation(level, x, y) < m_tolerance;
+        const float deviation = m_mesh.deviation(m_block, level, x, y);
+        if (level == 1 && std::isinf(deviation)) {
+            return; // it is made of patches
+        }
+        const bool flat = level <= m_projector.largestLevel() && deviation < m_tolerance;
         if (flat && add(x, y, x + size, endY)) {
             return;
+        }
+        if (size == kSquare) {
+            addPatchesOf(DepthPatches::orderInBlock(x, y));
         }
         for (int j = y; j < endY; j += size / 2) {
             for (int i = x; i < x + size; i += size / 2) {
@@ -91,80 +97,40 @@ class DepthRaster::BlockCutter {
     }
 
     /// Whether a square of the block may show in cells that are open, or what stands for its pixels does.
-    bool mayShow(int x, int y) const {
-        constexpr int kSquare = simd::PartBoxes::kSquare;
-        const auto i =
-            static_cast<std::size_t>((y - m_y) / kSquare * simd::PartBoxes::kSquares + (x - m_x) / kSquare);
-        const float beside = 1 + (m_boxes.right[i] - m_boxes.left[i]) / kSquare;
-        const float below = 1 + (m_boxes.bottom[i] - m_boxes.top[i]) / kSquare;
-        return m_open.anyIn(m_boxes.left[i] - beside, m_boxes.top[i] - below, m_boxes.right[i] + beside,
-                            m_boxes.bottom[i] + below);
+    bool mayShow(std::size_t square) const {
+        const float beside = 1 + (m_boxes.right[square] - m_boxes.left[square]) / kSquare;
+        const float below = 1 + (m_boxes.bottom[square] - m_boxes.top[square]) / kSquare;
+        return m_open.anyIn(m_boxes.left[square] - beside, m_boxes.top[square] - below,
+                            m_boxes.right[square] + beside, m_boxes.bottom[square] + below);
     }
 
-    /// Four pixels: a surface, unless their distances differ too much. Then each stands by itself or with one
-    /// beside it, facing the photo, up to the middle between them and the others.
-    void smallest(int x, int y) {
-        if (m_mesh.isSurface(x, y)) {
-            add(x, y, x + 1, y + 1);
-            return;
+    /// Those of squares that follow each other go together.
+    void addPatchesOf(int square) {
+        const DepthPatches::Range range = m_mesh.patches().ofSquare(m_block, square);
+        if (range.begin != m_patches.end) {
+            addPatches();
+            m_patches.begin = range.begin;
         }
-        const float a = m_mesh.inverseM(x, y);
-        const float b = m_mesh.inverseM(x + 1, y);
-        const float c = m_mesh.inverseM(x, y + 1);
-        const float d = m_mesh.inverseM(x + 1, y + 1);
-        const auto row = [&](int top, float left, float right) {
-            if (DepthMesh::isSurface({left, right})) {
-                add({2 * x, top, 2 * x + 2, top + 1, {left, right, right, left}});
-            } else {
-                add({2 * x, top, 2 * x + 1, top + 1, {left, left, left, left}});
-                add({2 * x + 1, top, 2 * x + 2, top + 1, {right, right, right, right}});
+        m_patches.end = range.end;
+    }
+
+    void addPatches() {
+        const simd::SurfacePatches patches = m_mesh.patches().at(m_patches);
+        m_patches.begin = m_patches.end;
+        for (int first = 0; first < patches.count;) {
+            if (m_quads.count == simd::Quads::kMost) {
+                flush();
             }
-        };
-        const auto column = [&](int left, float top, float bottom) {
-            if (DepthMesh::isSurface({top, bottom})) {
-                add({left, 2 * y, left + 1, 2 * y + 2, {top, top, bottom, bottom}});
-            } else {
-                add({left, 2 * y, left + 1, 2 * y + 1, {top, top, top, top}});
-                add({left, 2 * y + 1, left + 1, 2 * y + 2, {bottom, bottom, bottom, bottom}});
-            }
-        };
-        if (DepthMesh::isSurface({a, b}) || DepthMesh::isSurface({c, d})) {
-            row(2 * y, a, b);
-            row(2 * y + 1, c, d);
-        } else {
-            column(2 * x, a, c);
-            column(2 * x + 1, b, d);
+            const int many = std::min(patches.count - first, simd::Quads::kMost - m_quads.count);
+            m_projector.project(patches.part(first, many), m_quads);
+            first += many;
         }
-    }
-
-    void add(const Facing& part) {
-        if (m_facings.count == simd::Quads::kMost) {
-            flushFacings();
-        }
-        const std::array<DepthMesh::Angle, 2> across{m_mesh.azimuth(part.left), m_mesh.azimuth(part.right)};
-        const std::array<DepthMesh::Angle, 2> up{m_mesh.elevation(part.top), m_mesh.elevation(part.bottom)};
-        const auto to = static_cast<std::size_t>(m_facings.count++);
-        for (std::size_t i = 0; i < 4; ++i) {
-            const DepthMesh::Angle& azimuth = across[i == 1 || i == 2 ? 1 : 0];
-            const DepthMesh::Angle& elevation = up[i / 2];
-            m_facings.x[i][to] = elevation.cosine * azimuth.cosine;
-            m_facings.y[i][to] = elevation.cosine * azimuth.sine;
-            m_facings.z[i][to] = elevation.sine;
-            m_facings.inverseM[i][to] = part.inverseM[i];
-        }
-    }
-
-    void flushFacings() {
-        simd::Quads quads;
-        m_projector.project(m_facings, quads);
-        m_facings.count = 0;
-        cutAll(quads);
     }
 
     /// A quad of the block between these vertices. False if not all of it is in front of the camera.
     bool add(int left, int top, int right, int bottom) {
         const auto index = [&](int x, int y) {
-            return static_cast<std::size_t>((y - m_y) * ProjectedPart::kPitch + x - m_x);
+            return static_cast<std::size_t>(y * ProjectedPart::kPitch + x);
         };
         const std::array<std::size_t, 4> corners{index(left, top), index(right, top), index(right, bottom),
                                                  index(left, bottom)};
@@ -172,8 +138,7 @@ class DepthRaster::BlockCutter {
             return false;
         }
         if (m_quads.count == simd::Quads::kMost) {
-            cutAll(m_quads);
-            m_quads.count = 0;
+            flush();
         }
         const auto to = static_cast<std::size_t>(m_quads.count++);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -191,11 +156,11 @@ class DepthRaster::BlockCutter {
     int m_width;
     int m_height;
     std::span<std::vector<Piece>> m_bands; ///< where the pieces go
-    std::vector<Piece> m_pieces;
-    int m_x = 0;
-    int m_y = 0;
-    simd::Quads m_quads;          ///< that are yet to be cut
-    simd::SurfaceQuads m_facings; ///< that are yet to be projected
+    simd::PieceColumns m_columns;
+    std::size_t m_block = 0;
+    int m_endY = 0;                ///< of the block's quads
+    simd::Quads m_quads;           ///< that are yet to be cut
+    DepthPatches::Range m_patches; ///< that are yet to be projected
     ProjectedPart m_part;
     simd::PartBoxes m_boxes;
 };

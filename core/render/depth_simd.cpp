@@ -58,26 +58,35 @@ void projectPart(const SurfaceCamera& camera, const SurfacePart& part, Projected
     }
 }
 
-void projectQuads(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out) {
+void projectPatches(const SurfaceCamera& camera, const SurfacePatches& patches, Quads& out) {
     const F d;
     const std::array<float, 9>& m = camera.rotation;
-    out.count = quads.count;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); i += hn::Lanes(d)) {
-            const VF x = hn::LoadU(d, quads.x[corner].data() + i);
-            const VF y = hn::LoadU(d, quads.y[corner].data() + i);
-            const VF z = hn::LoadU(d, quads.z[corner].data() + i);
-            const VF w = hn::LoadU(d, quads.inverseM[corner].data() + i);
+    const auto first = static_cast<std::size_t>(out.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(patches.count); i += hn::Lanes(d)) {
+        std::array<VF, 4> cosine;
+        std::array<VF, 4> sine;
+        for (std::size_t side = 0; side < 4; ++side) {
+            cosine[side] = hn::LoadU(d, patches.cosine[side] + i);
+            sine[side] = hn::LoadU(d, patches.sine[side] + i);
+        }
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const std::size_t across = corner == 1 || corner == 2 ? 2 : 0;
+            const std::size_t up = corner < 2 ? 1 : 3;
+            const VF x = hn::Mul(cosine[up], cosine[across]);
+            const VF y = hn::Mul(cosine[up], sine[across]);
+            const VF z = sine[up];
+            const VF w = hn::LoadU(d, patches.inverseM[corner] + i);
             const auto component = [&](std::size_t k) {
                 const VF turned =
                     mulAdd(hn::Set(d, m[3 * k]), x,
                            mulAdd(hn::Set(d, m[3 * k + 1]), y, hn::Mul(hn::Set(d, m[3 * k + 2]), z)));
                 return mulAdd(w, hn::Set(d, camera.translation[k]), turned);
             };
-            toView(d, camera, component(0), component(1), component(2), w, out.x[corner].data() + i,
-                   out.y[corner].data() + i, out.value[corner].data() + i);
+            toView(d, camera, component(0), component(1), component(2), w, out.x[corner].data() + first + i,
+                   out.y[corner].data() + first + i, out.value[corner].data() + first + i);
         }
     }
+    out.count += patches.count;
 }
 
 /// The least of each value and the four after it, from the first of each square.
@@ -143,15 +152,15 @@ HWY_AFTER_NAMESPACE();
 namespace spherewalk::render::simd {
 
 HWY_EXPORT(projectPart);
-HWY_EXPORT(projectQuads);
+HWY_EXPORT(projectPatches);
 HWY_EXPORT(boxes);
 
 void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
     HWY_DYNAMIC_DISPATCH(projectPart)(camera, part, out);
 }
 
-void project(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out) {
-    HWY_DYNAMIC_DISPATCH(projectQuads)(camera, quads, out);
+void project(const SurfaceCamera& camera, const SurfacePatches& patches, Quads& out) {
+    HWY_DYNAMIC_DISPATCH(projectPatches)(camera, patches, out);
 }
 
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {

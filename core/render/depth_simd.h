@@ -54,13 +54,29 @@ struct PartBoxes {
 /// Range: of a part with that many rows.
 void boxes(const ProjectedPart& part, int rows, PartBoxes& out);
 
-/// Quads of a photo's surface, their vertices in turn: unit directions and 1 / distance.
-struct SurfaceQuads {
-    std::array<std::array<float, Quads::kMost>, 4> x{}, y{}, z{}, inverseM{};
-    int count = 0;
+/// Rectangles of a photo. Of their sides, in turn from the left one: cosine and sine of the azimuth or the
+/// elevation; of their corners, in turn from the upper left: 1 / distance. Quads::kMore values are read
+/// beyond the last.
+struct SurfacePatches {
+    std::array<const float*, 4> cosine;
+    std::array<const float*, 4> sine;
+    std::array<const float*, 4> inverseM;
+    int count;
+
+    /// So many of them, from there on.
+    SurfacePatches part(int first, int many) const {
+        SurfacePatches part = *this;
+        for (std::size_t i = 0; i < 4; ++i) {
+            part.cosine[i] += first;
+            part.sine[i] += first;
+            part.inverseM[i] += first;
+        }
+        part.count = many;
+        return part;
+    }
 };
 
-/// Where they are in the view. Values are as ProjectedPart's.
-void project(const SurfaceCamera& camera, const SurfaceQuads& quads, Quads& out);
+/// Adds where they are in the view. Values are as ProjectedPart's. Range: there is room.
+void project(const SurfaceCamera& camera, const SurfacePatches& patches, Quads& out);
 
 } // namespace spherewalk::render::simd

@@ -39,6 +39,11 @@ class OpenCells {
     /// Whether a part is open that meets this piece of the view. Units: pixels; any.
     bool anyIn(float left, float top, float right, float bottom) const;
 
+    /// The same of whole pixels of the view, the last ones included.
+    bool anyIn(int left, int top, int right, int bottom) const {
+        return sum(left / kPart, top / kPart, right / kPart + 1, bottom / kPart + 1) > 0;
+    }
+
   private:
     static constexpr int kParts = kCell / kPart;
 

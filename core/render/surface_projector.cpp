@@ -56,19 +56,22 @@ SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction
     return isNear ? at : Vertex{};
 }
 
-void SurfaceProjector::project(const simd::SurfaceQuads& quads, simd::Quads& out) const {
+void SurfaceProjector::project(const simd::SurfacePatches& patches, simd::Quads& out) const {
     if (m_isPinhole) {
-        simd::project(m_pinhole, quads, out);
+        simd::project(m_pinhole, patches, out);
         return;
     }
-    out.count = quads.count;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
-            const Vertex at = throughLens({quads.x[corner][i], quads.y[corner][i], quads.z[corner][i]},
-                                          quads.inverseM[corner][i]);
-            out.x[corner][i] = at.x;
-            out.y[corner][i] = at.y;
-            out.value[corner][i] = at.value;
+    for (int i = 0; i < patches.count; ++i, ++out.count) {
+        const auto to = static_cast<std::size_t>(out.count);
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const std::size_t across = corner == 1 || corner == 2 ? 2 : 0;
+            const std::size_t up = corner < 2 ? 1 : 3;
+            const Vector3f direction(patches.cosine[up][i] * patches.cosine[across][i],
+                                     patches.cosine[up][i] * patches.sine[across][i], patches.sine[up][i]);
+            const Vertex at = throughLens(direction, patches.inverseM[corner][i]);
+            out.x[corner][to] = at.x;
+            out.y[corner][to] = at.y;
+            out.value[corner][to] = at.value;
         }
     }
 }

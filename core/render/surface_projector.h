@@ -18,7 +18,8 @@ class SurfaceProjector {
     /// camera: outlives the projector.
     SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraModel& camera);
 
-    void project(const simd::SurfaceQuads& quads, simd::Quads& out) const;
+    /// Adds them. Range: there is room.
+    void project(const simd::SurfacePatches& patches, simd::Quads& out) const;
 
     /// All vertices of a block.
     void project(const simd::SurfacePart& block, simd::ProjectedPart& out) const;

@@ -134,8 +134,14 @@ TEST(DepthSimd, CutsQuadsIntoPieces) {
     add({{{20, 2}, {12, 2}, {12, 10}, {20, 10}}});     // seen from behind
     add({{{22, 2}, {30, 2}, {24, 4}, {22, 10}}});      // not convex
     add({{{-20, 2}, {-10, 2}, {-10, 10}, {-20, 10}}}); // beside the view
+    PieceColumns columns;
+    cut(quads, 48, 32, columns);
     std::vector<Piece> pieces;
-    cut(quads, 48, 32, pieces);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
+        if (columns.left[i] <= columns.right[i] && columns.top[i] <= columns.bottom[i]) {
+            simd::add(quads, columns, i, pieces);
+        }
+    }
     ASSERT_EQ(pieces.size(), 4U);
     std::vector<float> values(std::size_t{48} * 32);
     draw(pieces, 0, 32, values.data(), 48);
