@@ -71,23 +71,29 @@ int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16
     return all;
 }
 
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken) {
+bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, float* values,
+                std::uint8_t* sources) {
     const F d;
     const I di;
-    std::uint32_t rows = 0;
+    const hn::Rebind<std::uint8_t, I> d8;
+    bool any = false;
     for (int y = 0; y < kCell; ++y) {
         for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-            const V mine = hn::LoadU(d, values + y * pitch + x);
-            const V other = hn::LoadU(d, seen + y * pitch + x);
+            const std::ptrdiff_t at = y * pitch + x;
+            const V mine = hn::LoadU(d, values + at);
+            const V other = hn::LoadU(d, seen + at);
             const auto takes = hn::And(hn::Eq(mine, hn::Zero(d)), hn::Gt(other, hn::Zero(d)));
-            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + y * pitch + x);
-            hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, takes), hn::Set(di, 1)), di,
-                       isTaken.data() + y * kCell + x);
-            rows |= hn::AllFalse(d, takes) ? 0 : 1U << y;
+            if (hn::AllFalse(d, takes)) {
+                continue;
+            }
+            any = true;
+            hn::StoreU(hn::IfThenElse(takes, other, mine), d, values + at);
+            const VI source = hn::PromoteTo(di, hn::LoadU(d8, sources + at));
+            const VI taken = hn::IfThenElse(hn::RebindMask(di, takes), hn::Set(di, photo), source);
+            hn::StoreU(hn::DemoteTo(d8, taken), d8, sources + at);
         }
     }
-    return rows;
+    return any;
 }
 
 void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
@@ -136,8 +142,27 @@ void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint
     }
 }
 
-std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
-                                      const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo) {
+std::array<std::int32_t, 4> boxOfAll(const std::int32_t* u, const std::int32_t* v) {
+    const I d;
+    VI left = hn::LoadU(d, u);
+    VI right = left;
+    VI top = hn::LoadU(d, v);
+    VI bottom = top;
+    for (std::ptrdiff_t i = 0; i < kCell * kCell; i += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+        const VI atU = hn::LoadU(d, u + i);
+        const VI atV = hn::LoadU(d, v + i);
+        left = hn::Min(left, atU);
+        right = hn::Max(right, atU);
+        top = hn::Min(top, atV);
+        bottom = hn::Max(bottom, atV);
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, left)), hn::GetLane(hn::MaxOfLanes(d, right)),
+            hn::GetLane(hn::MinOfLanes(d, top)), hn::GetLane(hn::MaxOfLanes(d, bottom))};
+}
+
+std::array<std::int32_t, 4> boxOfPhoto(const std::int32_t* u, const std::int32_t* v,
+                                       const std::uint8_t* sources, std::ptrdiff_t pitch,
+                                       std::uint8_t photo) {
     const I d;
     const hn::Rebind<std::uint8_t, I> d8;
     const VI most = hn::Set(d, std::numeric_limits<std::int32_t>::max());
@@ -175,7 +200,8 @@ HWY_EXPORT(zeros);
 HWY_EXPORT(takeUnseen);
 HWY_EXPORT(placeRows);
 HWY_EXPORT(takeOwn);
-HWY_EXPORT(boxOfCell);
+HWY_EXPORT(boxOfAll);
+HWY_EXPORT(boxOfPhoto);
 
 std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
     return HWY_DYNAMIC_DISPATCH(range)(values, pitch);
@@ -185,9 +211,9 @@ int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16
     return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
 }
 
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken) {
-    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, values, pitch, isTaken);
+bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, float* values,
+                std::uint8_t* sources) {
+    return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, pitch, photo, values, sources);
 }
 
 void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
@@ -200,9 +226,13 @@ void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint
     HWY_DYNAMIC_DISPATCH(takeOwn)(ownU, ownV, sources, pitch, photo, u, v);
 }
 
+std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v) {
+    return HWY_DYNAMIC_DISPATCH(boxOfAll)(u, v);
+}
+
 std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
                                       const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo) {
-    return HWY_DYNAMIC_DISPATCH(boxOfCell)(u, v, sources, pitch, photo);
+    return HWY_DYNAMIC_DISPATCH(boxOfPhoto)(u, v, sources, pitch, photo);
 }
 
 } // namespace spherewalk::render::simd

@@ -14,10 +14,10 @@ std::array<float, 2> range(const float* values, std::ptrdiff_t pitch);
 /// How many values are 0 in each 4 x 4 part of a cell of 16 x 16 pixels, row after row; and of all of it.
 int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts);
 
-/// Takes the values of `seen` for a cell's zeros. Where it did that for some of a row, isTaken has 1 for
-/// these pixels and 0 for the row's others. Back: a bit for each such row.
-std::uint32_t takeUnseen(const float* seen, float* values, std::ptrdiff_t pitch,
-                         std::array<std::int32_t, 256>& isTaken);
+/// Takes the values of `seen` for a cell's zeros, and the photo as these pixels' source. Back: whether there
+/// was one.
+bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, float* values,
+                std::uint8_t* sources);
 
 /// How coordinates become places in a photo's plane, for one part of each pixel.
 struct PartPlacing {
@@ -38,8 +38,10 @@ void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
              std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v);
 
-/// Least and greatest coordinates of the pixels of a cell that are taken from that photo: u, u, v, v;
-/// the greatest are 0 if there is none.
+/// Least and greatest coordinates of the pixels of a cell: u, u, v, v.
+std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v);
+
+/// Of those that are taken from that photo; the greatest are 0 if there is none.
 std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t* v,
                                       const std::uint8_t* sources, std::ptrdiff_t pitch, std::uint8_t photo);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "depth_fit.cpp"
@@ -69,13 +70,16 @@ HWY_INLINE VF errorBound(const PhotoTarget& target, const NodeRays& rays, VF len
     return hn::Mul(hn::Mul(cubes, hn::Set(d, scale)), hn::Sqrt(mulAdd(inU, inU, hn::Mul(inV, inV))));
 }
 
-void fit(const PhotoTarget& given, const NodeRays& rays, const float* least, const float* greatest, int begin,
-         int end, CellFits& fits) {
+void fit(const PhotoTarget& given, const NodeRays& rays, const float* least, const float* greatest,
+         std::span<const std::uint8_t> isWanted, CellFits& fits) {
     const F d;
     const I di;
     const PhotoTarget target = given; // which no store can change
     const VF half = hn::Set(d, 0.5F);
-    for (int cell = begin; cell < end; cell += static_cast<int>(hn::Lanes(d))) {
+    for (std::size_t cell = 0; cell < isWanted.size(); cell += hn::Lanes(d)) {
+        if (std::memchr(&isWanted[cell], 1, std::min(hn::Lanes(d), isWanted.size() - cell)) == nullptr) {
+            continue;
+        }
         const VF from = hn::LoadU(d, least + cell);
         const VF to = hn::LoadU(d, greatest + cell);
         const VF middle = hn::Mul(half, hn::Add(from, to));
@@ -213,8 +217,8 @@ CellFits::CellFits(int cells)
 }
 
 void fit(const PhotoTarget& target, const NodeRays& rays, const float* least, const float* greatest,
-         int begin, int end, CellFits& fits) {
-    HWY_DYNAMIC_DISPATCH(fit)(target, rays, least, greatest, begin, end, fits);
+         std::span<const std::uint8_t> isWanted, CellFits& fits) {
+    HWY_DYNAMIC_DISPATCH(fit)(target, rays, least, greatest, isWanted, fits);
 }
 
 void locate(const CellFits& fits, int cell, const float* inverse, std::ptrdiff_t pitch, std::int32_t* u,

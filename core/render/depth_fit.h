@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /// Photo coordinates of a view's cells as polynomials. The same bytes on every processor.
@@ -46,9 +47,10 @@ struct CellFits {
     std::vector<float> perSpan; ///< from inverse depth to w
 };
 
-/// Fits the cells [begin, end) of a row. least, greatest: inverse depth of each, with room for 16 more.
+/// Fits a row's cells that are wanted, where that is 1. least, greatest: inverse depth of each, with room for
+/// 16 more.
 void fit(const PhotoTarget& target, const NodeRays& rays, const float* least, const float* greatest,
-         int begin, int end, CellFits& fits);
+         std::span<const std::uint8_t> isWanted, CellFits& fits);
 
 /// As the other locate(), but u may lie beyond the seam. Range: errorPx is bounded.
 void locate(const CellFits& fits, int cell, const float* inverse, std::ptrdiff_t pitch, std::int32_t* u,

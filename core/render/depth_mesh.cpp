@@ -3,6 +3,8 @@
 
 #include "spherewalk/base/error.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -55,6 +57,19 @@ simd::SurfacePart DepthMesh::block(int blockX, int blockY) const {
             m_inverse.data() + static_cast<std::ptrdiff_t>(y) * (m_width + 1) + x,
             m_width + 1,
             std::min(kBlock, m_height - 1 - y) + 1};
+}
+
+void DepthMesh::fetch(int blockX, int blockY) const {
+    constexpr std::size_t kPerLine = 64 / sizeof(float);
+    const simd::SurfacePart part = block(blockX, blockY);
+    for (int row = 0; row < part.rows; ++row) {
+        hwy::Prefetch(part.inverseM + row * part.pitch);
+        hwy::Prefetch(part.inverseM + row * part.pitch + kBlock);
+    }
+    const auto index = static_cast<std::size_t>(blockY * blocksX() + blockX);
+    for (std::size_t i = 0; i < kOfBlock; i += kPerLine) {
+        hwy::Prefetch(m_deviation.data() + index * kOfBlock + i);
+    }
 }
 
 bool DepthMesh::hasEdge(int x, int y) const {

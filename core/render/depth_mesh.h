@@ -80,6 +80,9 @@ class DepthMesh {
     /// A block's vertices, as many rows of them as it has.
     simd::SurfacePart block(int blockX, int blockY) const;
 
+    /// Asks for what block() and deviation() read of a block, and does not wait for it.
+    void fetch(int blockX, int blockY) const;
+
     /// By how much 1 / distance is off, at most, if the quad with its upper left vertex at (x, y) of a block
     /// is taken to be flat; infinite at level 1 where it has an edge. Range: level > 0; x and y multiples of
     /// 2^level.

@@ -143,14 +143,18 @@ void DepthPatches::addEdge(const DepthMesh& mesh, int x, int y, std::vector<Patc
 }
 
 void DepthPatches::join(std::vector<Patch>& patches) {
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-        for (std::size_t j = 0; j < patches.size(); ++j) {
-            const auto both = i == j ? std::nullopt : patches[i].with(patches[j]);
-            if (both) {
+    for (std::size_t before = 0; before != patches.size();) { // what was joined may have other neighbours
+        before = patches.size();
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            for (std::size_t j = 0; j < patches.size();) {
+                const auto both = i == j ? std::nullopt : patches[i].with(patches[j]);
+                if (!both) {
+                    ++j;
+                    continue;
+                }
                 patches[i] = *both;
                 patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(j));
                 i -= j < i ? 1 : 0;
-                j = static_cast<std::size_t>(-1); // it may have other neighbours now
             }
         }
     }

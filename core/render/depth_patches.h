@@ -45,6 +45,7 @@ class DepthPatches {
         return row / 2 * 8 + column / 2 * 4 + row % 2 * 2 + column % 2;
     }
 
+    /// Those of squares that follow each other may be had together.
     simd::SurfacePatches at(Range range) const;
 
   private:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "depth_pieces.cpp"
@@ -37,6 +39,7 @@ namespace spherewalk::render::simd::HWY_NAMESPACE {
 using F = hn::CappedTag<float, 16>;
 using VF = hn::Vec<F>;
 using I = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<I>;
 
 /// The least and the greatest of four.
 template <class Four>
@@ -49,25 +52,25 @@ HWY_INLINE VF greatestOf(const Four& of) {
     return hn::Max(hn::Max(of[0], of[1]), hn::Max(of[2], of[3]));
 }
 
-/// Pixels from the first that is not before `begin` to the last that is not after `end`; none unless they are
+/// The first pixel that is not before `begin`, and the last that is not after `end`; none unless it is
 /// wanted.
 template <class Mask>
-HWY_INLINE void pixelsBetween(VF begin, VF end, float last, Mask isWanted, std::int32_t* first,
-                              std::int32_t* final) {
+HWY_INLINE std::array<VI, 2> pixelsBetween(VF begin, VF end, int last, Mask isWanted) {
     const F d;
     const I di;
-    const VF inView = hn::Min(hn::Max(begin, hn::Zero(d)), hn::Set(d, last + 1));
-    const auto cut = hn::ConvertTo(di, inView);
+    const auto isPlaced = hn::RebindMask(di, isWanted);
+    const VF inView = hn::Min(hn::Max(begin, hn::Zero(d)), hn::Set(d, static_cast<float>(last + 1)));
+    const VI cut = hn::ConvertTo(di, inView);
     const auto isCut = hn::RebindMask(di, hn::Lt(hn::ConvertTo(d, cut), inView));
-    hn::StoreU(hn::IfThenElseZero(hn::RebindMask(di, isWanted),
-                                  hn::Add(cut, hn::IfThenElseZero(isCut, hn::Set(di, 1)))),
-               di, first);
-    const VF until = hn::Min(hn::Max(end, hn::Set(d, -1.0F)), hn::Set(d, last));
-    const auto beyond = hn::ConvertTo(di, hn::Add(until, hn::Set(d, 1.0F)));
-    hn::StoreU(hn::Sub(hn::IfThenElseZero(hn::RebindMask(di, isWanted), beyond), hn::Set(di, 1)), di, final);
+    const VI first = hn::Add(cut, hn::IfThenElseZero(isCut, hn::Set(di, 1)));
+    const VF until = hn::Min(hn::Max(end, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(last)));
+    const VI beyond = hn::ConvertTo(di, hn::Add(until, hn::Set(d, 1.0F)));
+    return {hn::IfThenElseZero(isPlaced, first),
+            hn::Sub(hn::IfThenElseZero(isPlaced, beyond), hn::Set(di, 1))};
 }
 
-HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int height, PieceColumns& out) {
+/// As many of them as a vector has.
+HWY_INLINE void cutSome(const Quads& quads, std::size_t from, int width, int height, CutQuads& out) {
     const F d;
     const auto four = [&](const auto& of) {
         return std::array<VF, 4>{hn::LoadU(d, of[0].data() + from), hn::LoadU(d, of[1].data() + from),
@@ -78,10 +81,12 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const std::array<VF, 4> value = four(quads.value);
     const VF overlap = hn::Set(d, kOverlapPx);
     const auto isPlaced = hn::Gt(leastOf(value), hn::Zero(d));
-    pixelsBetween(hn::Sub(leastOf(x), overlap), hn::Add(greatestOf(x), overlap),
-                  static_cast<float>(width - 1), isPlaced, out.left.data() + from, out.right.data() + from);
-    pixelsBetween(hn::Sub(leastOf(y), overlap), hn::Add(greatestOf(y), overlap),
-                  static_cast<float>(height - 1), isPlaced, out.top.data() + from, out.bottom.data() + from);
+    const std::array<VI, 2> columns =
+        pixelsBetween(hn::Sub(leastOf(x), overlap), hn::Add(greatestOf(x), overlap), width - 1, isPlaced);
+    const std::array<VI, 2> rows =
+        pixelsBetween(hn::Sub(leastOf(y), overlap), hn::Add(greatestOf(y), overlap), height - 1, isPlaced);
+    const std::size_t to = 4 * from;
+    hn::StoreInterleaved4(columns[0], rows[0], columns[1], rows[1], I(), out.box.data() + to);
     // Twice the areas of its corners' triangles: all of one sign if it is convex.
     std::array<VF, 4> turns;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -94,16 +99,19 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const VF sign =
         hn::IfThenElse(hn::Lt(greatestOf(turns), hn::Set(d, -kLeastTurn)), hn::Set(d, -1.0F), left);
     hn::StoreU(sign, d, out.sign.data() + from);
+    std::array<VF, 4> a;
+    std::array<VF, 4> b;
+    std::array<VF, 4> c;
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
-        const VF a = hn::Mul(sign, hn::Sub(y[i], y[j]));
-        const VF b = hn::Mul(sign, hn::Sub(x[j], x[i]));
-        hn::StoreU(a, d, out.a[i].data() + from);
-        hn::StoreU(b, d, out.b[i].data() + from);
-        hn::StoreU(
-            hn::Sub(hn::Mul(overlap, hn::Add(hn::Abs(a), hn::Abs(b))), mulAdd(a, x[i], hn::Mul(b, y[i]))), d,
-            out.c[i].data() + from);
+        a[i] = hn::Mul(sign, hn::Sub(y[i], y[j]));
+        b[i] = hn::Mul(sign, hn::Sub(x[j], x[i]));
+        c[i] = hn::Sub(hn::Mul(overlap, hn::Add(hn::Abs(a[i]), hn::Abs(b[i]))),
+                       mulAdd(a[i], x[i], hn::Mul(b[i], y[i])));
     }
+    hn::StoreInterleaved4(a[0], a[1], a[2], a[3], d, out.a.data() + to);
+    hn::StoreInterleaved4(b[0], b[1], b[2], b[3], d, out.b.data() + to);
+    hn::StoreInterleaved4(c[0], c[1], c[2], c[3], d, out.c.data() + to);
     const VF x1 = hn::Sub(x[2], x[0]);
     const VF y1 = hn::Sub(y[2], y[0]);
     const VF rise1 = hn::Sub(value[2], value[0]);
@@ -116,16 +124,13 @@ HWY_INLINE void cutColumns(const Quads& quads, std::size_t from, int width, int 
     const auto sum = [](const auto& of) { return hn::Add(hn::Add(of[0], of[1]), hn::Add(of[2], of[3])); };
     const VF base =
         hn::Mul(hn::Set(d, 0.25F), hn::Sub(sum(value), mulAdd(slopeX, sum(x), hn::Mul(slopeY, sum(y)))));
-    hn::StoreU(slopeX, d, out.slopeX.data() + from);
-    hn::StoreU(slopeY, d, out.slopeY.data() + from);
-    hn::StoreU(base, d, out.base.data() + from);
-    hn::StoreU(leastOf(value), d, out.least.data() + from);
+    hn::StoreInterleaved4(slopeX, slopeY, base, leastOf(value), d, out.plane.data() + to);
     hn::StoreU(greatestOf(value), d, out.most.data() + from);
 }
 
-void cut(const Quads& quads, int width, int height, PieceColumns& out) {
+void cut(const Quads& quads, int width, int height, CutQuads& out) {
     for (std::size_t from = 0; from < static_cast<std::size_t>(quads.count); from += hn::Lanes(F())) {
-        cutColumns(quads, from, width, height, out);
+        cutSome(quads, from, width, height, out);
     }
 }
 
@@ -134,33 +139,34 @@ void draw(std::span<const Piece> pieces, int begin, int end, float* values, std:
     const auto lanes = static_cast<int>(hn::Lanes(d));
     const VF zero = hn::Zero(d);
     for (const Piece& piece : pieces) {
-        const int first = std::max(begin, piece.top);
-        const int last = std::min(end - 1, piece.bottom);
-        const VF least = hn::Set(d, piece.least);
+        const int first = std::max(begin, piece.box.top);
+        const int last = std::min(end - 1, piece.box.bottom);
+        const VF least = hn::Set(d, piece.plane.least);
         const VF most = hn::Set(d, piece.most);
-        const VF left = hn::Set(d, static_cast<float>(piece.left));
-        const VF right = hn::Set(d, static_cast<float>(piece.right));
+        const VF left = hn::Set(d, static_cast<float>(piece.box.left));
+        const VF right = hn::Set(d, static_cast<float>(piece.box.right));
         const VF b0 = hn::Set(d, piece.b[0]);
         const VF b1 = hn::Set(d, piece.b[1]);
         const VF b2 = hn::Set(d, piece.b[2]);
         const VF b3 = hn::Set(d, piece.b[3]);
-        const VF slope = hn::Set(d, piece.slopeY);
-        for (int next = piece.left; next <= piece.right; next += lanes) {
+        const VF slope = hn::Set(d, piece.plane.slopeY);
+        for (int next = piece.box.left; next <= piece.box.right; next += lanes) {
             const int x = std::min(next, static_cast<int>(pitch) - lanes); // not beyond the row
             const VF column = hn::Iota(d, static_cast<float>(x));
             // Sharp corners, once their edges were moved, reach beyond the columns that are asked for.
             const auto isAsked = hn::And(hn::Ge(column, left), hn::Le(column, right));
-            const VF a0 = mulAdd(hn::Set(d, piece.a[0]), column, hn::Set(d, piece.c[0]));
+            const VF asked = hn::IfThenElse(isAsked, hn::Set(d, piece.c[0]), hn::Set(d, -HUGE_VALF));
+            const VF a0 = mulAdd(hn::Set(d, piece.a[0]), column, asked);
             const VF a1 = mulAdd(hn::Set(d, piece.a[1]), column, hn::Set(d, piece.c[1]));
             const VF a2 = mulAdd(hn::Set(d, piece.a[2]), column, hn::Set(d, piece.c[2]));
             const VF a3 = mulAdd(hn::Set(d, piece.a[3]), column, hn::Set(d, piece.c[3]));
-            const VF base = mulAdd(hn::Set(d, piece.slopeX), column, hn::Set(d, piece.base));
-            for (int y = first; y <= last; ++y) {
-                const VF at = hn::Set(d, static_cast<float>(y));
+            const VF base = mulAdd(hn::Set(d, piece.plane.slopeX), column, hn::Set(d, piece.plane.base));
+            VF at = hn::Set(d, static_cast<float>(first));
+            for (int y = first; y <= last; ++y, at = hn::Add(at, hn::Set(d, 1.0F))) {
                 const VF inside = hn::Min(hn::Min(mulAdd(b0, at, a0), mulAdd(b1, at, a1)),
                                           hn::Min(mulAdd(b2, at, a2), mulAdd(b3, at, a3)));
                 const VF value = hn::Min(hn::Max(mulAdd(slope, at, base), least), most);
-                const VF drawn = hn::IfThenElseZero(hn::And(isAsked, hn::Ge(inside, zero)), value);
+                const VF drawn = hn::IfThenElseZero(hn::Ge(inside, zero), value);
                 float* to = values + y * pitch + x;
                 hn::StoreU(hn::Max(hn::LoadU(d, to), drawn), d, to);
             }
@@ -181,22 +187,21 @@ HWY_EXPORT(draw);
 
 namespace {
 
-Piece piece(const PieceColumns& from, std::size_t quad) {
+/// Four values that SIMD stored together.
+template <class Four, class Fours>
+void copy(const Fours& from, std::size_t quad, Four& to) {
+    static_assert(sizeof(to) == 4 * sizeof(from[0]) && std::is_trivially_copyable_v<Four>);
+    std::memcpy(&to, from.data() + 4 * quad, sizeof(to));
+}
+
+Piece piece(const CutQuads& from, std::size_t quad) {
     Piece piece;
-    for (std::size_t i = 0; i < 4; ++i) {
-        piece.a[i] = from.a[i][quad];
-        piece.b[i] = from.b[i][quad];
-        piece.c[i] = from.c[i][quad];
-    }
-    piece.slopeX = from.slopeX[quad];
-    piece.slopeY = from.slopeY[quad];
-    piece.base = from.base[quad];
-    piece.least = from.least[quad];
+    copy(from.a, quad, piece.a);
+    copy(from.b, quad, piece.b);
+    copy(from.c, quad, piece.c);
+    copy(from.plane, quad, piece.plane);
+    copy(from.box, quad, piece.box);
     piece.most = from.most[quad];
-    piece.left = from.left[quad];
-    piece.top = from.top[quad];
-    piece.right = from.right[quad];
-    piece.bottom = from.bottom[quad];
     return piece;
 }
 
@@ -224,30 +229,31 @@ void addTriangle(const std::array<Vertex, 3>& v, Piece piece, std::vector<Piece>
     piece.c[3] = 1;
     const float rise1 = v[1].value - v[0].value;
     const float rise2 = v[2].value - v[0].value;
-    piece.slopeX = (rise1 * y2 - rise2 * y1) / area;
-    piece.slopeY = (x1 * rise2 - x2 * rise1) / area;
-    piece.base = v[0].value - piece.slopeX * v[0].x - piece.slopeY * v[0].y;
-    piece.least = std::min(v[0].value, std::min(v[1].value, v[2].value));
+    Piece::Plane& plane = piece.plane;
+    plane.slopeX = (rise1 * y2 - rise2 * y1) / area;
+    plane.slopeY = (x1 * rise2 - x2 * rise1) / area;
+    plane.base = v[0].value - plane.slopeX * v[0].x - plane.slopeY * v[0].y;
+    plane.least = std::min(v[0].value, std::min(v[1].value, v[2].value));
     piece.most = std::max(v[0].value, std::max(v[1].value, v[2].value));
     pieces.push_back(piece);
 }
 
 } // namespace
 
-void cut(const Quads& quads, int width, int height, PieceColumns& columns) {
-    HWY_DYNAMIC_DISPATCH(cut)(quads, width, height, columns);
+void cut(const Quads& quads, int width, int height, CutQuads& cut) {
+    HWY_DYNAMIC_DISPATCH(cut)(quads, width, height, cut);
 }
 
-void add(const Quads& quads, const PieceColumns& columns, std::size_t quad, std::vector<Piece>& pieces) {
-    if (columns.sign[quad] != 0) {
-        pieces.push_back(piece(columns, quad));
+void add(const Quads& quads, const CutQuads& cut, std::size_t quad, std::vector<Piece>& pieces) {
+    if (cut.sign[quad] != 0) {
+        pieces.push_back(piece(cut, quad));
         return;
     }
     const auto vertex = [&](std::size_t i) {
         return Vertex{quads.x[i][quad], quads.y[i][quad], quads.value[i][quad]};
     };
-    addTriangle({vertex(0), vertex(1), vertex(3)}, piece(columns, quad), pieces);
-    addTriangle({vertex(1), vertex(2), vertex(3)}, piece(columns, quad), pieces);
+    addTriangle({vertex(0), vertex(1), vertex(3)}, piece(cut, quad), pieces);
+    addTriangle({vertex(1), vertex(2), vertex(3)}, piece(cut, quad), pieces);
 }
 
 void draw(std::span<const Piece> pieces, int begin, int end, float* values, std::ptrdiff_t pitch) {

@@ -18,31 +18,45 @@ struct Quads {
     int count = 0;
 };
 
-/// Flat pieces side by side, one for each of the quads.
-struct PieceColumns {
-    using Floats = std::array<float, Quads::kMost>;
-    using Pixels = std::array<std::int32_t, Quads::kMost>;
-    std::array<Floats, 4> a, b, c;
-    Floats slopeX, slopeY, base, least, most;
-    Pixels left, top, right, bottom; ///< none if left is beyond right, or top below bottom
-    Floats sign;                     ///< 0 of quads that are not convex
-};
-
 /// A flat convex piece with up to four edges. A pixel lies inside if a x + b y + c >= 0 for each.
 struct Piece {
+    struct Plane {
+        float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
+        float least;
+    };
+
+    struct Box {
+        std::int32_t left, top, right, bottom;
+    };
+
     std::array<float, 4> a, b, c;
-    float slopeX, slopeY, base; ///< value = slopeX x + slopeY y + base
-    float least, most;
-    int left, top, right, bottom; ///< pixels that it may cover, the last ones included
+    Plane plane;
+    Box box; ///< pixels that it may cover, the last ones included
+    float most;
+};
+
+/// The pieces that quads are, as SIMD makes them: by fours of their values.
+struct CutQuads {
+    template <class Value>
+    using Fours = std::array<Value, std::size_t{4} * Quads::kMost>;
+
+    Fours<float> a, b, c, plane;
+    Fours<std::int32_t> box; ///< without pixels if left is beyond right, or top below bottom
+    std::array<float, Quads::kMost> most;
+    std::array<float, Quads::kMost> sign; ///< 0 of quads that are not convex
+
+    Piece::Box boxOf(std::size_t quad) const {
+        return {box[4 * quad], box[4 * quad + 1], box[4 * quad + 2], box[4 * quad + 3]};
+    }
 };
 
 /// What the quads are in a view of that size. A convex quad is one piece, whose values are the plane's
 /// through its middle that rises as its diagonals do; another is two triangles. Those with a vertex that is
 /// not placed have no pixels.
-void cut(const Quads& quads, int width, int height, PieceColumns& columns);
+void cut(const Quads& quads, int width, int height, CutQuads& cut);
 
 /// Adds the pieces that a quad is, of those that were cut.
-void add(const Quads& quads, const PieceColumns& columns, std::size_t quad, std::vector<Piece>& pieces);
+void add(const Quads& quads, const CutQuads& cut, std::size_t quad, std::vector<Piece>& pieces);
 
 /// How many columns a buffer's rows have more than a view needs: multiples of this.
 constexpr int kColumns = 16;

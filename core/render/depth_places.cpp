@@ -51,6 +51,7 @@ class RowPlacer {
           m_places(places),
           m_least(static_cast<std::size_t>(places.columns() + kCell), 1),
           m_greatest(m_least),
+          m_shows(static_cast<std::size_t>(places.columns())),
           m_fits(targets.size(), simd::CellFits(places.columns())) {}
 
     void place(int row) {
@@ -94,16 +95,11 @@ class RowPlacer {
             m_greatest[static_cast<std::size_t>(column)] = greatest;
         }
         for (std::size_t photo = 0; photo < m_targets.size(); ++photo) {
-            const auto shows = [&](int column) {
-                return (m_places.sources[m_places.index(column, row)] >> photo & 1U) != 0;
-            };
-            int begin = 0;
-            int end = columns;
-            for (; begin < end && !shows(begin); ++begin) {
+            for (int column = 0; column < columns; ++column) {
+                m_shows[static_cast<std::size_t>(column)] =
+                    m_places.sources[m_places.index(column, row)] >> photo & 1U;
             }
-            for (; end > begin && !shows(end - 1); --end) {
-            }
-            simd::fit(m_targets[photo], m_rays.nodes(), m_least.data(), m_greatest.data(), begin, end,
+            simd::fit(m_targets[photo], m_rays.nodes(), m_least.data(), m_greatest.data(), m_shows,
                       m_fits[photo]);
         }
     }
@@ -120,11 +116,20 @@ class RowPlacer {
         }
     }
 
+    /// Of a row of a cell.
+    static bool hasHole(const float* inverse) {
+        int holes = 0;
+        for (int x = 0; x < kCell; ++x) {
+            holes += inverse[x] > 0 ? 0 : 1;
+        }
+        return holes > 0;
+    }
+
     void fillHoles(int y) {
         float* inverse = m_places.inverse.at(0, y);
         const int width = m_places.inverse.width();
         for (int column = 0; column < m_places.columns(); ++column) {
-            if (!m_open.isOpen(column, y / kCell)) {
+            if (!m_open.isOpen(column, y / kCell) || !hasHole(inverse + column * kCell)) {
                 continue;
             }
             for (int begin = column * kCell; begin < (column + 1) * kCell; ++begin) {
@@ -180,6 +185,7 @@ class RowPlacer {
     DepthPlaces& m_places;
     std::vector<float> m_least; ///< inverse depth of each cell
     std::vector<float> m_greatest;
+    std::vector<std::uint8_t> m_shows;  ///< whether a cell shows a photo
     std::vector<simd::CellFits> m_fits; ///< of each photo
     std::array<std::int32_t, DepthPlaces::kCellPixels> m_u;
     std::array<std::int32_t, DepthPlaces::kCellPixels> m_v;
@@ -221,21 +227,12 @@ void DepthPlaces::reset(int width, int height) {
 void DepthPlaces::take(const InverseBuffer& seen, std::uint8_t photo, const OpenCells& open, WorkerPool& pool,
                        int threads) {
     pool.run(rows(), threads, [&](int row, int) {
-        std::array<std::int32_t, kCellPixels> isTaken;
         for (int column = 0; column < columns(); ++column) {
-            if (!open.isOpen(column, row)) {
-                continue;
-            }
             const int x = column * kCell;
             const int y = row * kCell;
-            const std::uint32_t rowsTaken =
-                simd::takeUnseen(seen.at(x, y), inverse.at(x, y), inverse.width(), isTaken);
-            sources[index(column, row)] |= rowsTaken != 0 ? 1U << photo : 0;
-            for (int i = 0; i < kCell; ++i) {
-                for (int j = 0; j < kCell && (rowsTaken >> i & 1U) != 0; ++j) {
-                    std::uint8_t& from = *source.at(x + j, y + i);
-                    from = isTaken[static_cast<std::size_t>(i * kCell + j)] != 0 ? photo : from;
-                }
+            if (open.isOpen(column, row) &&
+                simd::takeUnseen(seen.at(x, y), inverse.width(), photo, inverse.at(x, y), source.at(x, y))) {
+                sources[index(column, row)] |= 1U << photo;
             }
         }
     });

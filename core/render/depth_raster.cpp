@@ -50,18 +50,16 @@ class DepthRaster::BlockCutter {
 
   private:
     void cutAll(const simd::Quads& quads) {
-        simd::cut(quads, m_width, m_height, m_columns);
+        simd::cut(quads, m_width, m_height, m_cut);
         const bool isAllOpen = m_open.isAllOpen();
         for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
-            const int left = m_columns.left[i];
-            const int right = m_columns.right[i];
-            const int top = m_columns.top[i];
-            const int bottom = m_columns.bottom[i];
-            if (left > right || top > bottom || (!isAllOpen && !m_open.anyIn(left, top, right, bottom))) {
+            const Piece::Box box = m_cut.boxOf(i);
+            if (box.left > box.right || box.top > box.bottom ||
+                (!isAllOpen && !m_open.anyIn(box.left, box.top, box.right, box.bottom))) {
                 continue;
             }
-            for (int band = top / kBand; band <= bottom / kBand; ++band) {
-                simd::add(quads, m_columns, i, m_bands[static_cast<std::size_t>(band)]);
+            for (int band = box.top / kBand; band <= box.bottom / kBand; ++band) {
+                simd::add(quads, m_cut, i, m_bands[static_cast<std::size_t>(band)]);
             }
         }
     }
@@ -156,7 +154,7 @@ class DepthRaster::BlockCutter {
     int m_width;
     int m_height;
     std::span<std::vector<Piece>> m_bands; ///< where the pieces go
-    simd::PieceColumns m_columns;
+    simd::CutQuads m_cut;
     std::size_t m_block = 0;
     int m_endY = 0;                ///< of the block's quads
     simd::Quads m_quads;           ///< that are yet to be cut
@@ -180,10 +178,19 @@ void DepthRaster::draw(const DepthMesh& mesh, const Rigid3& cameraFromPhoto, con
             of.clear();
         }
         BlockCutter cutter(mesh, projector, open, tolerance, camera.width(), camera.height(), pieces);
+        // A block is on its way from memory while the one before it is cut.
+        int found = -1;
         for (int column = 0; column < mesh.blocksX(); ++column) {
             if (projector.mayShow(mesh.bound(column, row), open)) {
-                cutter.cut(column, row);
+                mesh.fetch(column, row);
+                if (found >= 0) {
+                    cutter.cut(found, row);
+                }
+                found = column;
             }
+        }
+        if (found >= 0) {
+            cutter.cut(found, row);
         }
         cutter.flush();
     });

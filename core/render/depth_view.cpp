@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <mutex>
 
@@ -51,8 +52,10 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
     const std::int32_t* v = m_places.v.data() + index * DepthPlaces::kCellPixels;
     if (at.width == kCell && at.height == kCell) {
         const std::array<std::int32_t, 4> all =
-            simd::boxOfCell(u, v, m_places.source.at(at.column * kCell, at.row * kCell),
-                            m_places.source.width(), static_cast<std::uint8_t>(source));
+            m_places.sources[index] == 1U
+                ? simd::boxOfCell(u, v)
+                : simd::boxOfCell(u, v, m_places.source.at(at.column * kCell, at.row * kCell),
+                                  m_places.source.width(), static_cast<std::uint8_t>(source));
         if (all[1] - all[0] < middle / 2) {
             Box{all[0], all[1], all[2], all[3]}.addTo(tiles);
             return;
@@ -91,7 +94,8 @@ std::vector<PlacedPhoto> DepthView::drawPhotos(const PixelRays& rays, const Rigi
         const Rigid3 cameraFromPhoto{
             (cameraFromRoom.rotation * photos[i].roomFromPhoto.rotation).normalized(),
             cameraFromRoom.rotation * (photos[i].roomFromPhoto.translation - roomFromCamera.translation)};
-        m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open, kTolerancePx, pool, threads,
+        m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open,
+                      i == 0 ? kTolerancePx : kFurtherTolerancePx, pool, threads,
                       i == 0 ? m_places.inverse : m_seen);
         if (i > 0) {
             m_places.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
@@ -204,6 +208,9 @@ void DepthView::samplePart(const Cell& at, std::size_t source, const PlaneView& 
     std::size_t count = 0;
     for (int y = 0; y < at.height; ++y) {
         const std::uint8_t* of = m_places.source.at(left, top + y);
+        if (std::memchr(of, static_cast<int>(source), static_cast<std::size_t>(at.width)) == nullptr) {
+            continue;
+        }
         for (int x = 0; x < at.width; ++x) {
             if (of[x] == source) {
                 const int pixel = y * kCell + x;

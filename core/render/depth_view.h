@@ -30,6 +30,7 @@ class DepthView {
   public:
     /// By how much flat parts may be displaced, in pixels of the view.
     static constexpr double kTolerancePx = 0.5;
+    static constexpr double kFurtherTolerancePx = 2; ///< the same of what the first photo does not see
     /// Of a view: less is not looked for in a third photo, but filled from beside.
     static constexpr double kLeastOpenShare = 0.01;
 

@@ -34,7 +34,7 @@ class Surfaces {
                                        std::optional<std::size_t> without = std::nullopt) const;
 
   private:
-    static constexpr std::size_t kKept = 24; ///< of about 4 MB each
+    static constexpr std::size_t kKept = 24; ///< of about 5 MB each
 
     DepthMesh made(SceneKind kind, std::size_t photo) const;
 

@@ -60,13 +60,10 @@ Piece square(float left, float top, float right, float bottom, float value) {
     piece.a = {1, -1, 0, 0};
     piece.b = {0, 0, 1, -1};
     piece.c = {-left, right, -top, bottom};
-    piece.base = value;
-    piece.least = value;
+    piece.plane = {0, 0, value, value};
     piece.most = value;
-    piece.left = static_cast<int>(std::ceil(left));
-    piece.right = static_cast<int>(std::floor(right));
-    piece.top = static_cast<int>(std::ceil(top));
-    piece.bottom = static_cast<int>(std::floor(bottom));
+    piece.box = {static_cast<int>(std::ceil(left)), static_cast<int>(std::ceil(top)),
+                 static_cast<int>(std::floor(right)), static_cast<int>(std::floor(bottom))};
     return piece;
 }
 
@@ -134,12 +131,13 @@ TEST(DepthSimd, CutsQuadsIntoPieces) {
     add({{{20, 2}, {12, 2}, {12, 10}, {20, 10}}});     // seen from behind
     add({{{22, 2}, {30, 2}, {24, 4}, {22, 10}}});      // not convex
     add({{{-20, 2}, {-10, 2}, {-10, 10}, {-20, 10}}}); // beside the view
-    PieceColumns columns;
-    cut(quads, 48, 32, columns);
+    CutQuads pieceOf;
+    cut(quads, 48, 32, pieceOf);
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
-        if (columns.left[i] <= columns.right[i] && columns.top[i] <= columns.bottom[i]) {
-            simd::add(quads, columns, i, pieces);
+        const Piece::Box box = pieceOf.boxOf(i);
+        if (box.left <= box.right && box.top <= box.bottom) {
+            simd::add(quads, pieceOf, i, pieces);
         }
     }
     ASSERT_EQ(pieces.size(), 4U);
@@ -178,13 +176,16 @@ TEST(DepthSimd, TakesWhereItHasNothingYet) {
     std::vector<float> seen(kCellPixels, 0.5F);
     values[0] = values[17] = values[18] = 0;
     seen[18] = 0;
-    std::array<std::int32_t, 256> isTaken;
-    EXPECT_EQ(takeUnseen(seen.data(), values.data(), 16, isTaken), 3U);
+    std::vector<std::uint8_t> sources(kCellPixels, 7);
+    EXPECT_TRUE(takeUnseen(seen.data(), 16, 2, values.data(), sources.data()));
     EXPECT_EQ(values[0], 0.5F);
     EXPECT_EQ(values[1], 1.0F);
     EXPECT_EQ(values[18], 0);
-    EXPECT_EQ(isTaken[17], 1);
-    EXPECT_EQ(isTaken[18], 0);
+    EXPECT_EQ(sources[0], 2);
+    EXPECT_EQ(sources[17], 2);
+    EXPECT_EQ(std::count(sources.begin(), sources.end(), 7), static_cast<std::ptrdiff_t>(kCellPixels) - 2);
+    EXPECT_FALSE(takeUnseen(seen.data(), 16, 3, values.data(), sources.data()));
+    EXPECT_EQ(std::count(sources.begin(), sources.end(), 3), 0);
 }
 
 TEST(DepthSimd, BoxesWhatACellTakesFromAPhoto) {
@@ -197,6 +198,7 @@ TEST(DepthSimd, BoxesWhatACellTakesFromAPhoto) {
     v[9] = 3;
     EXPECT_EQ(boxOfCell(u.data(), v.data(), sources.data(), 16, 0),
               (std::array<std::int32_t, 4>{7, 70, 3, 90}));
+    EXPECT_EQ(boxOfCell(u.data(), v.data()), (std::array<std::int32_t, 4>{7, 70, 3, 90}));
     sources[100] = sources[9] = 2;
     EXPECT_EQ(boxOfCell(u.data(), v.data(), sources.data(), 16, 0),
               (std::array<std::int32_t, 4>{50, 70, 60, 90}));
@@ -243,7 +245,7 @@ TEST(DepthSimd, FitsWhatItLocates) {
         std::array<float, 17> leasts{from};
         std::array<float, 17> greatests{to};
         CellFits fits(1);
-        fit(target, rays, leasts.data(), greatests.data(), 0, 1, fits);
+        fit(target, rays, leasts.data(), greatests.data(), std::array<std::uint8_t, 1>{1}, fits);
         if (!(fits.errorPx[0] <= CellFits::kTolerancePx)) {
             continue;
         }
