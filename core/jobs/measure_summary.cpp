@@ -17,6 +17,13 @@ namespace {
 constexpr EnumNames<Places, 2> kPlaces{{{Places::Features, "features"}, {Places::Pixels, "pixels"}}};
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.95;
+constexpr std::size_t kFewestMatches = 20; ///< for a view's median to say something of the view
+
+std::optional<double> meanOf(const std::vector<double>& values) {
+    return values.empty() ? std::nullopt
+                          : std::optional(std::accumulate(values.begin(), values.end(), 0.0) /
+                                          static_cast<double>(values.size()));
+}
 
 void append(std::vector<int>& all, const std::vector<int>& more) {
     all.insert(all.end(), more.begin(), more.end());
@@ -77,6 +84,7 @@ void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
 SceneLikeness SceneSummary::result() const {
     SceneLikeness result = m_result;
     std::vector<double> medians;
+    std::vector<double> unsureMedians; // a handful of matches may all be wrong
     const auto count = static_cast<double>(result.views.size());
     result.worstPsnrDb = std::numeric_limits<double>::max();
     for (const ViewLikeness& view : result.views) {
@@ -84,13 +92,10 @@ SceneLikeness SceneSummary::result() const {
         result.meanSsim += view.ssim / count;
         result.worstPsnrDb = std::min(result.worstPsnrDb, view.psnrDb);
         if (view.medianPx) {
-            medians.push_back(*view.medianPx);
+            (view.matches < kFewestMatches ? unsureMedians : medians).push_back(*view.medianPx);
         }
     }
-    if (!medians.empty()) {
-        result.medianPx =
-            std::accumulate(medians.begin(), medians.end(), 0.0) / static_cast<double>(medians.size());
-    }
+    result.medianPx = meanOf(medians.empty() ? unsureMedians : medians);
     result.p95Px = quantilePx(m_matched, kNearlyAll);
     result.exactMedianPx = quantilePx(m_exact, kMedian);
     result.exactP95Px = quantilePx(m_exact, kNearlyAll);

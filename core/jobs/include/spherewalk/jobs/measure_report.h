@@ -80,8 +80,9 @@ struct SceneLikeness {
     double meanPsnrDb = 0;
     double worstPsnrDb = 0;
     double meanSsim = 0;
-    std::optional<double> medianPx; ///< mean of the views' medians
-    std::optional<double> p95Px;    ///< of all views' displacements together
+    /// Mean of the medians of the views with 20 matches or more; of all views if none has so many.
+    std::optional<double> medianPx;
+    std::optional<double> p95Px; ///< of all views' displacements together
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
 
