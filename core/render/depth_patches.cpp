@@ -18,7 +18,7 @@ struct DepthPatches::Patch {
     std::optional<Patch> with(const Patch& next) const {
         if (left == next.left && right == next.right && bottom == next.top) {
             const float share = static_cast<float>(bottom - top) / static_cast<float>(next.bottom - top);
-            return isEven(0, 3, next, 0, 3, share) && isEven(1, 2, next, 1, 2, share)
+            return isEven(next, 0, 3, share) && isEven(next, 1, 2, share)
                        ? std::optional(Patch{left,
                                              top,
                                              right,
@@ -28,7 +28,7 @@ struct DepthPatches::Patch {
         }
         if (top == next.top && bottom == next.bottom && right == next.left) {
             const float share = static_cast<float>(right - left) / static_cast<float>(next.right - left);
-            return isEven(0, 1, next, 0, 1, share) && isEven(3, 2, next, 3, 2, share)
+            return isEven(next, 0, 1, share) && isEven(next, 3, 2, share)
                        ? std::optional(Patch{left,
                                              top,
                                              next.right,
@@ -40,14 +40,13 @@ struct DepthPatches::Patch {
     }
 
   private:
-    /// Whether the inverse depth goes evenly from corner a by b to the other's d, which continues at c.
+    /// Whether 1 / distance goes evenly along a side of both, from my first corner to the next one's last.
     /// share: of the way that is mine.
-    bool isEven(std::size_t a, std::size_t b, const Patch& next, std::size_t c, std::size_t d,
-                float share) const {
+    bool isEven(const Patch& next, std::size_t first, std::size_t last, float share) const {
         constexpr float kUneven = 0.003F;
-        const float even = inverseM[a] + share * (next.inverseM[d] - inverseM[a]);
-        return std::abs(inverseM[b] - even) <= kUneven * even &&
-               std::abs(next.inverseM[c] - even) <= kUneven * even;
+        const float even = inverseM[first] + share * (next.inverseM[last] - inverseM[first]);
+        return std::abs(inverseM[last] - even) <= kUneven * even &&
+               std::abs(next.inverseM[first] - even) <= kUneven * even;
     }
 };
 

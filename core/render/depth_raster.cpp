@@ -42,28 +42,24 @@ class DepthRaster::BlockCutter {
         addPatches();
     }
 
-    /// To be called at the end.
+    /// Makes pieces of the quads. To be called at the end.
     void flush() {
-        cutAll(m_quads);
-        m_quads.count = 0;
-    }
-
-  private:
-    void cutAll(const simd::Quads& quads) {
-        simd::cut(quads, m_width, m_height, m_cut);
+        simd::cut(m_quads, m_width, m_height, m_cut);
         const bool isAllOpen = m_open.isAllOpen();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(quads.count); ++i) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(m_quads.count); ++i) {
             const Piece::Box box = m_cut.boxOf(i);
             if (box.left > box.right || box.top > box.bottom ||
                 (!isAllOpen && !m_open.anyIn(box.left, box.top, box.right, box.bottom))) {
                 continue;
             }
             for (int band = box.top / kBand; band <= box.bottom / kBand; ++band) {
-                simd::add(quads, m_cut, i, m_bands[static_cast<std::size_t>(band)]);
+                simd::add(m_quads, m_cut, i, m_bands[static_cast<std::size_t>(band)]);
             }
         }
+        m_quads.count = 0;
     }
 
+  private:
     /// x, y: in the block.
     void quad(int level, int x, int y) {
         const int size = 1 << level;
