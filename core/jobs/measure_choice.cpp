@@ -107,9 +107,10 @@ void choosePhotoScenes(const MeasureReport& report, Choice& choice) {
 
 std::string reasonWithin(const MeasureReport& report, const Choice& choice) {
     const Rung& rung = report.rungs[*choice.rung];
-    std::string reason = text("The cheapest that holds ", pxText(choice.tolerancePx), " is the ",
-                              wordsOf(rung), ": 95 of 100 places are displaced by at most ",
-                              pxText(*rung.errorPx), ", in ", fixed(rung.renderMs, 1), " ms a view.");
+    std::string reason = text(report.isLeaveOneOut ? "The" : "On the robot's pictures the",
+                              " cheapest that holds ", pxText(choice.tolerancePx), " is the ", wordsOf(rung),
+                              ": 95 of 100 places are displaced by at most ", pxText(*rung.errorPx), ", in ",
+                              fixed(rung.renderMs, 1), " ms a view.");
     const Rung* below = nullptr; // the best of what would be cheaper
     for (const Rung& other : report.rungs) {
         if (other.renderMs < rung.renderMs && other.errorPx && *other.errorPx > choice.tolerancePx &&
@@ -142,8 +143,9 @@ Choice chosen(const MeasureReport& report, double tolerancePx) {
     const Rung& best = report.rungs[*choice.rung];
     choice.meanRenderMs = best.renderMs;
     choice.reason =
-        text("No option of this dataset holds ", pxText(tolerancePx), "; the best, the ", wordsOf(best),
-             ", reaches ", pxText(*best.errorPx), " in 95 of 100 places. Take photos closer together",
+        text(report.isLeaveOneOut ? "No" : "On the robot's pictures no", " option of this dataset holds ",
+             pxText(tolerancePx), "; the best, the ", wordsOf(best), ", reaches ", pxText(*best.errorPx),
+             " in 95 of 100 places. Take photos closer together",
              report.scenes.back().scene == render::SceneKind::Depth
                  ? "."
                  : ", or export the dataset with a richer scene model.");

@@ -8,9 +8,7 @@ namespace spherewalk::jobs {
 namespace {
 
 std::string choicesText(const MeasureReport& report) {
-    std::string result = "What to render with, by tolerance:\n";
-    result += tableText(choiceTable(report));
-    return result;
+    return text(choiceTitle(report), ":\n", tableText(choiceTable(report)));
 }
 
 } // namespace

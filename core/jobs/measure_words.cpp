@@ -74,6 +74,12 @@ sheet::Table rungTable(const MeasureReport& report) {
     return table;
 }
 
+std::string choiceTitle(const MeasureReport& report) {
+    return report.leaveOneOut == nullptr
+               ? "What to render with, by tolerance"
+               : "What to render with, by tolerance: chosen by leaving photos out, tried on the pictures";
+}
+
 sheet::Table choiceTable(const MeasureReport& report) {
     const bool hasPictures = report.leaveOneOut != nullptr;
     const MeasureReport& choosing = hasPictures ? *report.leaveOneOut : report;

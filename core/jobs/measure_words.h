@@ -19,6 +19,9 @@ sheet::Table sceneTable(const MeasureReport& report);
 /// A line a scene model and sampling: time and error.
 sheet::Table rungTable(const MeasureReport& report);
 
+/// What choiceTable() is, without a full stop.
+std::string choiceTitle(const MeasureReport& report);
+
 /// A line a tolerance. With a robot's pictures: what leaving photos out chooses, and what the pictures say of
 /// that.
 sheet::Table choiceTable(const MeasureReport& report);

@@ -9,6 +9,7 @@ namespace spherewalk::jobs {
 using render::Sampling;
 using render::SceneKind;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 namespace {
 
@@ -62,6 +63,14 @@ TEST(MeasureChoice, SaysThatNoneHoldsAndNamesTheBest) {
     EXPECT_EQ(choice.rung, 3U);
     EXPECT_THAT(choice.reason, HasSubstr("No option of this dataset holds 1.00 px"));
     EXPECT_THAT(choice.reason, HasSubstr("depth with sampling footprint, reaches 2.00 px"));
+}
+
+TEST(MeasureChoice, SaysWhetherPicturesOrPhotosLeftOutJudged) {
+    MeasureReport report = reportOf(kLadder);
+    EXPECT_THAT(chosen(report, 4).reason, StartsWith("The cheapest that holds 4.00 px"));
+    report.isLeaveOneOut = false;
+    EXPECT_THAT(chosen(report, 4).reason, StartsWith("On the robot's pictures the cheapest that holds"));
+    EXPECT_THAT(chosen(report, 1).reason, StartsWith("On the robot's pictures no option of this dataset"));
 }
 
 TEST(MeasureChoice, SaysWhatTheBestOfTheCheaperOnesReaches) {
