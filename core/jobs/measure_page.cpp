@@ -72,7 +72,7 @@ void addMeasured(const ReportContents& contents, Document& document) {
     const MeasureReport& report = *contents.measured;
     document.blocks.emplace_back(Heading{"What to render with"});
     document.blocks.emplace_back(Paragraph{report.choice.reason});
-    document.blocks.emplace_back(Paragraph{text(choiceTitle(report), ":")});
+    document.blocks.emplace_back(Paragraph{text("By tolerance", choiceBasis(report), ":")});
     document.blocks.emplace_back(choiceTable(report));
     document.blocks.emplace_back(sheet::Drawing{tradePlot(report)});
     document.blocks.emplace_back(Heading{"How right views are"});

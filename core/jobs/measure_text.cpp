@@ -8,7 +8,8 @@ namespace spherewalk::jobs {
 namespace {
 
 std::string choicesText(const MeasureReport& report) {
-    return text(choiceTitle(report), ":\n", tableText(choiceTable(report)));
+    return text("What to render with, by tolerance", choiceBasis(report), ":\n",
+                tableText(choiceTable(report)));
 }
 
 } // namespace

@@ -74,10 +74,8 @@ sheet::Table rungTable(const MeasureReport& report) {
     return table;
 }
 
-std::string choiceTitle(const MeasureReport& report) {
-    return report.leaveOneOut == nullptr
-               ? "What to render with, by tolerance"
-               : "What to render with, by tolerance: chosen by leaving photos out, tried on the pictures";
+std::string choiceBasis(const MeasureReport& report) {
+    return report.leaveOneOut == nullptr ? "" : ", chosen by leaving photos out and tried on the pictures";
 }
 
 sheet::Table choiceTable(const MeasureReport& report) {

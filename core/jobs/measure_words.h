@@ -19,8 +19,8 @@ sheet::Table sceneTable(const MeasureReport& report);
 /// A line a scene model and sampling: time and error.
 sheet::Table rungTable(const MeasureReport& report);
 
-/// What choiceTable() is, without a full stop.
-std::string choiceTitle(const MeasureReport& report);
+/// After words for choiceTable(): on what it rests, if that needs to be said.
+std::string choiceBasis(const MeasureReport& report);
 
 /// A line a tolerance. With a robot's pictures: what leaving photos out chooses, and what the pictures say of
 /// that.
