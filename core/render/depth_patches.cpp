@@ -59,7 +59,6 @@ DepthPatches::DepthPatches(const DepthMesh& mesh) {
             const int top = block / mesh.blocksX() * DepthMesh::kBlock + y;
             patches.clear();
             addSquare(mesh, left, top, patches);
-            join(patches);
             keep(mesh, patches);
         }
     }
@@ -91,7 +90,8 @@ simd::SurfacePatches DepthPatches::at(Range range) const {
 void DepthPatches::addSquare(const DepthMesh& mesh, int left, int top, std::vector<Patch>& patches) {
     for (int y = top; y < std::min(top + kSquare, mesh.height() - 1); y += 2) {
         for (int x = left; x < left + kSquare; x += 2) {
-            for (int i = 0; i < 4 && y + i / 2 < mesh.height() - 1 && mesh.hasEdge(x, y); ++i) {
+            const int quads = mesh.hasEdge(x, y) ? 2 * std::min(2, mesh.height() - 1 - y) : 0;
+            for (int i = 0; i < quads; ++i) {
                 addQuad(mesh, x + i % 2, y + i / 2, patches);
             }
         }
@@ -103,12 +103,9 @@ void DepthPatches::addQuad(const DepthMesh& mesh, int x, int y, std::vector<Patc
         addEdge(mesh, x, y, patches);
         return;
     }
-    patches.push_back({2 * x,
-                       2 * y,
-                       2 * x + 2,
-                       2 * y + 2,
-                       {mesh.inverseM(x, y), mesh.inverseM(x + 1, y), mesh.inverseM(x + 1, y + 1),
-                        mesh.inverseM(x, y + 1)}});
+    const std::array<float, 4> inverseM{mesh.inverseM(x, y), mesh.inverseM(x + 1, y),
+                                        mesh.inverseM(x + 1, y + 1), mesh.inverseM(x, y + 1)};
+    add({2 * x, 2 * y, 2 * x + 2, 2 * y + 2, inverseM}, patches);
 }
 
 void DepthPatches::addEdge(const DepthMesh& mesh, int x, int y, std::vector<Patch>& patches) {
@@ -118,18 +115,18 @@ void DepthPatches::addEdge(const DepthMesh& mesh, int x, int y, std::vector<Patc
     const float d = mesh.inverseM(x + 1, y + 1);
     const auto row = [&](int top, float left, float right) {
         if (DepthMesh::isSurface({left, right})) {
-            patches.push_back({2 * x, top, 2 * x + 2, top + 1, {left, right, right, left}});
+            add({2 * x, top, 2 * x + 2, top + 1, {left, right, right, left}}, patches);
         } else {
-            patches.push_back({2 * x, top, 2 * x + 1, top + 1, {left, left, left, left}});
-            patches.push_back({2 * x + 1, top, 2 * x + 2, top + 1, {right, right, right, right}});
+            add({2 * x, top, 2 * x + 1, top + 1, {left, left, left, left}}, patches);
+            add({2 * x + 1, top, 2 * x + 2, top + 1, {right, right, right, right}}, patches);
         }
     };
     const auto column = [&](int left, float top, float bottom) {
         if (DepthMesh::isSurface({top, bottom})) {
-            patches.push_back({left, 2 * y, left + 1, 2 * y + 2, {top, top, bottom, bottom}});
+            add({left, 2 * y, left + 1, 2 * y + 2, {top, top, bottom, bottom}}, patches);
         } else {
-            patches.push_back({left, 2 * y, left + 1, 2 * y + 1, {top, top, top, top}});
-            patches.push_back({left, 2 * y + 1, left + 1, 2 * y + 2, {bottom, bottom, bottom, bottom}});
+            add({left, 2 * y, left + 1, 2 * y + 1, {top, top, top, top}}, patches);
+            add({left, 2 * y + 1, left + 1, 2 * y + 2, {bottom, bottom, bottom, bottom}}, patches);
         }
     };
     if (DepthMesh::isSurface({a, b}) || DepthMesh::isSurface({c, d})) {
@@ -141,22 +138,21 @@ void DepthPatches::addEdge(const DepthMesh& mesh, int x, int y, std::vector<Patc
     }
 }
 
-void DepthPatches::join(std::vector<Patch>& patches) {
-    for (std::size_t before = 0; before != patches.size();) { // what was joined may have other neighbours
-        before = patches.size();
-        for (std::size_t i = 0; i < patches.size(); ++i) {
-            for (std::size_t j = 0; j < patches.size();) {
-                const auto both = i == j ? std::nullopt : patches[i].with(patches[j]);
-                if (!both) {
-                    ++j;
-                    continue;
-                }
-                patches[i] = *both;
-                patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(j));
-                i -= j < i ? 1 : 0;
-            }
+/// Joined with what is there, as far as it can be.
+void DepthPatches::add(Patch patch, std::vector<Patch>& patches) {
+    for (std::size_t i = 0; i < patches.size();) {
+        auto both = patches[i].with(patch);
+        both = both ? both : patch.with(patches[i]);
+        if (!both) {
+            ++i;
+            continue;
         }
+        patch = *both;
+        patches[i] = patches.back();
+        patches.pop_back();
+        i = 0; // it may have other neighbours now
     }
+    patches.push_back(patch);
 }
 
 void DepthPatches::keep(const DepthMesh& mesh, const std::vector<Patch>& patches) {

@@ -55,7 +55,7 @@ class DepthPatches {
     static void addSquare(const DepthMesh& mesh, int left, int top, std::vector<Patch>& patches);
     static void addQuad(const DepthMesh& mesh, int x, int y, std::vector<Patch>& patches);
     static void addEdge(const DepthMesh& mesh, int x, int y, std::vector<Patch>& patches);
-    static void join(std::vector<Patch>& patches);
+    static void add(Patch patch, std::vector<Patch>& patches);
     void keep(const DepthMesh& mesh, const std::vector<Patch>& patches);
 
     std::vector<std::uint32_t> m_first;         ///< of each square, and the end
