@@ -9,7 +9,8 @@ folder=$(mktemp -d)
 camera=
 trap 'if [ -n "$camera" ]; then kill "$camera"; fi; rm -rf "$folder"' EXIT
 
-"$cli" practice-camera --port 0 --width 1024 --time-scale 0.02 2> "$folder/camera" &
+: > "$folder/camera" # which is read before the camera has begun
+"$cli" practice-camera --port 0 --width 1024 --time-scale 0.02 2>> "$folder/camera" &
 camera=$!
 address=
 for _ in $(seq 100); do
