@@ -2,6 +2,7 @@
 #include "command.h"
 #include "measured_dataset.h"
 
+#include "spherewalk/base/counted.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_chosen.h"
@@ -57,14 +58,20 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
     const double growth =
         100 * (static_cast<double>(written.photoBytes) / static_cast<double>(written.sourceBytes) - 1);
     std::string words =
-        text("Exported ", written.photos, " photos to ", dataset, ": ", humanBytes(written.totalBytes),
-             " (the photos take ", fixed(growth, 2), " % more than in the survey), in ",
+        text("Exported ", counted(written.photos, "photo", "photos"), " to ", dataset, ": ",
+             humanBytes(written.totalBytes), " (the photos take ", fixed(growth, 2),
+             " % more than in the survey), in ",
              humanDuration(std::chrono::duration<double>(report.depth.seconds + written.seconds)), ".");
-    words += report.withoutPhoto == 0
+    words += report.withoutPhoto == 0 ? ""
+                                      : text("\n",
+                                             counted(report.withoutPhoto, "station has no photo and is",
+                                                     "stations have no photo and are"),
+                                             " left out.");
+    words += report.rejected == 0
                  ? ""
-                 : text("\n", report.withoutPhoto, " stations have no photo and are left out.");
-    words +=
-        report.rejected == 0 ? "" : text("\n", report.rejected, " photos were rejected and are left out.");
+                 : text("\n",
+                        counted(report.rejected, "photo was rejected and is", "photos were rejected and are"),
+                        " left out.");
     return {json, words};
 }
 

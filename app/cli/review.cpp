@@ -2,6 +2,7 @@
 #include "command.h"
 #include "photo_names.h"
 
+#include "spherewalk/base/counted.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/judge_survey.h"
 #include "spherewalk/jobs/retakes.h"
@@ -89,9 +90,10 @@ Result list(const store::SurveyStore& store) {
     return {{{"photos", photos},
              {"to_take", store.stationsWithoutPhoto().size()},
              {"retakes", jobs::toJson(retakes)}},
-            text(counts[store::Decision::Accepted], " photos accepted, ", counts[store::Decision::Rejected],
-                 " rejected, ", counts[store::Decision::Open], " open; ", store.stationsWithoutPhoto().size(),
-                 " stations still need a photo.", lines)};
+            text(counted(counts[store::Decision::Accepted], "photo", "photos"), " accepted, ",
+                 counts[store::Decision::Rejected], " rejected, ", counts[store::Decision::Open], " open; ",
+                 counted(store.stationsWithoutPhoto().size(), "station still needs", "stations still need"),
+                 " a photo.", lines)};
 }
 
 Result review(const Options& options, Context& context) {

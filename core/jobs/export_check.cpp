@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export_parts.h"
 
+#include "spherewalk/base/counted.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/temporary_folder.h"
 #include "spherewalk/base/text.h"
@@ -22,10 +23,6 @@ fs::path existingParent(fs::path folder) {
         folder = folder.parent_path();
     }
     return folder;
-}
-
-std::string some(std::size_t count, std::string_view one, std::string_view many) {
-    return text(count, " ", count == 1 ? one : many);
 }
 
 class Look {
@@ -106,15 +103,13 @@ class Look {
         const store::Counts counts = m_store.counts();
         const int missing = counts.stations - counts.stationsWithPhoto - counts.rejectedPhotos;
         if (missing > 0) {
-            m_check.doubts.push_back(text(
-                some(static_cast<std::size_t>(missing), "station has no photo", "stations have no photo"),
-                ": near them, views come from farther away."));
+            m_check.doubts.push_back(text(counted(missing, "station has no photo", "stations have no photo"),
+                                          ": near them, views come from farther away."));
         }
         if (counts.rejectedPhotos > 0) {
-            m_check.doubts.push_back(
-                text(some(static_cast<std::size_t>(counts.rejectedPhotos),
-                          "photo was rejected and is left out", "photos were rejected and are left out"),
-                     "."));
+            m_check.doubts.push_back(text(counted(counts.rejectedPhotos, "photo was rejected and is left out",
+                                                  "photos were rejected and are left out"),
+                                          "."));
         }
     }
 
@@ -141,12 +136,12 @@ class Look {
             inDoubt += doubtful.contains(photo.id) ? 1 : 0;
         }
         if (unsolved > 0) {
-            m_check.doubts.push_back(text(some(unsolved, "photo has", "photos have"),
+            m_check.doubts.push_back(text(counted(unsolved, "photo has", "photos have"),
                                           " no known heading: it would be exported as if it looked along the "
                                           "room's x axis; align again, or reject it."));
         }
         if (inDoubt > 0) {
-            m_check.doubts.push_back(text("The alignment of ", some(inDoubt, "photo", "photos"),
+            m_check.doubts.push_back(text("The alignment of ", counted(inDoubt, "photo", "photos"),
                                           " is doubtful; review them, or export them as they are."));
         }
     }

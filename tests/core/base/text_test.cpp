@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/base/counted.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/base/uuid.h"
 
@@ -55,6 +56,12 @@ TEST(Uuid, IsVersion4AndNeverTheSame) {
     EXPECT_EQ(uuid[14], '4');
     EXPECT_NE(std::string("89ab").find(uuid[19]), std::string::npos);
     EXPECT_NE(uuid, randomUuid());
+}
+
+TEST(Text, CountsOneAndMany) {
+    EXPECT_EQ(counted(0, "photo was", "photos were"), "0 photos were");
+    EXPECT_EQ(counted(1, "photo was", "photos were"), "1 photo was");
+    EXPECT_EQ(counted(std::size_t{2}, "photo was", "photos were"), "2 photos were");
 }
 
 } // namespace spherewalk
