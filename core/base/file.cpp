@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/base/file.h"
 
+#include "file_fault.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -18,7 +20,7 @@ namespace spherewalk {
 
 namespace {
 
-[[noreturn]] void fail(int code, const std::string& tried, const std::filesystem::path& file) {
+[[noreturn]] void failFile(int code, const std::string& tried, const std::filesystem::path& file) {
     const std::string reason = std::strerror(code);
     const std::string name = file.string();
     switch (code) {
@@ -45,6 +47,19 @@ namespace {
     }
 }
 
+std::atomic<FileFault*> installedFault{nullptr};
+
+/// The result of the system call. Where a test lets the operation fail, the result is -1 with errno set.
+template <class Name, class Call>
+auto attempt(FileOperation operation, const Name& file, const Call& call) -> decltype(call()) {
+    FileFault* fault = installedFault.load(std::memory_order_acquire);
+    if (const int code = fault == nullptr ? 0 : fault->errorOf(operation, file)) {
+        errno = code;
+        return -1;
+    }
+    return call();
+}
+
 /// A file descriptor that is closed at the end of its scope.
 class Descriptor {
   public:
@@ -62,9 +77,10 @@ class Descriptor {
 };
 
 int openForReading(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor =
+        attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); });
     if (descriptor < 0) {
-        fail(errno, "read", file);
+        failFile(errno, "read", file);
     }
     return descriptor;
 }
@@ -74,7 +90,7 @@ std::uint64_t regularSize(const Descriptor& descriptor, const std::filesystem::p
     struct stat status {};
 
     if (::fstat(descriptor.value(), &status) != 0) {
-        fail(errno, "read", file);
+        failFile(errno, "read", file);
     }
     if (!S_ISREG(status.st_mode)) {
         throw Error(ErrorKind::InvalidInput, text("Could not read ", file.string(), ": it is not a file."));
@@ -85,17 +101,37 @@ std::uint64_t regularSize(const Descriptor& descriptor, const std::filesystem::p
 std::size_t readSome(const Descriptor& descriptor, std::span<std::uint8_t> into,
                      const std::filesystem::path& file) {
     for (;;) {
-        const ssize_t count = ::read(descriptor.value(), into.data(), into.size());
+        const ssize_t count = attempt(FileOperation::Read, file,
+                                      [&] { return ::read(descriptor.value(), into.data(), into.size()); });
         if (count >= 0) {
             return static_cast<std::size_t>(count);
         }
         if (errno != EINTR) {
-            fail(errno, "read", file);
+            failFile(errno, "read", file);
         }
     }
 }
 
+[[noreturn]] void failShort(const std::string& name) {
+    throw Error(ErrorKind::Corrupt,
+                text("Could not read ", name, ": it ends too early; copy the file again."));
+}
+
+[[noreturn]] void failPart(int code, const std::string& name) {
+    throw Error(code == ENOENT || code == ENOTDIR ? ErrorKind::NotFound : ErrorKind::Io,
+                text("Could not read ", name, ": ", std::string(std::strerror(code)), "."));
+}
+
 } // namespace
+
+FileFault* replaceFileFault(FileFault* fault) {
+    return installedFault.exchange(fault);
+}
+
+int faultOf(FileOperation operation, const std::filesystem::path& path) {
+    FileFault* fault = installedFault.load(std::memory_order_acquire);
+    return fault == nullptr ? 0 : fault->errorOf(operation, path);
+}
 
 Bytes readFile(const std::filesystem::path& file, std::uint64_t maxBytes) {
     const Descriptor descriptor(openForReading(file));
@@ -132,13 +168,68 @@ void readFileInPieces(const std::filesystem::path& file, const std::function<voi
     }
 }
 
+void MemorySource::read(std::uint64_t offset, std::span<std::uint8_t> into) const {
+    if (offset > m_bytes.size() || into.size() > m_bytes.size() - offset) {
+        failShort(m_name);
+    }
+    std::copy_n(m_bytes.begin() + static_cast<std::ptrdiff_t>(offset), into.size(), into.begin());
+}
+
+FileSource::FileSource(const std::filesystem::path& file)
+    : m_name(file.string()),
+      m_descriptor(
+          attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); })) {
+    struct stat status {};
+
+    if (m_descriptor < 0) {
+        failPart(errno, m_name);
+    }
+    if (::fstat(m_descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+        ::close(m_descriptor);
+        throw Error(ErrorKind::InvalidInput, text("Could not read ", m_name, ": it is not a file."));
+    }
+    m_sizeBytes = static_cast<std::uint64_t>(status.st_size);
+}
+
+FileSource::~FileSource() {
+    ::close(m_descriptor);
+}
+
+void FileSource::read(std::uint64_t offset, std::span<std::uint8_t> into) const {
+    if (offset > m_sizeBytes || into.size() > m_sizeBytes - offset) {
+        failShort(m_name);
+    }
+    while (!into.empty()) {
+        const ssize_t count = attempt(FileOperation::Read, m_name, [&] {
+            return ::pread(m_descriptor, into.data(), into.size(), static_cast<off_t>(offset));
+        });
+        if (count == 0) {
+            failShort(m_name);
+        }
+        if (count < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            failPart(errno, m_name);
+        }
+        into = into.subspan(static_cast<std::size_t>(count));
+        offset += static_cast<std::uint64_t>(count);
+    }
+}
+
+void FileSource::fetchAhead() const {
+    ::posix_fadvise(m_descriptor, 0, 0, POSIX_FADV_WILLNEED); // advice: if it fails, reads are only slower
+}
+
 DurableFile::DurableFile(std::filesystem::path finalName) : m_finalName(std::move(finalName)) {
     static std::atomic<unsigned> counter{0};
     m_temporaryName = m_finalName;
     m_temporaryName += text(".", ::getpid(), "-", counter++, ".part");
-    m_descriptor = ::open(m_temporaryName.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    m_descriptor = attempt(FileOperation::Open, m_finalName, [&] {
+        return ::open(m_temporaryName.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    });
     if (m_descriptor < 0) {
-        fail(errno, "write", m_finalName);
+        failFile(errno, "write", m_finalName);
     }
 }
 
@@ -151,12 +242,13 @@ DurableFile::~DurableFile() {
 
 void DurableFile::write(ByteView bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = ::write(m_descriptor, bytes.data(), bytes.size());
+        const ssize_t count = attempt(FileOperation::Write, m_finalName,
+                                      [&] { return ::write(m_descriptor, bytes.data(), bytes.size()); });
         if (count < 0) {
             if (errno == EINTR) {
                 continue;
             }
-            fail(errno, "write", m_finalName);
+            failFile(errno, "write", m_finalName);
         }
         bytes = bytes.subspan(static_cast<std::size_t>(count));
         m_sizeBytes += static_cast<std::uint64_t>(count);
@@ -164,18 +256,19 @@ void DurableFile::write(ByteView bytes) {
 }
 
 void DurableFile::commit(Overwrite overwrite) {
-    if (::fsync(m_descriptor) != 0) {
-        fail(errno, "write", m_finalName);
+    if (attempt(FileOperation::Sync, m_finalName, [&] { return ::fsync(m_descriptor); }) != 0) {
+        failFile(errno, "write", m_finalName);
     }
-    if (overwrite == Overwrite::Yes) {
-        if (::rename(m_temporaryName.c_str(), m_finalName.c_str()) != 0) {
-            fail(errno, "write", m_finalName);
-        }
-    } else {
+    const bool mayReplace = overwrite == Overwrite::Yes;
+    const int moved = attempt(FileOperation::Rename, m_finalName, [&] {
         // A hard link fails if the name is taken, which a rename would not.
-        if (::link(m_temporaryName.c_str(), m_finalName.c_str()) != 0) {
-            fail(errno, "write", m_finalName);
-        }
+        return mayReplace ? ::rename(m_temporaryName.c_str(), m_finalName.c_str())
+                          : ::link(m_temporaryName.c_str(), m_finalName.c_str());
+    });
+    if (moved != 0) {
+        failFile(errno, "write", m_finalName);
+    }
+    if (!mayReplace) {
         ::unlink(m_temporaryName.c_str());
     }
     ::close(std::exchange(m_descriptor, -1));
@@ -189,8 +282,10 @@ void writeFile(const std::filesystem::path& file, ByteView bytes, DurableFile::O
 }
 
 void ensureFolder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
+    std::error_code failure(faultOf(FileOperation::MakeFolder, folder), std::generic_category());
+    if (!failure) {
+        std::filesystem::create_directories(folder, failure);
+    }
     if (failure) {
         throw Error(ErrorKind::Io,
                     text("Could not make the folder ", folder.string(), ": ", failure.message(), "."));
@@ -200,12 +295,13 @@ void ensureFolder(const std::filesystem::path& folder) {
 void syncFolder(const std::filesystem::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
-        fail(errno, "sync", folder);
+        failFile(errno, "sync", folder);
     }
     const Descriptor guard(descriptor);
     // Some file systems cannot sync a folder and say EINVAL; their renames are as durable as they get.
-    if (::fsync(descriptor) != 0 && errno != EINVAL) {
-        fail(errno, "sync", folder);
+    const int synced = attempt(FileOperation::Sync, folder, [&] { return ::fsync(descriptor); });
+    if (synced != 0 && errno != EINVAL) {
+        failFile(errno, "sync", folder);
     }
 }
 

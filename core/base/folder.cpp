@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "spherewalk/base/new_folder.h"
+#include "spherewalk/base/folder.h"
+
+#include "file_fault.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 
+#include <cerrno>
+#include <cstring>
+#include <stdlib.h> // mkdtemp
+#include <string>
 #include <system_error>
 #include <unistd.h>
 
@@ -14,12 +20,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removed with all that is in it, unless it was moved to its final place.
+/// Throws what the file system would throw, where a test lets the operation fail.
+void throwIfFaulty(FileOperation operation, const fs::path& path) {
+    if (const int code = faultOf(operation, path)) {
+        throw fs::filesystem_error("a fault of a test", path, std::error_code(code, std::generic_category()));
+    }
+}
+
+/// Removed with all its content, unless it was moved to its final place.
 class UnfinishedFolder {
   public:
     explicit UnfinishedFolder(const fs::path& finalPlace) : m_finalPlace(finalPlace) {
         m_path = m_finalPlace;
         m_path += text(".", ::getpid(), ".part");
+        throwIfFaulty(FileOperation::MakeFolder, m_path);
         fs::remove_all(m_path);
         fs::create_directories(m_path);
     }
@@ -41,6 +55,7 @@ class UnfinishedFolder {
             }
         }
         syncFolder(m_path);
+        throwIfFaulty(FileOperation::Rename, m_finalPlace);
         fs::rename(m_path, m_finalPlace);
         syncFolder(m_finalPlace.has_parent_path() ? m_finalPlace.parent_path() : ".");
     }
@@ -73,6 +88,22 @@ void makeFolder(const fs::path& folder, std::string_view what,
             isFull ? ErrorKind::Full : ErrorKind::Io,
             text("Could not write ", what, " ", folder.string(), ": ", failure.code().message(), "."));
     }
+}
+
+TemporaryFolder::TemporaryFolder(std::string_view name) {
+    std::error_code failure;
+    std::string pattern = (fs::temp_directory_path(failure) / text(name, "-XXXXXX")).string();
+    if (failure || ::mkdtemp(pattern.data()) == nullptr) {
+        throw Error(ErrorKind::Io, text("Could not make a temporary folder ", pattern, ": ",
+                                        failure ? failure.message() : std::string(std::strerror(errno)),
+                                        "; set TMPDIR to a folder that can be written."));
+    }
+    m_path = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored; // what is left of a temporary folder does no harm
+    fs::remove_all(m_path, ignored);
 }
 
 } // namespace spherewalk

@@ -3,12 +3,48 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#if defined(__x86_64__) || defined(__i386__)
+#include <immintrin.h>
+#endif
+
 namespace spherewalk {
+
+namespace {
+
+constexpr int kSpins = 4000; // about ten microseconds
+
+void pauseBriefly() {
+#if defined(__x86_64__) || defined(__i386__)
+    _mm_pause();
+#else
+    std::this_thread::yield();
+#endif
+}
+
+/// One word holds the number of the current run (16 bits), its count of items (24) and the next item (24).
+/// A thread that comes late to a run that has ended therefore takes no item and touches nothing of the run.
+using Ticket = std::uint64_t;
+
+constexpr Ticket ticket(Ticket run, int count) {
+    return run << 48 | static_cast<Ticket>(count) << 24;
+}
+
+constexpr int countOf(Ticket value) {
+    return static_cast<int>(value >> 24 & 0xFFFFFF);
+}
+
+constexpr int nextOf(Ticket value) {
+    return static_cast<int>(value & 0xFFFFFF);
+}
+
+} // namespace
 
 int hardwareThreads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -41,6 +77,111 @@ void parallelFor(int count, int grain, int threads, const std::function<void(int
     }
     if (failure) {
         std::rethrow_exception(failure);
+    }
+}
+
+struct WorkerPool::State {
+    std::atomic<Ticket> ticket{0};
+    std::atomic<std::uint32_t> runs{0}; ///< Grows with each run; sleeping threads wait on it.
+    std::atomic<int> allowed{1};        ///< Workers with a lower number may take items.
+    std::atomic<int> open{0};           ///< The number of items that are not done.
+    std::atomic<bool> ending{false};
+    Ticket number = 0; ///< The number of the current run.
+    const std::function<void(int, int)>* body = nullptr;
+    std::mutex running;
+    std::mutex failing;
+    std::exception_ptr failure;
+    std::vector<std::jthread> others;
+
+    void takeItems(int worker) {
+        for (Ticket now = ticket.load(); nextOf(now) < countOf(now);) {
+            if (!ticket.compare_exchange_weak(now, now + 1)) {
+                continue;
+            }
+            // The run cannot end while this item is open, so its body is there.
+            perform(nextOf(now), worker);
+            if (open.fetch_sub(1) == 1) {
+                open.notify_all();
+            }
+            now = ticket.load();
+        }
+    }
+
+    void perform(int item, int worker) {
+        {
+            const std::scoped_lock lock(failing);
+            if (failure) {
+                return;
+            }
+        }
+        try {
+            (*body)(item, worker);
+        } catch (...) { // handed to the caller of run()
+            const std::scoped_lock lock(failing);
+            failure = failure ? failure : std::current_exception();
+        }
+    }
+
+    void work(int worker) {
+        std::uint32_t seen = 0;
+        while (true) {
+            for (int spin = 0; runs.load() == seen && spin < kSpins; ++spin) {
+                pauseBriefly();
+            }
+            runs.wait(seen);
+            if (ending) {
+                return;
+            }
+            seen = runs.load();
+            if (worker < allowed) {
+                takeItems(worker);
+            }
+        }
+    }
+};
+
+WorkerPool::WorkerPool(int threads) : m_state(std::make_unique<State>()) {
+    const int count = threads > 0 ? threads : hardwareThreads();
+    for (int worker = 1; worker < count; ++worker) {
+        m_state->others.emplace_back([worker, state = m_state.get()] { state->work(worker); });
+    }
+}
+
+WorkerPool::~WorkerPool() {
+    m_state->ending = true;
+    ++m_state->runs;
+    m_state->runs.notify_all();
+}
+
+int WorkerPool::threads() const {
+    return static_cast<int>(m_state->others.size()) + 1;
+}
+
+void WorkerPool::run(int count, int threads, const std::function<void(int, int)>& body) {
+    State& state = *m_state;
+    const std::scoped_lock lock(state.running);
+    if (count <= 0) {
+        return;
+    }
+    state.failure = nullptr;
+    state.body = &body;
+    state.allowed = threads > 0 ? threads : this->threads();
+    state.open = count;
+    state.ticket = ticket(++state.number, count);
+    if (state.allowed > 1 && !state.others.empty()) {
+        ++state.runs;
+        state.runs.notify_all();
+    }
+    state.takeItems(0);
+    for (int spin = 0; state.open.load() != 0 && spin < kSpins; ++spin) {
+        pauseBriefly();
+    }
+    for (int left = state.open.load(); left != 0; left = state.open.load()) {
+        state.open.wait(left);
+    }
+    state.body = nullptr;
+    if (state.failure) {
+        std::rethrow_exception(std::exchange(state.failure, nullptr));
     }
 }
 

@@ -2,8 +2,11 @@
 #include "expect_error.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+
+#include <regex>
+#include <set>
 
 namespace spherewalk {
 
@@ -27,6 +30,22 @@ TEST(Sha256, IsTheSameInPiecesAndFromAFile) {
     writeFile(folder / "f", bytes);
     EXPECT_EQ(sha256HexOfFile(folder / "f"), whole);
     test::expectError(ErrorKind::NotFound, "absent", [&] { sha256HexOfFile(folder / "absent"); });
+}
+
+/// Source: RFC 1321, A.5.
+TEST(Md5, IsThatOfTheStandard) {
+    EXPECT_EQ(md5Hex(bytesOf("")), "d41d8cd98f00b204e9800998ecf8427e");
+    EXPECT_EQ(md5Hex(bytesOf("message digest")), "f96b697d7cb7938d525a2f31aaf161d0");
+}
+
+TEST(Uuid, IsRandomAndOfVersion4) {
+    const std::regex shape("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}");
+    std::set<std::string> seen;
+    for (int i = 0; i < 100; ++i) {
+        const std::string uuid = randomUuid();
+        EXPECT_TRUE(std::regex_match(uuid, shape)) << uuid;
+        EXPECT_TRUE(seen.insert(uuid).second) << uuid;
+    }
 }
 
 } // namespace spherewalk

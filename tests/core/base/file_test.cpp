@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/fixed_random.h"
 
 #include <csignal>
 #include <sys/resource.h>
@@ -12,7 +13,6 @@
 namespace spherewalk {
 
 using test::expectError;
-using test::TemporaryFolder;
 
 namespace {
 
@@ -23,7 +23,7 @@ std::size_t entries(const std::filesystem::path& folder) {
 } // namespace
 
 TEST(File, ComesBackAsItWasWritten) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const Bytes bytes{0, 1, 255, 10};
     const auto file = folder / "ä ö.bin";
     writeFile(file, bytes);
@@ -34,7 +34,7 @@ TEST(File, ComesBackAsItWasWritten) {
 }
 
 TEST(File, RefusesWhatIsMissingTooLargeOrNoFile) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     expectError(ErrorKind::NotFound, "absent", [&] { readFile(folder / "absent"); });
     expectError(ErrorKind::InvalidInput, "not a file", [&] { readFile(folder.path()); });
     writeFile(folder / "large", Bytes(11));
@@ -42,7 +42,7 @@ TEST(File, RefusesWhatIsMissingTooLargeOrNoFile) {
 }
 
 TEST(DurableFile, AppearsOnlyWhenCommitted) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     {
         DurableFile file(folder / "photo.jpg");
         file.write(bytesOf("half"));
@@ -58,7 +58,7 @@ TEST(DurableFile, AppearsOnlyWhenCommitted) {
 }
 
 TEST(DurableFile, OverwritesOnlyWhenAskedTo) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeFile(folder / "a", bytesOf("old"));
     DurableFile second(folder / "a");
     second.write(bytesOf("new"));
@@ -69,7 +69,7 @@ TEST(DurableFile, OverwritesOnlyWhenAskedTo) {
 }
 
 TEST(DurableFile, ReportsAFullDiskAndLeavesNothingBehind) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     // The limit on a file's size is the one "full" that needs no file system of its own; it is the child's
     // alone.
     const pid_t child = ::fork();
@@ -101,6 +101,37 @@ TEST(SafeRelativePath, AcceptsPlainNamesAndRefusesWaysOut) {
         EXPECT_FALSE(isSafeRelativePath(bad)) << bad;
     }
     EXPECT_FALSE(isSafeRelativePath(std::string_view("a\0b", 3)));
+}
+
+TEST(ByteSource, PartsAreTheSameFromMemoryAndFromAFile) {
+    const test::TemporaryFolder folder;
+    FixedRandom random(41);
+    Bytes bytes(10'000);
+    for (std::uint8_t& byte : bytes) {
+        byte = static_cast<std::uint8_t>(random.below(256));
+    }
+    writeFile(folder / "f", bytes);
+    const MemorySource memory(bytes, "memory");
+    const FileSource file(folder / "f");
+    file.fetchAhead();
+    EXPECT_EQ(memory.sizeBytes(), bytes.size());
+    EXPECT_EQ(file.sizeBytes(), bytes.size());
+    for (int i = 0; i < 1000; ++i) {
+        const std::size_t offset = random.below(bytes.size() + 1);
+        Bytes part(random.below(bytes.size() - offset + 1));
+        memory.read(offset, part);
+        ASSERT_TRUE(
+            std::equal(part.begin(), part.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset)));
+        Bytes same(part.size());
+        file.read(offset, same);
+        ASSERT_EQ(same, part);
+    }
+    for (const ByteSource* source :
+         {static_cast<const ByteSource*>(&memory), static_cast<const ByteSource*>(&file)}) {
+        Bytes part(2);
+        expectError(ErrorKind::Corrupt, source->name(), [&] { source->read(bytes.size() - 1, part); });
+        expectError(ErrorKind::Corrupt, "ends too early", [&] { source->read(UINT64_MAX, part); });
+    }
 }
 
 } // namespace spherewalk

@@ -3,7 +3,7 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/new_folder.h"
+#include "spherewalk/base/folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::ptrdiff_t entries(const fs::path& folder) {
+std::ptrdiff_t childCount(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
 } // namespace
 
-TEST(NewFolder, IsThereWhenItIsWhole) {
+TEST(Folder, IsThereWhenItIsWhole) {
     const test::TemporaryFolder folder;
     makeFolder(folder / "new", "the thing", [&](const fs::path& at) {
         EXPECT_FALSE(fs::exists(folder / "new"));
@@ -27,10 +27,10 @@ TEST(NewFolder, IsThereWhenItIsWhole) {
         writeFile(at / "inner" / "file", bytesOf("x"));
     });
     EXPECT_EQ(readTextFile(folder / "new" / "inner" / "file"), "x");
-    EXPECT_EQ(entries(folder.path()), 1);
+    EXPECT_EQ(childCount(folder.path()), 1);
 }
 
-TEST(NewFolder, LeavesNothingAfterAnError) {
+TEST(Folder, LeavesNothingAfterAnError) {
     const test::TemporaryFolder folder;
     test::expectError(ErrorKind::Stopped, "enough", [&] {
         makeFolder(folder / "new", "the thing", [](const fs::path& at) {
@@ -42,10 +42,10 @@ TEST(NewFolder, LeavesNothingAfterAnError) {
         makeFolder(folder / "new", "the thing",
                    [](const fs::path& at) { fs::rename(at / "none", at / "other"); });
     });
-    EXPECT_EQ(entries(folder.path()), 0);
+    EXPECT_EQ(childCount(folder.path()), 0);
 }
 
-TEST(NewFolder, ReplacesNothing) {
+TEST(Folder, ReplacesNothing) {
     const test::TemporaryFolder folder;
     fs::create_directories(folder / "new");
     test::expectError(ErrorKind::Exists, "the thing", [&] {

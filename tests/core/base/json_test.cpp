@@ -44,4 +44,46 @@ TEST(JsonReader, NamesThePlaceOfWhatIsWrong) {
     expectError(ErrorKind::Corrupt, "at its top: expected a list", [&] { reader.arraySize(); });
 }
 
+TEST(JsonReader, ReadsEachTypeAndRefusesEachOther) {
+    const Json json =
+        parseJson(R"({"s":"text","n":-2.5,"i":7,"b":true,"l":[1,2],"o":{"x":1},"z":null})", "d.json");
+    const JsonReader reader(json, "d.json");
+    EXPECT_EQ(reader.string("s"), "text");
+    EXPECT_EQ(reader.number("n"), -2.5);
+    EXPECT_EQ(reader.number("i"), 7);
+    EXPECT_EQ(reader.integer("i"), 7);
+    EXPECT_TRUE(reader.boolean("b"));
+    EXPECT_EQ(reader.member("l").arraySize(), 2U);
+    for (const char* key : {"n", "i", "b", "l", "o", "z"}) {
+        expectError(ErrorKind::Corrupt, "expected a text", [&] { reader.string(key); });
+    }
+    for (const char* key : {"s", "b", "l", "o", "z"}) {
+        expectError(ErrorKind::Corrupt, "expected a number", [&] { reader.number(key); });
+    }
+    for (const char* key : {"s", "n", "b", "l", "o", "z"}) {
+        expectError(ErrorKind::Corrupt, "expected a whole number", [&] { reader.integer(key); });
+    }
+    for (const char* key : {"s", "n", "i", "l", "o", "z"}) {
+        expectError(ErrorKind::Corrupt, "expected true or false", [&] { reader.boolean(key); });
+    }
+    expectError(ErrorKind::Corrupt, "expected an object", [&] { reader.member("l").member("x"); });
+    expectError(ErrorKind::Corrupt, "more than the 1 allowed", [&] { reader.member("l").arraySize(1); });
+}
+
+TEST(JsonReader, TellsWhatIsAbsentFromWhatIsNull) {
+    const Json json = parseJson(R"({"null":null,"zero":0})", "x");
+    const JsonReader reader(json, "x");
+    EXPECT_TRUE(reader.has("null"));
+    EXPECT_TRUE(reader.isAbsent("null"));
+    EXPECT_FALSE(reader.has("none"));
+    EXPECT_TRUE(reader.isAbsent("none"));
+    EXPECT_FALSE(reader.isAbsent("zero"));
+    EXPECT_FALSE(reader.member("zero").has("x"));
+}
+
+TEST(Json, KeepsTheOrderOfKeys) {
+    const std::string spelt = R"({"z":1,"a":{"y":2,"b":3},"m":[]})";
+    EXPECT_EQ(parseJson(spelt, "x").dump(), spelt);
+}
+
 } // namespace spherewalk

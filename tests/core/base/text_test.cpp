@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "spherewalk/base/counted.h"
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/base/uuid.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <locale>
 
@@ -25,22 +25,11 @@ TEST(Text, ParsesWholeNumbersOnlyAndNothingElse) {
     }
 }
 
-TEST(Text, SaysDurationsAndSizesAsPeopleDo) {
-    using std::chrono::seconds;
-    EXPECT_EQ(humanDuration(seconds(8)), "8 s");
-    EXPECT_EQ(humanDuration(seconds(200)), "3 min 20 s");
-    EXPECT_EQ(humanDuration(seconds(2 * 3600 + 17 * 60)), "2 h 17 min");
+TEST(Text, SaysSizesAsPeopleDo) {
     EXPECT_EQ(humanBytes(999), "999 bytes");
     EXPECT_EQ(humanBytes(4362617), "4.4 MB");
     EXPECT_EQ(humanBytes(999960), "1.0 MB");
     EXPECT_EQ(humanBytes(UINT64_MAX), "18.4 EB");
-}
-
-TEST(Text, WritesMomentsInUtc) {
-    const std::chrono::system_clock::time_point moment{std::chrono::milliseconds(1767323045678)};
-    EXPECT_EQ(isoUtc(moment), "2026-01-02T03:04:05.678Z");
-    EXPECT_EQ(isoUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(-1))),
-              "1969-12-31T23:59:59.999Z");
 }
 
 TEST(Text, PrintsForeignTextWithoutControlCharactersOrBrokenUtf8) {
@@ -50,18 +39,54 @@ TEST(Text, PrintsForeignTextWithoutControlCharactersOrBrokenUtf8) {
     EXPECT_EQ(printable("ééé", 3), "é...");
 }
 
-TEST(Uuid, IsVersion4AndNeverTheSame) {
-    const std::string uuid = randomUuid();
-    ASSERT_EQ(uuid.size(), 36U);
-    EXPECT_EQ(uuid[14], '4');
-    EXPECT_NE(std::string("89ab").find(uuid[19]), std::string::npos);
-    EXPECT_NE(uuid, randomUuid());
-}
-
 TEST(Text, CountsOneAndMany) {
     EXPECT_EQ(counted(0, "photo was", "photos were"), "0 photos were");
     EXPECT_EQ(counted(1, "photo was", "photos were"), "1 photo was");
     EXPECT_EQ(counted(std::size_t{2}, "photo was", "photos were"), "2 photos were");
+}
+
+TEST(Text, EveryNumberReadsBackAsItself) {
+    FixedRandom random(21);
+    for (int i = 0; i < 10000; ++i) {
+        const double number = random.uniform(-1, 1) * std::pow(10, random.uniform(-300, 300));
+        ASSERT_EQ(parseNumber(text(number)), number) << text(number);
+    }
+}
+
+TEST(Text, FixedDigitsAreTheNearestDecimal) {
+    FixedRandom random(22);
+    for (int i = 0; i < 1000; ++i) {
+        const double number = random.uniform(-1e6, 1e6);
+        const int digits = static_cast<int>(random.below(7));
+        const std::string spelt = fixed(number, digits);
+        ASSERT_NEAR(parseNumber(spelt).value(), number, 0.501 * std::pow(10, -digits)) << spelt;
+        const std::size_t point = spelt.find('.');
+        ASSERT_EQ(point == std::string::npos ? 0 : spelt.size() - point - 1,
+                  static_cast<std::size_t>(digits));
+    }
+}
+
+TEST(Text, ReadsDigitsOnlyWhereAllAreDigits) {
+    EXPECT_EQ(digitsAt("R0012345", 1, 7), 12345);
+    EXPECT_EQ(digitsAt("12", 0, 0), 0);
+    EXPECT_EQ(digitsAt("1-3", 0, 3), -1);
+    EXPECT_EQ(digitsAt("1 3", 1, 2), -1);
+}
+
+TEST(Text, PrintableTextStaysPrintableAndShort) {
+    FixedRandom random(23);
+    for (int i = 0; i < 2000; ++i) {
+        std::string foreign(random.below(60), ' ');
+        for (char& c : foreign) {
+            c = static_cast<char>(random.below(256));
+        }
+        const std::string shown = printable(foreign, 40);
+        ASSERT_LE(shown.size(), 43U);
+        ASSERT_EQ(printable(shown, shown.size()), shown); // nothing is left to be replaced
+        for (const char c : shown) {
+            ASSERT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
+        }
+    }
 }
 
 } // namespace spherewalk

@@ -11,10 +11,11 @@
 
 namespace spherewalk {
 
-/// The values of an enumeration and what people call them.
+/// The values of an enumeration with the names that files and people use.
 template <class Enum, std::size_t kCount>
 using EnumNames = std::array<std::pair<Enum, std::string_view>, kCount>;
 
+/// The value's name, or "unknown" if the list has none.
 template <class Enum, std::size_t kCount>
 std::string_view nameOf(const EnumNames<Enum, kCount>& names, Enum value) {
     for (const auto& [known, name] : names) {
@@ -25,7 +26,8 @@ std::string_view nameOf(const EnumNames<Enum, kCount>& names, Enum value) {
     return "unknown";
 }
 
-/// what: as in "The sampling". Errors: InvalidInput, listing the names.
+/// The value with this name. `what` begins the sentence of an error, for example "The sampling".
+/// Errors: InvalidInput, with a list of the names.
 template <class Enum, std::size_t kCount>
 Enum valueOf(const EnumNames<Enum, kCount>& names, std::string_view what, std::string_view name) {
     std::string list;

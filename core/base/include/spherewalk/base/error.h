@@ -7,27 +7,27 @@
 
 namespace spherewalk {
 
-/// What went wrong, as far as a program needs to know it to branch.
+/// The kinds of failure that a program can react to in different ways.
 enum class ErrorKind {
-    InvalidInput, ///< what the caller gave cannot be used
-    NotFound,     ///< a file, station or resource that should be there is not
-    Exists,       ///< something that must not be overwritten is already there
-    Io,           ///< the operating system refused to read or write
-    Network,      ///< a host could not be reached or broke the connection
-    Timeout,      ///< no answer in time
-    Stopped,      ///< the caller asked to stop
-    Corrupt,      ///< data from outside contradicts itself or its format
-    Unsupported,  ///< well-formed, but beyond what this version or this camera can do
-    Busy,         ///< held by another program, or the device is occupied
-    Full,         ///< no space left
-    Internal,     ///< a defect of Spherewalk
+    InvalidInput, ///< An argument or option of the caller cannot be used.
+    NotFound,     ///< A file, station or resource is missing.
+    Exists,       ///< Something exists that must not be overwritten.
+    Io,           ///< The operating system refused to read or write.
+    Network,      ///< A host could not be reached or broke the connection.
+    Timeout,      ///< An answer did not come in time.
+    Stopped,      ///< The caller asked to stop.
+    Corrupt,      ///< Data from outside contradicts itself or its format.
+    Unsupported,  ///< This version or this camera cannot do it.
+    Busy,         ///< Another program holds it, or the device is occupied.
+    Full,         ///< There is no space left.
+    Internal,     ///< Spherewalk has a defect.
 };
 
-/// The kind's name as logs and JSON output spell it, for example "invalid_input".
+/// The kind's name in logs and JSON outputs, for example "invalid_input".
 std::string_view name(ErrorKind kind);
 
-/// The one exception that crosses modules: a kind for the program and a sentence for the person. The sentence
-/// says what was tried, on what, and what to do; the context holds what only a developer wants to read.
+/// The one exception that crosses modules. The kind is for the program, the sentence for the person. The
+/// sentence says what was tried, on which thing, and what to do. The context holds details for developers.
 class Error : public std::exception {
   public:
     Error(ErrorKind kind, std::string sentence, std::string context = {});

@@ -8,8 +8,8 @@
 
 namespace spherewalk {
 
-/// Pixels of Channels values each, row after row from the top left, without padding. Owner: the image owns
-/// them.
+/// A picture whose pixels have `Channels` values each. Rows follow each other from the top, without padding.
+/// Owner: the image owns its values.
 template <class Value, int Channels>
 class Image {
   public:
@@ -17,7 +17,7 @@ class Image {
 
     Image() = default;
 
-    /// All values zero. Range: width and height >= 0.
+    /// A picture whose values are all zero. Range: width and height >= 0.
     Image(int width, int height)
         : m_width(width),
           m_height(height),
@@ -34,14 +34,14 @@ class Image {
 
     const Value* at(int x, int y) const { return m_values.data() + offset(x, y); }
 
-    /// Shape: width * Channels values of row y.
+    /// The width * Channels values of row y.
     std::span<Value> row(int y) { return {at(0, y), static_cast<std::size_t>(m_width) * Channels}; }
 
     std::span<const Value> row(int y) const {
         return {at(0, y), static_cast<std::size_t>(m_width) * Channels};
     }
 
-    /// Shape: height * width * Channels.
+    /// All height * width * Channels values.
     std::span<Value> values() { return m_values; }
 
     std::span<const Value> values() const { return m_values; }
@@ -62,12 +62,12 @@ class Image {
 
 /// 8-bit red, green, blue.
 using RgbImage = Image<std::uint8_t, 3>;
-/// 8-bit red, green, blue, alpha. Whether the colours are multiplied by alpha is said where one is used.
+/// 8-bit red, green, blue, alpha. Each user says whether the colours are multiplied by alpha.
 using RgbaImage = Image<std::uint8_t, 4>;
-/// One byte a pixel: how much of it something covers (255: all), or flags.
+/// One byte a pixel: the covered share of the pixel (255: all of it), or flags.
 using MaskImage = Image<std::uint8_t, 1>;
-/// Distances in metres; +infinity where there is nothing. Whether along the ray or along the axis is said
-/// where one is used.
+/// Distances in metres; +infinity where there is nothing. Each user says whether they are along the ray or
+/// along the camera's axis.
 using DepthImage = Image<float, 1>;
 
 } // namespace spherewalk

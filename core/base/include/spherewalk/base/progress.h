@@ -9,22 +9,22 @@
 
 namespace spherewalk {
 
-/// Where a long job says how far it is. Threads: a sink may be called from any thread of the job, one at a
-/// time.
+/// A long job reports its progress here. Threads: calls come from any thread of the job, one at a time.
 class ProgressSink {
   public:
     virtual ~ProgressSink() = default;
 
-    /// fraction: done so far, in [0, 1], never decreasing; activity: what is being done, for people.
+    /// `fraction` is the share that is done; it lies in [0, 1] and never decreases. `activity` tells people
+    /// what the job does now.
     virtual void progress(double fraction, std::string_view activity) = 0;
-    /// Something that a person should read although the job goes on.
+    /// Takes a sentence that a person should read although the job goes on.
     virtual void warning(std::string_view sentence) = 0;
 };
 
-/// A sink that ignores everything, for callers who do not watch.
+/// A sink that ignores everything.
 ProgressSink& noProgress();
 
-/// One step of a job: its own [0, 1] is the interval [begin, end] of the whole job's.
+/// One step of a job. Its fractions [0, 1] become the interval [begin, end] of the parent's.
 class ProgressStep : public ProgressSink {
   public:
     /// Owner: the parent must outlive the step.
@@ -40,16 +40,16 @@ class ProgressStep : public ProgressSink {
     double m_reached = 0;
 };
 
-/// Estimates the time left of a job from the fractions seen so far. What a job found done already, when it is
-/// resumed, hardly counts: the pace is that of the later half of the time.
+/// Estimates how long a job will still take. The pace is that of the later half of the time so far, so that
+/// work which a resumed job found done hardly counts.
 class TimeLeft {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
 
     explicit TimeLeft(TimePoint start) : m_start(start), m_seen{{start, 0}} {}
 
-    /// The time that the rest will take; nothing before one percent or one second, or while nothing moves.
-    /// Calls are in the order of time; the more of them, the sooner the pace is right.
+    /// The time that the rest will take. There is no estimate before one percent or one second, or while the
+    /// fraction stands still. Calls must be in the order of time; many calls make the estimate better.
     std::optional<std::chrono::duration<double>> at(TimePoint now, double fraction);
 
   private:
@@ -59,10 +59,11 @@ class TimeLeft {
     };
 
     TimePoint m_start;
-    std::deque<Seen> m_seen; ///< oldest first; the first is the last one of the earlier half of the time
+    std::deque<Seen> m_seen; ///< Oldest first. The first one is the last of the earlier half of the time.
 };
 
-/// Throws Error{Stopped} if a stop was asked for; call it at every photo, tile, iteration and network tick.
+/// Throws Error{Stopped} if a stop was requested. Long jobs call it at every photo, tile, iteration and
+/// network tick.
 void throwIfStopped(const std::stop_token& stop);
 
 } // namespace spherewalk

@@ -9,14 +9,16 @@
 
 namespace spherewalk {
 
-/// What was made for the keys used last. Threads: any; what is being made is waited for.
+/// Keeps the values of the keys that were used last. Threads: any; while one thread makes a value, the others
+/// wait.
 template <class Key, class Value>
 class RecentlyUsed {
   public:
+    /// Keeps at most this many values.
     explicit RecentlyUsed(std::size_t kept) : m_kept(kept) {}
 
-    /// What make() gave for this key, called if it is not kept any more. Owner: shared, so it may outlive its
-    /// place here.
+    /// The value of this key. make() is called if the value is not kept. Owner: the pointer may outlive the
+    /// object.
     template <class Make>
     std::shared_ptr<const Value> get(const Key& key, Make&& make) {
         const std::scoped_lock lock(m_mutex);
@@ -34,7 +36,8 @@ class RecentlyUsed {
   private:
     std::size_t m_kept;
     std::mutex m_mutex;
-    std::list<std::pair<Key, std::shared_ptr<const Value>>> m_entries; ///< most recently used first
+    std::list<std::pair<Key, std::shared_ptr<const Value>>>
+        m_entries; ///< The most recently used entry is the first.
 };
 
 } // namespace spherewalk

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace spherewalk {
+
+/// The quantile of this share: the value at index floor(share * n) in ascending order, at most the greatest.
+/// The function reorders the values.
+/// Range: at least one value, none of them NaN; share in [0, 1].
+template <class Number>
+Number quantileInPlace(std::vector<Number>& values, double share) {
+    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    const auto index = std::min(count - 1, static_cast<std::ptrdiff_t>(share * static_cast<double>(count)));
+    std::nth_element(values.begin(), values.begin() + index, values.end());
+    return values[static_cast<std::size_t>(index)];
+}
+
+/// The same quantile. The caller's values stay in their order, because the function works on a copy.
+template <class Number>
+Number quantile(std::vector<Number> values, double share) {
+    return quantileInPlace(values, share);
+}
+
+/// The middle value: the upper one of two for an even count, and 0 for no values.
+template <class Number>
+Number median(std::vector<Number> values) {
+    return values.empty() ? Number{0} : quantileInPlace(values, 0.5);
+}
+
+} // namespace spherewalk
