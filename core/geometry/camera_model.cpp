@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 namespace spherewalk {
@@ -32,7 +33,7 @@ std::size_t parameterCount(LensModel lens) {
     return 4;
 }
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuseCamera(const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("The camera model cannot be used: ", what, "."));
 }
 
@@ -52,6 +53,14 @@ std::string_view name(LensModel model) {
     return "equidistant";
 }
 
+bool CameraIntrinsics::operator==(const CameraIntrinsics& other) const {
+    const auto members = [](const CameraIntrinsics& camera) {
+        return std::tie(camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy, camera.lens,
+                        camera.distortion);
+    };
+    return members(*this) == members(other);
+}
+
 CameraIntrinsics CameraIntrinsics::pinhole(int width, int height, double horizontalFovRad) {
     const double focal = 0.5 * width / std::tan(0.5 * horizontalFovRad);
     CameraIntrinsics result;
@@ -67,21 +76,21 @@ CameraIntrinsics CameraIntrinsics::pinhole(int width, int height, double horizon
 void CameraIntrinsics::validate() const {
     constexpr int kLargest = 32768;
     if (width < 1 || height < 1 || width > kLargest || height > kLargest) {
-        refuse(
+        refuseCamera(
             text("its picture is ", width, " x ", height, " pixels, and 1 to ", kLargest, " are possible"));
     }
     if (!(std::isfinite(fx) && std::isfinite(fy) && fx > 0 && fy > 0)) {
-        refuse(text("its focal lengths are ", fx, " and ", fy, ", and must be positive"));
+        refuseCamera(text("its focal lengths are ", fx, " and ", fy, ", and must be positive"));
     }
     if (!std::isfinite(cx) || !std::isfinite(cy)) {
-        refuse("its principal point is not a number");
+        refuseCamera("its principal point is not a number");
     }
     if (distortion.size() != parameterCount(lens)) {
-        refuse(text("the lens model ", name(lens), " has ", parameterCount(lens),
-                    " distortion parameters, not ", distortion.size()));
+        refuseCamera(text("the lens model ", name(lens), " has ", parameterCount(lens),
+                          " distortion parameters, not ", distortion.size()));
     }
     if (!std::all_of(distortion.begin(), distortion.end(), [](double k) { return std::isfinite(k); })) {
-        refuse("a distortion parameter is not a number");
+        refuseCamera("a distortion parameter is not a number");
     }
 }
 
@@ -202,6 +211,58 @@ std::optional<Vector2d> CameraModel::project(const Vector3d& p) const {
         image = k.lens == LensModel::Pinhole ? plane : distorted(plane);
     }
     return Vector2d(k.fx * image.x() + k.cx, k.fy * image.y() + k.cy);
+}
+
+Calibration calibration(const CameraIntrinsics& camera) {
+    const auto& [width, height, fx, fy, cx, cy, lens, distortion] = camera;
+    const bool isPinhole = lens == LensModel::Pinhole;
+    return {width,
+            height,
+            std::string(name(isPinhole ? LensModel::PlumbBob : lens)),
+            isPinhole ? std::vector<double>(5) : distortion,
+            {fx, 0, cx, 0, fy, cy, 0, 0, 1},
+            {1, 0, 0, 0, 1, 0, 0, 0, 1},
+            {fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0}};
+}
+
+namespace {
+
+LensModel lensOf(const Calibration& calibration) {
+    if (std::all_of(calibration.d.begin(), calibration.d.end(), [](double one) { return one == 0; })) {
+        return LensModel::Pinhole;
+    }
+    for (const LensModel lens :
+         {LensModel::PlumbBob, LensModel::RationalPolynomial, LensModel::Equidistant}) {
+        if (calibration.distortionModel == name(lens)) {
+            return lens;
+        }
+    }
+    throw Error(ErrorKind::Unsupported,
+                text("The distortion model \"", printable(calibration.distortionModel),
+                     "\" is unknown; there are plumb_bob, rational_polynomial and equidistant."));
+}
+
+} // namespace
+
+CameraIntrinsics intrinsicsOf(const Calibration& calibration) {
+    const auto& k = calibration.k;
+    if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1) {
+        throw Error(
+            ErrorKind::Unsupported,
+            "The camera matrix K is not fx 0 cx, 0 fy cy, 0 0 1; a camera with skewed pixels cannot be "
+            "simulated.");
+    }
+    const LensModel lens = lensOf(calibration);
+    const CameraIntrinsics camera{calibration.width,
+                                  calibration.height,
+                                  k[0],
+                                  k[4],
+                                  k[2],
+                                  k[5],
+                                  lens,
+                                  lens == LensModel::Pinhole ? std::vector<double>() : calibration.d};
+    camera.validate();
+    return camera;
 }
 
 } // namespace spherewalk

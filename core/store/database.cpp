@@ -6,16 +6,20 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <utility>
 
 namespace spherewalk::store {
 
 namespace {
 
-constexpr int kMostTextBytes = 64 << 20; ///< of one value; a solution's report is the longest
+constexpr int kMostTextBytes = 64 << 20; ///< Limit of one value; a solution's report is the longest.
 
 /// The file as SQLite's URI for a database that nobody changes.
 std::string unchangingUri(const std::filesystem::path& file) {
@@ -49,6 +53,14 @@ int openFlags(Database::Mode mode) {
 
 bool isOutOfSpace(int systemError) {
     return systemError == ENOSPC || systemError == EDQUOT || systemError == EFBIG;
+}
+
+std::string lockHolder(int descriptor) {
+    std::array<char, 32> digits{};
+    const ssize_t count = ::pread(descriptor, digits.data(), digits.size(), 0);
+    const std::string_view written(digits.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+    const auto process = parseNumber(written.substr(0, written.find('\n')));
+    return process ? text(" (process ", static_cast<long long>(*process), ")") : "";
 }
 
 } // namespace
@@ -160,7 +172,7 @@ Database::Database(std::filesystem::path file, Mode mode, std::chrono::milliseco
     execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;");
 }
 
-void Database::execute(const std::string& sql) const {
+void Database::execute(const std::string& sql) {
     if (const int code = sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr)) {
         fail(code);
     }
@@ -256,7 +268,7 @@ void Database::failCorrupt(std::string_view reason) const {
                 m_handle ? sqlite3_errmsg(m_handle.get()) : "");
 }
 
-Transaction::Transaction(const Database& database) : m_database(database) {
+Transaction::Transaction(Database& database) : m_database(database) {
     m_database.execute("BEGIN IMMEDIATE");
 }
 
@@ -269,6 +281,36 @@ Transaction::~Transaction() {
 
 void Transaction::commit() {
     m_database.execute("COMMIT");
+}
+
+WriterLock::WriterLock(const std::filesystem::path& surveyFolder)
+    : m_descriptor(::open((surveyFolder / "writer.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (m_descriptor < 0) {
+        throw Error(ErrorKind::Io, text("Could not open the survey ", surveyFolder.string(),
+                                        " for writing: ", std::strerror(errno),
+                                        "; check the permissions, or open it for reading."));
+    }
+    if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0) {
+        const int reason = errno;
+        const std::string process = lockHolder(m_descriptor);
+        ::close(m_descriptor);
+        if (reason != EWOULDBLOCK) {
+            throw Error(ErrorKind::Io, text("Could not lock the survey ", surveyFolder.string(),
+                                            " for writing: ", std::strerror(reason), "."));
+        }
+        throw Error(ErrorKind::Busy,
+                    text("The survey ", surveyFolder.string(), " is being written by another program",
+                         process, "; close it there, or open it here for reading."));
+    }
+    // The process number only serves the sentence above: on a full disk the lock holds without it.
+    const std::string process = text(static_cast<long long>(::getpid()), "\n");
+    if (::ftruncate(m_descriptor, 0) == 0) {
+        [[maybe_unused]] const ssize_t written = ::pwrite(m_descriptor, process.data(), process.size(), 0);
+    }
+}
+
+WriterLock::~WriterLock() {
+    ::close(m_descriptor);
 }
 
 } // namespace spherewalk::store

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,9 +22,9 @@ class Statement {
   public:
     Statement(const Database& database, std::string_view sql);
 
-    /// True if there is a row.
+    /// Runs to the next row, and returns whether there is one.
     bool step();
-    /// Makes the statement ready for other values.
+    /// Makes the statement ready for another run with other values.
     void reset();
 
     void bind(int index, std::int64_t value);
@@ -56,7 +57,7 @@ class Statement {
 
     bool boolean(int column) const { return integer(column, 0, 1) != 0; }
 
-    /// Finite.
+    /// A finite number.
     double real(int column) const;
     std::optional<double> optionalReal(int column) const;
     std::string text(int column) const;
@@ -77,7 +78,7 @@ class Database {
   public:
     enum class Mode {
         Read,
-        ReadUnchanging, ///< a folder that cannot be written and holds no journal: without locks
+        ReadUnchanging, ///< Without locks, for a folder that cannot be written and holds no journal.
         Write,
         Create,
     };
@@ -89,15 +90,16 @@ class Database {
 
     sqlite3* handle() const { return m_handle.get(); }
 
-    /// Runs all statements of a script.
-    void execute(const std::string& sql) const;
+    /// Runs all statements of a script, which may change the database.
+    void execute(const std::string& sql);
 
-    /// Runs one statement to its end.
+    /// Runs one statement that changes the database.
     template <class... Values>
-    void run(std::string_view sql, const Values&... values) const {
+    void run(std::string_view sql, const Values&... values) {
         Statement(*this, sql).with(values...).step();
     }
 
+    /// A statement that reads. The caller steps through its rows.
     template <class... Values>
     Statement query(std::string_view sql, const Values&... values) const {
         Statement statement(*this, sql);
@@ -105,7 +107,7 @@ class Database {
         return statement;
     }
 
-    /// The first column of the first row.
+    /// The first column of the first row of a query.
     std::int64_t integer(std::string_view sql) const;
 
     std::int64_t lastInsertId() const { return sqlite3_last_insert_rowid(handle()); }
@@ -115,9 +117,9 @@ class Database {
     /// Writes a whole consistent copy, durably.
     void copyTo(const std::filesystem::path& copy) const;
 
-    /// Throws what the code means, with a sentence that names the survey.
+    /// Throws the error that SQLite's code means; the sentence names the database.
     [[noreturn]] void fail(int code) const;
-    /// Corrupt, with this reason.
+    /// Throws Corrupt with this reason.
     [[noreturn]] void failCorrupt(std::string_view reason) const;
 
   private:
@@ -129,19 +131,64 @@ class Database {
     std::unique_ptr<sqlite3, Close> m_handle;
 };
 
-/// All or nothing: rolled back unless committed.
+/// Makes the changes during its life take effect together: at commit(), or not at all.
 class Transaction {
   public:
-    explicit Transaction(const Database& database);
+    explicit Transaction(Database& database);
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
-    /// On disk when it returns.
+    /// Writes the changes; they are on disk when the function returns.
     void commit();
 
   private:
-    const Database& m_database;
+    Database& m_database;
 };
+
+/// Makes this program the survey's one writer while the object lives. The lock ends with the program, however
+/// that ends. Source: flock(2) on `writer.lock` in the survey's folder; the file names the holder's process.
+class WriterLock {
+  public:
+    /// Errors: Busy, naming the process that holds it; Io, Full.
+    explicit WriterLock(const std::filesystem::path& surveyFolder);
+    ~WriterLock();
+    WriterLock(const WriterLock&) = delete;
+    WriterLock& operator=(const WriterLock&) = delete;
+
+  private:
+    int m_descriptor;
+};
+
+/// "SphW": the application id by which SQLite files tell that they are surveys.
+inline constexpr std::int64_t kApplicationId = 0x53706857;
+
+/// Takes a database of the version before to this version.
+struct Migration {
+    int version;
+    const char* sql;
+};
+
+/// All migrations, with versions 1, 2, ... in order. This program reads and writes the last version.
+std::span<const Migration> migrations();
+
+/// The version of the last migration.
+int newestVersion(std::span<const Migration> all);
+
+/// The program and the format that a database belongs to.
+struct Identity {
+    std::int64_t applicationId = 0;
+    std::int64_t version = 0;
+};
+
+/// Reads what the database says of itself.
+Identity identity(const Database& database);
+
+/// Makes an empty database a survey of the newest version.
+void makeSchema(Database& database, std::span<const Migration> all);
+
+/// Brings an older survey up to date, one transaction per version. A copy is kept before as
+/// `<file>.before-v<newest>`. A survey that is up to date stays as it is.
+void migrate(Database& database, std::span<const Migration> all);
 
 } // namespace spherewalk::store

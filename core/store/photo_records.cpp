@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photo_checks.h"
 #include "store_parts.h"
 
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <set>
 
 namespace spherewalk::store {
 
@@ -29,18 +30,45 @@ bool isHash(std::string_view hash) {
     return hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-[[noreturn]] void refuse(const std::string& fileName, std::string_view why) {
+[[noreturn]] void refusePhoto(const std::string& fileName, std::string_view why) {
     throw Error(ErrorKind::InvalidInput,
                 text("The photo ", printable(fileName), " cannot be recorded: ", why, "."));
+}
+
+void checkPhotoName(const std::string& fileName, const std::string& sha256,
+                    const Eigen::Vector3d& positionM) {
+    if (!isFileName(fileName)) {
+        refusePhoto(fileName, "its name is no file's name");
+    }
+    if (!isHash(sha256)) {
+        refusePhoto(fileName, kNoHash);
+    }
+    if (!positionM.allFinite()) {
+        refusePhoto(fileName, "its position is not a number");
+    }
+}
+
+void checkPhotoFile(const fs::path& file, std::uint64_t sizeBytes) {
+    std::error_code failure;
+    const auto size = fs::file_size(file, failure);
+    if (failure) {
+        throw Error(ErrorKind::NotFound,
+                    text("The photo ", file.string(), " cannot be recorded: there is no such file."));
+    }
+    if (size != sizeBytes || size == 0) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The photo ", file.string(), " cannot be recorded: it has ", humanBytes(size),
+                         ", and should have ", humanBytes(sizeBytes), "."));
+    }
 }
 
 void checkPhoto(const NewPhoto& photo) {
     checkPhotoName(photo.fileName, photo.fileSha256, photo.positionM);
     if (!isHash(photo.cameraSha256)) {
-        refuse(photo.fileName, kNoHash);
+        refusePhoto(photo.fileName, kNoHash);
     }
     if (photo.width < 1 || photo.height < 1 || photo.width > kWidestPhoto || photo.height > kWidestPhoto) {
-        refuse(photo.fileName, text("it cannot have ", photo.width, " x ", photo.height, " pixels"));
+        refusePhoto(photo.fileName, text("it cannot have ", photo.width, " x ", photo.height, " pixels"));
     }
     checkText("camera's file name", photo.cameraFileName);
     checkText("camera's serial number", photo.cameraSerial);
@@ -103,64 +131,6 @@ bool hasTheseBytes(const fs::path& file, const std::string& sha256) {
     return fs::is_regular_file(file) && sha256HexOfFile(file) == sha256;
 }
 
-} // namespace
-
-void checkPhotoName(const std::string& fileName, const std::string& sha256,
-                    const Eigen::Vector3d& positionM) {
-    if (!isFileName(fileName)) {
-        refuse(fileName, "its name is no file's name");
-    }
-    if (!isHash(sha256)) {
-        refuse(fileName, kNoHash);
-    }
-    if (!positionM.allFinite()) {
-        refuse(fileName, "its position is not a number");
-    }
-}
-
-void checkPhotoFile(const fs::path& file, std::uint64_t sizeBytes) {
-    std::error_code failure;
-    const auto size = fs::file_size(file, failure);
-    if (failure) {
-        throw Error(ErrorKind::NotFound,
-                    text("The photo ", file.string(), " cannot be recorded: there is no such file."));
-    }
-    if (size != sizeBytes || size == 0) {
-        throw Error(ErrorKind::Corrupt,
-                    text("The photo ", file.string(), " cannot be recorded: it has ", humanBytes(size),
-                         ", and should have ", humanBytes(sizeBytes), "."));
-    }
-}
-
-void SurveyStore::Parts::requirePhoto(std::int64_t photo) const {
-    if (!db().query("SELECT 1 FROM photo WHERE id = ?", photo).step()) {
-        failNotFound("photo", photo);
-    }
-}
-
-std::int64_t SurveyStore::Parts::insertPhoto(const NewPhoto& photo) const {
-    checkPhoto(photo);
-    requireStation(photo.station);
-    checkIsNew(db(), photo);
-    checkPhotoFile(folder / "photos" / photo.fileName, photo.sizeBytes);
-    const bool isFirst = !db().query("SELECT 1 FROM photo WHERE station = ?", photo.station).step();
-    const bool isChosen = photo.choose || isFirst;
-    if (isChosen) {
-        db().run("UPDATE photo SET is_chosen = 0 WHERE station = ?", photo.station);
-    }
-    db().run(
-        "INSERT INTO photo (station, file_name, camera_file_name, camera_serial, file_url, camera_sha256, "
-        "file_sha256, size_bytes, width, height, taken_utc, added_utc, x_m, y_m, z_m, is_chosen, note) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-        photo.station, photo.fileName, photo.cameraFileName, photo.cameraSerial, photo.fileUrl,
-        photo.cameraSha256, photo.fileSha256, static_cast<std::int64_t>(photo.sizeBytes), photo.width,
-        photo.height, photo.takenAt ? std::optional(isoUtc(*photo.takenAt)) : std::nullopt, nowUtc(),
-        photo.positionM.x(), photo.positionM.y(), photo.positionM.z(), isChosen, photo.note);
-    return db().lastInsertId();
-}
-
-namespace {
-
 std::vector<PhotoRecord> allPhotos(const Database& database, Statement rows) {
     std::vector<PhotoRecord> result;
     while (rows.step()) {
@@ -169,7 +139,46 @@ std::vector<PhotoRecord> allPhotos(const Database& database, Statement rows) {
     return result;
 }
 
+std::int64_t stationOfPhoto(const Database& database, std::int64_t photo) {
+    Statement row = database.query("SELECT station FROM photo WHERE id = ?", photo);
+    row.step();
+    return row.integer(0);
+}
+
+void chooseNewest(Database& database, std::int64_t station) {
+    database.run("UPDATE photo SET is_chosen = 1 WHERE id = (SELECT max(id) FROM photo WHERE station = ?1) "
+                 "AND NOT EXISTS (SELECT 1 FROM photo WHERE station = ?1 AND is_chosen = 1)",
+                 station);
+}
+
 } // namespace
+
+void SurveyStore::Parts::requirePhoto(std::int64_t photo) const {
+    if (!db().query("SELECT 1 FROM photo WHERE id = ?", photo).step()) {
+        failNotFound("photo", photo);
+    }
+}
+
+std::int64_t SurveyStore::Parts::insertPhoto(const NewPhoto& photo) {
+    checkPhoto(photo);
+    requireStation(photo.station);
+    checkIsNew(db(), photo);
+    checkPhotoFile(folder / "photos" / photo.fileName, photo.sizeBytes);
+    const bool isFirst = !db().query("SELECT 1 FROM photo WHERE station = ?", photo.station).step();
+    const bool isChosen = photo.choose || isFirst;
+    if (isChosen) {
+        writable().run("UPDATE photo SET is_chosen = 0 WHERE station = ?", photo.station);
+    }
+    writable().run(
+        "INSERT INTO photo (station, file_name, camera_file_name, camera_serial, file_url, camera_sha256, "
+        "file_sha256, size_bytes, width, height, taken_utc, added_utc, x_m, y_m, z_m, is_chosen, note) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        photo.station, photo.fileName, photo.cameraFileName, photo.cameraSerial, photo.fileUrl,
+        photo.cameraSha256, photo.fileSha256, static_cast<std::int64_t>(photo.sizeBytes), photo.width,
+        photo.height, photo.takenAt ? std::optional(isoUtc(*photo.takenAt)) : std::nullopt, nowUtc(),
+        photo.positionM.x(), photo.positionM.y(), photo.positionM.z(), isChosen, photo.note);
+    return writable().lastInsertId();
+}
 
 std::vector<PhotoRecord> SurveyStore::photos() const {
     return allPhotos(m_parts->db(), m_parts->db().query(text(kSelectPhoto, "ORDER BY station, id")));
@@ -216,7 +225,7 @@ std::int64_t SurveyStore::addPhoto(const NewPhoto& photo) {
 }
 
 void SurveyStore::choosePhoto(std::int64_t photoId) {
-    const Database& database = m_parts->writable();
+    Database& database = m_parts->writable();
     Transaction transaction(database);
     const std::int64_t station = photo(photoId).station;
     database.run("UPDATE photo SET is_chosen = 0 WHERE station = ?", station);
@@ -243,6 +252,39 @@ std::string SurveyStore::freePhotoName(const std::string& cameraFileName,
     }
     throw Error(ErrorKind::Exists, text("Could not name the photo ", name,
                                         ": the survey has a photo with the same bytes already."));
+}
+
+void SurveyStore::Parts::movePhoto(const MovedPhoto& moved) {
+    requireStation(moved.station);
+    checkPhotoFile(folder / "photos" / moved.fileName, moved.sizeBytes);
+    if (moved.choose) {
+        writable().run("UPDATE photo SET is_chosen = 0 WHERE station = ?", moved.station);
+    }
+    writable().run("UPDATE photo SET station = ?, x_m = ?, y_m = ?, z_m = ?, file_name = ?, file_sha256 = ?, "
+                   "size_bytes = ?, is_chosen = ? WHERE id = ?",
+                   moved.station, moved.positionM.x(), moved.positionM.y(), moved.positionM.z(),
+                   moved.fileName, moved.fileSha256, static_cast<std::int64_t>(moved.sizeBytes), moved.choose,
+                   moved.photo);
+}
+
+void SurveyStore::movePhotos(const std::vector<MovedPhoto>& photos) {
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    std::set<std::int64_t> stations;
+    for (const MovedPhoto& moved : photos) {
+        m_parts->requirePhoto(moved.photo);
+        checkPhotoName(moved.fileName, moved.fileSha256, moved.positionM);
+        stations.insert({stationOfPhoto(database, moved.photo), moved.station});
+        // Photos that change places must not stand in each other's way.
+        database.run("UPDATE photo SET is_chosen = 0 WHERE id = ?", moved.photo);
+    }
+    for (const MovedPhoto& moved : photos) {
+        m_parts->movePhoto(moved);
+    }
+    for (const std::int64_t station : stations) {
+        chooseNewest(database, station);
+    }
+    transaction.commit();
 }
 
 } // namespace spherewalk::store

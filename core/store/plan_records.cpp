@@ -9,6 +9,7 @@
 
 namespace spherewalk::store {
 
+using survey::CaptureProfile;
 using survey::Plan;
 using survey::PlanOptions;
 using survey::RailPlacement;
@@ -20,7 +21,7 @@ namespace {
 constexpr int kMostRailStops = 1'000'000;
 constexpr const char* kSelectStation = "SELECT id, name, placement, stop, x_m, y_m, z_m FROM station ";
 
-void insertPolygon(const Database& database, int index, const Polygon& polygon) {
+void insertPolygon(Database& database, int index, const Polygon& polygon) {
     Statement insert(database, "INSERT INTO corner VALUES (?, ?, ?, ?)");
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         insert.with(index, static_cast<std::int64_t>(i), polygon[i].x(), polygon[i].y()).step();
@@ -28,7 +29,7 @@ void insertPolygon(const Database& database, int index, const Polygon& polygon) 
     }
 }
 
-void insertStations(const Database& database, const Plan& plan) {
+void insertStations(Database& database, const Plan& plan) {
     Statement placement(database, "INSERT INTO placement VALUES (?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < plan.placements.size(); ++i) {
         const RailPlacement& rail = plan.placements[i];
@@ -101,6 +102,13 @@ void checkStored(const Database& database, Check&& check) {
     }
 }
 
+constexpr int kMostOfAny = 1'000'000; // what is too much for a camera is said by the profile
+
+std::optional<int> optionalInteger(const Statement& row, int column) {
+    return row.isNull(column) ? std::nullopt
+                              : std::optional(static_cast<int>(row.integer(column, 0, kMostOfAny)));
+}
+
 } // namespace
 
 void checkPlan(const Plan& plan) {
@@ -127,7 +135,7 @@ void checkPlan(const Plan& plan) {
     }
 }
 
-void insertPlan(const Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
+void insertPlan(Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
     for (const char* table : {"station", "placement", "corner", "lens_height"}) {
         database.execute(text("DELETE FROM ", table));
     }
@@ -206,7 +214,7 @@ void SurveyStore::replacePlan(const Room& room, const PlanOptions& options, cons
     room.validate();
     options.validate(room);
     checkPlan(plan);
-    const Database& database = m_parts->writable();
+    Database& database = m_parts->writable();
     Transaction transaction(database);
     if (database.query("SELECT 1 FROM photo UNION ALL SELECT 1 FROM shot").step()) {
         throw Error(
@@ -241,7 +249,7 @@ std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std
     }
     checkText("name of the station", name);
     const Plan single{.placements = {}, .stations = {{-1, 0, positionM}}};
-    const Database& database = m_parts->writable();
+    Database& database = m_parts->writable();
     Transaction transaction(database);
     database.run("INSERT INTO station (placement, stop, x_m, y_m, z_m, name) VALUES (NULL, 0, ?, ?, ?, ?)",
                  positionM.x(), positionM.y(), positionM.z(),
@@ -249,6 +257,50 @@ std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std
     const std::int64_t id = database.lastInsertId();
     transaction.commit();
     return id;
+}
+
+void insertProfile(Database& database, const std::optional<CaptureProfile>& profile) {
+    database.run("DELETE FROM capture_profile");
+    if (profile) {
+        database.run("INSERT INTO capture_profile VALUES (1, ?, ?, ?, ?, ?, ?)", profile->iso,
+                     profile->shutterS, profile->compensationEv,
+                     std::string(survey::name(profile->whiteBalance)), profile->colourTemperatureK,
+                     profile->photoWidth);
+    }
+}
+
+void SurveyStore::setCaptureProfile(const std::optional<CaptureProfile>& profile) {
+    if (profile) {
+        profile->validate();
+    }
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    insertProfile(database, profile);
+    transaction.commit();
+}
+
+std::optional<CaptureProfile> SurveyStore::captureProfile() const {
+    const Database& database = m_parts->db();
+    Statement row = database.query("SELECT iso, shutter_s, compensation_ev, white_balance, "
+                                   "colour_temperature_k, photo_width FROM capture_profile");
+    if (!row.step()) {
+        return std::nullopt;
+    }
+    try {
+        const CaptureProfile profile{.iso = optionalInteger(row, 0),
+                                     .shutterS = row.optionalReal(1),
+                                     .compensationEv = row.real(2),
+                                     .whiteBalance = survey::whiteBalanceNamed(row.text(3)),
+                                     .colourTemperatureK = optionalInteger(row, 4),
+                                     .photoWidth = optionalInteger(row, 5)};
+        profile.validate();
+        return profile;
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::InvalidInput) {
+            database.failCorrupt("its capture profile is none");
+        }
+        throw;
+    }
 }
 
 } // namespace spherewalk::store

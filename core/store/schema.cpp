@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "schema.h"
+#include "database.h"
 
 #include "spherewalk/base/text.h"
 
@@ -168,7 +168,7 @@ CREATE TABLE verdict (
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
                                  Migration{4, kVersion4}};
 
-void apply(const Database& database, const Migration& migration) {
+void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);
     database.execute(migration.sql);
     database.execute(text("PRAGMA user_version = ", migration.version));
@@ -192,7 +192,7 @@ Identity identity(const Database& database) {
     return {database.integer("PRAGMA application_id"), database.integer("PRAGMA user_version")};
 }
 
-void makeSchema(const Database& database, std::span<const Migration> all) {
+void makeSchema(Database& database, std::span<const Migration> all) {
     database.execute("PRAGMA journal_mode = WAL");
     database.execute(text("PRAGMA application_id = ", kApplicationId));
     for (const Migration& migration : all) {
@@ -200,7 +200,7 @@ void makeSchema(const Database& database, std::span<const Migration> all) {
     }
 }
 
-void migrate(const Database& database, std::span<const Migration> all) {
+void migrate(Database& database, std::span<const Migration> all) {
     const std::int64_t from = identity(database).version;
     if (from >= newestVersion(all)) {
         return;

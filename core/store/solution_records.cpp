@@ -43,7 +43,6 @@ void checkSolved(const SolvedPhoto& solved) {
          {solved.sigmaYawRad, solved.sigmaPitchRad, solved.sigmaRollRad, solved.sigmaPositionM}) {
         checkSigma(sigma);
     }
-    checkText("status of a photo", solved.status);
     checkJson("the flags of a solved photo", solved.flags);
 }
 
@@ -61,15 +60,15 @@ void checkSolution(const NewSolution& solution) {
     }
 }
 
-void insertSolved(const Database& database, std::int64_t solution, const SolvedPhoto& solved) {
+void insertSolved(Database& database, std::int64_t solution, const SolvedPhoto& solved) {
     const Eigen::Quaterniond& q = solved.roomFromPhoto;
     database.run("INSERT INTO solution_photo VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", solution,
                  solved.photo, q.w(), q.x(), q.y(), q.z(), solved.positionM.x(), solved.positionM.y(),
                  solved.positionM.z(), solved.sigmaYawRad, solved.sigmaPitchRad, solved.sigmaRollRad,
-                 solved.sigmaPositionM, solved.status, solved.flags);
+                 solved.sigmaPositionM, name(solved.quality), solved.flags);
 }
 
-void activate(const Database& database, std::int64_t solution) {
+void activate(Database& database, std::int64_t solution) {
     database.run("UPDATE solution SET is_active = 0 WHERE is_active = 1");
     database.run("UPDATE solution SET is_active = 1 WHERE id = ?", solution);
 }
@@ -86,12 +85,19 @@ SolvedPhoto solvedOf(const Database& database, const Statement& row) {
         }
         database.failCorrupt("a solved rotation is none");
     }
+    try {
+        solved.quality = survey::qualityNamed(row.text(12));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::InvalidInput) {
+            throw;
+        }
+        database.failCorrupt("the verdict on a solved photo is none");
+    }
     solved.positionM = {row.real(5), row.real(6), row.real(7)};
     solved.sigmaYawRad = row.optionalReal(8);
     solved.sigmaPitchRad = row.optionalReal(9);
     solved.sigmaRollRad = row.optionalReal(10);
     solved.sigmaPositionM = row.optionalReal(11);
-    solved.status = row.text(12);
     solved.flags = row.text(13);
     return solved;
 }
@@ -100,7 +106,7 @@ SolvedPhoto solvedOf(const Database& database, const Statement& row) {
 
 std::int64_t SurveyStore::addSolution(const NewSolution& solution, bool isActive) {
     checkSolution(solution);
-    const Database& database = m_parts->writable();
+    Database& database = m_parts->writable();
     Transaction transaction(database);
     const bool isFirst = !database.query("SELECT 1 FROM solution").step();
     database.run(
@@ -119,7 +125,7 @@ std::int64_t SurveyStore::addSolution(const NewSolution& solution, bool isActive
 }
 
 void SurveyStore::activateSolution(std::int64_t solution) {
-    const Database& database = m_parts->writable();
+    Database& database = m_parts->writable();
     Transaction transaction(database);
     if (!database.query("SELECT 1 FROM solution WHERE id = ?", solution).step()) {
         m_parts->failNotFound("solution", solution);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/store/survey_check.h"
-
 #include "store_parts.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/store/records.h"
 
 #include <algorithm>
 #include <optional>

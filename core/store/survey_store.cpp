@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/store/survey_store.h"
 
-#include "schema.h"
 #include "store_parts.h"
 
 #include "spherewalk/base/clock.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/base/uuid.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -121,7 +120,7 @@ void checkIntegrity(const Database& database) {
     }
 }
 
-void limitSize(const Database& database, const StoreOptions& options) {
+void limitSize(Database& database, const StoreOptions& options) {
     if (options.maxDatabaseBytes > 0) {
         const std::int64_t page = database.integer("PRAGMA page_size");
         const auto pages = static_cast<long long>(options.maxDatabaseBytes) / std::max<std::int64_t>(page, 1);
@@ -207,8 +206,7 @@ SurveyStore SurveyStore::create(const fs::path& folder, const std::string& name,
     const IncompleteFolder incomplete(final);
     makeFolder(incomplete.path() / "photos");
     {
-        const Database database(incomplete.path() / kDatabaseName, Database::Mode::Create,
-                                storeOptions.patience);
+        Database database(incomplete.path() / kDatabaseName, Database::Mode::Create, storeOptions.patience);
         limitSize(database, storeOptions);
         makeSchema(database, migrations());
         Transaction transaction(database);
@@ -239,11 +237,11 @@ SurveyStore SurveyStore::open(const fs::path& folder, Access access, const Store
     if (access == Access::Write) {
         parts->lock.emplace(parts->folder);
         parts->database.emplace(parts->folder / kDatabaseName, Database::Mode::Write, options.patience);
-        limitSize(parts->db(), options);
+        limitSize(*parts->database, options);
     }
     checkIntegrity(parts->db());
     if (access == Access::Write) {
-        migrate(parts->db(), migrations());
+        migrate(*parts->database, migrations());
         fs::create_directories(parts->folder / "photos");
     }
     return SurveyStore(std::move(parts));
@@ -303,7 +301,7 @@ Counts SurveyStore::counts() const {
             .solutions = count("SELECT count(*) FROM solution")};
 }
 
-const Database& SurveyStore::Parts::writable() const {
+Database& SurveyStore::Parts::writable() {
     if (!lock) {
         throw Error(ErrorKind::InvalidInput,
                     text("Could not change the survey ", folder.string(), ": it is open for reading only."));

@@ -38,14 +38,14 @@ constexpr std::array kShutterTimes{
 
 constexpr std::array kCompensations{-2.0, -1.7, -1.3, -1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0, 1.3, 1.7, 2.0};
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuseProfile(const std::string& why) {
     throw Error(ErrorKind::InvalidInput, text("The capture profile cannot be used: ", why, "."));
 }
 
 template <class Number>
 void requireRange(const char* what, std::optional<Number> value, double least, double most) {
     if (value && !(*value >= least && *value <= most)) {
-        refuse(text(what, " must lie between ", least, " and ", most, ", not ", *value));
+        refuseProfile(text(what, " must lie between ", least, " and ", most, ", not ", *value));
     }
 }
 
@@ -61,7 +61,7 @@ std::optional<double> parseSeconds(std::string_view spelled) {
 double numberOf(std::string_view key, std::string_view value) {
     const auto number = key == "shutter" ? parseSeconds(value) : parseNumber(value);
     if (!number) {
-        refuse(text(key, " is no number: \"", printable(value), "\""));
+        refuseProfile(text(key, " is no number: \"", printable(value), "\""));
     }
     return *number;
 }
@@ -69,7 +69,7 @@ double numberOf(std::string_view key, std::string_view value) {
 int wholeOf(std::string_view key, std::string_view value) {
     const double number = numberOf(key, value);
     if (std::abs(number) > 1e6 || number != std::floor(number)) {
-        refuse(text(key, " must be a whole number, not ", printable(value)));
+        refuseProfile(text(key, " must be a whole number, not ", printable(value)));
     }
     return static_cast<int>(number);
 }
@@ -88,9 +88,10 @@ void set(CaptureProfile& profile, std::string_view key, std::string_view value) 
     } else if (key == "white-balance") {
         profile.whiteBalance = whiteBalanceNamed(value);
     } else {
-        refuse(text("it has no \"", printable(key),
-                    "\"; write auto, camera, or iso=, shutter=, ev=, white-balance=, width= with commas "
-                    "between"));
+        refuseProfile(
+            text("it has no \"", printable(key),
+                 "\"; write auto, camera, or iso=, shutter=, ev=, white-balance=, width= with commas "
+                 "between"));
     }
 }
 
@@ -111,10 +112,10 @@ void CaptureProfile::validate() const {
     requireRange("the colour temperature", colourTemperatureK, 1000, 20'000);
     requireRange("the photos' width", photoWidth, 512, 32'768);
     if (iso && shutterS && compensationEv != 0) {
-        refuse("with ISO and shutter fixed there is nothing left that ev could change");
+        refuseProfile("with ISO and shutter fixed there is nothing left that ev could change");
     }
     if (colourTemperatureK && whiteBalance != WhiteBalance::Auto) {
-        refuse("give a white balance or a colour temperature, not both");
+        refuseProfile("give a white balance or a colour temperature, not both");
     }
 }
 

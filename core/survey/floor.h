@@ -20,7 +20,7 @@ class Floor {
     /// Range: the room is valid.
     explicit Floor(const Room& room);
 
-    /// Of the local frame, in the room frame.
+    /// The origin of the local frame, in the room frame.
     const Eigen::Vector2d& anchor() const { return m_anchor; }
 
     /// Width and depth of the outline's bounds, which begin at (0, 0).
@@ -40,7 +40,7 @@ class Floor {
 
   private:
     struct Edge {
-        Polygon ends; ///< of two corners, as geometry's distances take it
+        Polygon ends; ///< The edge as a polygon of its two corners.
         Eigen::Array2d least;
         Eigen::Array2d greatest;
     };
@@ -90,7 +90,7 @@ class FloorRaster {
 /// of their first cells; -1 where the key is negative. Cells that touch at a corner are connected.
 struct CellGroups {
     std::vector<int> groupOf;
-    std::vector<int> sizes; ///< in cells
+    std::vector<int> sizes; ///< Number of cells in each group.
 };
 
 CellGroups connectedCells(const FloorRaster& raster, const std::vector<int>& keys);

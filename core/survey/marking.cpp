@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTapeReadingM = 0.002;
 constexpr double kTapeStretch = 0.0005;
-constexpr double kLeastSine = 0.2; ///< of the angle at which two tapes meet; beyond it they slide
+constexpr double kLeastSine = 0.2; ///< Sine of the angle at which two tapes meet; below it they slide.
 
 double tapeSigma(double metres) {
     return kTapeReadingM + kTapeStretch * metres;

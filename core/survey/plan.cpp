@@ -2,10 +2,9 @@
 #include "spherewalk/survey/plan.h"
 
 #include "floor.h"
-#include "lattice.h"
-#include "plan_limits.h"
-#include "route.h"
+#include "rails.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/survey/walking_distance.h"
 
@@ -27,15 +26,15 @@ struct Layout {
     double carriedM = 0;
 };
 
-Layout layout(const std::vector<Rail>& rails, const Lattice& lattice, const Floor& floor,
+Layout layout(const std::vector<Rail>& rails, const StopGrid& grid, const Floor& floor,
               const WalkingDistance& walking) {
     std::vector<RailEnds> ends;
     for (const Rail& rail : rails) {
         const int begin = rail.alongX ? rail.column : rail.row;
         const int line = rail.alongX ? rail.row : rail.column;
         const int last = begin + rail.stops - 1;
-        const Vector2d end = rail.alongX ? lattice.at(last, line) : lattice.at(line, last);
-        ends.push_back({floor.anchor() + lattice.at(rail.column, rail.row), floor.anchor() + end, line, begin,
+        const Vector2d end = rail.alongX ? grid.at(last, line) : grid.at(line, last);
+        ends.push_back({floor.anchor() + grid.at(rail.column, rail.row), floor.anchor() + end, line, begin,
                         begin + rail.stops});
     }
     Layout result{rails, shortRoute(ends, walking), 0};
@@ -43,25 +42,25 @@ Layout layout(const std::vector<Rail>& rails, const Lattice& lattice, const Floo
     return result;
 }
 
-Layout bestLayout(const Lattice& lattice, const Floor& floor, const WalkingDistance& walking,
+Layout bestLayout(const StopGrid& grid, const Floor& floor, const WalkingDistance& walking,
                   const PlanOptions& options) {
-    const std::vector<Rail> alongX = railsAlong(true, lattice, floor, options);
-    const std::vector<Rail> alongY = railsAlong(false, lattice, floor, options);
+    const std::vector<Rail> alongX = railsAlong(true, grid, floor, options);
+    const std::vector<Rail> alongY = railsAlong(false, grid, floor, options);
     if (alongX.size() != alongY.size()) {
-        return layout(alongX.size() < alongY.size() ? alongX : alongY, lattice, floor, walking);
+        return layout(alongX.size() < alongY.size() ? alongX : alongY, grid, floor, walking);
     }
-    Layout x = layout(alongX, lattice, floor, walking);
-    Layout y = layout(alongY, lattice, floor, walking);
+    Layout x = layout(alongX, grid, floor, walking);
+    Layout y = layout(alongY, grid, floor, walking);
     return y.carriedM < x.carriedM - kEqualM ? std::move(y) : std::move(x);
 }
 
-RailPlacement placementOf(const Rail& rail, bool backwards, const Lattice& lattice, const Floor& floor) {
+RailPlacement placementOf(const Rail& rail, bool backwards, const StopGrid& grid, const Floor& floor) {
     const int far = backwards ? rail.stops - 1 : 0;
     const Vector2d origin =
-        lattice.at(rail.column + (rail.alongX ? far : 0), rail.row + (rail.alongX ? 0 : far));
+        grid.at(rail.column + (rail.alongX ? far : 0), rail.row + (rail.alongX ? 0 : far));
     const double quarter = std::numbers::pi / 2;
     const double heading = rail.alongX ? (backwards ? 2 * quarter : 0) : (backwards ? -quarter : quarter);
-    return {floor.anchor() + origin, Radians(heading), rail.stops, lattice.stepM};
+    return {floor.anchor() + origin, Radians(heading), rail.stops, grid.stepM};
 }
 
 std::string metres(double value) {
@@ -85,6 +84,88 @@ std::string stationName(const Station& station, bool severalHeights) {
     return text("rail ", station.placement + 1, ", stop ", station.stop + 1, height);
 }
 
+constexpr double kLeastStepM = 0.01;
+constexpr double kGreatestStepM = 100;
+constexpr double kLeastClearanceM = 0.01; ///< a stop on a wall would see nothing
+constexpr double kGreatestClearanceM = 100;
+constexpr double kSlowestPaceS = 86400;
+constexpr int kMostRailStops = 1000;
+constexpr std::size_t kMostHeights = 50;
+constexpr double kLeastHeightDifferenceM = 0.001;
+/// Of the grid over the room's bounds, most of which may lie outside the room.
+constexpr double kMostGridPoints = 1e6;
+
+[[noreturn]] void refusePlan(const std::string& sentence) {
+    throw Error(ErrorKind::InvalidInput, sentence);
+}
+
+void checkRange(const char* what, double value, double least, double greatest, const char* unit) {
+    if (!(value >= least && value <= greatest)) { // also refuses NaN
+        refusePlan(text("The ", what, " of ", value, " ", unit, " cannot be used: give ", least, " to ",
+                        greatest, " ", unit, "."));
+    }
+}
+
+void checkHeights(const std::vector<double>& heights, double ceilingM) {
+    if (heights.empty() || heights.size() > kMostHeights) {
+        refusePlan(text("A plan needs from one to ", kMostHeights, " heights of the lens, not ",
+                        heights.size(), "."));
+    }
+    for (const double height : heights) {
+        if (!(height > 0 && height < ceilingM)) {
+            refusePlan(text("The lens cannot be at ", height,
+                            " m: give heights above the floor and below the ceiling, "
+                            "which is at ",
+                            ceilingM, " m."));
+        }
+    }
+    std::vector<double> sorted = heights;
+    std::sort(sorted.begin(), sorted.end());
+    const auto same = std::adjacent_find(sorted.begin(), sorted.end(), [](double low, double high) {
+        return high - low < kLeastHeightDifferenceM;
+    });
+    if (same != sorted.end()) {
+        refusePlan(text("The height of ", *same, " m is listed twice; list each height once."));
+    }
+}
+
+double roundedUpToCentimetres(double stepM) {
+    return std::ceil(stepM * 100 - 1e-9) / 100;
+}
+
+[[noreturn]] void refuseStep(double stepM, double fittingM, const std::string& why) {
+    const double suggested = std::max(roundedUpToCentimetres(fittingM), roundedUpToCentimetres(stepM + 1e-6));
+    refusePlan(text("A step of ", stepM, " m is too fine for this room: ", why, ". A step of ",
+                    fixed(suggested, 2), " m fits."));
+}
+
+void checkGridSize(const Room& room, const PlanOptions& options) {
+    const Bounds2 extent = bounds(room.outline);
+    const Eigen::Array2d free = (extent.greatest - extent.least).array() - 2 * options.clearanceM;
+    const auto points = [&](double stepM) { return ((free.max(0.0) / stepM).floor() + 2).prod(); };
+    if (points(options.stepM) <= kMostGridPoints) {
+        return;
+    }
+    double fittingM = roundedUpToCentimetres(options.stepM);
+    while (points(fittingM) > kMostGridPoints) {
+        fittingM = roundedUpToCentimetres(fittingM * 1.02);
+    }
+    refuseStep(options.stepM, fittingM,
+               text("its bounds would hold more than ", static_cast<int>(kMostGridPoints), " stops"));
+}
+
+/// Errors: InvalidInput, with a step that fits, if so many stops make more than kMostStations.
+void refuseTooMany(int stops, const PlanOptions& options) {
+    const double stations = static_cast<double>(stops) * static_cast<double>(options.heightsM.size());
+    if (stations > kMostStations) {
+        // The floor holds in proportion to the inverse square of the step, up to its edges: hence the
+        // reserve.
+        refuseStep(options.stepM, options.stepM * std::sqrt(stations / kMostStations) * 1.01,
+                   text("it would take ", static_cast<long long>(stations), " stations, more than the ",
+                        kMostStations, " of one plan"));
+    }
+}
+
 } // namespace
 
 Vector2d RailPlacement::stop(int k) const {
@@ -95,15 +176,15 @@ Plan plan(const Room& room, const PlanOptions& options) {
     room.validate();
     options.validate(room);
     const Floor floor(room);
-    const Lattice lattice = bestLattice(floor, options);
-    refuseTooMany(lattice.freeCount(), options);
+    const StopGrid grid = bestStopGrid(floor, options);
+    refuseTooMany(grid.freeCount(), options);
     const WalkingDistance walking(room);
-    const Layout best = bestLayout(lattice, floor, walking, options);
+    const Layout best = bestLayout(grid, floor, walking, options);
     Plan result;
     for (const Leg& leg : best.route) {
         const int index = static_cast<int>(result.placements.size());
         result.placements.push_back(
-            placementOf(best.rails[static_cast<std::size_t>(leg.rail)], leg.backwards, lattice, floor));
+            placementOf(best.rails[static_cast<std::size_t>(leg.rail)], leg.backwards, grid, floor));
         const RailPlacement& placement = result.placements.back();
         for (int k = 0; k < placement.stops; ++k) {
             const Vector2d at = placement.stop(k);
@@ -127,6 +208,18 @@ std::vector<std::string> stationNames(const Plan& plan) {
         names.push_back(stationName(station, severalHeights));
     }
     return names;
+}
+
+void PlanOptions::validate(const Room& room) const {
+    checkRange("step", stepM, kLeastStepM, kGreatestStepM, "m");
+    checkRange("clearance", clearanceM, kLeastClearanceM, kGreatestClearanceM, "m");
+    checkRange("pace per photo", secondsPerPhoto, 0, kSlowestPaceS, "s");
+    checkRange("pace per rail placement", secondsPerPlacement, 0, kSlowestPaceS, "s");
+    if (railStops < 1 || railStops > kMostRailStops) {
+        refusePlan(text("A rail with ", railStops, " stops cannot be used: give 1 to ", kMostRailStops, "."));
+    }
+    checkHeights(heightsM, room.ceilingM);
+    checkGridSize(room, *this);
 }
 
 } // namespace spherewalk::survey

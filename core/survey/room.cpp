@@ -2,6 +2,7 @@
 #include "spherewalk/survey/room.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -14,22 +15,22 @@ namespace {
 
 constexpr double kHighestCeilingM = 1000;
 
-[[noreturn]] void refuse(const std::string& sentence) {
+[[noreturn]] void refuseRoom(const std::string& sentence) {
     throw Error(ErrorKind::InvalidInput, sentence);
 }
 
 void checkPolygon(const Polygon& polygon, const std::string& whose) {
     if (const auto wrong = defect(polygon)) {
-        refuse(text("The ", whose, " cannot be used: ", *wrong, "."));
+        refuseRoom(text("The ", whose, " cannot be used: ", *wrong, "."));
     }
     for (const Eigen::Vector2d& corner : polygon) {
         if (corner.cwiseAbs().maxCoeff() > kFarthestCoordinateM) {
-            refuse(text("The ", whose, " cannot be used: a corner lies more than ", kFarthestCoordinateM,
-                        " m from the origin; move the origin into the building."));
+            refuseRoom(text("The ", whose, " cannot be used: a corner lies more than ", kFarthestCoordinateM,
+                            " m from the origin; move the origin into the building."));
         }
     }
     if (std::abs(signedArea(polygon)) == 0) {
-        refuse(text("The ", whose, " cannot be used: it has no area."));
+        refuseRoom(text("The ", whose, " cannot be used: it has no area."));
     }
 }
 
@@ -50,9 +51,35 @@ void checkSize(const Polygon& outline) {
     const Bounds2 extent = bounds(outline);
     const double longest = (extent.greatest - extent.least).maxCoeff();
     if (longest > kLargestRoomM) {
-        refuse(text("The outline is ", fixed(longest, 0), " m long, more than the ", kLargestRoomM,
-                    " m that one survey may have; check its unit (metres), or split the room."));
+        refuseRoom(text("The outline is ", fixed(longest, 0), " m long, more than the ", kLargestRoomM,
+                        " m that one survey may have; check its unit (metres), or split the room."));
     }
+}
+
+Polygon parsePolygon(const JsonReader& corners, std::size_t& cornersLeft) {
+    const std::size_t count = corners.arraySize();
+    if (count > cornersLeft) {
+        corners.fail(text("the room has more than the ", kMostRoomCorners, " corners allowed"));
+    }
+    cornersLeft -= count;
+    Polygon polygon;
+    polygon.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonReader corner = corners.element(i);
+        if (corner.arraySize() != 2) {
+            corner.fail("expected a corner as [x, y]");
+        }
+        polygon.emplace_back(corner.element(0).asNumber(), corner.element(1).asNumber());
+    }
+    return polygon;
+}
+
+Json polygonJson(const Polygon& polygon) {
+    Json corners = Json::array();
+    for (const Eigen::Vector2d& corner : polygon) {
+        corners.push_back(Json::array({corner.x(), corner.y()}));
+    }
+    return corners;
 }
 
 } // namespace
@@ -63,8 +90,8 @@ void Room::validate() const {
         corners += obstacle.size();
     }
     if (corners > kMostRoomCorners) {
-        refuse(text("The room has ", corners, " corners, more than the ", kMostRoomCorners,
-                    " allowed; draw it more simply."));
+        refuseRoom(text("The room has ", corners, " corners, more than the ", kMostRoomCorners,
+                        " allowed; draw it more simply."));
     }
     checkPolygon(outline, "outline");
     checkSize(outline);
@@ -72,13 +99,42 @@ void Room::validate() const {
         const std::string whose = text("obstacle ", i + 1);
         checkPolygon(obstacles[i], whose);
         if (!overlap(outline, obstacles[i])) {
-            refuse(text("The ", whose, " lies outside the outline; move it into the room or remove it."));
+            refuseRoom(text("The ", whose, " lies outside the outline; move it into the room or remove it."));
         }
     }
     if (!(ceilingM > 0 && ceilingM <= kHighestCeilingM)) {
-        refuse(text("The ceiling cannot be at ", ceilingM, " m: give its height above the floor, up to ",
-                    kHighestCeilingM, " m."));
+        refuseRoom(text("The ceiling cannot be at ", ceilingM, " m: give its height above the floor, up to ",
+                        kHighestCeilingM, " m."));
     }
+}
+
+Outline parseOutline(const Json& value, const std::string& source) {
+    const JsonReader document(value, source);
+    std::size_t cornersLeft = kMostRoomCorners;
+    if (value.is_array()) {
+        return {.outline = parsePolygon(document, cornersLeft), .obstacles = {}, .ceilingM = std::nullopt};
+    }
+    Outline result;
+    result.outline = parsePolygon(document.member("outline"), cornersLeft);
+    if (!document.isAbsent("obstacles")) {
+        const JsonReader obstacles = document.member("obstacles");
+        const std::size_t count = obstacles.arraySize(kMostRoomCorners);
+        for (std::size_t i = 0; i < count; ++i) {
+            result.obstacles.push_back(parsePolygon(obstacles.element(i), cornersLeft));
+        }
+    }
+    if (!document.isAbsent("ceiling_m")) {
+        result.ceilingM = document.number("ceiling_m");
+    }
+    return result;
+}
+
+Json outlineJson(const Room& room) {
+    Json obstacles = Json::array();
+    for (const Polygon& obstacle : room.obstacles) {
+        obstacles.push_back(polygonJson(obstacle));
+    }
+    return {{"outline", polygonJson(room.outline)}, {"obstacles", obstacles}, {"ceiling_m", room.ceilingM}};
 }
 
 } // namespace spherewalk::survey

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lattice.h"
+#include "rails.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,45 +69,43 @@ Vector2d bestShift(const Floor& floor, const PlanOptions& options, const Span& x
 
 } // namespace
 
-int Lattice::freeCount() const {
+int StopGrid::freeCount() const {
     return static_cast<int>(std::count(free.begin(), free.end(), 1));
 }
 
-Lattice bestLattice(const Floor& floor, const PlanOptions& options) {
+StopGrid bestStopGrid(const Floor& floor, const PlanOptions& options) {
     const Span x = centredSpan(floor.size().x(), options);
     const Span y = centredSpan(floor.size().y(), options);
-    Lattice lattice;
-    lattice.stepM = options.stepM;
+    StopGrid grid;
+    grid.stepM = options.stepM;
     if (x.count == 0 || y.count == 0) {
-        return lattice;
+        return grid;
     }
     const Vector2d shift = bestShift(floor, options, x, y);
     // One more point below the centred ones, where a shift may make room for it.
-    lattice.origin = Vector2d(x.first, y.first) + options.stepM * (shift - Vector2d::Ones());
-    lattice.columns = x.count + 1;
-    lattice.rows = y.count + 1;
+    grid.origin = Vector2d(x.first, y.first) + options.stepM * (shift - Vector2d::Ones());
+    grid.columns = x.count + 1;
+    grid.rows = y.count + 1;
     const FloorRaster raster(floor, options.stepM);
     const std::vector<bool> enclosed = enclosedCells(floor, raster, options.stepM);
-    for (int row = 0; row < lattice.rows; ++row) {
-        for (int column = 0; column < lattice.columns; ++column) {
-            const Vector2d point = lattice.at(column, row);
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const Vector2d point = grid.at(column, row);
             const bool free = canHoldStop(floor, point, options.clearanceM) &&
                               (enclosed.empty() || !enclosed[static_cast<std::size_t>(raster.cellAt(point))]);
-            lattice.free.push_back(free ? 1 : 0);
+            grid.free.push_back(free ? 1 : 0);
         }
     }
-    return lattice;
+    return grid;
 }
 
-std::vector<Rail> railsAlong(bool alongX, const Lattice& lattice, const Floor& floor,
+std::vector<Rail> railsAlong(bool alongX, const StopGrid& grid, const Floor& floor,
                              const PlanOptions& options) {
     std::vector<Rail> rails;
-    const int lines = alongX ? lattice.rows : lattice.columns;
-    const int length = alongX ? lattice.columns : lattice.rows;
-    const auto point = [&](int line, int k) { return alongX ? lattice.at(k, line) : lattice.at(line, k); };
-    const auto isFree = [&](int line, int k) {
-        return alongX ? lattice.isFree(k, line) : lattice.isFree(line, k);
-    };
+    const int lines = alongX ? grid.rows : grid.columns;
+    const int length = alongX ? grid.columns : grid.rows;
+    const auto point = [&](int line, int k) { return alongX ? grid.at(k, line) : grid.at(line, k); };
+    const auto isFree = [&](int line, int k) { return alongX ? grid.isFree(k, line) : grid.isFree(line, k); };
     const auto addRun = [&](int line, int begin, int end) {
         const int pieces = (end - begin + options.railStops - 1) / options.railStops;
         for (int piece = 0; piece < pieces; ++piece) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 
-#include "spherewalk/geometry/calibration.h"
 #include "spherewalk/geometry/camera_model.h"
 
 #include <limits>

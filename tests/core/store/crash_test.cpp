@@ -33,7 +33,7 @@ struct Acknowledged {
         };
         for (int i = 0;; ++i) {
             const std::int64_t station = stations[static_cast<std::size_t>(i) % stations.size()].id;
-            const std::int64_t shot = store.beginShot(station, "YN1", "", i).id;
+            const std::int64_t shot = store.beginShot(station, "YN1", {"", i}).id;
             tell({shot, 0});
             store.markStarted(shot, text("command ", i));
             store.markTaken(shot, text("http://camera/", i));
@@ -103,9 +103,9 @@ TEST(Crash, LosesNothingThatWasAcknowledged) {
         const SurveyCheck check = store.check(noProgress(), {});
         EXPECT_TRUE(check.isSound()) << testing::PrintToString(check.database);
         for (const Acknowledged& record : all) {
-            const ShotRecord shot = store.shot(record.shot);
+            const survey::Shot shot = store.shot(record.shot);
             if (record.photo != 0) {
-                EXPECT_EQ(shot.step, ShotStep::Downloaded);
+                EXPECT_EQ(shot.step, survey::ShotStep::Downloaded);
                 EXPECT_EQ(shot.photo, record.photo);
                 EXPECT_EQ(store.photo(record.photo).station, shot.station);
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "schema.h"
+#include "database.h"
 #include "survey_fixture.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 class Migrations : public testing::Test {
   protected:
     void SetUp() override {
-        const Database database = open(Database::Mode::Create);
+        Database database = open(Database::Mode::Create);
         makeSchema(database, kFirst);
         database.execute("INSERT INTO note VALUES ('kept')");
     }
@@ -39,7 +39,7 @@ class Migrations : public testing::Test {
 } // namespace
 
 TEST_F(Migrations, BringAnOlderSurveyUpToDateStepByStep) {
-    const Database database = open();
+    Database database = open();
     migrate(database, std::array{kFirst[0], kSecond, kThird});
     EXPECT_EQ(identity(database).version, 3);
     EXPECT_EQ(identity(database).applicationId, kApplicationId);
@@ -49,7 +49,7 @@ TEST_F(Migrations, BringAnOlderSurveyUpToDateStepByStep) {
 
 TEST_F(Migrations, KeepACopyOfTheDatabaseAsItWas) {
     {
-        const Database database = open();
+        Database database = open();
         database.execute("INSERT INTO note VALUES ('still in the journal')");
         migrate(database, std::array{kFirst[0], kSecond});
     }
@@ -61,12 +61,13 @@ TEST_F(Migrations, KeepACopyOfTheDatabaseAsItWas) {
 }
 
 TEST_F(Migrations, DoNothingToASurveyThatIsUpToDate) {
-    migrate(open(), kFirst);
+    Database database = open();
+    migrate(database, kFirst);
     EXPECT_FALSE(fs::exists(m_folder / "survey.sqlite.before-v1"));
 }
 
 TEST_F(Migrations, StopAtTheLastVersionThatWorked) {
-    const Database database = open();
+    Database database = open();
     spherewalk::test::expectError(ErrorKind::Corrupt, "its tables are not those of a survey", [&] {
         migrate(database, std::array{kFirst[0], kSecond, kBroken});
     });
@@ -88,8 +89,8 @@ TEST_F(Migrations, AreNumberedWithoutGaps) {
 TEST(Schema, IsStrictDurableAndMarked) {
     const spherewalk::test::TemporaryFolder folder;
     test::createSurvey(folder / "x.spherewalk");
-    const Database database(folder / "x.spherewalk" / "survey.sqlite", Database::Mode::Write,
-                            std::chrono::seconds(1));
+    Database database(folder / "x.spherewalk" / "survey.sqlite", Database::Mode::Write,
+                      std::chrono::seconds(1));
     EXPECT_EQ(identity(database).applicationId, 0x53706857);
     EXPECT_EQ(identity(database).version, newestVersion(migrations()));
     EXPECT_EQ(database.integer("PRAGMA synchronous"), 2);

@@ -32,7 +32,7 @@ class Damaged : public testing::Test {
     fs::path database() const { return m_path / "survey.sqlite"; }
 
     void execute(const std::string& sql) const {
-        const Database raw(database(), Database::Mode::Write, std::chrono::seconds(1));
+        Database raw(database(), Database::Mode::Write, std::chrono::seconds(1));
         raw.execute(sql);
     }
 
@@ -187,7 +187,7 @@ TEST(SurveyStore, RefusesChangesWhenOpenForReading) {
     const std::int64_t station = writer.stations()[0].id;
     const NewPhoto photo = test::newPhoto(writer, station, "a", "a.JPG");
     expectError(ErrorKind::InvalidInput, part, [&] { reader.addPhoto(photo); });
-    expectError(ErrorKind::InvalidInput, part, [&] { reader.beginShot(station, "", "", 0); });
+    expectError(ErrorKind::InvalidInput, part, [&] { reader.beginShot(station, "", {"", 0}); });
     expectError(ErrorKind::InvalidInput, part, [&] { reader.addStation({0, 0, 1}); });
     expectError(ErrorKind::InvalidInput, part, [&] { reader.addSolution({}, true); });
     expectError(ErrorKind::InvalidInput, part, [&] { reader.choosePhoto(1); });

@@ -62,7 +62,7 @@ TEST_F(Sharing, ShowsReadersWhatIsWrittenMeanwhile) {
 TEST_F(Sharing, SaysBusyWhenAnotherProgramHoldsTheDatabase) {
     { const SurveyStore closed = std::move(m_store); }
     m_store = SurveyStore::open(m_path, Access::Write, {.patience = std::chrono::milliseconds(20)});
-    const Database foreign(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
+    Database foreign(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
     foreign.execute("BEGIN IMMEDIATE");
     expectRefused(ErrorKind::Busy, "another program is using it; try again when it is done.", [&] {
         m_store.addStation({0, 0, 1});

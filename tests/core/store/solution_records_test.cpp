@@ -17,7 +17,6 @@ class SolutionRecords : public test::SurveyTest {
             .source = "align", .model = "yaw and tilt", .report = R"({"pairs":3})", .photos = {}};
         SolvedPhoto solved;
         solved.photo = m_photo;
-        solved.status = "good";
         result.photos.push_back(solved);
         return result;
     }
@@ -33,7 +32,7 @@ TEST_F(SolutionRecords, KeepEveryField) {
     solved.positionM = {1e6 + 0.123456, -2, 1.2};
     solved.sigmaYawRad = 0.001;
     solved.sigmaPositionM = 0.0;
-    solved.status = "doubtful";
+    solved.quality = survey::Quality::Doubtful;
     solved.flags = R"(["few matches"])";
     const std::int64_t id = m_store.addSolution(made, true);
     const SurveyStore reader = SurveyStore::open(m_path, Access::Read);
@@ -44,7 +43,7 @@ TEST_F(SolutionRecords, KeepEveryField) {
     EXPECT_EQ(read.sigmaPositionM, 0.0);
     EXPECT_FALSE(read.sigmaPitchRad.has_value());
     EXPECT_FALSE(read.sigmaRollRad.has_value());
-    EXPECT_EQ(read.status, "doubtful");
+    EXPECT_EQ(read.quality, survey::Quality::Doubtful);
     EXPECT_EQ(read.flags, solved.flags);
     EXPECT_LT(read.roomFromPhoto.angularDistance(solved.roomFromPhoto), 1e-12);
     EXPECT_EQ(reader.solutions().at(0).source, "align");

@@ -62,7 +62,7 @@ TEST_F(Check, NamesEveryPhotoThatIsNotAsRecorded) {
 TEST_F(Check, NamesRowsThatBreakTheRules) {
     m_store.addPhoto(photoOf(stationAt(0), "a"));
     {
-        const Database raw(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
+        Database raw(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         raw.execute("PRAGMA foreign_keys = OFF; UPDATE photo SET station = 999, is_chosen = 0;"
                     "INSERT INTO photo SELECT 50, 3, 'x.JPG', '', '', '', replace(camera_sha256, 'a', 'b'), "
                     "file_sha256, 1, 1, 1, NULL, added_utc, 0, 0, 0, 0, '' FROM photo");
@@ -76,7 +76,7 @@ TEST_F(Check, NamesRowsThatBreakTheRules) {
 TEST_F(Check, ReportsForgedRowsInsteadOfFailing) {
     m_store.addPhoto(photoOf(stationAt(0), "a"));
     {
-        const Database raw(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
+        Database raw(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         raw.execute("UPDATE photo SET file_name = '../../etc/passwd'");
     }
     const SurveyCheck found = check();

@@ -4,8 +4,8 @@
 #include "expect_error.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/store/survey_store.h"
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
+#include "random.h"
 
 #include "spherewalk/survey/capture_profile.h"
+#include "spherewalk/survey/shot.h"
 
 namespace spherewalk::survey {
 namespace {
 
-using test::expectError;
+using spherewalk::test::expectError;
 
 TEST(CaptureProfile, LeavesEverythingToTheCameraUnlessFixed) {
     EXPECT_EQ(parseProfile("auto"), CaptureProfile{});
@@ -37,6 +39,32 @@ TEST(CaptureProfile, IsReadAsItWasWritten) {
     }
 }
 
+TEST(CaptureProfile, OfAnyValuesIsReadAsItWasWritten) {
+    spherewalk::test::Random random(66);
+    SCOPED_TRACE(random.seed());
+    for (int i = 0; i < 300; ++i) {
+        CaptureProfile profile;
+        if (random.integer(0, 1) == 1) {
+            profile.iso = random.integer(10, 102'400);
+        } else {
+            profile.compensationEv = random.integer(-15, 15) / 3.0;
+        }
+        if (random.integer(0, 1) == 1) {
+            profile.colourTemperatureK = random.integer(1000, 20'000);
+        } else {
+            profile.whiteBalance = static_cast<WhiteBalance>(random.integer(0, 9));
+        }
+        if (random.integer(0, 1) == 1) {
+            profile.photoWidth = random.integer(512, 32'768);
+        }
+        EXPECT_EQ(parseProfile(profileText(profile)), profile) << profileText(profile);
+    }
+    for (const double shutterS : usualShutterTimes()) {
+        const auto again = parseProfile("shutter=" + shutterText(shutterS));
+        EXPECT_NEAR(again->shutterS.value(), shutterS, 1e-3 * shutterS);
+    }
+}
+
 TEST(CaptureProfile, WritesShutterTimesAsPhotographersDo) {
     EXPECT_EQ(shutterText(0.01666666), "1/60");
     EXPECT_EQ(shutterText(0.00004), "1/25000");
@@ -62,6 +90,19 @@ TEST(CaptureProfile, SaysWhatCannotBe) {
         SCOPED_TRACE(spelled);
         expectError(ErrorKind::InvalidInput, part, [&, value = spelled] { parseProfile(value); });
     }
+}
+
+TEST(ShotWords, OfStepsAndGradesAreReadAsTheyAreWritten) {
+    for (const auto& [step, word] : kShotStepNames) {
+        EXPECT_EQ(name(step), word);
+        EXPECT_EQ(shotStepNamed(word), step);
+    }
+    for (const auto& [quality, word] : kQualityNames) {
+        EXPECT_EQ(qualityNamed(name(quality)), quality);
+    }
+    EXPECT_LT(Quality::Good, Quality::Failed);
+    expectError(ErrorKind::InvalidInput, "not_taken and unclear", [] { shotStepNamed("Taken"); });
+    expectError(ErrorKind::InvalidInput, "doubtful and failed", [] { qualityNamed(""); });
 }
 
 } // namespace

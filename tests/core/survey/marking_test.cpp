@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "rooms.h"
+
 #include "spherewalk/survey/marking.h"
 
 #include <gtest/gtest.h>
@@ -112,6 +114,27 @@ TEST(Marking, APointBehindFurnitureGetsNoTape) {
     ASSERT_EQ(marks.size(), 1U);
     EXPECT_TRUE(marks[0].first.tapes.empty());
     EXPECT_FALSE(marks[0].first.sigmaM);
+}
+
+TEST(Marking, MeasuresFromTheCornersThatItNames) {
+    test::onRandomRooms(64, 20, [](const Room& room, const PlanOptions& options, auto&) {
+        const Plan planned = plan(room, options);
+        const std::vector<RailMark> marks = railMarks(room, planned);
+        ASSERT_EQ(marks.size(), planned.placements.size());
+        for (const RailMark& mark : marks) {
+            const RailPlacement& rail = planned.placements[static_cast<std::size_t>(mark.placement)];
+            EXPECT_EQ(mark.first.point, rail.origin);
+            EXPECT_EQ(mark.last.point, rail.stop(rail.stops - 1));
+            for (const MarkedPoint* point : {&mark.first, &mark.last}) {
+                EXPECT_EQ(point->tapes.empty(), !point->sigmaM.has_value());
+                for (const TapeDistance& tape : point->tapes) {
+                    const Vector2d& corner = room.outline[static_cast<std::size_t>(tape.corner)];
+                    EXPECT_NEAR(tape.metres, (point->point - corner).norm(), 1e-8);
+                    EXPECT_GE(*point->sigmaM, 0.002 + 0.0005 * tape.metres); // no better than either tape
+                }
+            }
+        }
+    });
 }
 
 TEST(Marking, NamesCornersAsSheetsDo) {

@@ -2,7 +2,8 @@
 #include "expect_error.h"
 #include "rooms.h"
 
-#include "spherewalk/survey/outline.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/survey/room.h"
 
 namespace spherewalk::survey {
 

@@ -38,6 +38,25 @@ TEST(PlanReport, CountsTheCostOfAPlan) {
     EXPECT_NEAR(cost.floorM2, 0.8, 1e-9);
 }
 
+TEST(PlanReport, TotalsAreThoseOfThePlansParts) {
+    test::onRandomRooms(65, 12, [](const Room& room, const PlanOptions& options, auto&) {
+        const Plan planned = plan(room, options);
+        const PlanReport found = report(room, options, planned);
+        const double seconds = options.secondsPerPhoto * static_cast<double>(planned.stations.size()) +
+                               options.secondsPerPlacement * static_cast<double>(planned.placements.size());
+        double alongRailsM = 0;
+        for (const RailPlacement& rail : planned.placements) {
+            alongRailsM += rail.stepM * (rail.stops - 1);
+        }
+        EXPECT_NEAR(found.minutes, seconds / 60, 1e-9);
+        EXPECT_EQ(found.stations, static_cast<int>(planned.stations.size()));
+        EXPECT_EQ(found.placements, static_cast<int>(planned.placements.size()));
+        EXPECT_GE(found.metresWalked, alongRailsM - 1e-9);
+        EXPECT_GE(found.uncoveredM2, 0);
+        EXPECT_LE(found.uncoveredM2, found.floorM2 + 1e-9);
+    });
+}
+
 TEST(PlanReport, ReportsTheMarginOfARectangleAsClearance) {
     const Room room = test::rectangularRoom(5, 4);
     const PlanReport found = report(room, {}, plan(room, {}));

@@ -5,6 +5,8 @@
 
 #include "spherewalk/survey/plan.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -60,6 +62,27 @@ inline Room moved(Room room, const Eigen::Vector2d& by) {
         }
     }
     return room;
+}
+
+inline PlanOptions anyPlanOptions(spherewalk::test::Random& random) {
+    PlanOptions options;
+    options.stepM = random.uniform(0.25, 0.6);
+    options.clearanceM = random.uniform(0.05, 0.4);
+    options.railStops = random.integer(2, 7);
+    options.secondsPerPhoto = random.uniform(1, 20);
+    options.secondsPerPlacement = random.uniform(0, 100);
+    return options;
+}
+
+/// Runs the law on random rooms, of which every second one lies 10^6 m from the origin.
+template <class Law>
+void onRandomRooms(unsigned seed, int rooms, Law&& law) {
+    spherewalk::test::Random random(seed);
+    for (int i = 0; i < rooms; ++i) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << " room " << i);
+        const Eigen::Vector2d away = i % 2 == 0 ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(1e6, -1e6);
+        law(moved(randomRoom(random), away), anyPlanOptions(random), random);
+    }
 }
 
 /// True inside the outline and outside the obstacles.

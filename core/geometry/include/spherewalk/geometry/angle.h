@@ -9,8 +9,7 @@ namespace spherewalk {
 
 class Degrees;
 
-/// An angle in radians. Construction from a plain number is explicit, so that a degree is never taken for a
-/// radian.
+/// An angle in radians. Plain numbers convert only explicitly, so that no degree is taken for a radian.
 class Radians {
   public:
     constexpr Radians() = default;
@@ -35,7 +34,7 @@ class Radians {
     double m_value = 0;
 };
 
-/// An angle in degrees, for what people read and write.
+/// An angle in degrees, for texts that people read and write. It converts to and from Radians by itself.
 class Degrees {
   public:
     constexpr Degrees() = default;
@@ -68,7 +67,11 @@ inline double tan(Radians angle) {
     return std::tan(angle.value());
 }
 
-/// The same direction as an angle in (-pi, pi]; NaN stays NaN.
-Radians wrapped(Radians angle);
+/// The same direction as an angle in (-pi, pi]. NaN stays NaN.
+inline Radians wrapped(Radians angle) {
+    // remainder() is exact and gives [-pi, pi].
+    const double rest = std::remainder(angle.value(), 2 * std::numbers::pi);
+    return Radians(rest <= -std::numbers::pi ? std::numbers::pi : rest);
+}
 
 } // namespace spherewalk

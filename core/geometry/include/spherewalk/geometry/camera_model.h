@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,19 +11,20 @@
 
 namespace spherewalk {
 
-/// The lens models of ROS camera_info, by its names.
+/// The lens models that ROS camera_info names.
 enum class LensModel {
-    Pinhole,            ///< no distortion ("" or "none" in files)
-    PlumbBob,           ///< k1 k2 p1 p2 k3 (Brown-Conrady)
-    RationalPolynomial, ///< k1 k2 p1 p2 k3 k4 k5 k6
-    Equidistant,        ///< k1 k2 k3 k4 of the angle to the axis (fisheye)
+    Pinhole,            ///< No distortion. Files spell it "" or "none".
+    PlumbBob,           ///< Brown-Conrady: k1 k2 p1 p2 k3.
+    RationalPolynomial, ///< Parameters k1 k2 p1 p2 k3 k4 k5 k6.
+    Equidistant,        ///< Fisheye: k1 k2 k3 k4 of the angle to the axis.
 };
 
+/// The name in ROS messages; "none" for a pinhole.
 std::string_view name(LensModel model);
 
-/// Intrinsic parameters of a robot's camera. Frames: optical, z forward, x right, y down. Units: pixels; the
-/// centre of pixel (0, 0) has the coordinates (0, 0). Source: ROS sensor_msgs/CameraInfo, OpenCV calib3d and
-/// fisheye.
+/// The intrinsic parameters of a robot's camera. Frames: optical, z forward, x right, y down.
+/// Units: pixels; the centre of pixel (0, 0) has the coordinates (0, 0).
+/// Source: ROS sensor_msgs/CameraInfo, OpenCV calib3d and fisheye.
 struct CameraIntrinsics {
     int width = 0;
     int height = 0;
@@ -31,19 +33,19 @@ struct CameraIntrinsics {
     double cx = 0;
     double cy = 0;
     LensModel lens = LensModel::Pinhole;
-    std::vector<double> distortion; ///< as many as the lens model has, in its order
+    std::vector<double> distortion; ///< All parameters of the lens model, in its order.
 
-    bool operator==(const CameraIntrinsics&) const = default;
+    bool operator==(const CameraIntrinsics& other) const;
 
-    /// A camera without distortion whose axis meets the picture's centre. Range: 0 < horizontalFov < pi.
+    /// A camera without distortion whose axis meets the picture's centre. Range: 0 < horizontalFovRad < pi.
     static CameraIntrinsics pinhole(int width, int height, double horizontalFovRad);
 
-    /// Errors: InvalidInput with a sentence for sizes outside [1, 32768], focal lengths that are not
-    /// positive, values that are not finite, and a count of distortion parameters that does not fit the lens.
+    /// Throws for a camera that cannot exist. Errors: InvalidInput for sizes outside [1, 32768], focal
+    /// lengths that are not positive, values that are not finite, or a wrong count of distortion parameters.
     void validate() const;
 };
 
-/// A camera: pixels to rays and back. Threads: const, any number.
+/// Takes pixels of a camera to rays and back. Threads: any number may share one.
 class CameraModel {
   public:
     /// Errors: those of CameraIntrinsics::validate().
@@ -55,12 +57,12 @@ class CameraModel {
 
     int height() const { return m_intrinsics.height; }
 
-    /// The unit direction, in the optical frame, that lands on this pixel; nothing where the lens model has
-    /// none (beyond the field in which its distortion is invertible).
+    /// The unit direction in the optical frame that lands on this pixel. Nothing beyond the field in which
+    /// the distortion is invertible.
     std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d& pixel) const;
 
-    /// The pixel on which this point or direction of the optical frame lands, inside the picture or not;
-    /// nothing for what lies behind the camera or beyond the field in which the distortion is invertible.
+    /// The pixel on which this point or direction of the optical frame lands, inside the picture or outside.
+    /// Nothing for a point behind the camera or beyond the field in which the distortion is invertible.
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pInOptical) const;
 
   private:
@@ -71,8 +73,27 @@ class CameraModel {
     double largestField() const;
 
     CameraIntrinsics m_intrinsics;
-    std::vector<double> m_k;   ///< the distortion, padded with zeros to 8 values
-    double m_largestField = 0; ///< radius (undistorted) or angle up to which the distortion grows
+    std::vector<double> m_k;   ///< The distortion, padded with zeros to 8 values.
+    double m_largestField = 0; ///< Up to this undistorted radius, or angle, the distortion grows.
 };
+
+/// A camera in the form of sensor_msgs/CameraInfo and gz.msgs.CameraInfo. Shape: k and r are 3 x 3, p is
+/// 3 x 4, row after row.
+struct Calibration {
+    int width = 0;
+    int height = 0;
+    std::string distortionModel; ///< "plumb_bob", "rational_polynomial" or "equidistant".
+    std::vector<double> d;       ///< All parameters of the model; five zeros for a pinhole.
+    std::array<double, 9> k{};
+    std::array<double, 9> r{};  ///< The identity, because there is one camera.
+    std::array<double, 12> p{}; ///< The matrix k with a baseline of zero.
+};
+
+Calibration calibration(const CameraIntrinsics& camera);
+
+/// The camera of a calibration from outside. The matrices r and p concern rectified pictures and are ignored.
+/// Errors: InvalidInput for numbers that describe no camera. Unsupported for an unknown distortion model, and
+/// for a matrix k with entries besides focal lengths and centre.
+CameraIntrinsics intrinsicsOf(const Calibration& calibration);
 
 } // namespace spherewalk

@@ -7,10 +7,10 @@
 
 namespace spherewalk {
 
-/// Equirectangular pictures: the whole sphere, azimuth along u and elevation along v.
-/// Frames: panorama, x forward (the picture's centre), y left, z up. Pixel (0, 0) is the top left one, and
-/// its centre has the coordinates (0, 0): azimuth = pi - 2 pi (u + 0.5) / W, elevation = pi/2 - pi (v + 0.5)
-/// / H.
+/// The size of an equirectangular picture, which shows the whole sphere: azimuth along u, elevation along v.
+/// Frames: panorama, x forward (the picture's centre), y left, z up.
+/// Units: pixels; the centre of the top left pixel has the coordinates (0, 0). So
+/// azimuth = pi - 2 pi (u + 0.5) / width, and elevation = pi/2 - pi (v + 0.5) / height.
 struct EquirectSize {
     int width = 0;
     int height = 0;
@@ -18,14 +18,14 @@ struct EquirectSize {
 };
 
 struct SphericalDirection {
-    Radians azimuth;   ///< counter-clockwise seen from above, from +x; (-pi, pi] where this header returns it
-    Radians elevation; ///< above the horizon, [-pi/2, pi/2]
+    Radians azimuth;   ///< From +x, counter-clockwise seen from above. Results lie in (-pi, pi].
+    Radians elevation; ///< Above the horizon, in [-pi/2, pi/2].
 };
 
-/// Shape: unit vector.
+/// The unit vector of these angles.
 Eigen::Vector3d direction(const SphericalDirection& angles);
 
-/// Range: any non-zero vector; at the poles the azimuth is that of the remaining rounding, 0 for exactly +-z.
+/// The angles of a vector of any length. The azimuth of exactly +z or -z is 0. Range: not the zero vector.
 SphericalDirection sphericalDirection(const Eigen::Vector3d& direction);
 
 /// The unit vector that the picture shows at this pixel. Range: any u (it wraps), v within [-0.5, H - 0.5].

@@ -9,31 +9,32 @@
 
 namespace spherewalk {
 
-/// A closed polygon, last vertex joined to the first; metres on the floor. May be concave, must be simple.
+/// A closed polygon on the floor, in metres; its last vertex is joined to the first. It may be concave.
 using Polygon = std::vector<Eigen::Vector2d>;
 
-/// Positive for counter-clockwise polygons.
+/// The area in square metres, positive for a counter-clockwise polygon and negative for a clockwise one.
 double signedArea(const Polygon& polygon);
 
-/// Why the polygon cannot be used (fewer than three vertices, not finite, edges that touch or cross, no
-/// area), as the end of a sentence; nothing if it can.
+/// The reason why the polygon cannot be used, as the end of a sentence; nothing if it can be used. Reasons
+/// are fewer than three vertices, values that are not finite, edges that touch or cross, and no area.
 std::optional<std::string> defect(const Polygon& polygon);
 
-/// True inside and on the edge.
+/// True for a point inside the polygon or on its edge.
 bool contains(const Polygon& polygon, const Eigen::Vector2d& point);
 
-/// Distance to the nearest edge, whether the point is inside or outside.
+/// The distance in metres from a point, inside or outside, to the nearest edge.
 double distanceToEdge(const Polygon& polygon, const Eigen::Vector2d& point);
 
-/// Smallest distance between a segment and the polygon's edges; 0 if they cross.
+/// The smallest distance in metres between a segment and the polygon's edges; 0 if they cross.
 double distanceToEdge(const Polygon& polygon, const Eigen::Vector2d& begin, const Eigen::Vector2d& end);
 
+/// A rectangle along the axes, in metres.
 struct Bounds2 {
     Eigen::Vector2d least;
     Eigen::Vector2d greatest;
 };
 
-/// Range: at least one vertex.
+/// The smallest rectangle around the polygon. Range: at least one vertex.
 Bounds2 bounds(const Polygon& polygon);
 
 } // namespace spherewalk

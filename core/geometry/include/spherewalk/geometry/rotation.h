@@ -9,10 +9,10 @@
 
 namespace spherewalk {
 
-/// Rotations as Eigen quaternions. A variable is named aFromB and takes b's coordinates to a's.
+/// Rotations are Eigen quaternions. A variable aFromB takes coordinates of frame b to frame a.
 
-/// Rz(yaw) Ry(pitch) Rx(roll), right-handed: yaw > 0 turns left, pitch > 0 lowers the nose, roll > 0 raises
-/// the left side. Frames: x forward, y left, z up (REP 103).
+/// The angles of the rotation Rz(yaw) Ry(pitch) Rx(roll), right-handed: a positive yaw turns left, a positive
+/// pitch lowers the nose, a positive roll raises the left side. Frames: x forward, y left, z up (REP 103).
 struct YawPitchRoll {
     Radians yaw;
     Radians pitch;
@@ -21,25 +21,25 @@ struct YawPitchRoll {
 
 Eigen::Quaterniond rotation(const YawPitchRoll& angles);
 
-/// The angles that rotation() turns back into the same rotation. Range: yaw and roll in (-pi, pi], pitch in
-/// [-pi/2, pi/2]; at pitch = +-pi/2, where only yaw -+ roll is defined, roll is 0.
+/// The angles from which rotation() makes the same rotation. Range: yaw and roll in (-pi, pi], pitch in
+/// [-pi/2, pi/2]. At pitch = +-pi/2 only a sum of yaw and roll is defined; there roll is 0.
 YawPitchRoll yawPitchRoll(const Eigen::Quaterniond& rotation);
 
-/// The turn about z alone.
+/// The rotation about z by this angle.
 Eigen::Quaterniond yawRotation(Radians yaw);
 
-/// The smallest angle that takes one rotation to the other, in [0, pi]; exact for small angles too.
+/// The smallest angle that takes one rotation to the other, in [0, pi]. It is exact for small angles too.
 Radians angleBetween(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
 
-/// The angle between two directions of any length, in [0, pi]; exact for small angles too.
+/// The angle between two directions of any length, in [0, pi]. It is exact for small angles too.
 Radians angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Takes the camera optical frame (z forward, x right, y down) to the body or panorama frame (x forward, y
-/// left, z up).
+/// The rotation from the camera's optical frame (z forward, x right, y down) to the body or panorama frame
+/// (x forward, y left, z up).
 Eigen::Quaterniond bodyFromOptical();
 
-/// The unit quaternion of these components, of either sign. Errors: InvalidInput if they are not finite or
-/// not within 1 % of unit length; whose: what they belong to, for the sentence.
+/// The unit quaternion of components from outside, of either sign. `whose` names their owner in a sentence.
+/// Errors: InvalidInput if they are not finite or differ from unit length by more than 1 %.
 Eigen::Quaterniond checkedQuaternion(double w, double x, double y, double z, std::string_view whose);
 
 } // namespace spherewalk

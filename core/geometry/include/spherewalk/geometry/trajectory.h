@@ -10,6 +10,7 @@
 
 namespace spherewalk {
 
+/// A pose of a camera at a time.
 struct TimedPose {
     double timeS = 0;
     Rigid3 roomFromCamera;
@@ -18,12 +19,12 @@ struct TimedPose {
 /// The pose that "x y z qx qy qz qw" spells (metres; the order of TUM files and ROS). Errors: InvalidInput.
 Rigid3 parsePose(std::string_view text);
 
-/// The poses of a TUM file: a line each of "time x y z qx qy qz qw", lines that begin with # left out.
-/// Errors: those of readFile; InvalidInput, with the line's number, for a line that is no pose or a file
-/// without any.
+/// The poses of a TUM file. Each line is "time x y z qx qy qz qw"; lines that begin with # are comments.
+/// Errors: those of readFile; InvalidInput for a file without poses, or, with the line's number, for a line
+/// that is no pose.
 std::vector<TimedPose> readTum(const std::filesystem::path& file);
 
-/// The lines of a TUM file.
+/// The poses as the lines of a TUM file.
 std::string tumText(const std::vector<TimedPose>& poses);
 
 } // namespace spherewalk

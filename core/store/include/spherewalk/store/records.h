@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/survey/plan.h"
+#include "spherewalk/survey/shot.h"
 
 #include <Eigen/Geometry>
 
@@ -14,126 +15,110 @@
 
 namespace spherewalk::store {
 
-/// A moment in UTC; kept to the millisecond.
+/// A moment in UTC. The database keeps it to the millisecond.
 using Moment = std::chrono::system_clock::time_point;
 
+/// What identifies a survey.
 struct SurveyInfo {
-    std::string uuid;
-    std::string name; ///< as people call the survey
+    std::string uuid; ///< Identity for programs, given when the survey was created.
+    std::string name; ///< Name that people gave the survey.
     Moment createdAt;
 };
 
 /// A station with its identity, which never changes.
 struct StationRecord {
     std::int64_t id = 0;
-    std::string name; ///< "rail 3, stop 5"
+    std::string name; ///< Name that people read, "rail 3, stop 5" for example.
     survey::Station station;
 };
 
 /// A photo that is to become part of the survey. Its file is already complete in the photo folder.
 struct NewPhoto {
     std::int64_t station = 0;
-    std::string fileName; ///< in the photo folder; see SurveyStore::freePhotoName
+    std::string fileName; ///< Name in the photo folder; SurveyStore::freePhotoName() finds one.
     std::string cameraFileName;
-    std::string cameraSerial;    ///< "" if unknown
-    std::string fileUrl;         ///< on the camera; "" for imported photos
-    std::string cameraSha256;    ///< of the bytes as the camera gave them: the photo's identity
-    std::string fileSha256;      ///< of the file in the photo folder, which carries a position tag besides
-    std::uint64_t sizeBytes = 0; ///< of the file in the photo folder
-    int width = 0;
-    int height = 0;
-    std::optional<Moment> takenAt; ///< if the photo says
-    Eigen::Vector3d positionM =
-        Eigen::Vector3d::Zero(); ///< of the lens, room frame; may differ from the station's
+    std::string cameraSerial; ///< Serial number of the camera; "" if it is unknown.
+    std::string fileUrl;      ///< URL on the camera; "" for an imported photo.
+    /// SHA-256 of the bytes that the camera gave, which is the photo's identity.
+    std::string cameraSha256;
+    /// SHA-256 of the file in the photo folder, which also holds a position tag.
+    std::string fileSha256;
+    std::uint64_t sizeBytes = 0;   ///< Size of the file in the photo folder.
+    int width = 0;                 ///< Pixels.
+    int height = 0;                ///< Pixels.
+    std::optional<Moment> takenAt; ///< When the photo was taken, if it says so.
+    /// Position of the lens in the room frame. It may differ from the station's.
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
     std::string note;
-    bool choose = true; ///< in place of the station's photo that was chosen so far, if there is one
+    bool choose = true; ///< Whether the photo replaces the one that the station has chosen so far.
 };
 
-struct PhotoRecord : NewPhoto { // choose says whether it is the station's chosen photo
+/// A photo of the survey. `choose` says whether the station has chosen it.
+struct PhotoRecord : NewPhoto {
     std::int64_t id = 0;
     Moment addedAt;
 };
 
-/// What the checks say of a photo, from good to bad.
-enum class CheckResult { Good, Doubtful, Failed };
-
-/// As reports spell it: "good", "doubtful", "failed".
-std::string_view name(CheckResult result);
-
-/// The verdict on a photo.
+/// What the checks of a photo found.
 struct PhotoVerdict {
     std::int64_t photo = 0;
-    CheckResult result = CheckResult::Good;
-    std::string findings = "[]"; ///< JSON: array of objects with "flaw", "quality" and "sentence"
+    survey::Quality quality = survey::Quality::Good;
+    std::string findings = "[]"; ///< JSON array of objects with "flaw", "quality" and "sentence".
 
     bool operator==(const PhotoVerdict&) const = default;
 };
 
-/// What a person decided on a photo, in place of what the checks say.
+/// What a person decided on a photo. The decision overrules the checks.
 enum class Decision { Open, Accepted, Rejected };
 
-/// As options and reports spell it: "open", "accepted", "rejected".
+/// "open", "accepted" or "rejected", as options and reports spell the decision.
 std::string_view name(Decision decision);
 
-/// Errors: InvalidInput, listing the names.
+/// Errors: InvalidInput for an unknown name; the sentence lists all names.
 Decision decisionNamed(std::string_view name);
 
+/// The decision and the note of a person on one photo.
 struct Review {
     std::int64_t photo = 0;
     Decision decision = Decision::Open;
-    std::string note; ///< one line
+    std::string note; ///< One line of text.
 
     bool operator==(const Review&) const = default;
 };
 
-/// A photo that is to belong to another station, with the file that says so.
+/// A photo that is to belong to another station. Its new file carries the new position tag.
 struct MovedPhoto {
     std::int64_t photo = 0;
     std::int64_t station = 0;
-    Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< of the lens, room frame
-    std::string fileName;                                ///< complete in the photo folder
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< Position of the lens in the room frame.
+    std::string fileName;                                ///< Name of a complete file in the photo folder.
     std::string fileSha256;
     std::uint64_t sizeBytes = 0;
-    bool choose = true; ///< in place of the photo that the station has chosen
+    bool choose = true; ///< Whether the photo replaces the one that the new station has chosen.
 };
 
-/// How far one shot has come; the same steps as the capture workflow's.
-enum class ShotStep { Intended, Started, Taken, Downloaded, NotTaken, Unclear };
-
-struct ShotRecord {
-    std::int64_t id = 0;
-    std::int64_t station = 0;
-    ShotStep step = ShotStep::Intended;
-    Moment intendedAt;
-    std::string cameraSerial;
-    std::string latestFileUrl;         ///< on the camera before the shot; "" if none
-    std::int64_t totalEntries = 0;     ///< on the camera before the shot
-    std::string commandId;             ///< "" until Started
-    std::string fileUrl;               ///< "" until Taken
-    std::string note;                  ///< why Unclear
-    std::optional<std::int64_t> photo; ///< once Downloaded
-};
-
-/// What a solution says of one photo.
+/// What a solution says of one photo. Frames: room. Units: metres; standard deviations in radians.
 struct SolvedPhoto {
     std::int64_t photo = 0;
     Eigen::Quaterniond roomFromPhoto = Eigen::Quaterniond::Identity();
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
-    std::optional<double> sigmaYawRad; ///< standard deviations, where known
+    std::optional<double> sigmaYawRad; ///< Standard deviation, like those below; nothing where it is unknown.
     std::optional<double> sigmaPitchRad;
     std::optional<double> sigmaRollRad;
     std::optional<double> sigmaPositionM;
-    std::string status;       ///< verdict: "good", "doubtful" or "failed"
-    std::string flags = "[]"; ///< JSON: why
+    survey::Quality quality = survey::Quality::Good;
+    std::string flags = "[]"; ///< JSON array of sentences that explain the quality.
 };
 
+/// An alignment that is to be recorded.
 struct NewSolution {
-    std::string source;        ///< "imported", "align"
-    std::string model;         ///< the alignment model, "yaw" for example
-    std::string report = "{}"; ///< JSON: how it was made
+    std::string source;        ///< "imported" or "align".
+    std::string model;         ///< Name of the alignment model, "yaw" for example.
+    std::string report = "{}"; ///< JSON object that tells how the solution was made.
     std::vector<SolvedPhoto> photos;
 };
 
+/// A recorded alignment. One solution of a survey is active; datasets are made with it.
 struct SolutionRecord {
     std::int64_t id = 0;
     std::string source;
@@ -143,14 +128,36 @@ struct SolutionRecord {
     bool isActive = false;
 };
 
+/// How much a survey holds.
 struct Counts {
     int stations = 0;
-    int stationsWithPhoto = 0; ///< that is chosen and not rejected
+    int stationsWithPhoto = 0; ///< Stations whose chosen photo was not rejected.
     int photos = 0;
-    int rejectedPhotos = 0; ///< of the chosen ones
-    int openShots = 0;      ///< Intended, Started or Taken
+    int rejectedPhotos = 0; ///< Chosen photos that a person rejected.
+    int openShots = 0;      ///< Shots that are Intended, Started or Taken.
     int unclearShots = 0;
     int solutions = 0;
+};
+
+/// A photo whose file is not what was recorded.
+struct PhotoFinding {
+    enum class Kind { Missing, Unreadable, SizeDiffers, BytesDiffer };
+
+    std::int64_t photo = 0;
+    std::string fileName;
+    Kind kind = Kind::Missing;
+    std::string sentence;
+};
+
+/// What a check of the whole survey found. Findings are reported, not thrown.
+struct SurveyCheck {
+    int photosChecked = 0;
+    std::vector<PhotoFinding> photos;
+    std::vector<std::string> filesWithoutPhoto; ///< Names in the photo folder that no photo has.
+    std::vector<std::string> database;          ///< Findings of SQLite and broken rules, as sentences.
+
+    /// Files without a photo do no harm, and do not count.
+    bool isSound() const { return photos.empty() && database.empty(); }
 };
 
 } // namespace spherewalk::store

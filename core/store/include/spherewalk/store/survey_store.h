@@ -3,7 +3,6 @@
 
 #include "spherewalk/base/progress.h"
 #include "spherewalk/store/records.h"
-#include "spherewalk/store/survey_check.h"
 #include "spherewalk/survey/capture_profile.h"
 #include "spherewalk/survey/plan.h"
 #include "spherewalk/survey/room.h"
@@ -19,12 +18,13 @@
 
 namespace spherewalk::store {
 
+/// What a survey is opened for.
 enum class Access { Read, Write };
 
-/// What few callers need to say.
+/// Options that few callers change.
 struct StoreOptions {
-    std::chrono::milliseconds patience{5000}; ///< how long to wait for another program's transaction
-    std::uint64_t maxDatabaseBytes = 0;       ///< growing beyond is refused as Full; 0: the disk decides
+    std::chrono::milliseconds patience{5000}; ///< How long to wait for another program's transaction.
+    std::uint64_t maxDatabaseBytes = 0;       ///< A larger database is refused as Full; 0 sets no limit.
 };
 
 /// A survey on disk: the folder `<name>.spherewalk` with `survey.sqlite` and `photos/`. One program writes at
@@ -36,17 +36,16 @@ struct StoreOptions {
 /// is damaged, or says what no survey can), and InvalidInput for a change to a survey opened for reading.
 class SurveyStore {
   public:
-    /// Makes the folder, complete or not at all, and opens it for writing. Errors: Exists if there is
-    /// anything by that name; NotFound if its parent is not there; InvalidInput for a room or options that
-    /// cannot be.
+    /// Creates the folder, complete or not at all, and opens it for writing. Errors: Exists if something has
+    /// that name; NotFound if the parent folder is missing; InvalidInput for an invalid room or options.
     static SurveyStore create(const std::filesystem::path& folder, const std::string& name,
                               const survey::Room& room, const survey::PlanOptions& options,
                               const survey::Plan& plan, const StoreOptions& storeOptions = {});
 
-    /// For writing, brings an older survey up to date and keeps a copy of its database. Errors: NotFound;
-    /// InvalidInput for something that is no survey; Corrupt; Unsupported for a newer version's survey, or
-    /// for reading one that is to be brought up to date first; Busy if another program has it open for
-    /// writing.
+    /// Opens a survey. An older format is first brought up to date, and a copy of its database is kept.
+    /// Errors: NotFound; InvalidInput for a folder that is no survey; Corrupt; Unsupported for the format of
+    /// a newer version, or for an older one that cannot be brought up to date; Busy if another program has
+    /// the survey open for writing.
     static SurveyStore open(const std::filesystem::path& folder, Access access,
                             const StoreOptions& storeOptions = {});
 
@@ -56,11 +55,11 @@ class SurveyStore {
 
     const std::filesystem::path& folder() const;
     std::filesystem::path photoFolder() const;
-    /// For what is not complete yet; in the photos' file system.
+    /// The folder for incomplete files, in the file system of the photos.
     std::filesystem::path downloadFolder() const;
 
-    /// Another number once another connection has changed the survey: for views that keep up with a program
-    /// that writes. Cost: some microseconds.
+    /// A number that changes when another connection has changed the survey. Views use it to keep up with a
+    /// program that writes. Cost: some microseconds.
     std::int64_t dataVersion() const;
 
     SurveyInfo info() const;
@@ -68,22 +67,23 @@ class SurveyStore {
 
     survey::Room room() const;
     survey::PlanOptions planOptions() const;
-    /// With the stations that were added since, at the end.
+    /// The plan. Stations that were added since stand at its end.
     survey::Plan plan() const;
-    /// Errors: InvalidInput once there is a photo or a shot, which belong to stations of the present plan.
+    /// Replaces room, options and plan. Errors: InvalidInput if the survey has a photo or a shot, since these
+    /// belong to stations of the present plan.
     void replacePlan(const survey::Room& room, const survey::PlanOptions& options, const survey::Plan& plan);
 
-    /// How the camera is to be set for the photos: automatic in a new survey; nothing where it stays as it
-    /// is, as in surveys from before there were profiles.
+    /// How the camera is set for the photos. A new survey has the automatic profile. Nothing means that the
+    /// camera's settings stay as they are, as in surveys that are older than profiles.
     std::optional<survey::CaptureProfile> captureProfile() const;
-    /// Errors: InvalidInput for a profile that cannot be.
+    /// Errors: InvalidInput for an invalid profile.
     void setCaptureProfile(const std::optional<survey::CaptureProfile>& profile);
 
-    /// In walking order, as everywhere below.
+    /// All stations in walking order. Other lists of stations or photos have the same order.
     std::vector<StationRecord> stations() const;
     /// Errors: NotFound.
     StationRecord station(std::int64_t id) const;
-    /// That have no photo, or whose chosen photo was rejected: where photos are still to be taken.
+    /// The stations where a photo is still to be taken: they have none, or their chosen photo was rejected.
     std::vector<StationRecord> stationsWithoutPhoto() const;
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
@@ -93,7 +93,7 @@ class SurveyStore {
     std::vector<PhotoRecord> photosAt(std::int64_t station) const;
     /// One photo per station that has any.
     std::vector<PhotoRecord> chosenPhotos() const;
-    /// The chosen photos but for those that were rejected: what becomes part of a dataset.
+    /// The chosen photos that were not rejected. A dataset is made of these.
     std::vector<PhotoRecord> keptPhotos() const;
     std::optional<PhotoRecord> chosenPhoto(std::int64_t station) const;
     /// The photo whose bytes came from the camera with this SHA-256.
@@ -107,14 +107,14 @@ class SurveyStore {
     /// All or none. A station that loses its chosen photo chooses its newest. Errors: NotFound; those of
     /// addPhoto() for names and files.
     void movePhotos(const std::vector<MovedPhoto>& photos);
-    /// A name in the photo folder that no photo has: the camera's own if free, else with the first digits of
-    /// the hash. A file by that name that has exactly these bytes may be there (left when the program was
-    /// killed before its row was recorded), and is to be overwritten.
+    /// A name in the photo folder that no photo has. It is the camera's name if that is free; otherwise the
+    /// first digits of the hash are added. A file with that name and exactly these bytes may exist, because
+    /// a program was killed before it recorded the photo; the caller overwrites that file.
     std::string freePhotoName(const std::string& cameraFileName, const std::string& fileSha256) const;
 
     /// Records that a photo is about to be taken. Errors: NotFound for an unknown station.
-    ShotRecord beginShot(std::int64_t station, const std::string& cameraSerial,
-                         const std::string& latestFileUrl, std::int64_t totalEntries);
+    survey::Shot beginShot(std::int64_t station, const std::string& cameraSerial,
+                           const survey::Baseline& baseline);
     /// Errors of all marks: NotFound; InvalidInput if the shot's step does not allow it. Intended may become
     /// Started, Taken, NotTaken or Unclear; Started may become Taken, NotTaken or Unclear; Taken may become
     /// Downloaded or Unclear; Unclear may become Taken or NotTaken when a person has decided.
@@ -125,38 +125,41 @@ class SurveyStore {
     /// Adds the photo and marks the shot Downloaded, both or neither. Errors: those of addPhoto; InvalidInput
     /// if the photo is of another station than the shot.
     std::int64_t recordDownload(std::int64_t shotId, const NewPhoto& photo);
-    /// Intended, Started and Taken, oldest first.
-    std::vector<ShotRecord> openShots() const;
-    std::vector<ShotRecord> unclearShots() const;
+    /// The shots that are Intended, Started or Taken, oldest first.
+    std::vector<survey::Shot> openShots() const;
+    std::vector<survey::Shot> unclearShots() const;
     /// Errors: NotFound.
-    ShotRecord shot(std::int64_t id) const;
+    survey::Shot shot(std::int64_t id) const;
 
-    /// In place of an earlier one. Errors: NotFound; InvalidInput for findings that are no JSON array.
+    /// Records a verdict in place of an earlier one. Errors: NotFound; InvalidInput if the findings are no
+    /// JSON array.
     void setVerdict(const PhotoVerdict& verdict);
-    /// Of photos that were judged, by photo.
+    /// The verdicts on all photos that were judged, ordered by photo.
     std::vector<PhotoVerdict> verdicts() const;
-    /// Nothing if it was not judged. Errors: NotFound for an unknown photo.
+    /// The verdict on one photo; nothing if it was not judged. Errors: NotFound for an unknown photo.
     std::optional<PhotoVerdict> verdict(std::int64_t photo) const;
 
-    /// In place of what was decided before. Errors: NotFound; InvalidInput for a note that is not one line.
+    /// Records a review in place of an earlier one. Errors: NotFound; InvalidInput for a note that is not one
+    /// line.
     void setReview(const Review& review);
-    /// Of photos on which there is a decision or a note, by photo.
+    /// The reviews of all photos that have a decision or a note, ordered by photo.
     std::vector<Review> reviews() const;
     /// Errors: NotFound.
     Review review(std::int64_t photo) const;
 
-    /// isActive: in place of the one that is; the first solution is active in any case. Errors: NotFound for
-    /// an unknown photo; InvalidInput for numbers that are not finite, a rotation that is none, or a photo
-    /// solved twice.
+    /// Records a solution and returns its identity. isActive: the solution becomes the active one; the first
+    /// solution is active in any case. Errors: NotFound for an unknown photo; InvalidInput for numbers that
+    /// are not finite, an invalid rotation, or a photo that is solved twice.
     std::int64_t addSolution(const NewSolution& solution, bool isActive);
     void activateSolution(std::int64_t solution);
-    /// Newest first.
+    /// All solutions, newest first.
     std::vector<SolutionRecord> solutions() const;
     std::optional<SolutionRecord> activeSolution() const;
     /// Errors: NotFound.
     std::vector<SolvedPhoto> solvedPhotos(std::int64_t solution) const;
 
-    /// Reads every photo and the whole database, and reports what is not as recorded; see SurveyCheck.
+    /// Reads every photo and the whole database, and reports each difference from the records.
+    /// Errors: Stopped; Io.
     SurveyCheck check(ProgressSink& progress, const std::stop_token& stop) const;
 
   private:

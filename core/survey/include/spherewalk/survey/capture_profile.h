@@ -8,6 +8,7 @@
 
 namespace spherewalk::survey {
 
+/// The white balances that cameras know.
 enum class WhiteBalance {
     Auto,
     Daylight,
@@ -21,20 +22,22 @@ enum class WhiteBalance {
     BulbFluorescent,
 };
 
-/// As options and the survey spell it: "auto", "daylight", "warm-white-fluorescent".
+/// "auto", "daylight", "warm-white-fluorescent", ..., as options and the survey spell the balance.
 std::string_view name(WhiteBalance balance);
-/// Errors: InvalidInput, listing the names.
+/// Errors: InvalidInput for an unknown name; the sentence lists all names.
 WhiteBalance whiteBalanceNamed(std::string_view name);
 
-/// How the camera is set for every photo of a survey. What has no value is the camera's to choose, photo by
-/// photo; so the exposure program follows from the values: none is automatic, both are manual.
+/// How the camera is set for every photo of a survey. The camera chooses each setting that has no value,
+/// photo by photo. The exposure program follows: without ISO and shutter time it is automatic, with both
+/// manual.
 struct CaptureProfile {
     std::optional<int> iso;
     std::optional<double> shutterS;
-    double compensationEv = 0; ///< where the camera chooses something
+    double compensationEv =
+        0; ///< Exposure compensation; it counts where the camera chooses ISO or shutter time.
     WhiteBalance whiteBalance = WhiteBalance::Auto;
-    std::optional<int> colourTemperatureK; ///< in place of a white balance
-    std::optional<int> photoWidth;         ///< none: the largest that the camera offers
+    std::optional<int> colourTemperatureK; ///< Colour temperature in kelvins, which replaces a white balance.
+    std::optional<int> photoWidth; ///< Width in pixels; nothing for the largest that the camera offers.
 
     bool operator==(const CaptureProfile&) const = default;
 

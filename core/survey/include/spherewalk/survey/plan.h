@@ -12,17 +12,17 @@
 
 namespace spherewalk::survey {
 
-inline constexpr int kMostStations = 200'000; ///< of one plan
+inline constexpr int kMostStations = 200'000; ///< Largest number of stations in one plan.
 
 /// How stations are to be laid out.
 struct PlanOptions {
-    double stepM = 0.2; ///< between neighbouring stops, in both directions
-    std::vector<double> heightsM = {
-        1.2};                        ///< of the lens above the floor; one station per height at each stop
-    int railStops = 6;               ///< positions of the cart on the rail
-    double clearanceM = 0.3;         ///< least distance between a stop and any wall or obstacle
-    double secondsPerPhoto = 12;     ///< pace: one photo with moving the cart
-    double secondsPerPlacement = 60; ///< pace: carrying and laying the rail anew
+    double stepM = 0.2; ///< Distance between neighbouring stops, in both directions.
+    /// Heights of the lens above the floor. Each stop has one station per height.
+    std::vector<double> heightsM = {1.2};
+    int railStops = 6;               ///< Number of positions of the cart on the rail.
+    double clearanceM = 0.3;         ///< Least distance between a stop and any wall or obstacle.
+    double secondsPerPhoto = 12;     ///< Time for one photo, including moving the cart.
+    double secondsPerPlacement = 60; ///< Time for carrying the rail and laying it anew.
 
     /// Errors: InvalidInput with the option and its range; for a step so fine that the room would need more
     /// than kMostStations, the sentence says which step would fit. The room must be valid.
@@ -31,7 +31,7 @@ struct PlanOptions {
 
 /// Where the rail lies. The stops are at origin + k * step along the heading.
 struct RailPlacement {
-    Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of stop 0, where the operator begins
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< Position of stop 0, where the operator begins.
     Radians heading;
     int stops = 0;
     double stepM = 0;
@@ -42,8 +42,8 @@ struct RailPlacement {
 
 /// One planned position of the camera.
 struct Station {
-    int placement = -1; ///< index into Plan::placements; -1 for a station that came with imported photos
-    int stop = 0;       ///< along the rail, from 0
+    int placement = -1; ///< Index into Plan::placements; -1 for a station of imported photos.
+    int stop = 0;       ///< Number along the rail, counted from 0.
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
 };
 
@@ -60,7 +60,7 @@ struct Plan {
 /// room of 100 m2 at 20 cm.
 Plan plan(const Room& room, const PlanOptions& options);
 
-/// What people call the station: "rail 3, stop 5" (counted from 1), with " at 1.20 m" if the plan's stations
+/// The name that people read: "rail 3, stop 5" (counted from 1), with " at 1.20 m" if the plan's stations
 /// have several heights, "unplanned position (1.20, 3.40)" without a placement. Range: index <
 /// stations.size().
 std::string stationName(const Plan& plan, std::size_t index);

@@ -12,29 +12,31 @@ namespace spherewalk::survey {
 
 /// Why no station covers a floor area.
 enum class UncoveredReason {
-    Clearance,    ///< closer to a wall or obstacle than the clearance
-    Enclosed,     ///< cut off from the rest of the floor by obstacles
-    BetweenStops, ///< room for a stop, but no stop of the lattice falls near enough with a free line of sight
+    Clearance, ///< The area is closer to a wall or obstacle than the clearance.
+    Enclosed,  ///< Obstacles cut the area off from the rest of the floor.
+    /// A stop would fit, but no stop of the grid is near enough with a free line of sight.
+    BetweenStops,
 };
 
 /// A connected floor area that no station covers.
 struct UncoveredArea {
     double areaM2 = 0;
-    Eigen::Vector2d point = Eigen::Vector2d::Zero(); ///< in the area, the one nearest its centroid
+    Eigen::Vector2d point = Eigen::Vector2d::Zero(); ///< The point of the area that is nearest its centroid.
     UncoveredReason reason = UncoveredReason::Clearance;
 };
 
 /// What a plan costs and what it leaves out. A floor point is covered if a station stands within half the
-/// diagonal of a lattice cell, and nothing lies between. Areas are counted on a raster of at most two million
+/// diagonal of a grid cell, and nothing lies between. Areas are counted on a raster of at most two million
 /// cells, a tenth of the step wide where that suffices.
 struct PlanReport {
     int placements = 0;
     int stations = 0;
-    double metresWalked = 0; ///< along the rails, and from each rail to the next around walls and obstacles
-    double minutes = 0;      ///< at the pace that the options state
-    double floorM2 = 0;      ///< inside the outline and outside the obstacles
+    /// Way along the rails, and from each rail to the next around walls and obstacles.
+    double metresWalked = 0;
+    double minutes = 0; ///< Duration at the pace that the options state.
+    double floorM2 = 0; ///< Area inside the outline and outside the obstacles.
     double uncoveredM2 = 0;
-    std::vector<UncoveredArea> uncovered; ///< largest first; together they are uncoveredM2
+    std::vector<UncoveredArea> uncovered; ///< The areas, largest first; their sum is uncoveredM2.
 };
 
 /// Errors: those of both validate(). The plan may also hold stations that came with imported photos.

@@ -1,26 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/geometry/polygon.h"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace spherewalk::survey {
 
-inline constexpr double kLargestRoomM = 2000;         ///< longest side of a room's bounds
-inline constexpr double kFarthestCoordinateM = 1e8;   ///< beyond it a double no longer holds a micrometre
-inline constexpr std::size_t kMostRoomCorners = 2000; ///< of the outline and all obstacles together
+inline constexpr double kLargestRoomM = 2000; ///< Longest side that the bounds of a room may have.
+inline constexpr double kFarthestCoordinateM =
+    1e8; ///< Beyond this coordinate a double no longer holds a micrometre.
+inline constexpr std::size_t kMostRoomCorners = 2000; ///< Limit for the outline and all obstacles together.
 
 /// The room's shape. Frames: room. Units: metres.
 struct Room {
-    Polygon outline;                ///< the walls on the floor; may be concave
-    std::vector<Polygon> obstacles; ///< what stands on the floor and the rail cannot pass; may overlap a wall
-    double ceilingM = 0;
+    Polygon outline; ///< The walls as a polygon on the floor, which may be concave.
+    /// Things on the floor that the rail cannot pass. An obstacle may overlap a wall.
+    std::vector<Polygon> obstacles;
+    double ceilingM = 0; ///< Height of the ceiling above the floor.
 
     /// Errors: InvalidInput, naming the polygon and its defect, an obstacle that lies wholly outside the
     /// outline, a room beyond the limits above, or a ceiling that is not positive.
     void validate() const;
 };
+
+/// What an outline file says of a room. Units: metres.
+struct Outline {
+    Polygon outline;
+    std::vector<Polygon> obstacles;
+    std::optional<double> ceilingM; ///< Height of the ceiling, if the file says it.
+};
+
+/// Reads [[x,y],...], or {"outline":[[x,y],...],"obstacles":[[[x,y],...],...],"ceiling_m":2.6} with the last
+/// two members optional. source: the file's name, for the sentence. Errors: Corrupt for other shapes and for
+/// more corners than kMostRoomCorners; whether the room makes sense is for Room::validate().
+Outline parseOutline(const Json& value, const std::string& source);
+
+/// The room as a document that parseOutline() reads.
+Json outlineJson(const Room& room);
 
 } // namespace spherewalk::survey

@@ -18,8 +18,9 @@ class WalkingDistance {
     /// A point with its distances to the corners, so that many pairs are cheap.
     struct Place {
         Eigen::Vector2d point;
-        std::vector<double> toCorner; ///< on the shortest path; infinity if there is none
-        std::vector<int> seenCorners;
+        std::vector<double>
+            toCorner; ///< Length of the shortest path to each corner, in metres; infinity if there is none.
+        std::vector<int> seenCorners; ///< Indices of the corners with a free line of sight.
     };
 
     /// Range: the room is valid.
@@ -29,7 +30,7 @@ class WalkingDistance {
     WalkingDistance& operator=(WalkingDistance&&) noexcept;
 
     Place place(const Eigen::Vector2d& point) const;
-    /// Metres; the straight distance where no way is found (one lies in an enclosed area).
+    /// The distance in metres. If one place lies in an enclosed area, it is the straight distance.
     double between(const Place& from, const Place& to) const;
     double between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
