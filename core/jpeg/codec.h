@@ -14,11 +14,11 @@
 
 namespace spherewalk::jpeg {
 
-/// Where libjpeg's errors and warnings end up. libjpeg reports an error by a call that must not return; this
-/// one jumps back into guarded(), over C frames only, and there it becomes an Error.
+/// Turns libjpeg's errors and warnings into Errors. libjpeg reports an error by a call that must not return.
+/// The trap's function jumps back into guarded(), over C frames only, and guarded() throws.
 class Trap {
   public:
-    /// tried: as it stands behind "Could not ", for example "decode R0010001.JPG".
+    /// `tried` follows "Could not " in the sentence, for example "decode R0010001.JPG".
     explicit Trap(std::string tried);
     Trap(const Trap&) = delete;
     Trap& operator=(const Trap&) = delete;
@@ -27,8 +27,8 @@ class Trap {
 
     jpeg_progress_mgr* scanLimit() { return &m_scanLimit; }
 
-    /// Calls libjpeg by body(). Between the body and libjpeg no object may live that has a destructor: a jump
-    /// skips it. Errors: Corrupt (libjpeg's warnings too), Unsupported, Full for memory.
+    /// Calls body(), which calls libjpeg. No object with a destructor may live between the body and libjpeg,
+    /// because a jump skips it. Errors: Corrupt (also for warnings), Unsupported, Full for memory.
     template <class Body>
     void guarded(Body&& body) {
         using Plain = std::remove_reference_t<Body>;
@@ -54,7 +54,8 @@ class Trap {
     std::string m_tried;
 };
 
-/// A libjpeg decompressor on bytes in memory, its header read and checked. Owner: the bytes must outlive it.
+/// A libjpeg decompressor for bytes in memory, with its header read and checked. Owner: the bytes must
+/// outlive it.
 class Decompressor {
   public:
     enum class Keep { Nothing, AllMarkers };
@@ -89,7 +90,7 @@ class Compressor {
 
     Trap& trap() { return m_trap; }
 
-    /// What was written; complete after jpeg_finish_compress.
+    /// The JPEG, which is complete after jpeg_finish_compress.
     Bytes& bytes() { return m_destination.bytes; }
 
   private:

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "region_band.h"
-
-#include "restart_layout.h"
+#include "intervals.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <algorithm>
 #include <numeric>
@@ -19,7 +16,7 @@ constexpr std::uint64_t kLargestHeader = 32ULL << 20;
 // 10 blocks of 64 coefficients of at most 26 bits each, every byte stuffed, and rounded up.
 constexpr std::uint64_t kMostBytesPerMcu = 8192;
 
-[[noreturn]] void fail(const ByteSource& source, std::string_view what) {
+[[noreturn]] void failPart(const ByteSource& source, std::string_view what) {
     throw Error(ErrorKind::Corrupt,
                 text("Could not decode a part of ", source.name(), ": ", what,
                      "; the file or its restart index is damaged, copy or export it again."));
@@ -91,14 +88,14 @@ class Assembler {
         }
         const std::uint64_t size = m_index.offsets[end] - 2 - begin;
         if (size > most) {
-            fail(m_source, text("the interval at byte ", begin, " is impossibly long"));
+            failPart(m_source, text("the interval at byte ", begin, " is impossibly long"));
         }
         return size;
     }
 
     void renumber(std::uint8_t* marker, std::size_t interval) {
         if (marker[0] != 0xFF || marker[1] != kRst0 + (interval - 1) % 8) {
-            fail(m_source, text("no restart marker stands before byte ", m_index.offsets[interval]));
+            failPart(m_source, text("no restart marker stands before byte ", m_index.offsets[interval]));
         }
         marker[1] = nextMarker();
         ++m_count;
@@ -109,7 +106,7 @@ class Assembler {
         const auto found = std::search(m_out.begin() + static_cast<std::ptrdiff_t>(from), m_out.end(),
                                        std::begin(kEnd), std::end(kEnd));
         if (found == m_out.end()) {
-            fail(m_source, "it ends within the picture");
+            failPart(m_source, "it ends within the picture");
         }
         m_out.erase(found, m_out.end());
     }
@@ -134,7 +131,7 @@ UnitGrid::UnitGrid(const RestartIndex& index)
 Bytes decodingHeader(const ByteSource& source, const RestartIndex& index) {
     if (!isPlausible(index) || index.offsets.size() != intervalCount(index) || !areOffsetsPlausible(index) ||
         index.fileSizeBytes != source.sizeBytes() || index.offsets.front() > kLargestHeader) {
-        fail(source, "the restart index does not fit the file");
+        failPart(source, "the restart index does not fit the file");
     }
     Bytes file(index.offsets.front());
     source.read(0, file);
@@ -143,7 +140,7 @@ Bytes decodingHeader(const ByteSource& source, const RestartIndex& index) {
     stated.fileSizeBytes = index.fileSizeBytes;
     stated.offsets = index.offsets;
     if (stated != index || found.back().offset + found.back().size != file.size()) {
-        fail(source, "its header and its restart index contradict each other");
+        failPart(source, "its header and its restart index contradict each other");
     }
     Bytes header{0xFF, kSoi};
     for (const Segment& segment : found) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/jpeg/region.h"
 
-#include "region_band.h"
-#include "region_scan.h"
+#include "codec.h"
+#include "intervals.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
@@ -10,6 +10,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <utility>
@@ -22,6 +23,7 @@ namespace {
 constexpr int kUpsamplingReach = 2;
 // libjpeg upsamples pictures of one or two chroma samples in another way; a part must not become so narrow.
 constexpr int kLeastMcus = 3;
+constexpr int kRowsAtOnce = 16;
 
 int reduced(int length, int denominator) {
     return (length + denominator - 1) / denominator;
@@ -33,12 +35,140 @@ void alignOutwards(int& begin, int& end, int unit, int count) {
     end = std::min(count, (end + unit - 1) / unit * unit);
 }
 
+/// Takes a row of samples of a colour: 0 luma, 1 blue, 2 red.
+using SampleSink = std::function<void(int colour, int y, const std::uint8_t* samples)>;
+
+/// Starts decoding, exactly as decode() does, of the columns that the part needs; the column that comes out
+/// first is returned. Idle columns are entropy-decoded only.
+int startColumns(jpeg_decompress_struct* info, const PixelRect& part, int denominator) {
+    info->out_color_space = JCS_RGB;
+    info->dct_method = JDCT_ISLOW;
+    info->do_fancy_upsampling = TRUE;
+    info->do_block_smoothing = FALSE;
+    info->scale_num = 1;
+    info->scale_denom = static_cast<unsigned>(denominator);
+    jpeg_start_decompress(info);
+    const int whole = static_cast<int>(info->output_width);
+    if (denominator > 1) {
+        // jpeg_crop_scanline() of libjpeg-turbo 2.1 forgets that reducing may leave chroma at another scale
+        // (4 x 2 sampling at 1/2); and a reduced inverse DCT costs little.
+        return 0;
+    }
+    // libjpeg upsamples pictures of one or two chroma samples in another way; more stay more.
+    constexpr int kLeast = 4 * DCTSIZE;
+    int left = std::max(0, part.x - kUpsamplingReach);
+    const int right = std::min(whole, std::max(part.x + part.width + kUpsamplingReach, left + kLeast));
+    left = std::max(0, std::min(left, right - kLeast));
+    if (left > 0 || right < whole) {
+        auto offset = static_cast<JDIMENSION>(left);
+        auto width = static_cast<JDIMENSION>(right - left);
+        jpeg_crop_scanline(info, &offset, &width);
+        return static_cast<int>(offset);
+    }
+    return 0;
+}
+
+void startSamples(jpeg_decompress_struct* info) {
+    info->raw_data_out = TRUE;
+    info->dct_method = JDCT_ISLOW;
+    info->do_block_smoothing = FALSE;
+    jpeg_start_decompress(info);
+}
+
+/// Room for one row of MCUs as jpeg_read_raw_data() fills it.
+class SampleRows {
+  public:
+    explicit SampleRows(const jpeg_decompress_struct& info) {
+        for (int colour = 0; colour < info.num_components; ++colour) {
+            const jpeg_component_info& component = info.comp_info[colour];
+            const std::size_t width = std::size_t{component.width_in_blocks} * DCTSIZE;
+            const int rows = component.v_samp_factor * DCTSIZE;
+            Bytes& bytes = m_bytes[static_cast<std::size_t>(colour)];
+            bytes.resize(width * static_cast<std::size_t>(rows));
+            for (int row = 0; row < rows; ++row) {
+                m_rows[static_cast<std::size_t>(colour)][static_cast<std::size_t>(row)] =
+                    &bytes[width * static_cast<std::size_t>(row)];
+            }
+            m_planes[static_cast<std::size_t>(colour)] = m_rows[static_cast<std::size_t>(colour)].data();
+        }
+    }
+
+    JSAMPIMAGE image() { return m_planes.data(); }
+
+  private:
+    std::array<Bytes, 3> m_bytes;
+    std::array<std::array<JSAMPROW, 4 * DCTSIZE>, 3> m_rows{};
+    std::array<JSAMPARRAY, 3> m_planes{};
+};
+
+void giveSamples(const jpeg_decompress_struct& info, SampleRows& rows, int top, const PixelRect& part,
+                 const SampleSink& sink) {
+    for (int colour = 0; colour < info.num_components; ++colour) {
+        const jpeg_component_info& component = info.comp_info[colour];
+        const int horizontal = info.max_h_samp_factor / component.h_samp_factor;
+        const int vertical = info.max_v_samp_factor / component.v_samp_factor;
+        const int first = part.y / vertical;
+        const int end = (part.y + part.height + vertical - 1) / vertical;
+        const int at = top / vertical;
+        const int last = std::min(at + component.v_samp_factor * DCTSIZE, end);
+        for (int y = std::max(first, at); y < last; ++y) {
+            sink(colour, y - first, rows.image()[colour][y - at] + part.x / horizontal);
+        }
+    }
+}
+
+/// Decodes a part of a small JPEG and gives its rows, numbered from the part's top. The part counts pixels of
+/// the reduced picture. Pixels within two of an inner edge of the JPEG differ from the whole picture's.
+void scanRows(ByteView jpeg, const std::string& source, const PixelRect& part, int denominator,
+              const RowSink& sink) {
+    Decompressor decompressor(jpeg, text("decode a part of ", source));
+    jpeg_decompress_struct* info = decompressor.get();
+    int left = 0;
+    decompressor.trap().guarded([&] { left = startColumns(info, part, denominator); });
+    constexpr std::size_t kPixelBytes = 3;
+    const std::size_t rowBytes = info->output_width * kPixelBytes;
+    Bytes buffer(rowBytes * kRowsAtOnce);
+    std::array<JSAMPROW, kRowsAtOnce> rows{};
+    for (std::size_t i = 0; i < kRowsAtOnce; ++i) {
+        rows[i] = &buffer[i * rowBytes];
+    }
+    const std::size_t skipped = static_cast<std::size_t>(part.x - left) * kPixelBytes;
+    const int end = part.y + part.height;
+    for (int y = 0; y < end;) {
+        JDIMENSION got = 0;
+        decompressor.trap().guarded([&] {
+            got = jpeg_read_scanlines(info, rows.data(),
+                                      static_cast<JDIMENSION>(std::min(kRowsAtOnce, end - y)));
+        });
+        for (JDIMENSION i = 0; i < got; ++i, ++y) {
+            if (y >= part.y) {
+                sink(y - part.y, rows[i] + skipped);
+            }
+        }
+    }
+}
+
+/// Gives the samples of a part as the JPEG stores them. The part counts pixels; it has whole chroma samples,
+/// except at the picture's edges.
+void scanSamples(ByteView jpeg, const std::string& source, const PixelRect& part, const SampleSink& sink) {
+    Decompressor decompressor(jpeg, text("decode a part of ", source));
+    jpeg_decompress_struct* info = decompressor.get();
+    decompressor.trap().guarded([&] { startSamples(info); });
+    SampleRows rows(*info);
+    const int mcuHeight = DCTSIZE * (info->num_components == 1 ? 1 : info->max_v_samp_factor);
+    for (int top = 0; top < part.y + part.height; top += mcuHeight) {
+        decompressor.trap().guarded(
+            [&] { jpeg_read_raw_data(info, rows.image(), static_cast<JDIMENSION>(4 * DCTSIZE)); });
+        giveSamples(*info, rows, top, part, sink);
+    }
+}
+
 } // namespace
 
 /// A part of a region that is decoded at once.
 struct RegionDecoder::Band {
-    PixelRect wanted; ///< of the picture
-    PixelRect part;   ///< the same, seen from the MCUs' top left
+    PixelRect wanted; ///< In pixels of the picture.
+    PixelRect part;   ///< The same pixels, counted from the top left of the MCUs.
     McuRect mcus;
 };
 

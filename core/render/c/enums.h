@@ -7,12 +7,13 @@
 
 #include <optional>
 
-/// The numbers of the C interface and the enumerations of the C++ one. Errors of those that take a number:
-/// InvalidInput for one that means nothing.
+/// The numbers of the C interface for the enumerations of the C++ one, and back. Functions that take a number
+/// throw InvalidInput for one without a meaning.
 namespace spherewalk::render {
 
 spherewalk_status cStatus(ErrorKind kind);
-/// Nothing for what is no status of an error.
+
+/// The kind of error of a status. It is nothing for a status that is no error.
 std::optional<ErrorKind> errorKindOf(spherewalk_status status);
 
 Verify verifyOf(std::int32_t number);
@@ -21,7 +22,7 @@ VerifyPhotos verifyPhotosOf(std::int32_t number);
 LensModel lensOf(std::int32_t number);
 std::int32_t cLens(LensModel lens);
 
-/// Nothing for SPHEREWALK_SCENE_BEST.
+/// The scene model. It is nothing for SPHEREWALK_SCENE_BEST.
 std::optional<SceneKind> sceneOf(std::int32_t number);
 std::int32_t cScene(SceneKind scene);
 

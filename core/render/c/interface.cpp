@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "c_interface.h"
+#include "c/interface.h"
 
-#include "c_enums.h"
+#include "c/enums.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -14,7 +14,7 @@ namespace spherewalk::render {
 
 namespace {
 
-/// In memory that is there already, as there may be none left.
+/// A sentence in memory that exists already, as there may be none left.
 struct Sentence {
     static constexpr std::size_t kMost = 4000;
     std::array<char, kMost + 1> characters{};
@@ -90,10 +90,7 @@ spherewalk_pose cPose(const Rigid3& pose) {
     return {position.x(), position.y(), position.z(), rotation.w(), rotation.x(), rotation.y(), rotation.z()};
 }
 
-} // namespace spherewalk::render
-
-using namespace spherewalk;
-using namespace spherewalk::render;
+extern "C" {
 
 const char* spherewalk_version(void) {
     static const std::string version =
@@ -143,3 +140,7 @@ const char* spherewalk_origin_name(int32_t origin) {
 const char* spherewalk_late_name(int32_t late) {
     return nameOfNumber(lateOf, late);
 }
+
+} // extern "C"
+
+} // namespace spherewalk::render

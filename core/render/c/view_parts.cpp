@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "c_view.h"
+#include "c/enums.h"
+#include "c/handles.h"
+#include "c/interface.h"
 
-#include "c_enums.h"
-#include "c_interface.h"
-#include "c_rows.h"
+#include "spherewalk/base/image.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
 
 namespace spherewalk::render {
 
@@ -13,6 +16,63 @@ namespace {
 
 constexpr int kMostThreads = 4096;
 constexpr std::uint64_t kMostOverlays = 1000;
+
+/// Checks memory of the caller for so many rows of so many bytes. what: the memory's name for sentences.
+/// Errors: InvalidInput for memory that is too small or NULL. Range: height > 0.
+void checkRows(const spherewalk_source& source, std::uint64_t rowBytes, int height, std::string_view what) {
+    const auto [data, sizeBytes, stride] = source;
+    if (data == nullptr) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The memory for ", what, " is NULL, which it must not be."));
+    }
+    if (stride < rowBytes) {
+        throw Error(ErrorKind::InvalidInput, text("The rows of ", what, " are ", stride,
+                                                  " bytes apart, and one of them has ", rowBytes, "."));
+    }
+    const auto steps = static_cast<std::uint64_t>(height - 1);
+    const bool fits =
+        sizeBytes >= rowBytes && sizeBytes <= PTRDIFF_MAX &&
+        (steps == 0 || stride <= (sizeBytes - rowBytes) / steps); // a product may need more bits
+    if (!fits) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The memory for ", what, ", ", sizeBytes, " bytes, cannot hold ", height,
+                         " rows of ", rowBytes, " bytes that are ", stride, " bytes apart."));
+    }
+}
+
+spherewalk_source asSource(const spherewalk_buffer& buffer) {
+    return {buffer.data, buffer.size_bytes, buffer.row_stride_bytes};
+}
+
+template <class Picture>
+constexpr std::uint64_t rowBytes(int width) {
+    using Value = typename decltype(Picture().values())::value_type;
+    return sizeof(Value) * std::uint64_t{Picture::kChannels} * static_cast<std::uint64_t>(width);
+}
+
+/// Copies the picture to memory that checkRows() found fit for it.
+template <class Picture>
+void copyRows(const Picture& from, const spherewalk_buffer& into) {
+    for (int y = 0; y < from.height(); ++y) {
+        std::memcpy(static_cast<char*>(into.data) + static_cast<std::uint64_t>(y) * into.row_stride_bytes,
+                    from.at(0, y), from.row(y).size_bytes());
+    }
+}
+
+/// Copies a picture of this size, whose memory is used again if it has it. Errors: as checkRows().
+template <class Picture>
+void copyRows(const spherewalk_source& from, int width, int height, std::string_view what, Picture& into) {
+    checkRows(from, rowBytes<Picture>(width), height, what);
+    if (into.width() != width || into.height() != height) {
+        into = Picture(width, height);
+    }
+    for (int y = 0; y < height; ++y) {
+        std::memcpy(into.at(0, y),
+                    static_cast<const char*>(from.data) +
+                        static_cast<std::uint64_t>(y) * from.row_stride_bytes,
+                    into.row(y).size_bytes());
+    }
+}
 
 // The flags of pixels are handed over as they are.
 static_assert(SPHEREWALK_PIXEL_UNSEEN == static_cast<int>(PixelFlag::Unseen));

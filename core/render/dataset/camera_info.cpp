@@ -15,32 +15,32 @@ namespace spherewalk::render {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& source, const std::string& what) {
+[[noreturn]] void refuseCamera(const std::string& source, const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("Could not read the camera ", source, ": ", what,
                                               "; it should be a ROS camera-info YAML."));
 }
 
-std::vector<double> matrix(const YAML::Node& root, const std::string& key, const std::string& source) {
+std::vector<double> matrixOf(const YAML::Node& root, const std::string& key, const std::string& source) {
     const YAML::Node data = root[key] ? root[key]["data"] : YAML::Node();
     if (!data || !data.IsSequence() || data.size() > 64) {
-        refuse(source, text("the entry ", key, "/data is missing or no list"));
+        refuseCamera(source, text("the entry ", key, "/data is missing or no list"));
     }
     try {
         return data.as<std::vector<double>>();
     } catch (const YAML::Exception&) {
-        refuse(source, text("the entry ", key, "/data holds something that is not a number"));
+        refuseCamera(source, text("the entry ", key, "/data holds something that is not a number"));
     }
 }
 
-int size(const YAML::Node& root, const std::string& key, const std::string& source) {
+int sizeOf(const YAML::Node& root, const std::string& key, const std::string& source) {
     try {
         return root[key].as<int>();
     } catch (const YAML::Exception&) {
-        refuse(source, text("the entry ", key, " is missing or not a whole number"));
+        refuseCamera(source, text("the entry ", key, " is missing or not a whole number"));
     }
 }
 
-LensModel lens(const std::string& name, const std::string& source) {
+LensModel lensNamed(const std::string& name, const std::string& source) {
     if (name == "plumb_bob") {
         return LensModel::PlumbBob;
     }
@@ -53,23 +53,23 @@ LensModel lens(const std::string& name, const std::string& source) {
     if (name.empty() || name == "none") {
         return LensModel::Pinhole;
     }
-    refuse(source, text("the distortion_model \"", printable(name), "\" is unknown"));
+    refuseCamera(source, text("the distortion_model \"", printable(name), "\" is unknown"));
 }
 
 void readDistortion(const YAML::Node& root, const std::string& source, CameraIntrinsics& camera) {
     const YAML::Node model = root["distortion_model"];
-    camera.lens = lens(model && model.IsScalar() ? model.as<std::string>() : "", source);
+    camera.lens = lensNamed(model && model.IsScalar() ? model.as<std::string>() : "", source);
     if (camera.lens == LensModel::Pinhole) {
         return;
     }
-    camera.distortion = matrix(root, "distortion_coefficients", source);
+    camera.distortion = matrixOf(root, "distortion_coefficients", source);
     if (camera.lens == LensModel::PlumbBob && camera.distortion.size() == 4) {
         camera.distortion.push_back(0); // k3 left out, as OpenCV allows
     }
 }
 
-/// Zero distortion, as simulators write it, is a pinhole, whose pixels are located faster.
-CameraIntrinsics simplest(CameraIntrinsics camera) {
+/// Simulators write zero distortion. A pinhole says the same, and its pixels are located faster.
+CameraIntrinsics simplestCamera(CameraIntrinsics camera) {
     const bool isNone =
         camera.lens != LensModel::Equidistant &&
         std::all_of(camera.distortion.begin(), camera.distortion.end(), [](double k) { return k == 0; });
@@ -87,18 +87,18 @@ CameraIntrinsics parseCameraInfo(std::string_view yaml, const std::string& sourc
     try {
         root = YAML::Load(std::string(yaml));
     } catch (const YAML::Exception&) {
-        refuse(source, "it is not valid YAML");
+        refuseCamera(source, "it is not valid YAML");
     }
     if (!root.IsMap()) {
-        refuse(source, "it holds no entries");
+        refuseCamera(source, "it holds no entries");
     }
-    const std::vector<double> k = matrix(root, "camera_matrix", source);
+    const std::vector<double> k = matrixOf(root, "camera_matrix", source);
     if (k.size() != 9) {
-        refuse(source, text("the camera_matrix has ", k.size(), " values, not 9"));
+        refuseCamera(source, text("the camera_matrix has ", k.size(), " values, not 9"));
     }
     CameraIntrinsics camera;
-    camera.width = size(root, "image_width", source);
-    camera.height = size(root, "image_height", source);
+    camera.width = sizeOf(root, "image_width", source);
+    camera.height = sizeOf(root, "image_height", source);
     camera.fx = k[0];
     camera.cx = k[2];
     camera.fy = k[4];
@@ -110,7 +110,7 @@ CameraIntrinsics parseCameraInfo(std::string_view yaml, const std::string& sourc
         throw Error(ErrorKind::InvalidInput,
                     text("Could not use the camera ", source, ": ", error.sentence()));
     }
-    return simplest(std::move(camera));
+    return simplestCamera(std::move(camera));
 }
 
 CameraIntrinsics readCameraInfo(const std::filesystem::path& file) {

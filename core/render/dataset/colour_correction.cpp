@@ -2,6 +2,7 @@
 #include "spherewalk/render/colour_correction.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -13,15 +14,15 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kToe = 0.04045; ///< stored values up to this are proportional to light
+constexpr double kToe = 0.04045; ///< Stored values up to this one are proportional to light.
 constexpr double kToeSlope = 12.92;
 
-double valueOf(const ColourCorrection::Curve& curve, double at) {
-    const double place = std::clamp(at, 0.0, 1.0) * (ColourCorrection::kKnots - 1);
-    const int knot = std::min(static_cast<int>(place), ColourCorrection::kKnots - 2);
+double curveValue(const ColourCorrection::Curve& curve, double at) {
+    const double scaled = std::clamp(at, 0.0, 1.0) * (ColourCorrection::kKnots - 1);
+    const int knot = std::min(static_cast<int>(scaled), ColourCorrection::kKnots - 2);
     const double left = curve[static_cast<std::size_t>(knot)];
     const double right = curve[static_cast<std::size_t>(knot) + 1];
-    return std::clamp(left + (place - knot) * (right - left), 0.0, 1.0);
+    return std::clamp(left + (scaled - knot) * (right - left), 0.0, 1.0);
 }
 
 } // namespace
@@ -55,7 +56,8 @@ Vector3d ColourCorrection::corrected(const Vector3d& stored) const {
     const Vector3d mixed = matrix * stored.unaryExpr(&linearLight);
     Vector3d result;
     for (int c = 0; c < 3; ++c) {
-        result[c] = valueOf(curves[static_cast<std::size_t>(c)], storedValue(std::clamp(mixed[c], 0.0, 1.0)));
+        result[c] =
+            curveValue(curves[static_cast<std::size_t>(c)], storedValue(std::clamp(mixed[c], 0.0, 1.0)));
     }
     return result;
 }
@@ -101,12 +103,12 @@ ColourCorrection parseColourCorrection(const JsonReader& reader) {
     return correction;
 }
 
-// Fixed point, so that every machine computes the same: 14 bits of light times 16 of the matrix (3 of them
-// before the point), three of them added, fill 32.
+// Fixed point makes every machine compute the same. A product has 14 bits of light and 16 of the matrix, 3 of
+// these before the point. The sum of three products fills 32 bits.
 ColourTables::ColourTables(const ColourCorrection& correction) {
     correction.validate();
     constexpr int kMostLight = (1 << kLightBits) - 1;
-    constexpr int kShift = kMatrixBits + kLightBits - kPlaceBits;
+    constexpr int kShift = kMatrixBits + kLightBits - kEntryBits;
     for (int from = 0; from < 3; ++from) {
         for (std::size_t value = 0; value < 256; ++value) {
             const auto light = static_cast<std::int32_t>(
@@ -120,18 +122,18 @@ ColourTables::ColourTables(const ColourCorrection& correction) {
         }
     }
     for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t place = 0; place < m_developed[c].size(); ++place) {
-            const double linear = std::min(1.0, 2.0 * static_cast<double>(place) / kMostLight);
-            m_developed[c][place] = static_cast<std::uint8_t>(
-                std::lround(255 * valueOf(correction.curves[c], storedValue(linear))));
+        for (std::size_t entry = 0; entry < m_developed[c].size(); ++entry) {
+            const double linear = std::min(1.0, 2.0 * static_cast<double>(entry) / kMostLight);
+            m_developed[c][entry] = static_cast<std::uint8_t>(
+                std::lround(255 * curveValue(correction.curves[c], storedValue(linear))));
         }
     }
 }
 
 void ColourTables::apply(RgbImage& picture, const PixelRays& rays, WorkerPool& pool, int threads) const {
     constexpr int kRows = 16; // at a time: a row alone is done sooner than handed out
-    constexpr int kShift = kMatrixBits + kLightBits - kPlaceBits;
-    constexpr std::int32_t kLast = (1 << kPlaceBits) - 1;
+    constexpr int kShift = kMatrixBits + kLightBits - kEntryBits;
+    constexpr std::int32_t kLast = (1 << kEntryBits) - 1;
     const bool seesAll = rays.camera().intrinsics().lens == LensModel::Pinhole;
     pool.run((picture.height() + kRows - 1) / kRows, threads, [&](int part, int) {
         const int end = std::min(picture.height(), (part + 1) * kRows);
@@ -144,12 +146,12 @@ void ColourTables::apply(RgbImage& picture, const PixelRays& rays, WorkerPool& p
                 const Share& red = m_shares[0][rgb[0]];
                 const Share& green = m_shares[1][rgb[1]];
                 const Share& blue = m_shares[2][rgb[2]];
-                Share place;
+                Share entry;
                 for (std::size_t c = 0; c < 4; ++c) {
-                    place[c] = std::clamp((red[c] + green[c] + blue[c]) >> kShift, 0, kLast);
+                    entry[c] = std::clamp((red[c] + green[c] + blue[c]) >> kShift, 0, kLast);
                 }
                 for (std::size_t c = 0; c < 3; ++c) {
-                    rgb[c] = m_developed[c][static_cast<std::size_t>(place[c])];
+                    rgb[c] = m_developed[c][static_cast<std::size_t>(entry[c])];
                 }
             }
         }

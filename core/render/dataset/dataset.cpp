@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/dataset.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 
+#include <algorithm>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -17,8 +19,8 @@ namespace {
 
 constexpr std::uint64_t kLargestDescription = 1ULL << 30;
 
-/// Errors: NotFound, if there is no such regular file inside the dataset (a link that leads out of it is
-/// none).
+/// The size of a regular file inside the dataset. Errors: NotFound, also for a link, which may lead out of
+/// it.
 std::uint64_t sizeOf(const std::filesystem::path& folder, const std::string& name) {
     const std::filesystem::path file = folder / name;
     std::error_code failure;
@@ -36,7 +38,60 @@ std::uint64_t sizeOf(const std::filesystem::path& folder, const std::string& nam
                                          photo.file, " ", how, "; copy or export the dataset again."));
 }
 
+bool hasScene(const DatasetInfo& info, std::size_t photo, SceneKind kind) {
+    switch (kind) {
+    case SceneKind::Sphere:
+        return info.sphereRadiusM.has_value();
+    case SceneKind::Room:
+        return info.roomShape.has_value();
+    case SceneKind::Depth:
+        return !info.photos[photo].depth.empty();
+    default:
+        return true;
+    }
+}
+
 } // namespace
+
+std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
+    std::vector<SceneKind> scenes{SceneKind::None};
+    if (info.sphereRadiusM) {
+        scenes.push_back(SceneKind::Sphere);
+    }
+    if (info.roomShape) {
+        scenes.push_back(SceneKind::Room);
+    }
+    if (std::any_of(info.photos.begin(), info.photos.end(),
+                    [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
+        scenes.push_back(SceneKind::Depth);
+    }
+    return scenes;
+}
+
+SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
+    if (!info.photos[photo].depth.empty()) {
+        return SceneKind::Depth;
+    }
+    if (info.roomShape) {
+        return SceneKind::Room;
+    }
+    return info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
+}
+
+SceneKind autoScene(const DatasetInfo& info, std::size_t photo, const CameraIntrinsics& camera) {
+    if (info.choice && info.choice->isFor(camera)) {
+        const SceneKind chosen = info.photos[photo].scene.value_or(info.choice->scene);
+        if (hasScene(info, photo, chosen)) {
+            return chosen;
+        }
+    }
+    return bestScene(info, photo);
+}
+
+Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIntrinsics& camera) {
+    const bool isChosen = sampling == Sampling::Auto && info.choice && info.choice->isFor(camera);
+    return isChosen ? info.choice->sampling : sampling;
+}
 
 Dataset::Dataset(std::filesystem::path folder, DatasetInfo info)
     : m_folder(std::move(folder)), m_info(std::move(info)) {

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
@@ -186,11 +187,11 @@ SuggestedCamera cameraOf(const JsonReader& reader) {
     k.cx = reader.number("cx");
     k.cy = reader.number("cy");
     const std::string lens = reader.string("distortion_model");
-    constexpr std::array kLenses{LensModel::Pinhole, LensModel::PlumbBob, LensModel::RationalPolynomial,
-                                 LensModel::Equidistant};
-    const auto* found =
-        std::find_if(kLenses.begin(), kLenses.end(), [&](LensModel model) { return name(model) == lens; });
-    if (found == kLenses.end()) {
+    constexpr std::array kDatasetLenses{LensModel::Pinhole, LensModel::PlumbBob,
+                                        LensModel::RationalPolynomial, LensModel::Equidistant};
+    const auto* found = std::find_if(kDatasetLenses.begin(), kDatasetLenses.end(),
+                                     [&](LensModel model) { return name(model) == lens; });
+    if (found == kDatasetLenses.end()) {
         reader.member("distortion_model").fail("the lens model is unknown");
     }
     k.lens = *found;
@@ -260,38 +261,6 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
     }
 }
 
-} // namespace
-
-std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
-    std::vector<SceneKind> scenes{SceneKind::None};
-    if (info.sphereRadiusM) {
-        scenes.push_back(SceneKind::Sphere);
-    }
-    if (info.roomShape) {
-        scenes.push_back(SceneKind::Room);
-    }
-    if (std::any_of(info.photos.begin(), info.photos.end(),
-                    [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
-        scenes.push_back(SceneKind::Depth);
-    }
-    return scenes;
-}
-
-namespace {
-
-bool hasScene(const DatasetInfo& info, std::size_t photo, SceneKind kind) {
-    switch (kind) {
-    case SceneKind::Sphere:
-        return info.sphereRadiusM.has_value();
-    case SceneKind::Room:
-        return info.roomShape.has_value();
-    case SceneKind::Depth:
-        return !info.photos[photo].depth.empty();
-    default:
-        return true;
-    }
-}
-
 Json measuredErrorPx(const DatasetInfo& info, SceneKind kind) {
     const auto found = info.measuredErrorPx.find(kind);
     return found == info.measuredErrorPx.end() ? Json() : Json(found->second);
@@ -314,31 +283,6 @@ void checkChoice(const DatasetInfo& info, const JsonReader& root) {
 }
 
 } // namespace
-
-SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
-    if (!info.photos[photo].depth.empty()) {
-        return SceneKind::Depth;
-    }
-    if (info.roomShape) {
-        return SceneKind::Room;
-    }
-    return info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
-}
-
-SceneKind autoScene(const DatasetInfo& info, std::size_t photo, const CameraIntrinsics& camera) {
-    if (info.choice && info.choice->isFor(camera)) {
-        const SceneKind chosen = info.photos[photo].scene.value_or(info.choice->scene);
-        if (hasScene(info, photo, chosen)) {
-            return chosen;
-        }
-    }
-    return bestScene(info, photo);
-}
-
-Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIntrinsics& camera) {
-    const bool isChosen = sampling == Sampling::Auto && info.choice && info.choice->isFor(camera);
-    return isChosen ? info.choice->sampling : sampling;
-}
 
 void putMeasured(Json& description, const ViewChoice& choice, const std::map<SceneKind, double>& errorPx,
                  const std::vector<std::optional<SceneKind>>& photoScenes) {

@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/renderer.h"
 
-#include "view_engine.h"
+#include "engine/tile_supply.h"
+#include "engine/view_engine.h"
+
+#include "spherewalk/base/enum_names.h"
+
+#include <hwy/highway.h>
 
 #include <utility>
 
 namespace spherewalk::render {
+
+namespace {
+
+constexpr EnumNames<ViewOrigin, 3> kOriginNames{{{ViewOrigin::Photo, "photo"},
+                                                 {ViewOrigin::Thumbnail, "thumbnail"},
+                                                 {ViewOrigin::PreviousPhoto, "previous"}}};
+
+} // namespace
+
+std::string_view name(ViewOrigin origin) {
+    return nameOf(kOriginNames, origin);
+}
 
 Renderer::Renderer(std::shared_ptr<const Dataset> dataset, const RendererOptions& options)
     : m_engine(std::make_shared<ViewEngine>(std::move(dataset), options)) {
@@ -20,20 +37,8 @@ View Renderer::render(const CameraModel& camera, const Rigid3& roomFromCamera,
 
 void Renderer::render(const CameraModel& camera, const Rigid3& roomFromCamera, const ViewOptions& options,
                       View& view) const {
-    const ViewRequest request = m_engine->checked(camera, roomFromCamera, options);
-    const ViewPlan plan = m_engine->plan(request, m_engine->nearestPhoto(request));
-    if (plan.surface) {
-        const TileStore::ViewInProgress inProgress(m_engine->store());
-        m_engine->makeFromSurfaces(request, plan, view);
-        return;
-    }
-    const TileNeed need = m_engine->need(request, plan);
-    const TileStore::ViewInProgress inProgress(m_engine->store());
-    Served served;
-    served.lease =
-        m_engine->store().acquire(need.level, need.tiles, TileStore::Missing::Decode, options.threads);
-    served.isLate = served.lease.waitedTiles() > 0;
-    m_engine->make(request, plan, served, view);
+    LateViews late = m_engine->lateViews();
+    m_engine->serve(m_engine->request(camera, roomFromCamera, options), LatePolicy::Wait, late, view);
 }
 
 const Dataset& Renderer::dataset() const {
@@ -42,6 +47,11 @@ const Dataset& Renderer::dataset() const {
 
 LoadCounters Renderer::counters() const {
     return m_engine->store().counters();
+}
+
+std::string simdTarget() {
+    const auto usable = hwy::SupportedTargets() & HWY_TARGETS; // the best has the lowest bit
+    return hwy::TargetName(usable & -usable);
 }
 
 } // namespace spherewalk::render

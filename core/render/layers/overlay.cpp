@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/overlay.h"
 
-#include "overlay_layer.h"
-#include "overlay_map.h"
+#include "layers/overlay_layer.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/recently_used.h"
@@ -19,36 +18,37 @@ namespace {
 
 constexpr std::size_t kMapsKept = 8;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+[[noreturn]] void refuseOverlay(const std::string& what, const std::string& why) {
     throw Error(ErrorKind::InvalidInput, text(what, " cannot be laid into the view: ", why));
 }
 
 template <class Picture>
-void checkSize(const std::string& what, std::string_view whose, const Picture& picture,
-               const CameraIntrinsics& camera) {
+void checkPictureSize(const std::string& what, std::string_view whose, const Picture& picture,
+                      const CameraIntrinsics& camera) {
     if (picture.width() != camera.width || picture.height() != camera.height) {
-        refuse(what, text(whose, " has ", picture.width(), " x ", picture.height(), " pixels, the camera ",
-                          camera.width, " x ", camera.height, "."));
+        refuseOverlay(what, text(whose, " has ", picture.width(), " x ", picture.height(),
+                                 " pixels, the camera ", camera.width, " x ", camera.height, "."));
     }
 }
 
-void check(const Overlay& overlay, const std::string& what) {
+void checkOverlay(const Overlay& overlay, const std::string& what) {
     try {
         overlay.camera.validate();
     } catch (const Error& error) {
-        refuse(what, error.sentence());
+        refuseOverlay(what, error.sentence());
     }
-    checkSize(what, "its picture", overlay.picture, overlay.camera);
-    checkSize(what, "its depth", overlay.depth, overlay.camera);
+    checkPictureSize(what, "its picture", overlay.picture, overlay.camera);
+    checkPictureSize(what, "its depth", overlay.depth, overlay.camera);
     if (!overlay.roomDepth.empty()) {
-        checkSize(what, "its room's depth", overlay.roomDepth, overlay.camera);
+        checkPictureSize(what, "its room's depth", overlay.roomDepth, overlay.camera);
     }
 }
 
-void check(const ComposeOptions& options) {
+void checkOptions(const ComposeOptions& options) {
     for (const double tolerance : {options.toleranceM, options.toleranceShare}) {
         if (!(tolerance >= 0) || !std::isfinite(tolerance)) {
-            refuse("Overlays", text("their depth tolerance is ", tolerance, "; it must be 0 or more."));
+            refuseOverlay("Overlays",
+                          text("their depth tolerance is ", tolerance, "; it must be 0 or more."));
         }
     }
 }
@@ -56,7 +56,7 @@ void check(const ComposeOptions& options) {
 /// An overlay, and how the view's pixels find it.
 struct Layer {
     OverlayLayer pixels;
-    std::shared_ptr<const OverlayMap> map; ///< nothing: pixel for pixel
+    std::shared_ptr<const OverlayMap> map; ///< Null if pixels are taken one for one.
 
     /// The pixels of the view's row that may show something.
     OverlayLayer::Span span(int y, int width) const {
@@ -77,17 +77,17 @@ struct Layer {
         if (!map) {
             return pixels.pixel(x, y);
         }
-        const OverlayMap::Place place = map->at(x, y);
-        return pixels.mayShow(place) ? pixels.between(place, viewDepth) : Shown();
+        const OverlayMap::Position position = map->at(x, y);
+        return pixels.mayShow(position) ? pixels.between(position, viewDepth) : Shown();
     }
 };
 
 /// What overlays show in one pixel, farthest first.
 using Pile = std::vector<Shown>;
 
-/// What a worker needs for a row.
+/// The memory that a worker uses for a row.
 struct RowSpace {
-    std::vector<OverlayLayer::Span> spans; ///< of each layer
+    std::vector<OverlayLayer::Span> spans; ///< One a layer.
     Pile pile;
 };
 
@@ -166,13 +166,13 @@ Composer& Composer::operator=(Composer&&) noexcept = default;
 void Composer::compose(std::span<const Overlay> overlays, const CameraModel& camera,
                        const DepthImage& viewDepth, const ComposeOptions& options, WorkerPool& pool,
                        RgbImage& picture, MaskImage* shown) {
-    check(options);
-    checkSize("Overlays", "the view", picture, camera.intrinsics());
+    checkOptions(options);
+    checkPictureSize("Overlays", "the view", picture, camera.intrinsics());
     if (!viewDepth.empty()) {
-        checkSize("Overlays", "the view's depth", viewDepth, camera.intrinsics());
+        checkPictureSize("Overlays", "the view's depth", viewDepth, camera.intrinsics());
     }
     for (std::size_t i = 0; i < overlays.size(); ++i) {
-        check(overlays[i], text("Overlay ", i));
+        checkOverlay(overlays[i], text("Overlay ", i));
     }
     std::vector<Layer> layers;
     for (const Overlay& overlay : overlays) {

@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "overlay_layer.h"
+#include "layers/overlay_layer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace spherewalk::render {
 
+using Eigen::Vector2d;
+
 namespace {
 
 constexpr float kNoDepth = std::numeric_limits<float>::infinity();
-constexpr std::int16_t kNotThere = -1; ///< a pixel without an object, which says nothing of its neighbours
+constexpr std::int16_t kNotThere = -1; ///< A pixel without an object: neighbours ignore it.
 
 /// How much the depth of one surface may change from pixel to pixel: 3 % are 87 degrees of inclination where
 /// a pixel spans a tenth of a degree.
 constexpr float kSurfaceStep = 0.03F;
 
+OverlayMap::Position positionOf(const Vector2d& pixel, const CameraModel& view, const CameraModel& other) {
+    const auto ray = view.ray(pixel);
+    const auto position = ray ? other.project(*ray) : std::nullopt;
+    const bool isInside = position && position->x() >= -0.5 && position->x() <= other.width() - 0.5 &&
+                          position->y() >= -0.5 && position->y() <= other.height() - 0.5;
+    if (!isInside) {
+        return {OverlayMap::kNowhere, 0};
+    }
+    return {static_cast<std::int32_t>(std::lround(OverlayMap::kOne * position->x())),
+            static_cast<std::int32_t>(std::lround(OverlayMap::kOne * position->y()))};
+}
+
 } // namespace
+
+OverlayMap::OverlayMap(const CameraModel& view, const CameraModel& other, WorkerPool& pool, int threads)
+    : m_positions(view.width(), view.height()) {
+    pool.run(view.height(), threads, [&](int y, int) {
+        for (int x = 0; x < view.width(); ++x) {
+            const Position position = positionOf(Vector2d(x, y), view, other);
+            m_positions.at(x, y)[0] = position.u;
+            m_positions.at(x, y)[1] = position.v;
+        }
+    });
+}
 
 int DepthTest::shown(float object, float room) const {
     if (!isDepth(room)) {
@@ -149,12 +175,12 @@ Shown OverlayLayer::pixel(int x, int y) const {
     return result;
 }
 
-Shown OverlayLayer::between(const OverlayMap::Place& place, float viewDepth) const {
+Shown OverlayLayer::between(const OverlayMap::Position& position, float viewDepth) const {
     Shown result;
-    const int left = place.u >> 8;
-    const int top = place.v >> 8;
-    const int right = place.u & 0xFF;
-    const int below = place.v & 0xFF;
+    const int left = position.u >> 8;
+    const int top = position.v >> 8;
+    const int right = position.u & 0xFF;
+    const int below = position.v & 0xFF;
     std::uint64_t heaviest = 0;
     for (const int j : {0, 1}) {
         const int y = std::clamp(top + j, 0, m_overlay.picture.height() - 1); // the rim repeats half a pixel

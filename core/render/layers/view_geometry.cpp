@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "spherewalk/render/pixel_trust.h"
+#include "layers/view_geometry.h"
+
+#include "sphere/exact_view.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/render/scene_rays.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +20,21 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kBand = 8; ///< rows that one worker does in turn, sharing what two neighbouring rows see
+/// One worker does so many rows in turn: neighbouring rows share their rays.
+constexpr int kTrustRows = 8;
+constexpr double kUnitTolerance = 1e-6;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuseGeometry(const std::string& what) {
+    throw Error(ErrorKind::InvalidInput,
+                text("Neither depth nor trust of the view can be told: ", what, "."));
+}
+
+[[noreturn]] void refuseTrust(const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("The trust of the view's pixels cannot be told: ", what, "."));
 }
 
-/// By how many pixels a thing in this pixel moves in the picture for each radian that it moves in this
-/// direction, a unit vector across the ray.
+/// How many pixels a thing in this pixel moves for each radian that it moves in the direction. direction: a
+/// unit vector across the ray.
 double pixelsPerRadian(const CameraModel& camera, const Vector2d& pixel, const Vector3d& ray,
                        const Vector3d& direction) {
     constexpr double kStep = 1e-5; // radians: lenses are smooth at this scale, and ten digits are left
@@ -50,13 +59,13 @@ class TrustRows {
           m_sinStitching(
               std::sin(std::min(Radians(options.stitchingHalfWidth).value(), std::numbers::pi / 2))) {}
 
-    /// Rows [begin, end).
+    /// Computes the rows [begin, end).
     void compute(int begin, int end, PixelTrust& trust) const;
 
   private:
     struct Seen {
-        Vector3d ray;     ///< optical frame; zero where the lens sees nothing
-        Vector3d inPhoto; ///< unit vector of the photo's frame
+        Vector3d ray;     ///< Frame: optical. It is zero where the lens sees nothing.
+        Vector3d inPhoto; ///< A unit vector of the photo's frame.
     };
 
     using Row = std::vector<Seen>;
@@ -72,7 +81,7 @@ class TrustRows {
     SceneRays m_scene;
     double m_usualDistanceM;
     const TrustOptions& m_options;
-    double m_photoPixel; ///< radians, at the equator
+    double m_photoPixel; ///< Radians that a pixel of the photo spans at the equator.
     double m_sinPole;
     double m_sinStitching;
 };
@@ -86,8 +95,7 @@ TrustRows::Row TrustRows::seen(int y) const {
     return row;
 }
 
-/// The angle in the photo that the pixel spans, along the axis of the view that has more: the way to its
-/// neighbours.
+/// The angle in the photo between the pixel and its neighbours, along the axis of the view that has more.
 double TrustRows::footprint(const Row& row, const Row& other, std::size_t x) const {
     double most = 0;
     const auto measure = [&](const Seen& neighbour) {
@@ -165,16 +173,47 @@ void TrustRows::compute(int begin, int end, PixelTrust& trust) const {
 
 } // namespace
 
+void ViewGeometry::validate() const {
+    if (!isPose(roomFromCamera, kUnitTolerance) || !isPose(roomFromPhoto, kUnitTolerance)) {
+        refuseGeometry(
+            "the pose of the camera or of the photo is not a position in metres and a unit quaternion");
+    }
+    if (photo.width < 1 || photo.height < 1) {
+        refuseGeometry(text("the photo has ", photo.width, " x ", photo.height, " pixels"));
+    }
+    if (!(sphereRadiusM > 0) || !std::isfinite(sphereRadiusM)) {
+        refuseGeometry(text("the scene's radius is ", sphereRadiusM, " m; it must be above zero"));
+    }
+}
+
+DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads) {
+    view.validate();
+    if (view.scene == SceneKind::None) {
+        return {};
+    }
+    const SceneRays scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM);
+    DepthImage depth(view.rays.camera().width(), view.rays.camera().height());
+    pool.run(depth.height(), threads, [&](int y, int) {
+        for (int x = 0; x < depth.width(); ++x) {
+            const Vector3d ray = view.rays.ray(x, y);
+            *depth.at(x, y) = ray.z() > 0 ? static_cast<float>(ray.z() * scene.distanceM(ray))
+                                          : std::numeric_limits<float>::infinity();
+        }
+    });
+    return depth;
+}
+
 void TrustOptions::validate() const {
     for (const double value : {distanceResidual, poleRadius.value(), stitchingHalfWidth.value()}) {
         if (!(value >= 0) || !std::isfinite(value)) {
-            refuse(text("the residual of the distance and the widths of pole and stitching zone must be 0 or "
-                        "more, not ",
-                        value));
+            refuseTrust(
+                text("the residual of the distance and the widths of pole and stitching zone must be 0 or "
+                     "more, not ",
+                     value));
         }
     }
     if (!(coarseness >= 1) || !std::isfinite(coarseness)) {
-        refuse(text("the coarseness must be 1 or more, not ", coarseness));
+        refuseTrust(text("the coarseness must be 1 or more, not ", coarseness));
     }
 }
 
@@ -184,14 +223,15 @@ PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, Wor
     const CameraModel& camera = view.rays.camera();
     if (options.overlays != nullptr &&
         (options.overlays->width() != camera.width() || options.overlays->height() != camera.height())) {
-        refuse(text("the overlays' mask has ", options.overlays->width(), " x ", options.overlays->height(),
-                    " pixels, the view ", camera.width(), " x ", camera.height()));
+        refuseTrust(text("the overlays' mask has ", options.overlays->width(), " x ",
+                         options.overlays->height(), " pixels, the view ", camera.width(), " x ",
+                         camera.height()));
     }
     PixelTrust result{Image<float, 1>(camera.width(), camera.height()),
                       MaskImage(camera.width(), camera.height())};
     const TrustRows rows(view, options);
-    pool.run((camera.height() + kBand - 1) / kBand, threads, [&](int band, int) {
-        rows.compute(kBand * band, std::min(kBand * (band + 1), camera.height()), result);
+    pool.run((camera.height() + kTrustRows - 1) / kTrustRows, threads, [&](int band, int) {
+        rows.compute(kTrustRows * band, std::min(kTrustRows * (band + 1), camera.height()), result);
     });
     return result;
 }

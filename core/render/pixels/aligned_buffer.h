@@ -13,9 +13,9 @@
 
 namespace spherewalk::render {
 
-/// Zeroed memory for SIMD, aligned to cache lines. Large buffers ask for huge pages: a photo's rows lie far
-/// apart, and a view that walks over a thousand of them would otherwise miss the processor's page table cache
-/// at every turn.
+/// Zeroed memory for SIMD, aligned to cache lines. Large buffers ask for huge pages. A photo's rows lie far
+/// apart: a view that reads a thousand of them would otherwise miss the processor's page table cache for
+/// each. Errors: std::bad_alloc.
 template <class Value>
 class AlignedBuffer {
   public:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the samplers share; included once for each kind of processor, as Highway's own -inl.h files.
-#include "lattice.h"
-#include "sampler.h"
+#include "pixels/sampler.h"
 
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
@@ -19,7 +18,7 @@ namespace spherewalk::render::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kGroup = RayTable::kCell; // samples side by side
+constexpr int kGroup = kCell; // samples side by side
 
 /// Asks for the pixels of the next cell's row y, so many rows of the photo from `first` on, and does not wait
 /// for them.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sampler.h"
-
-#include "lattice.h"
+#include "pixels/sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +7,11 @@
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sampler.cpp"
+#define HWY_TARGET_INCLUDE "pixels/sampler.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "sampler-inl.h"
+#include "pixels/sampler-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -121,14 +119,14 @@ HWY_INLINE V8 pixelPairs(const std::int8_t* base, const std::int32_t* places) {
 #endif
 }
 
-/// What is the same for all samples of a call.
+/// Constants that are the same for all samples of a call.
 struct Constants {
-    VU16 scale;    ///< of the fractions: 255, and the vertical weights' sum
-    V16 weightSum; ///< of a sample's vertical weights
-    V16 gain;      ///< what is missing from samples^2 * weightSum to 2^15, in 2^-15
-    V8 pairs;      ///< shuffle: each channel's two values side by side
+    VU16 scale;    ///< Factors of the fractions: 255, and the vertical weights' sum.
+    V16 weightSum; ///< The sum of a sample's vertical weights.
+    V16 gain;      ///< By how much samples^2 * weightSum falls short of 2^15, in 2^-15.
+    V8 pairs;      ///< A shuffle that puts each channel's two values side by side.
     V8 horizontalLower, horizontalUpper, verticalLower,
-        verticalUpper; ///< shuffles: a sample's weight, repeated
+        verticalUpper; ///< Shuffles that repeat a sample's weight.
     V8 complement;
 };
 
@@ -275,15 +273,15 @@ void sample(const PlaneView& photo, Sampling sampling, const CellSamples& cell) 
     }
 }
 
-Rounding rounding(Sampling sampling) {
+Placing placing(const PlaneView& photo, Sampling sampling) {
     constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
     switch (sampling) {
     case Sampling::Nearest:
-        return {kHalf, kHalf};
+        return {photo.stride(), kHalf, kHalf};
     case Sampling::Bicubic: // u is rounded to its weights' steps already, see kRoundingU
-        return {0, kHalf / 256};
+        return {photo.stride(), 0, kHalf / 256};
     default:
-        return {};
+        return {photo.stride(), 0, 0};
     }
 }
 
@@ -292,7 +290,7 @@ void sampleNearest(const PlaneView& photo, const CellSamples& cell) {
     const int full = cell.spill ? cell.width : cell.width - 1; // these may write a byte beyond themselves
     for (int y = 0; y < cell.height; ++y) {
         HWY_STATIC_DISPATCH(fetchNext<1>)(cell, y, data, 0);
-        const std::int32_t* places = cell.places + y * RayTable::kCell;
+        const std::int32_t* places = cell.places + y * kCell;
         std::uint8_t* to = cell.out + y * cell.pitch;
         for (int x = 0; x < full; ++x, to += 3) {
             std::uint32_t rgb = 0;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sampler.h"
+#include "pixels/sampler.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sampler_bicubic.cpp"
+#define HWY_TARGET_INCLUDE "pixels/sampler_bicubic.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "sampler-inl.h"
+#include "pixels/sampler-inl.h"
 // clang-format on
 
 #ifndef SPHEREWALK_SAMPLER_BICUBIC_TABLE
@@ -57,7 +57,7 @@ constexpr int kRowShift = 7;
 constexpr int kResultShift = 21;
 constexpr std::int32_t kRoundResult = (1 << (kResultShift - 1)) + (1 << 14) + (128 << kResultShift);
 
-constexpr std::uint8_t kZero = 0x80; ///< in a shuffle
+constexpr std::uint8_t kZero = 0x80; ///< Makes a zero in a shuffle.
 
 /// The shuffle that takes a block's bytes 0 and 8 to these.
 constexpr Block bytesAt(std::size_t first, std::size_t second) {
@@ -135,8 +135,8 @@ HWY_INLINE hn::Vec<D> weightsAt(D d, const std::int32_t* fractions, int shift) {
 }
 
 struct CubicConstants {
-    V8 redGreen, blueLower, blueUpper; ///< shuffles, four pixels of a channel side by side
-    V8 firstDown, secondDown;          ///< shuffles: weights of rows 0 and 1, and of 2 and 3
+    V8 redGreen, blueLower, blueUpper; ///< Shuffles: four pixels of a channel side by side.
+    V8 firstDown, secondDown;          ///< Shuffles: the weights of rows 0 and 1, and of 2 and 3
 };
 
 HWY_INLINE CubicConstants cubicConstants() {
@@ -157,7 +157,7 @@ HWY_INLINE CubicConstants cubicConstants() {
 struct CubicRow {
     V32 redGreenA;
     V32 redGreenB;
-    V32 blues; ///< of A and B
+    V32 blues; ///< The blue values of A and B.
 };
 
 /// Grey levels from the rows' sums.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the lattice's sources share; included once for each kind of processor, as Highway's own -inl.h files.
-#include "lattice_simd.h"
+#include "sphere/lattice_simd.h"
 
 #include <hwy/highway.h>
 

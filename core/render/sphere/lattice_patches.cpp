@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lattice_simd.h"
+#include "sphere/lattice_simd.h"
 
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lattice_patches.cpp"
+#define HWY_TARGET_INCLUDE "sphere/lattice_patches.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "lattice-inl.h"
+#include "sphere/lattice-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -34,7 +34,7 @@ HWY_INLINE V fit(D d, const std::array<const double*, 3>& edges, const std::arra
         return hn::Add(hn::Sub(difference, down), up);
     };
     const V half = hn::Set(d, 0.5);
-    const V unit = hn::Set(d, static_cast<double>(1 << kFractionBits));
+    const V unit = hn::Set(d, double{kFixedOne});
     // Left, middle and right to value, slope and curvature; the same along y.
     const auto form = [&](V a, V b, V c, V& slope, V& curvature) {
         slope = hn::Mul(half, hn::Sub(c, a));
@@ -64,27 +64,26 @@ HWY_INLINE V fit(D d, const std::array<const double*, 3>& edges, const std::arra
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> fixedPoint(D d, V value, double offset) {
     const hn::Rebind<std::int32_t, D> di;
     // Positive, so that cutting off after adding a half rounds.
-    const V unit = hn::Set(d, static_cast<double>(1 << kFractionBits));
+    const V unit = hn::Set(d, double{kFixedOne});
     return hn::DemoteTo(di, mulAdd(hn::Add(value, hn::Set(d, offset)), unit, hn::Set(d, 0.5)));
 }
 
-void fitPatches(const Lattice& lattice, const std::array<NodeRow, 3>& rows, int begin, int end,
+void fitPatches(const LatticeFrame& frame, const std::array<NodeRow, 3>& rows, int begin, int end,
                 const PatchRow& out) {
     const D d;
     const hn::Rebind<std::int32_t, D> di;
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int i = begin; i < end; i += lanes) {
-        const V reach =
-            fit(d, {rows[0].edges.u, rows[1].edges.u, rows[2].edges.u},
-                {rows[0].centres.u, rows[1].centres.u, rows[2].centres.u}, lattice.width, out.u, i);
+        const V reach = fit(d, {rows[0].edges.u, rows[1].edges.u, rows[2].edges.u},
+                            {rows[0].centres.u, rows[1].centres.u, rows[2].centres.u}, frame.width, out.u, i);
         fit(d, {rows[0].edges.v, rows[1].edges.v, rows[2].edges.v},
-            {rows[0].centres.v, rows[1].centres.v, rows[2].centres.v}, 4 * lattice.height, out.v, i);
+            {rows[0].centres.v, rows[1].centres.v, rows[2].centres.v}, 4 * frame.height, out.v, i);
         const V u = hn::LoadU(d, rows[1].centres.u + i);
         hn::StoreU(fixedPoint(d, u, kOffsetU), di, out.centreU + i);
         hn::StoreU(fixedPoint(d, hn::LoadU(d, rows[1].centres.v + i), kOffsetV), di, out.centreV + i);
         const V safe = hn::Mul(hn::Set(d, kSeamReach), hn::Add(reach, hn::Set(d, kSeamReach)));
         const V fromLeft = hn::Sub(hn::Add(u, hn::Set(d, 0.5)), safe);
-        const V fromRight = hn::Sub(hn::Sub(hn::Set(d, lattice.width - 0.5), u), safe);
+        const V fromRight = hn::Sub(hn::Sub(hn::Set(d, frame.width - 0.5), u), safe);
         hn::StoreU(hn::Min(fromLeft, fromRight), d, out.fromSeam + i);
     }
 }
@@ -137,7 +136,7 @@ struct ToCoordinates {
     }
 };
 
-/// As places and fractions.
+/// Stores samples as places and fractions.
 struct ToPlaces {
     Placing placing;
     std::int32_t* places;
@@ -182,8 +181,8 @@ HWY_INLINE void fillPatch(const PatchRow& row, int patch, int n, const float* of
             for (int j = 0; j < n; ++j) {
                 auto u = stepsFrom(d, curveU, offsets[j], kStep, centreU);
                 auto v = stepsFrom(d, curveV, offsets[j], kStep, centreV);
-                std::ptrdiff_t at = to + (j * n + i) * RayTable::kCell + x;
-                for (int y = 0; y < kSize; ++y, at += n * n * RayTable::kCell) {
+                std::ptrdiff_t at = to + (j * n + i) * kCell + x;
+                for (int y = 0; y < kSize; ++y, at += n * n * kCell) {
                     target.store(di, u.at, v.at, at);
                     u.at = hn::Add(u.at, u.first);
                     v.at = hn::Add(v.at, v.first);
@@ -197,14 +196,14 @@ HWY_INLINE void fillPatch(const PatchRow& row, int patch, int n, const float* of
 
 template <int kSize, class Target>
 HWY_INLINE void fillCellOf(const PatchRow* rows, int cellX, int n, const Target& target) {
-    constexpr int kParts = RayTable::kCell / kSize;
+    constexpr int kParts = kCell / kSize;
     std::array<float, 8> offsets{};
     for (int i = 0; i < n; ++i) {
         offsets[static_cast<std::size_t>(i)] =
             ((static_cast<float>(i) + 0.5F) / static_cast<float>(n) - 0.5F * kSize) * (2.0F / kSize);
     }
     for (int i = 0; i < kParts * kParts; ++i) {
-        const int to = i / kParts * kSize * n * n * RayTable::kCell + i % kParts * kSize;
+        const int to = i / kParts * kSize * n * n * kCell + i % kParts * kSize;
         fillPatch<kSize>(rows[i / kParts], kParts * cellX + i % kParts, n, offsets.data(), target, to);
     }
 }
@@ -265,9 +264,9 @@ HWY_EXPORT(fillPlaces);
 HWY_EXPORT(locate);
 HWY_EXPORT(wrapFixed);
 
-void fitPatches(const Lattice& lattice, const std::array<NodeRow, 3>& rows, int begin, int end,
+void fitPatches(const LatticeFrame& frame, const std::array<NodeRow, 3>& rows, int begin, int end,
                 const PatchRow& out) {
-    HWY_DYNAMIC_DISPATCH(fitPatches)(lattice, rows, begin, end, out);
+    HWY_DYNAMIC_DISPATCH(fitPatches)(frame, rows, begin, end, out);
 }
 
 void fillCoordinates(const PatchRow* rows, int parts, int cellX, int samplesPerAxis, std::int32_t* u,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ray_table.h"
+#include "sphere/ray_table.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kFinePerCell = RayTable::kCell / RayTable::kFineStep;
-constexpr int kPadding = 16;
+constexpr int kFinePerCell = kCell / RayTable::kFineStep;
+constexpr int kTablePadding = 16;
 
 /// A cell's rays are interpolated if that changes directions by no more than this: 0.001 pixels of a photo
 /// that is 5376 wide.
@@ -64,9 +64,9 @@ RayTable::RayTable(const CameraModel& camera, int samplesPerAxis)
       m_samples(samplesPerAxis),
       m_cellsX((m_width + kCell - 1) / kCell),
       m_cellsY((m_height + kCell - 1) / kCell),
-      m_pitch((m_cellsX + 1 + 2 * kPadding - 1) / kPadding * kPadding),
+      m_pitch((m_cellsX + 1 + 2 * kTablePadding - 1) / kTablePadding * kTablePadding),
       m_affine(camera.intrinsics().lens == LensModel::Pinhole),
-      m_motion(static_cast<std::size_t>(6 * m_cellsY) * static_cast<std::size_t>(m_pitch) + kPadding) {
+      m_motion(static_cast<std::size_t>(6 * m_cellsY) * static_cast<std::size_t>(m_pitch) + kTablePadding) {
     if (samplesPerAxis < 1 || samplesPerAxis > 8) {
         throw Error(ErrorKind::InvalidInput, text("A pixel cannot have ", samplesPerAxis, " x ",
                                                   samplesPerAxis, " samples, only 1 x 1 to 8 x 8."));
@@ -84,7 +84,7 @@ double& RayTable::motionAt(int axis, int order, int cellX, int cellY) {
 }
 
 int RayTable::nodesPitch(int parts) const {
-    return (parts * m_cellsX + 1 + 2 * kPadding - 1) / kPadding * kPadding;
+    return (parts * m_cellsX + 1 + 2 * kTablePadding - 1) / kTablePadding * kTablePadding;
 }
 
 const double* RayTable::nodes(int parts, int component, bool edge, int nodeY) const {
@@ -131,7 +131,7 @@ void RayTable::tabulateNodes(const CameraModel& camera, int parts) {
     const int rows = 2 * parts * m_cellsY + 1;
     AlignedBuffer<double>& values = m_nodes[static_cast<std::size_t>(parts - 1)];
     values = AlignedBuffer<double>(
-        6 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(nodesPitch(parts)) + kPadding);
+        6 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(nodesPitch(parts)) + kTablePadding);
     const double step = static_cast<double>(kNodeStep) / parts;
     parallelFor(rows, 4, 0, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_cells.h"
+#include "surface/cells.h"
 
-#include "lattice.h"
-#include "photo_plane.h"
+#include "pixels/photo_plane.h"
+#include "surface/pieces.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "depth_cells.cpp"
+#define HWY_TARGET_INCLUDE "surface/cells.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
@@ -25,8 +27,6 @@ using V = hn::Vec<F>;
 using I = hn::CappedTag<std::int32_t, 16>;
 using VI = hn::Vec<I>;
 
-constexpr int kCell = 16;
-
 std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
     const F d;
     V least = hn::LoadU(d, values);
@@ -41,31 +41,31 @@ std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
     return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofSubCells) {
     const F d;
     const I di;
-    constexpr int kPart = 4;
-    std::array<std::int32_t, kCell * kCell / kPart> ofColumns;
+    constexpr int kSubCell = 4;
+    std::array<std::int32_t, kCell * kCell / kSubCell> ofColumns;
     VI any = hn::Zero(di);
-    for (int y = 0; y < kCell; y += kPart) {
+    for (int y = 0; y < kCell; y += kSubCell) {
         for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
             VI count = hn::Zero(di);
-            for (int i = 0; i < kPart; ++i) {
+            for (int i = 0; i < kSubCell; ++i) {
                 const V value = hn::LoadU(d, values + (y + i) * pitch + x);
                 const auto isZero = hn::RebindMask(di, hn::Eq(value, hn::Zero(d)));
                 count = hn::Add(count, hn::IfThenElseZero(isZero, hn::Set(di, 1)));
             }
             any = hn::Or(any, count);
-            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kPart) + x);
+            hn::StoreU(count, di, ofColumns.data() + y * (kCell / kSubCell) + x);
         }
     }
-    ofParts = {};
+    ofSubCells = {};
     if (hn::AllTrue(di, hn::Eq(any, hn::Zero(di)))) {
         return 0;
     }
     int all = 0;
     for (std::size_t i = 0; i < ofColumns.size(); ++i) {
-        ofParts[i / kPart] += ofColumns[i];
+        ofSubCells[i / kSubCell] += ofColumns[i];
         all += ofColumns[i];
     }
     return all;
@@ -96,8 +96,8 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
     return any;
 }
 
-void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
-               std::int32_t* places, std::int32_t* fractions) {
+void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
+               int apart, std::int32_t* places, std::int32_t* fractions) {
     static_assert(PlaneLayout::kPixelBytes == 3);
     const I d;
     const VI addU = hn::Set(d, placing.addU);
@@ -207,8 +207,8 @@ std::array<float, 2> range(const float* values, std::ptrdiff_t pitch) {
     return HWY_DYNAMIC_DISPATCH(range)(values, pitch);
 }
 
-int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofParts) {
-    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofParts);
+int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16>& ofSubCells) {
+    return HWY_DYNAMIC_DISPATCH(zeros)(values, pitch, ofSubCells);
 }
 
 bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, float* values,
@@ -216,8 +216,8 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
     return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, pitch, photo, values, sources);
 }
 
-void placeRows(const PartPlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows, int apart,
-               std::int32_t* places, std::int32_t* fractions) {
+void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
+               int apart, std::int32_t* places, std::int32_t* fractions) {
     HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
 }
 
@@ -236,5 +236,75 @@ std::array<std::int32_t, 4> boxOfCell(const std::int32_t* u, const std::int32_t*
 }
 
 } // namespace spherewalk::render::simd
+
+namespace spherewalk::render {
+
+namespace {
+
+int padded(int pixels) {
+    return (pixels + simd::kColumns - 1) / simd::kColumns * simd::kColumns;
+}
+
+} // namespace
+
+void fit(InverseBuffer& buffer, int width, int height) {
+    if (buffer.width() != padded(width) || buffer.height() != padded(height)) {
+        buffer = InverseBuffer(padded(width), padded(height));
+    }
+}
+
+OpenCells::OpenCells(int width, int height)
+    : m_width((width + kCell - 1) / kCell * kSubCells),
+      m_height((height + kCell - 1) / kCell * kSubCells),
+      m_sums(static_cast<std::size_t>((m_width + 1) * (m_height + 1))),
+      m_cells(static_cast<std::size_t>(m_width * m_height / (kSubCells * kSubCells)), kCell * kCell) {
+    for (int y = 0; y <= m_height; ++y) {
+        for (int x = 0; x <= m_width; ++x) {
+            m_sums[static_cast<std::size_t>(y * (m_width + 1) + x)] = x * y * kSubCell * kSubCell;
+        }
+    }
+}
+
+int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int threads) {
+    const int columns = m_width / kSubCells;
+    std::vector<int> parts(static_cast<std::size_t>(m_width * m_height));
+    pool.run(m_height / kSubCells, threads, [&](int row, int) {
+        std::array<std::int32_t, kSubCells * kSubCells> ofSubCells;
+        for (int column = 0; column < columns; ++column) {
+            if (!isOpen(column, row)) {
+                continue;
+            }
+            m_cells[static_cast<std::size_t>(row * columns + column)] =
+                simd::zeros(covered.at(column * kCell, row * kCell), covered.width(), ofSubCells);
+            for (int i = 0; i < kSubCells; ++i) {
+                std::copy_n(ofSubCells.begin() + i * kSubCells, kSubCells,
+                            parts.begin() + (row * kSubCells + i) * m_width + column * kSubCells);
+            }
+        }
+    });
+    const std::size_t pitch = static_cast<std::size_t>(m_width) + 1;
+    for (std::size_t y = 1; y <= static_cast<std::size_t>(m_height); ++y) {
+        int inRow = 0;
+        for (std::size_t x = 1; x < pitch; ++x) {
+            inRow += parts[(y - 1) * (pitch - 1) + x - 1];
+            m_sums[y * pitch + x] = inRow + m_sums[(y - 1) * pitch + x];
+        }
+    }
+    return std::accumulate(m_cells.begin(), m_cells.end(), 0);
+}
+
+bool OpenCells::anyIn(float left, float top, float right, float bottom) const {
+    const auto part = [](float pixel, int count, int more) {
+        const float inView = std::min(std::max(pixel * (1.0F / kSubCell), -1.0F), static_cast<float>(count));
+        return std::min(std::max(static_cast<int>(inView + 1) - 1 + more, 0), count);
+    };
+    const int column = part(left, m_width, 0);
+    const int endColumn = part(right, m_width, 1);
+    const int row = part(top, m_height, 0);
+    const int endRow = part(bottom, m_height, 1);
+    return endColumn > column && endRow > row && sum(column, row, endColumn, endRow) > 0;
+}
+
+} // namespace spherewalk::render
 
 #endif

@@ -1,21 +1,90 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_fit.h"
+#include "pixels/fixed_point.h"
+#include "pixels/photo_plane.h"
+#include "surface/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "depth_fit.cpp"
+#define HWY_TARGET_INCLUDE "surface/locate.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "depth_locate-inl.h"
+#include "sphere/lattice-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
 
 namespace spherewalk::render::simd::HWY_NAMESPACE {
+
+using F = hn::CappedTag<float, 16>;
+using VF = hn::Vec<F>;
+using I = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<I>;
+
+constexpr auto kPi = std::numbers::pi_v<float>;
+constexpr float kOne = kFixedOne;
+constexpr auto kAddU = static_cast<float>(PlaneLayout::kGuard + kRoundingU - 0.5);
+constexpr auto kAddV = static_cast<float>(PlaneLayout::kGuard - 0.5);
+
+/// The arc tangent of t in [0, 1], off by less than 2e-7. Source: Abramowitz and Stegun 4.4.49.
+HWY_INLINE VF arcTangent(F d, VF t) {
+    const VF s = hn::Mul(t, t);
+    VF sum = hn::Set(d, 0.0028662257F);
+    for (const float term : {-0.0161657367F, 0.0429096138F, -0.0752896400F, 0.1065626393F, -0.1420889944F,
+                             0.1999355085F, -0.3333314528F}) {
+        sum = mulAdd(sum, s, hn::Set(d, term));
+    }
+    return mulAdd(hn::Mul(t, s), sum, t);
+}
+
+/// atan2.
+HWY_INLINE VF angle(F d, VF y, VF x) {
+    const VF across = hn::Abs(x);
+    const VF up = hn::Abs(y);
+    const VF quotient = hn::Div(hn::Min(across, up), hn::Add(hn::Max(across, up), hn::Set(d, 1e-30F)));
+    VF result = arcTangent(d, quotient);
+    result = hn::IfThenElse(hn::Gt(up, across), hn::Sub(hn::Set(d, 0.5F * kPi), result), result);
+    result = hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, kPi), result), result);
+    return hn::IfThenElse(hn::Lt(y, hn::Zero(d)), hn::Neg(result), result);
+}
+
+void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
+            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
+    const F d;
+    const I di;
+    const std::array<float, 9> m = target.m;
+    const VF perRadian = hn::Set(d, target.perRadian);
+    const VF lastU = hn::Set(d, target.lastU);
+    const VF lastV = hn::Set(d, target.lastV);
+    for (int row = 0; row < kCell; ++row) {
+        for (std::size_t i = 0; i < kCell; i += hn::Lanes(d)) {
+            const VF rx = hn::LoadU(d, rays[0].first + row * rays[0].pitch + i);
+            const VF ry = hn::LoadU(d, rays[1].first + row * rays[1].pitch + i);
+            const VF rz = hn::LoadU(d, rays[2].first + row * rays[2].pitch + i);
+            const VF w = hn::LoadU(d, inverse + row * pitch + i);
+            const auto component = [&](std::size_t k) {
+                const VF turned =
+                    mulAdd(hn::Set(d, m[3 * k]), rx,
+                           mulAdd(hn::Set(d, m[3 * k + 1]), ry, hn::Mul(hn::Set(d, m[3 * k + 2]), rz)));
+                return mulAdd(w, hn::Set(d, target.offset[k]), turned);
+            };
+            const VF x = component(0);
+            const VF y = component(1);
+            const VF z = component(2);
+            const VF azimuth = angle(d, y, x);
+            const VF elevation = angle(d, z, hn::Sqrt(mulAdd(x, x, hn::Mul(y, y))));
+            const VF column = mulAdd(hn::Sub(hn::Set(d, kPi), azimuth), perRadian, hn::Set(d, kAddU));
+            const VF line = mulAdd(hn::Sub(hn::Set(d, 0.5F * kPi), elevation), perRadian, hn::Set(d, kAddV));
+            const std::size_t to = static_cast<std::size_t>(row * kCell) + i;
+            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(column, lastU), hn::Set(d, kOne))), di, u + to);
+            hn::StoreU(hn::ConvertTo(di, hn::Mul(hn::Min(line, lastV), hn::Set(d, kOne))), di, v + to);
+        }
+    }
+}
 
 /// Values at three nodes to value, slope and curvature.
 HWY_INLINE void form(VF& a, VF& b, VF& c) {
@@ -201,6 +270,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 namespace spherewalk::render::simd {
+
+HWY_EXPORT(locate);
+
+void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
+            std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
+    HWY_DYNAMIC_DISPATCH(locate)(target, rays, inverse, pitch, u, v);
+}
 
 HWY_EXPORT(fit);
 HWY_EXPORT(locateFitted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_pieces.h"
+#include "surface/pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,22 +8,22 @@
 #include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "depth_pieces.cpp"
+#define HWY_TARGET_INCLUDE "surface/pieces.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "lattice-inl.h"
+#include "sphere/lattice-inl.h"
 // clang-format on
 
-#ifndef SPHEREWALK_DEPTH_PIECES_ONCE
-#define SPHEREWALK_DEPTH_PIECES_ONCE
+#ifndef SPHEREWALK_SURFACE_PIECES_ONCE
+#define SPHEREWALK_SURFACE_PIECES_ONCE
 
 namespace spherewalk::render::simd {
 
-constexpr float kOverlapPx = 0.25F; ///< pieces reach so far beyond their edges: flat parts leave no cracks
-constexpr float kLeastTurn = 1e-4F; ///< of a corner; what is thinner is drawn as triangles, if at all
+constexpr float kOverlapPx = 0.25F; ///< Pieces reach so far beyond their edges, so that no cracks stay.
+constexpr float kLeastTurn = 1e-4F; ///< A quad with a thinner corner is drawn as triangles, if at all.
 
-/// As ProjectedPart has them.
+/// A vertex with the values of ProjectedBlock.
 struct Vertex {
     float x, y, value;
 };
@@ -69,7 +69,7 @@ HWY_INLINE std::array<VI, 2> pixelsBetween(VF begin, VF end, int last, Mask isWa
             hn::Sub(hn::IfThenElseZero(isPlaced, beyond), hn::Set(di, 1))};
 }
 
-/// As many of them as a vector has.
+/// Cuts as many quads as a vector has lanes.
 HWY_INLINE void cutSome(const Quads& quads, std::size_t from, int width, int height, CutQuads& out) {
     const F d;
     const auto four = [&](const auto& of) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_view.h"
+#include "surface/surface_view.h"
 
-#include "depth_cells.h"
-#include "fast_view.h"
-#include "sampler.h"
+#include "pixels/sampler.h"
+#include "surface/cells.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +18,15 @@ namespace spherewalk::render {
 
 namespace {
 
+/// The width of a room's depth. Walls are flat between its pixels, only corners are blunt.
+constexpr int kRoomWidth = 512;
+constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
+
 double pixels(std::int32_t fixed) {
-    return fixed / static_cast<double>(1 << kFractionBits) - PlaneLayout::kGuard;
+    return fixed / double{kFixedOne} - PlaneLayout::kGuard;
 }
 
-/// Photo coordinates that some pixels have.
+/// The bounds of the photo coordinates of some pixels.
 struct Box {
     std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0;
     std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = 0;
@@ -41,21 +47,21 @@ struct Box {
 
 } // namespace
 
-DepthView::Cell DepthView::cell(int column, int row) const {
+SurfaceView::Cell SurfaceView::cell(int column, int row) const {
     return {column, row, std::min(kCell, m_width - column * kCell), std::min(kCell, m_height - row * kCell)};
 }
 
-void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const {
+void SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const {
     const std::int32_t middle = tiles.grid().photo().width / 2 << kFractionBits;
-    const std::size_t index = m_places.index(at.column, at.row);
-    const std::int32_t* u = m_places.u.data() + index * DepthPlaces::kCellPixels;
-    const std::int32_t* v = m_places.v.data() + index * DepthPlaces::kCellPixels;
+    const std::size_t index = m_coordinates.index(at.column, at.row);
+    const std::int32_t* u = m_coordinates.u.data() + index * SurfaceCoordinates::kCellPixels;
+    const std::int32_t* v = m_coordinates.v.data() + index * SurfaceCoordinates::kCellPixels;
     if (at.width == kCell && at.height == kCell) {
         const std::array<std::int32_t, 4> all =
-            m_places.sources[index] == 1U
+            m_coordinates.sources[index] == 1U
                 ? simd::boxOfCell(u, v)
-                : simd::boxOfCell(u, v, m_places.source.at(at.column * kCell, at.row * kCell),
-                                  m_places.source.width(), static_cast<std::uint8_t>(source));
+                : simd::boxOfCell(u, v, m_coordinates.source.at(at.column * kCell, at.row * kCell),
+                                  m_coordinates.source.width(), static_cast<std::uint8_t>(source));
         if (all[1] - all[0] < middle / 2) {
             Box{all[0], all[1], all[2], all[3]}.addTo(tiles);
             return;
@@ -63,7 +69,7 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
     }
     std::array<Box, 2> boxes; // pixels to either side of the seam have boxes of their own
     for (int y = 0; y < at.height; ++y) {
-        const std::uint8_t* of = m_places.source.at(at.column * kCell, at.row * kCell + y);
+        const std::uint8_t* of = m_coordinates.source.at(at.column * kCell, at.row * kCell + y);
         for (int x = 0; x < at.width; ++x) {
             if (of[x] == source) {
                 boxes[u[y * kCell + x] < middle ? 0 : 1].insert(u[y * kCell + x], v[y * kCell + x]);
@@ -82,13 +88,13 @@ void DepthView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) c
     }
 }
 
-/// What the camera sees of each photo's surface, the first one's first.
-std::vector<PlacedPhoto> DepthView::drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                               std::span<const DepthPhoto> photos, WorkerPool& pool,
-                                               int threads) {
+/// Draws what the camera sees of each photo's surface, the first photo first.
+std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                                 std::span<const SurfacePhoto> photos, WorkerPool& pool,
+                                                 int threads) {
     const CameraModel& camera = rays.camera();
     const Rigid3 cameraFromRoom = roomFromCamera.inverse();
-    std::vector<PlacedPhoto> placed;
+    std::vector<SourcePhoto> drawn;
     for (std::size_t i = 0; i < photos.size() && m_open.any(); ++i) {
         // Positions are subtracted first: a room may lie at 10^6 m.
         const Rigid3 cameraFromPhoto{
@@ -96,48 +102,48 @@ std::vector<PlacedPhoto> DepthView::drawPhotos(const PixelRays& rays, const Rigi
             cameraFromRoom.rotation * (photos[i].roomFromPhoto.translation - roomFromCamera.translation)};
         m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open,
                       i == 0 ? kTolerancePx : kFurtherTolerancePx, pool, threads,
-                      i == 0 ? m_places.inverse : m_seen);
+                      i == 0 ? m_coordinates.inverse : m_seen);
         if (i > 0) {
-            m_places.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
+            m_coordinates.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }
-        const int uncovered = m_open.update(m_places.inverse, pool, threads);
+        const int uncovered = m_open.update(m_coordinates.inverse, pool, threads);
         const double openShare = uncovered / (static_cast<double>(m_width) * m_height);
         if (i == 0) {
             m_filledShare = openShare;
         }
-        placed.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
+        drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
         if (i > 0 && openShare < kLeastOpenShare) {
             break;
         }
     }
-    return placed;
+    return drawn;
 }
 
-std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                      std::span<const DepthPhoto> photos, double usualDistanceM,
-                                      int samplesPerAxis, WorkerPool& pool, int threads) {
+std::vector<TileSet> SurfaceView::prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                          std::span<const SurfacePhoto> photos, double usualDistanceM,
+                                          int samplesPerAxis, WorkerPool& pool, int threads) {
     m_width = rays.camera().width();
     m_height = rays.camera().height();
     m_samples = samplesPerAxis;
-    m_places.reset(m_width, m_height);
+    m_coordinates.reset(m_width, m_height);
     m_open = OpenCells(m_width, m_height);
-    const std::vector<PlacedPhoto> placed = drawPhotos(rays, roomFromCamera, photos, pool, threads);
-    m_photos = placed.size();
+    const std::vector<SourcePhoto> drawn = drawPhotos(rays, roomFromCamera, photos, pool, threads);
+    m_photos = drawn.size();
     std::vector<TileSet> needs;
-    for (const DepthPhoto& photo : photos) {
+    for (const SurfacePhoto& photo : photos) {
         needs.emplace_back(photo.grid);
     }
     std::mutex mutex;
     const auto addNeeds = [&](int row) {
         std::vector<TileSet> own;
-        for (const DepthPhoto& photo : photos) {
+        for (const SurfacePhoto& photo : photos) {
             own.emplace_back(photo.grid);
         }
-        for (int column = 0; column < m_places.columns(); ++column) {
+        for (int column = 0; column < m_coordinates.columns(); ++column) {
             const Cell at = cell(column, row);
-            const std::size_t index = m_places.index(column, row);
-            for (std::size_t i = 0; i < placed.size(); ++i) {
-                if ((m_places.sources[index] >> i & 1U) != 0) {
+            const std::size_t index = m_coordinates.index(column, row);
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                if ((m_coordinates.sources[index] >> i & 1U) != 0) {
                     needOfCell(at, i, own[i]);
                 }
             }
@@ -147,67 +153,67 @@ std::vector<TileSet> DepthView::place(const PixelRays& rays, const Rigid3& roomF
             needs[i].merge(own[i]);
         }
     };
-    placePixels(rays, roomFromCamera, placed, m_open, usualDistanceM, m_samples > 1, pool, threads, addNeeds,
-                m_places);
+    findCoordinates(rays, roomFromCamera, drawn, m_open, usualDistanceM, m_samples > 1, pool, threads,
+                    addNeeds, m_coordinates);
     return needs;
 }
 
-/// Of the samples of a cell.
-struct DepthView::SampleSpace {
+/// The samples of a cell.
+struct SurfaceView::SampleSpace {
     explicit SampleSpace(int samplesPerAxis)
-        : places(DepthPlaces::kCellPixels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis)),
+        : places(SurfaceCoordinates::kCellPixels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis)),
           fractions(places.size()) {}
 
     std::vector<std::int32_t> places;
     std::vector<std::int32_t> fractions;
     int step = 1; ///< CellSamples::nextStep
 
-    // Of the pixels that are taken from another photo than the first:
-    std::array<std::int32_t, DepthPlaces::kCellPixels> u;
-    std::array<std::int32_t, DepthPlaces::kCellPixels> v;
-    std::array<std::uint8_t, DepthPlaces::kCellPixels> pixels; ///< of the cell
-    std::array<std::uint8_t, 3 * DepthPlaces::kCellPixels + 16> colours;
+    // The pixels that come from another photo than the first:
+    std::array<std::int32_t, SurfaceCoordinates::kCellPixels> u;
+    std::array<std::int32_t, SurfaceCoordinates::kCellPixels> v;
+    std::array<std::uint8_t, SurfaceCoordinates::kCellPixels> pixels; ///< Their numbers in the cell.
+    std::array<std::uint8_t, 3 * SurfaceCoordinates::kCellPixels + 16> colours;
 };
 
-/// Places of samples of a cell's pixels.
-void DepthView::fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
-                           const PixelRows& rows, SampleSpace& space) const {
-    const simd::Rounding round = simd::rounding(sampling);
+/// Computes the places of the samples of a cell's pixels.
+void SurfaceView::fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
+                             const PixelRows& rows, SampleSpace& space) const {
+    const Placing round = simd::placing(plane, sampling);
     constexpr std::int32_t kHalf = 1 << (kFractionBits - 1);
     constexpr std::int32_t kFirst = (PlaneLayout::kGuard << kFractionBits) - kHalf;
-    simd::PartPlacing placing{round.u,
-                              round.v,
-                              kFirst,
-                              plane.size().width << kFractionBits,
-                              kFirst + (plane.size().height << kFractionBits),
-                              plane.stride() * PlaneLayout::kPixelBytes};
+    simd::SamplePlacing placing{round.roundingU,
+                                round.roundingV,
+                                kFirst,
+                                plane.size().width << kFractionBits,
+                                kFirst + (plane.size().height << kFractionBits),
+                                plane.stride() * PlaneLayout::kPixelBytes};
     const int parts = m_samples * m_samples;
     for (int part = 0; part < parts; ++part) {
         if (m_samples > 1) {
-            const std::array<std::int32_t, 4>& slopes = m_places.slopes[cell * m_photos + source];
+            const std::array<std::int32_t, 4>& slopes = m_coordinates.slopes[cell * m_photos + source];
             const auto right = (part % m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             const auto down = (part / m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
-            placing.addU = round.u + static_cast<std::int32_t>(right * static_cast<float>(slopes[0]) +
-                                                               down * static_cast<float>(slopes[2]));
-            placing.addV = round.v + static_cast<std::int32_t>(right * static_cast<float>(slopes[1]) +
-                                                               down * static_cast<float>(slopes[3]));
+            placing.addU = round.roundingU + static_cast<std::int32_t>(right * static_cast<float>(slopes[0]) +
+                                                                       down * static_cast<float>(slopes[2]));
+            placing.addV = round.roundingV + static_cast<std::int32_t>(right * static_cast<float>(slopes[1]) +
+                                                                       down * static_cast<float>(slopes[3]));
         }
         simd::placeRows(placing, rows.u, rows.v, rows.count, parts, space.places.data() + part * kCell,
                         space.fractions.data() + part * kCell);
     }
 }
 
-/// Those pixels that are taken from a photo that is not the first.
-void DepthView::samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
-                           SampleSpace& space, RgbImage& picture) const {
-    const std::size_t cell = m_places.index(at.column, at.row);
-    const std::int32_t* u = m_places.u.data() + cell * DepthPlaces::kCellPixels;
-    const std::int32_t* v = m_places.v.data() + cell * DepthPlaces::kCellPixels;
+/// Samples the pixels that come from a photo other than the first.
+void SurfaceView::samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
+                             SampleSpace& space, RgbImage& picture) const {
+    const std::size_t cell = m_coordinates.index(at.column, at.row);
+    const std::int32_t* u = m_coordinates.u.data() + cell * SurfaceCoordinates::kCellPixels;
+    const std::int32_t* v = m_coordinates.v.data() + cell * SurfaceCoordinates::kCellPixels;
     const int left = at.column * kCell;
     const int top = at.row * kCell;
     std::size_t count = 0;
     for (int y = 0; y < at.height; ++y) {
-        const std::uint8_t* of = m_places.source.at(left, top + y);
+        const std::uint8_t* of = m_coordinates.source.at(left, top + y);
         if (std::memchr(of, static_cast<int>(source), static_cast<std::size_t>(at.width)) == nullptr) {
             continue;
         }
@@ -236,22 +242,22 @@ void DepthView::samplePart(const Cell& at, std::size_t source, const PlaneView& 
     }
 }
 
-/// What a cell shows of the first photo.
-void DepthView::fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling,
-                          SampleSpace& space) const {
-    const std::size_t cell = m_places.index(at.column, at.row);
+/// Prepares the samples of a cell for the first photo.
+void SurfaceView::fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling,
+                            SampleSpace& space) const {
+    const std::size_t cell = m_coordinates.index(at.column, at.row);
     fillPlaces(cell, 0, plane, sampling,
-               {m_places.u.data() + cell * DepthPlaces::kCellPixels,
-                m_places.v.data() + cell * DepthPlaces::kCellPixels, kCell},
+               {m_coordinates.u.data() + cell * SurfaceCoordinates::kCellPixels,
+                m_coordinates.v.data() + cell * SurfaceCoordinates::kCellPixels, kCell},
                space);
     space.step =
         simd::stepToOtherMemory(space.places.data(), static_cast<int>(space.places.size()), plane.stride());
 }
 
-/// What the cell has of other photos, and what the lens does not see.
-void DepthView::sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
-                             SampleSpace& space, RgbImage& picture) const {
-    const std::uint32_t sources = m_places.sources[m_places.index(at.column, at.row)];
+/// Samples the pixels from other photos, and blackens those that the lens does not see.
+void SurfaceView::sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
+                               SampleSpace& space, RgbImage& picture) const {
+    const std::uint32_t sources = m_coordinates.sources[m_coordinates.index(at.column, at.row)];
     for (std::size_t i = 1; i < planes.size(); ++i) {
         if ((sources >> i & 1U) != 0) {
             samplePart(at, i, planes[i], sampling, space, picture);
@@ -259,26 +265,26 @@ void DepthView::sampleOthers(const Cell& at, std::span<const PlaneView> planes, 
     }
     const int left = at.column * kCell;
     const int top = at.row * kCell;
-    for (int y = 0; y < at.height && (sources & DepthPlaces::kBlind) != 0; ++y) {
+    for (int y = 0; y < at.height && (sources & SurfaceCoordinates::kBlind) != 0; ++y) {
         for (int x = 0; x < at.width; ++x) {
-            if (*m_places.source.at(left + x, top + y) == DepthPlaces::kUnseen) {
+            if (*m_coordinates.source.at(left + x, top + y) == SurfaceCoordinates::kUnseen) {
                 std::fill_n(picture.at(left + x, top + y), 3, std::uint8_t{0});
             }
         }
     }
 }
 
-void DepthView::sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling,
-                       WorkerPool& pool, int threads, RgbImage& picture) const {
+void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling,
+                         WorkerPool& pool, int threads, RgbImage& picture) const {
     if (picture.width() != rays.camera().width() || picture.height() != rays.camera().height()) {
         picture = RgbImage(rays.camera().width(), rays.camera().height());
     }
-    pool.run(m_places.rows(), threads, [&](int row, int) {
+    pool.run(m_coordinates.rows(), threads, [&](int row, int) {
         std::array<SampleSpace, 2> first{SampleSpace(m_samples), SampleSpace(m_samples)};
         SampleSpace others(m_samples);
         // A cell's pixels are on their way from memory while the cell before it is sampled.
         fillFirst(cell(0, row), planes[0], sampling, first[0]);
-        for (int column = 0; column < m_places.columns(); ++column) {
+        for (int column = 0; column < m_coordinates.columns(); ++column) {
             const Cell at = cell(column, row);
             const SampleSpace& now = first[static_cast<std::size_t>(column % 2)];
             simd::CellSamples samples{now.places.data(),
@@ -289,7 +295,7 @@ void DepthView::sample(const PixelRays& rays, std::span<const PlaneView> planes,
                                       at.width,
                                       at.height,
                                       (column + 1) * kCell + 2 <= m_width};
-            if (column + 1 < m_places.columns()) {
+            if (column + 1 < m_coordinates.columns()) {
                 SampleSpace& next = first[static_cast<std::size_t>((column + 1) % 2)];
                 fillFirst(cell(column + 1, row), planes[0], sampling, next);
                 samples.next = next.places.data();
@@ -301,18 +307,60 @@ void DepthView::sample(const PixelRays& rays, std::span<const PlaneView> planes,
     });
 }
 
-DepthImage DepthView::depth(const PixelRays& rays) const {
+DepthImage SurfaceView::depth(const PixelRays& rays) const {
     DepthImage depth(m_width, m_height);
     const bool isPinhole = rays.camera().intrinsics().lens == LensModel::Pinhole;
     for (int y = 0; y < depth.height(); ++y) {
         for (int x = 0; x < depth.width(); ++x) {
             const double along = isPinhole ? 1 : rays.ray(x, y).z();
-            const bool isSeen = *m_places.source.at(x, y) != DepthPlaces::kUnseen && along > 0;
-            *depth.at(x, y) = isSeen ? static_cast<float>(along / *m_places.inverse.at(x, y))
+            const bool isSeen = *m_coordinates.source.at(x, y) != SurfaceCoordinates::kUnseen && along > 0;
+            *depth.at(x, y) = isSeen ? static_cast<float>(along / *m_coordinates.inverse.at(x, y))
                                      : std::numeric_limits<float>::infinity();
         }
     }
     return depth;
+}
+
+Surfaces::Surfaces(std::shared_ptr<const Dataset> dataset) : m_dataset(std::move(dataset)) {
+}
+
+bool Surfaces::has(SceneKind kind, std::size_t photo) const {
+    const DatasetInfo& info = m_dataset->info();
+    return kind == SceneKind::Room ? info.roomShape.has_value()
+                                   : kind == SceneKind::Depth && !info.photos[photo].depth.empty();
+}
+
+SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
+    const DatasetPhoto& of = m_dataset->info().photos[photo];
+    if (kind == SceneKind::Room) {
+        return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth));
+    }
+    const std::filesystem::path file = m_dataset->folder() / of.depth;
+    return SurfaceMesh(DepthMap::parse(readFile(file, kLargestDepthFile), file.string()));
+}
+
+std::shared_ptr<const SurfaceMesh> Surfaces::get(SceneKind kind, std::size_t photo) {
+    return m_meshes.get({kind, photo}, [&] { return made(kind, photo); });
+}
+
+std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
+                                             std::optional<std::size_t> without) const {
+    const std::vector<DatasetPhoto>& photos = m_dataset->info().photos;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        if (i != without && has(kind, i)) {
+            order.push_back(i);
+        }
+    }
+    const auto distance = [&](std::size_t i) {
+        return (photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
+    };
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kPhotosOfView));
+    std::partial_sort(order.begin(), middle, order.end(), [&](std::size_t a, std::size_t b) {
+        return distance(a) != distance(b) ? distance(a) < distance(b) : a < b;
+    });
+    order.erase(middle, order.end());
+    return order;
 }
 
 } // namespace spherewalk::render

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_simd.h"
+#include "surface/vertices.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "depth_simd.cpp"
+#define HWY_TARGET_INCLUDE "surface/vertices.cpp"
 // The order matters here.
 // clang-format off
 #include <hwy/foreach_target.h>
-#include "lattice-inl.h"
+#include "sphere/lattice-inl.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -22,7 +22,7 @@ using VF = hn::Vec<F>;
 template <class D, class Vec = hn::Vec<D>>
 HWY_INLINE void toView(D d, const SurfaceCamera& camera, Vec qx, Vec qy, Vec qz, Vec w, float* x, float* y,
                        float* value) {
-    const Vec farthest = hn::Set(d, ProjectedPart::kFarthestPx);
+    const Vec farthest = hn::Set(d, ProjectedBlock::kFarthestPx);
     const Vec scale = hn::Div(hn::Set(d, 1.0F), qz);
     const Vec atX = mulAdd(hn::Mul(hn::Set(d, camera.fx), qx), scale, hn::Set(d, camera.cx));
     const Vec atY = mulAdd(hn::Mul(hn::Set(d, camera.fy), qy), scale, hn::Set(d, camera.cy));
@@ -33,7 +33,7 @@ HWY_INLINE void toView(D d, const SurfaceCamera& camera, Vec qx, Vec qy, Vec qz,
     hn::StoreU(hn::IfThenElseZero(isPlaced, hn::Mul(w, scale)), d, value);
 }
 
-void projectPart(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
+void projectBlock(const SurfaceCamera& camera, const SurfaceBlock& part, ProjectedBlock& out) {
     const hn::CappedTag<float, 8> d;
     using V8 = hn::Vec<decltype(d)>;
     const std::array<float, 9>& m = camera.rotation;
@@ -41,7 +41,7 @@ void projectPart(const SurfaceCamera& camera, const SurfacePart& part, Projected
     for (int row = 0; row < part.rows; ++row) {
         const float level = part.cosElevation[row];
         const float up = part.sinElevation[row];
-        for (int i = 0; i < ProjectedPart::kPitch; i += static_cast<int>(hn::Lanes(d))) {
+        for (int i = 0; i < ProjectedBlock::kPitch; i += static_cast<int>(hn::Lanes(d))) {
             const V8 cosine = hn::LoadU(d, part.cosAzimuth + i);
             const V8 sine = hn::LoadU(d, part.sinAzimuth + i);
             const V8 w = hn::LoadU(d, part.inverseM + row * part.pitch + i);
@@ -51,7 +51,7 @@ void projectPart(const SurfaceCamera& camera, const SurfacePart& part, Projected
                            mulAdd(hn::Set(d, m[3 * k + 1] * level), sine, hn::Set(d, m[3 * k + 2] * up)));
                 return mulAdd(w, hn::Set(d, t[k]), turned);
             };
-            const std::ptrdiff_t to = std::ptrdiff_t{row} * ProjectedPart::kPitch + i;
+            const std::ptrdiff_t to = std::ptrdiff_t{row} * ProjectedBlock::kPitch + i;
             toView(d, camera, component(0), component(1), component(2), w, out.x.data() + to,
                    out.y.data() + to, out.value.data() + to);
         }
@@ -92,22 +92,22 @@ void projectPatches(const SurfaceCamera& camera, const SurfacePatches& patches, 
 /// The least of each value and the four after it, from the first of each square.
 HWY_INLINE void leastOfFives(const float* values, float* out) {
     const hn::CappedTag<float, 8> d;
-    for (int i = 0; i < ProjectedPart::kPitch - 8; i += static_cast<int>(hn::Lanes(d))) {
+    for (int i = 0; i < ProjectedBlock::kPitch - 8; i += static_cast<int>(hn::Lanes(d))) {
         const auto at = [&](int more) { return hn::LoadU(d, values + i + more); };
         hn::StoreU(hn::Min(hn::Min(hn::Min(at(0), at(1)), hn::Min(at(2), at(3))), at(4)), d, out + i);
     }
 }
 
-void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
+void boxes(const ProjectedBlock& part, int rows, BlockBoxes& out) {
     const hn::CappedTag<float, 8> d;
-    constexpr int kPitch = ProjectedPart::kPitch;
-    constexpr int kSquares = PartBoxes::kSquares;
-    const auto beyond = hn::Set(d, PartBoxes::kEverywherePx);
+    constexpr int kPitch = ProjectedBlock::kPitch;
+    constexpr int kSubBlocks = BlockBoxes::kSubBlocks;
+    const auto beyond = hn::Set(d, BlockBoxes::kEverywherePx);
     std::array<std::array<float, kPitch + 8>, 6> least; // of x, -x, y, -y, value, -value
-    std::array<std::array<float, kPitch>, 6> ofSquare;
-    for (int j = 0; j < kSquares; ++j) {
-        const std::ptrdiff_t first = std::ptrdiff_t{j} * PartBoxes::kSquare * kPitch;
-        const int end = std::min(PartBoxes::kSquare + 1, rows - j * PartBoxes::kSquare);
+    std::array<std::array<float, kPitch>, 6> ofSubBlock;
+    for (int j = 0; j < kSubBlocks; ++j) {
+        const std::ptrdiff_t first = std::ptrdiff_t{j} * BlockBoxes::kSubBlock * kPitch;
+        const int end = std::min(BlockBoxes::kSubBlock + 1, rows - j * BlockBoxes::kSubBlock);
         for (int i = 0; i < kPitch; i += static_cast<int>(hn::Lanes(d))) {
             std::array<hn::Vec<decltype(d)>, 6> best{beyond, beyond, beyond, beyond, beyond, beyond};
             for (int y = 0; y < end; ++y) {
@@ -128,17 +128,17 @@ void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
             }
         }
         for (std::size_t k = 0; k < least.size(); ++k) {
-            leastOfFives(least[k].data(), ofSquare[k].data());
+            leastOfFives(least[k].data(), ofSubBlock[k].data());
         }
-        for (int i = 0; i < kSquares; ++i) {
-            const auto to = static_cast<std::size_t>(j * kSquares + i);
-            const auto x = static_cast<std::size_t>(i * PartBoxes::kSquare);
-            const bool isPartly = ofSquare[4][x] == 0 && ofSquare[5][x] < 0;
-            const float all = PartBoxes::kEverywherePx;
-            out.left[to] = isPartly ? -all : ofSquare[0][x];
-            out.right[to] = isPartly ? all : -ofSquare[1][x];
-            out.top[to] = isPartly ? -all : ofSquare[2][x];
-            out.bottom[to] = isPartly ? all : -ofSquare[3][x];
+        for (int i = 0; i < kSubBlocks; ++i) {
+            const auto to = static_cast<std::size_t>(j * kSubBlocks + i);
+            const auto x = static_cast<std::size_t>(i * BlockBoxes::kSubBlock);
+            const bool isPartly = ofSubBlock[4][x] == 0 && ofSubBlock[5][x] < 0;
+            const float all = BlockBoxes::kEverywherePx;
+            out.left[to] = isPartly ? -all : ofSubBlock[0][x];
+            out.right[to] = isPartly ? all : -ofSubBlock[1][x];
+            out.top[to] = isPartly ? -all : ofSubBlock[2][x];
+            out.bottom[to] = isPartly ? all : -ofSubBlock[3][x];
         }
     }
 }
@@ -151,19 +151,19 @@ HWY_AFTER_NAMESPACE();
 
 namespace spherewalk::render::simd {
 
-HWY_EXPORT(projectPart);
+HWY_EXPORT(projectBlock);
 HWY_EXPORT(projectPatches);
 HWY_EXPORT(boxes);
 
-void project(const SurfaceCamera& camera, const SurfacePart& part, ProjectedPart& out) {
-    HWY_DYNAMIC_DISPATCH(projectPart)(camera, part, out);
+void project(const SurfaceCamera& camera, const SurfaceBlock& part, ProjectedBlock& out) {
+    HWY_DYNAMIC_DISPATCH(projectBlock)(camera, part, out);
 }
 
 void project(const SurfaceCamera& camera, const SurfacePatches& patches, Quads& out) {
     HWY_DYNAMIC_DISPATCH(projectPatches)(camera, patches, out);
 }
 
-void boxes(const ProjectedPart& part, int rows, PartBoxes& out) {
+void boxes(const ProjectedBlock& part, int rows, BlockBoxes& out) {
     HWY_DYNAMIC_DISPATCH(boxes)(part, rows, out);
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "loader_photos.h"
+#include "tiles/photo_files.h"
 
-#include "spherewalk/base/byte_source.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 
@@ -17,39 +16,42 @@ namespace spherewalk::render {
 
 namespace {
 
-// Each holds a file descriptor and an index of some ten kilobytes.
+/// Each open photo holds a file descriptor and an index of some ten kilobytes.
 constexpr std::size_t kMostOpen = 128;
+/// A decoded thumbnail has half a megabyte.
+constexpr std::size_t kMostDecoded = 32;
+constexpr std::uint64_t kLargestThumbnail = 16ULL << 20;
 constexpr std::uint64_t kLargestIndex = 256ULL << 20;
 
 } // namespace
 
-/// A photo's file while it is in use. Hash and pixels come from the same descriptor.
-struct LoaderPhotos::Open {
+/// A photo's open file. Hash and pixels come from the same descriptor.
+struct PhotoFiles::Open {
     std::size_t photo = 0;
     std::shared_ptr<const FileSource> file;
     std::optional<jpeg::RegionDecoder> parts;
 };
 
-LoaderPhotos::LoaderPhotos(std::shared_ptr<const Dataset> dataset, VerifyPhotos verify)
-    : m_dataset(std::move(dataset)), m_verify(verify), m_trust(m_dataset->info().photos.size()) {
-    for (auto& trust : m_trust) {
-        trust = verify == VerifyPhotos::AtOpen ? PhotoTrust::Verified : PhotoTrust::Unverified;
+PhotoFiles::PhotoFiles(std::shared_ptr<const Dataset> dataset, VerifyPhotos verify)
+    : m_dataset(std::move(dataset)), m_verify(verify), m_hashes(m_dataset->info().photos.size()) {
+    for (auto& hash : m_hashes) {
+        hash = verify == VerifyPhotos::AtOpen ? PhotoHash::Verified : PhotoHash::Unverified;
     }
 }
 
-LoaderPhotos::~LoaderPhotos() = default;
+PhotoFiles::~PhotoFiles() = default;
 
-EquirectSize LoaderPhotos::size(const PhotoLevel& level) const {
+EquirectSize PhotoFiles::size(const PhotoLevel& level) const {
     const DatasetPhoto& photo = m_dataset->info().photos.at(level.photo);
     const auto reduced = [&](int length) { return (length + level.denominator - 1) / level.denominator; };
     return {reduced(photo.width), reduced(photo.height)};
 }
 
-PhotoTrust LoaderPhotos::trust(std::size_t photo) const {
-    return m_trust.at(photo);
+PhotoHash PhotoFiles::hash(std::size_t photo) const {
+    return m_hashes.at(photo);
 }
 
-void LoaderPhotos::refuseDamaged(std::size_t photo) const {
+void PhotoFiles::refuseDamaged(std::size_t photo) const {
     throw Error(ErrorKind::Corrupt,
                 text("Could not use the dataset ", m_dataset->folder().string(), ": its photo ",
                      m_dataset->info().photos[photo].file,
@@ -57,13 +59,13 @@ void LoaderPhotos::refuseDamaged(std::size_t photo) const {
                      "another); copy or export the dataset again."));
 }
 
-void LoaderPhotos::check(std::size_t photo) const {
-    if (m_trust.at(photo) == PhotoTrust::Damaged) {
+void PhotoFiles::check(std::size_t photo) const {
+    if (m_hashes.at(photo) == PhotoHash::Damaged) {
         refuseDamaged(photo);
     }
 }
 
-std::shared_ptr<const LoaderPhotos::Open> LoaderPhotos::opened(std::size_t photo) {
+std::shared_ptr<const PhotoFiles::Open> PhotoFiles::opened(std::size_t photo) {
     check(photo);
     const DatasetPhoto& entry = m_dataset->info().photos[photo];
     const std::scoped_lock lock(m_mutex);
@@ -88,10 +90,10 @@ std::shared_ptr<const LoaderPhotos::Open> LoaderPhotos::opened(std::size_t photo
             refuseDamaged(photo);
         }
     }
-    if (m_trust[photo] == PhotoTrust::Unverified) {
+    if (m_hashes[photo] == PhotoHash::Unverified) {
         if (m_verify == VerifyPhotos::BeforeUse) {
             verify(*open, {});
-            if (m_trust[photo] == PhotoTrust::Damaged) {
+            if (m_hashes[photo] == PhotoHash::Damaged) {
                 refuseDamaged(photo);
             }
         } else if (std::find(m_unverified.begin(), m_unverified.end(), photo) == m_unverified.end()) {
@@ -105,11 +107,11 @@ std::shared_ptr<const LoaderPhotos::Open> LoaderPhotos::opened(std::size_t photo
     return open;
 }
 
-bool LoaderPhotos::decodesParts(std::size_t photo) {
+bool PhotoFiles::decodesParts(std::size_t photo) {
     return opened(photo)->parts.has_value();
 }
 
-void LoaderPhotos::decode(const PhotoLevel& level, const jpeg::PixelRect& region, const jpeg::RowSink& sink) {
+void PhotoFiles::decode(const PhotoLevel& level, const jpeg::PixelRect& region, const jpeg::RowSink& sink) {
     const std::shared_ptr<const Open> open = opened(level.photo);
     if (open->parts) {
         open->parts->decode(region, {.denominator = level.denominator, .threads = 1, .stop = {}}, sink);
@@ -126,7 +128,7 @@ void LoaderPhotos::decode(const PhotoLevel& level, const jpeg::PixelRect& region
     }
 }
 
-void LoaderPhotos::verify(const Open& open, const std::stop_token& stop) {
+void PhotoFiles::verify(const Open& open, const std::stop_token& stop) {
     Sha256 hash;
     Bytes piece(1 << 18);
     const std::uint64_t size = open.file->sizeBytes();
@@ -137,10 +139,10 @@ void LoaderPhotos::verify(const Open& open, const std::stop_token& stop) {
         hash.update(piece);
     }
     const bool isRight = hash.hex() == m_dataset->info().photos[open.photo].sha256;
-    m_trust[open.photo] = isRight ? PhotoTrust::Verified : PhotoTrust::Damaged;
+    m_hashes[open.photo] = isRight ? PhotoHash::Verified : PhotoHash::Damaged;
 }
 
-bool LoaderPhotos::verifyNext(const std::stop_token& stop) {
+bool PhotoFiles::verifyNext(const std::stop_token& stop) {
     std::size_t photo = 0;
     {
         const std::scoped_lock lock(m_mutex);
@@ -155,11 +157,39 @@ bool LoaderPhotos::verifyNext(const std::stop_token& stop) {
         if (error.kind() == ErrorKind::Stopped) {
             throw;
         }
-        m_trust[photo] = PhotoTrust::Damaged; // it cannot be read any more: the next use says why
+        m_hashes[photo] = PhotoHash::Damaged; // it cannot be read any more: the next use says why
     }
     const std::scoped_lock lock(m_mutex);
     std::erase(m_unverified, photo);
     return true;
+}
+
+Thumbnails::Thumbnails(std::shared_ptr<const Dataset> dataset)
+    : m_dataset(std::move(dataset)), m_files(m_dataset->info().photos.size()) {
+}
+
+std::shared_ptr<const PhotoPlane> Thumbnails::get(std::size_t photo) {
+    const std::string& name = m_dataset->info().photos.at(photo).thumbnail;
+    if (name.empty()) {
+        return nullptr;
+    }
+    const std::scoped_lock lock(m_mutex);
+    const auto found = std::find_if(m_decoded.begin(), m_decoded.end(),
+                                    [&](const Entry& entry) { return entry.photo == photo; });
+    if (found != m_decoded.end()) {
+        m_decoded.splice(m_decoded.begin(), m_decoded, found);
+        return m_decoded.front().picture;
+    }
+    const auto file = m_dataset->folder() / name;
+    if (m_files[photo].empty()) {
+        m_files[photo] = readFile(file, kLargestThumbnail);
+    }
+    m_decoded.push_front(
+        {photo, std::make_shared<const PhotoPlane>(jpeg::decode(m_files[photo], file.string()))});
+    if (m_decoded.size() > kMostDecoded) {
+        m_decoded.pop_back();
+    }
+    return m_decoded.front().picture;
 }
 
 } // namespace spherewalk::render

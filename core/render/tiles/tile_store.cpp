@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tile_store.h"
+#include "tiles/tile_store.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
@@ -18,7 +18,7 @@ double millisecondsSince(Moment begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// So much of the budget is freed at once: photos then leave whole, which is one call to the system instead of
+// This share of the budget is freed at once. Photos then leave whole, in one call to the system instead of
 // one for each row.
 constexpr std::uint64_t kSlack = 16;
 // A background block of this many tile rows of a usual view takes a thread about two milliseconds.
@@ -29,15 +29,15 @@ constexpr int kWholePhoto = -1;
 
 } // namespace
 
-/// What is known of one photo. Guarded by the store's mutex, but for the pixels of tiles that are being
-/// decoded (their decoder's) or held (nobody's to write).
+/// One photo's tiles. The store's mutex guards everything but pixels. Only the decoder writes the pixels of a
+/// tile that is being decoded, and nobody writes those of a held tile.
 struct TileStore::Photo {
     enum class State : std::uint8_t { Absent, Decoding, Resident };
 
     struct Tile {
         State state = State::Absent;
         int leases = 0;
-        Recency::iterator place; ///< of a resident one
+        Recency::iterator position; ///< The position of a resident tile.
     };
 
     Photo(const PhotoLevel& photoLevel, const EquirectSize& size)
@@ -49,7 +49,7 @@ struct TileStore::Photo {
     TileGrid grid;
     SparsePlane plane;
     std::vector<Tile> tiles;
-    int users = 0; ///< leases and decoders
+    int users = 0; ///< The number of leases and decoders.
     int resident = 0;
 };
 
@@ -81,7 +81,7 @@ TileLease TileStore::acquire(const PhotoLevel& level, const TileSet& tiles, Miss
         Photo::Tile& tile = entry.tile(i);
         ++tile.leases;
         if (tile.state == Photo::State::Resident) {
-            m_recency.splice(m_recency.begin(), m_recency, tile.place);
+            m_recency.splice(m_recency.begin(), m_recency, tile.position);
         } else {
             lease.m_missing.insert(i);
         }
@@ -282,7 +282,7 @@ void TileStore::finish(Photo& photo, const TileSet& own, const TileBlock& block)
             if (own.contains(i) && tile.state == Photo::State::Decoding) {
                 tile.state = Photo::State::Resident;
                 m_recency.emplace_front(&photo, i);
-                tile.place = m_recency.begin();
+                tile.position = m_recency.begin();
                 ++photo.resident;
             }
         }

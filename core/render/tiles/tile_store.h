@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tile_grid.h"
-#include "tile_plane.h"
+#include "pixels/photo_plane.h"
+#include "tiles/tile_grid.h"
 
-#include "spherewalk/render/load_counters.h"
+#include "spherewalk/render/dataset.h"
 
 #include <compare>
 #include <condition_variable>
@@ -18,52 +18,61 @@
 
 namespace spherewalk::render {
 
-/// A photo as its JPEG has it, or reduced while decoding by 2, 4 or 8.
+/// A photo at its JPEG's size, or reduced while decoding by 2, 4 or 8.
 struct PhotoLevel {
     std::size_t photo = 0;
     int denominator = 1;
     auto operator<=>(const PhotoLevel&) const = default;
 };
 
-/// Where the store's pixels come from. Threads: all functions may be called from any, at a time.
+/// Tiles of a photo that some view needs.
+struct TileNeed {
+    PhotoLevel level;
+    TileSet tiles;
+};
+
+/// The decoder that the store gets its pixels from. Threads: all functions may be called from any, at a time.
 class TileSource {
   public:
     virtual ~TileSource() = default;
     virtual EquirectSize size(const PhotoLevel& level) const = 0;
-    /// Called for every request, also for tiles that are there. Errors: those of a photo that has been found
-    /// to be damaged.
+    /// It is called for every request, also for tiles that are decoded. Errors: Corrupt for a photo that was
+    /// found to be damaged.
     virtual void check(std::size_t photo) const = 0;
-    /// False for a photo that can only be decoded whole; decode() is then asked for all of it.
+    /// False for a photo that can only be decoded whole. decode() is then asked for all of it.
     virtual bool decodesParts(std::size_t photo) = 0;
-    /// Gives the rows of the region, three bytes a pixel. Errors: any Error; the tiles then stay absent.
+    /// Passes the rows of the region to the sink, three bytes a pixel. Errors: any Error; the tiles then stay
+    /// absent.
     virtual void decode(const PhotoLevel& level, const jpeg::PixelRect& region,
                         const jpeg::RowSink& sink) = 0;
 };
 
 class TileLease;
 
-/// Decoded tiles of many photos within a budget of bytes; those not used for the longest time leave first.
-/// A tile in use by a lease never leaves, even beyond the budget. Two requests for the same tile decode it
-/// once. Threads: all functions may be called from any.
+/// Decoded tiles of many photos within a budget of bytes. The tiles that were not used for the longest time
+/// leave first. A tile in use by a lease never leaves, even beyond the budget. Two requests for the same tile
+/// decode it once. Threads: all functions may be called from any, at a time.
 class TileStore {
   public:
-    /// Owner: the source is shared. budgetBytes: of decoded pixels, in whole pages of memory.
+    /// Owner: the source is shared. budgetBytes: the budget for decoded pixels, counted in whole pages of
+    /// memory.
     TileStore(std::shared_ptr<TileSource> source, std::uint64_t budgetBytes);
     ~TileStore();
     TileStore(const TileStore&) = delete;
     TileStore& operator=(const TileStore&) = delete;
 
+    /// What to do with tiles that are not decoded.
     enum class Missing {
-        Decode,  ///< decode what is not there, and wait for it
-        LeaveOut ///< return at once with what is there
+        Decode,  ///< Decode them, and wait.
+        LeaveOut ///< Return at once without them.
     };
 
-    /// The tiles, held until the lease ends. threads: for decoding, 0 for all of the machine. Errors: those
-    /// of the source.
+    /// The tiles, held until the lease ends. threads: the most to decode with, 0 for all of the machine.
+    /// Errors: those of the source.
     TileLease acquire(const PhotoLevel& level, const TileSet& tiles, Missing missing, int threads = 0);
 
-    /// Decodes what is not there, block by block on all threads, giving way between blocks to every request
-    /// that waits and every view that is being made. Returns early when stopped. Errors: none; they are
+    /// Decodes missing tiles, block by block on all threads. Between blocks it gives way to every request
+    /// that waits and every view that is being made. It returns early when stopped. Errors: none; they are
     /// counted.
     void prefetch(const PhotoLevel& level, const TileSet& tiles, const std::stop_token& stop);
 
@@ -94,7 +103,7 @@ class TileStore {
     std::shared_ptr<Photo> opened(const PhotoLevel& level);
     void prefetchBlock(const PhotoLevel& level, const TileSet& tiles, const TileBlock& block, int threads,
                        Lock& lock);
-    /// Whether all of the photo was decoded.
+    /// Decodes tiles. Returns whether all of the photo was decoded.
     bool load(Photo& photo, const TileSet& tiles, int threads, int maxRows, Lock& lock);
     void decodeBlocks(Photo& photo, const TileSet& own, int threads, int maxRows);
     void decodeBlock(Photo& photo, const TileSet& own, const TileBlock& block);
@@ -109,13 +118,13 @@ class TileStore {
     mutable std::mutex m_mutex;
     std::condition_variable_any m_changed;
     std::map<PhotoLevel, std::shared_ptr<Photo>> m_photos;
-    Recency m_recency; ///< resident tiles, most recently used first
+    Recency m_recency; ///< The decoded tiles; the most recently used one is the first.
     int m_views = 0;
     std::uint64_t m_residentBytes = 0;
     LoadCounters m_counters;
 };
 
-/// Tiles in use. Owner: the store must outlive it.
+/// Holds the tiles of one request. Owner: the store must outlive it.
 class TileLease {
   public:
     TileLease() = default;
@@ -125,19 +134,20 @@ class TileLease {
 
     bool isComplete() const { return m_missing.empty(); }
 
-    /// What was asked for and left out.
+    /// The tiles that were asked for and left out.
     const TileSet& missing() const { return m_missing; }
 
-    /// Valid while the lease lives; pixels outside of its tiles are anything. Range: not a default lease.
+    /// The photo while the lease lives. Pixels outside of its tiles may have any values. Range: not a default
+    /// lease.
     PlaneView plane() const;
 
     /// How long the request waited for tiles to be decoded.
     double waitedMs() const { return m_waitedMs; }
 
-    /// Tiles that it waited for.
+    /// The number of tiles that it waited for.
     int waitedTiles() const { return m_waitedTiles; }
 
-    /// Whether all of the photo was decoded for it.
+    /// Whether all of the photo was decoded for the request.
     bool isWholeDecode() const { return m_isWholeDecode; }
 
   private:

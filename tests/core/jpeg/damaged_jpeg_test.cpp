@@ -5,7 +5,6 @@
 
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/restart.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/restart.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <gtest/gtest.h>
 
@@ -128,7 +127,7 @@ TEST_P(RestartMarkers, IndexSurvivesBeingWritten) {
     EXPECT_EQ(jpeg::parseRestartIndex(jpeg::serialised(index), "index"), index);
 }
 
-std::string caseName(const testing::TestParamInfo<RestartMarkers::ParamType>& which) {
+std::string restartCaseName(const testing::TestParamInfo<RestartMarkers::ParamType>& which) {
     const auto& [form, size, interval] = which.param;
     return text(form.name, "_", size.first, "x", size.second, "_", interval);
 }
@@ -144,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      test::JpegForm{.name = "bare", .hasJfif = false},
                                      test::JpegForm{.name = "marked", .restartInterval = 7}),
                      testing::Values(Size{1, 1}, Size{17, 9}, Size{333, 77}), testing::Values(1, 4, 65535)),
-    caseName);
+    restartCaseName);
 
 TEST(RestartMarking, KeepLargeAndManyApplicationSegmentsInOrder) {
     test::Random random(5);

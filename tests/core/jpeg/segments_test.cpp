@@ -3,7 +3,6 @@
 #include "made_jpeg.h"
 
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <gtest/gtest.h>
 

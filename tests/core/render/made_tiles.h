@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tile_store.h"
+#include "tiles/tile_store.h"
 
 #include "spherewalk/base/error.h"
 

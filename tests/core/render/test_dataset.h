@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/restart.h"

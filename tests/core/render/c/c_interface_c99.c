@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled as C99 with all warnings: what a C program writes works, and the header is C.
-#include "c_interface_c99.h"
+#include "c/c_interface_c99.h"
 
 #include "spherewalk/spherewalk.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a caller of the C interface can get wrong is answered by a status and a sentence, and changes nothing.
-#include "c_handles.h"
-#include "c_interface.h"
-#include "c_test.h"
+#include "c/c_test.h"
+#include "c/handles.h"
+#include "c/interface.h"
 
 #include <filesystem>
 #include <new>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Structs of the C interface as older and newer programs know them, and of sizes that none knows.
-#include "c_interface.h"
-#include "c_test.h"
+#include "c/c_test.h"
+#include "c/interface.h"
+
+#include "spherewalk/base/json.h"
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // That the C interface does what the C++ one does.
-#include "c_enums.h"
-#include "c_interface_c99.h"
-#include "c_test.h"
+#include "c/c_interface_c99.h"
+#include "c/c_test.h"
+#include "c/enums.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/render/camera_info.h"
 
 #include <thread>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values that mean nothing to the C interface are answered by a status and a sentence, and change nothing.
-#include "c_test.h"
+#include "c/c_test.h"
 
 #include <cstdint>
 #include <string>

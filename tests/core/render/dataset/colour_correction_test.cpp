@@ -4,6 +4,7 @@
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/renderer.h"
 

@@ -2,6 +2,7 @@
 #include "expect_error.h"
 #include "random.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/dataset_format.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
 
-#include "spherewalk/render/room_shape.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
 #include "random.h"
+#include "sphere/exact_view.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/render/scene_model.h"
+#include "spherewalk/render/ladder.h"
 
 #include <cmath>
 

@@ -4,6 +4,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/render/dataset_format.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "engine/tile_supply.h"
 #include "made_tiles.h"
-#include "prefetch.h"
 #include "random.h"
-#include "tile_footprint.h"
+#include "sphere/exact_view.h"
+#include "tiles/tile_grid.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
+#include "layers/view_geometry.h"
 #include "lenses.h"
 #include "random.h"
+#include "sphere/exact_view.h"
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/pixel_trust.h"
-#include "spherewalk/render/projection.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/render/view.h"
 
 #include <cmath>
 #include <numbers>

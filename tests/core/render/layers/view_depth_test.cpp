@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
+#include "layers/view_geometry.h"
 #include "lenses.h"
 #include "random.h"
+#include "sphere/exact_view.h"
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/projection.h"
-#include "spherewalk/render/view_depth.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
-#include "photo_plane.h"
+#include "pixels/photo_plane.h"
 #include "random.h"
 
 namespace spherewalk::render {

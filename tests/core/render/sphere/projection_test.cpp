@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "random.h"
+#include "sphere/exact_view.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "each_target.h"
 #include "expect_error.h"
-#include "fast_view.h"
 #include "random.h"
-#include "reference_sampling.h"
+#include "sphere/exact_view.h"
+#include "sphere/sphere_view.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/projection.h"
 
 #include <algorithm>
 #include <array>
@@ -102,7 +101,7 @@ Vector3d bicubic(const PlaneView& plane, const Vector2d& at) {
 
 } // namespace
 
-TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
+TEST(SphereView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
     test::Random random(71);
     const PhotoPlane photo(noise(512, 72));
     const PlaneView plane = photo.view();
@@ -130,7 +129,7 @@ TEST(FastView, GivesTheSameBytesForAnyThreadsAndAnySimd) {
 
 // The photo is black and white noise: what 0.02 pixels of coordinates cost there is 5 grey levels an axis, on
 // top of 1.05 of the sampler's own.
-TEST(FastView, IsTheExactBilinearView) {
+TEST(SphereView, IsTheExactBilinearView) {
     test::Random random(73);
     const RgbImage picture = noise(512, 74);
     const PhotoPlane photo(picture);
@@ -161,7 +160,7 @@ TEST(FastView, IsTheExactBilinearView) {
     EXPECT_LT(sum / static_cast<double>(count), 0.5);
 }
 
-TEST(FastView, IsTheExactBicubicView) {
+TEST(SphereView, IsTheExactBicubicView) {
     test::Random random(75);
     const PhotoPlane photo(smooth(512));
     const PlaneView plane = photo.view();
@@ -185,7 +184,7 @@ TEST(FastView, IsTheExactBicubicView) {
 
 // Sums at their greatest: overshoots of both signs are cut to black and white. 0.02 pixels of coordinates
 // cost up to 6 grey levels an axis there, and positions are multiples of 1/256 pixel.
-TEST(FastView, IsTheExactBicubicViewOfNoise) {
+TEST(SphereView, IsTheExactBicubicViewOfNoise) {
     test::Random random(76);
     const PhotoPlane photo(noise(512, 77));
     const PlaneView plane = photo.view();
@@ -216,7 +215,7 @@ TEST(FastView, IsTheExactBicubicViewOfNoise) {
     EXPECT_LT(sum / static_cast<double>(count), 0.5);
 }
 
-TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
+TEST(SphereView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
     const PhotoPlane photo(smooth(1024));
     const PlaneView plane = photo.view();
     const PhotoPlane half(smooth(512));
@@ -245,7 +244,7 @@ TEST(FastView, ShowsASmoothWorldWithEveryRungAcrossPolesAndSeam) {
     }
 }
 
-TEST(FastView, NeedsTheRaysOfItsSampling) {
+TEST(SphereView, NeedsTheRaysOfItsSampling) {
     const PhotoPlane photo(smooth(64));
     const PlaneView plane = photo.view();
     const CameraModel camera(CameraIntrinsics::pinhole(8, 8, 1));
@@ -259,7 +258,7 @@ TEST(FastView, NeedsTheRaysOfItsSampling) {
     test::expectError(ErrorKind::InvalidInput, "1 x 1 to 8 x 8", [&] { RayTable(camera, 9); });
 }
 
-TEST(FastView, TakesAsManySamplesAsThePhotoIsMinified) {
+TEST(SphereView, TakesAsManySamplesAsThePhotoIsMinified) {
     const CameraModel vga(CameraIntrinsics::pinhole(640, 480, std::numbers::pi / 2));
     EXPECT_NEAR(minification(vga, 5376), 2.674, 1e-3);
     EXPECT_EQ(samplesPerAxis(Sampling::Bilinear, 2.674), 1);

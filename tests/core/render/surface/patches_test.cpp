@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_mesh.h"
-#include "depth_patches.h"
-#include "depth_raster.h"
 #include "random.h"
+#include "surface/mesh.h"
+#include "surface/surface_view.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -21,22 +20,22 @@ constexpr int kWidth = 64;
 constexpr int kHeight = 32;
 
 template <class InverseAt>
-DepthMesh meshOf(InverseAt&& inverseAt) {
+SurfaceMesh meshOf(InverseAt&& inverseAt) {
     Image<float, 1> inverse(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
             *inverse.at(x, y) = static_cast<float>(inverseAt(x, y));
         }
     }
-    return DepthMesh(DepthMap(std::move(inverse)));
+    return SurfaceMesh(DepthMap(std::move(inverse)));
 }
 
 /// Of the square whose upper left vertex that is.
-simd::SurfacePatches patchesAt(const DepthMesh& mesh, int x, int y) {
+simd::SurfacePatches patchesAt(const SurfaceMesh& mesh, int x, int y) {
     const auto block =
-        static_cast<std::size_t>(y / DepthMesh::kBlock * mesh.blocksX() + x / DepthMesh::kBlock);
-    const int square = DepthPatches::orderInBlock(x % DepthMesh::kBlock, y % DepthMesh::kBlock);
-    return mesh.patches().at(mesh.patches().ofSquare(block, square));
+        static_cast<std::size_t>(y / SurfaceMesh::kBlock * mesh.blocksX() + x / SurfaceMesh::kBlock);
+    const int square = EdgePatches::orderInBlock(x % SurfaceMesh::kBlock, y % SurfaceMesh::kBlock);
+    return mesh.patches().at(mesh.patches().ofSubBlock(block, square));
 }
 
 /// What a patch covers of the mesh: its angles are of half pixels. Units: quads.
@@ -59,8 +58,8 @@ double areaOf(const simd::SurfacePatches& patches) {
 
 } // namespace
 
-TEST(DepthPatches, OfAStraightEdgeAreOneOnEitherSide) {
-    const DepthMesh mesh = meshOf([](int x, int) { return x < 22 ? 1.0 : 0.5; });
+TEST(EdgePatches, OfAStraightEdgeAreOneOnEitherSide) {
+    const SurfaceMesh mesh = meshOf([](int x, int) { return x < 22 ? 1.0 : 0.5; });
     const simd::SurfacePatches patches = patchesAt(mesh, 20, 8);
     ASSERT_EQ(patches.count, 2); // of two quads a row, four rows of them
     EXPECT_NEAR(areaOf(patches), 8, 1e-3);
@@ -76,7 +75,7 @@ TEST(DepthPatches, OfAStraightEdgeAreOneOnEitherSide) {
     EXPECT_EQ(patchesAt(mesh, 60, 8).count, 2); // where the columns begin again
 }
 
-TEST(DepthPatches, AreNotJoinedWhereTheDistanceIsUneven) {
+TEST(EdgePatches, AreNotJoinedWhereTheDistanceIsUneven) {
     const auto edge = [](double perRow) {
         return meshOf([=](int x, int y) { return x < 22 ? 1.0 + perRow * y * y : 0.5; });
     };
@@ -85,16 +84,16 @@ TEST(DepthPatches, AreNotJoinedWhereTheDistanceIsUneven) {
     EXPECT_GT(patchesAt(edge(1e-2), 20, 0).count, 4);
 }
 
-TEST(DepthPatches, CoverAllQuadsBesideEdges) {
+TEST(EdgePatches, CoverAllQuadsBesideEdges) {
     test::Random random(11);
     for (int round = 0; round < 20; ++round) {
         SCOPED_TRACE(round);
-        const DepthMesh mesh = meshOf([&](int, int) { return random.integer(0, 5) == 0 ? 0.6 : 0.5; });
-        for (int y = 0; y < kHeight; y += DepthPatches::kSquare) {
-            for (int x = 0; x < kWidth; x += DepthPatches::kSquare) {
+        const SurfaceMesh mesh = meshOf([&](int, int) { return random.integer(0, 5) == 0 ? 0.6 : 0.5; });
+        for (int y = 0; y < kHeight; y += EdgePatches::kSubBlock) {
+            for (int x = 0; x < kWidth; x += EdgePatches::kSubBlock) {
                 int quads = 0;
-                for (int j = y; j < std::min(y + DepthPatches::kSquare, kHeight - 1); ++j) {
-                    for (int i = x; i < x + DepthPatches::kSquare; ++i) {
+                for (int j = y; j < std::min(y + EdgePatches::kSubBlock, kHeight - 1); ++j) {
+                    for (int i = x; i < x + EdgePatches::kSubBlock; ++i) {
                         quads += mesh.hasEdge(i / 2 * 2, j / 2 * 2) ? 1 : 0;
                     }
                 }
@@ -104,15 +103,15 @@ TEST(DepthPatches, CoverAllQuadsBesideEdges) {
     }
 }
 
-TEST(DepthPatches, LeaveNoGapsWhereThePhotoWasTaken) {
+TEST(EdgePatches, LeaveNoGapsWhereThePhotoWasTaken) {
     test::Random random(12);
     const CameraModel camera(CameraIntrinsics::pinhole(200, 150, Radians(Degrees(70)).value()));
     WorkerPool pool(1);
-    DepthRaster raster;
+    SurfaceRaster raster;
     InverseBuffer seen;
     for (int round = 0; round < 20; ++round) {
         SCOPED_TRACE(round);
-        const DepthMesh mesh = meshOf([&](int, int) { return random.uniform(0.3, 0.5); });
+        const SurfaceMesh mesh = meshOf([&](int, int) { return random.uniform(0.3, 0.5); });
         const Eigen::Quaterniond photoFromCamera =
             rotation({Radians(random.uniform(-3, 3)), Radians(random.uniform(-0.7, 0.7)), Radians(0.1)}) *
             bodyFromOptical();

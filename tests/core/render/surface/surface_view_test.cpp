@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_view.h"
 #include "each_target.h"
-#include "fast_view.h"
 #include "random.h"
+#include "sphere/sphere_view.h"
+#include "surface/surface_view.h"
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/room_shape.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -18,33 +18,33 @@ namespace {
 
 constexpr int kPhotoWidth = 512;
 
-std::shared_ptr<const DepthMesh> sphereMesh(double radiusM) {
+std::shared_ptr<const SurfaceMesh> sphereMesh(double radiusM) {
     Image<float, 1> inverse(256, 128);
     std::fill(inverse.values().begin(), inverse.values().end(), static_cast<float>(1 / radiusM));
-    return std::make_shared<const DepthMesh>(DepthMap(std::move(inverse)));
+    return std::make_shared<const SurfaceMesh>(DepthMap(std::move(inverse)));
 }
 
 /// A photo of the smooth world with a surface about it.
 struct Scene {
-    explicit Scene(std::shared_ptr<const DepthMesh> surface, const Rigid3& roomFromPhoto = {})
+    explicit Scene(std::shared_ptr<const SurfaceMesh> surface, const Rigid3& roomFromPhoto = {})
         : picture(test::panorama(test::smoothWorld, roomFromPhoto.rotation, kPhotoWidth)),
           plane(picture),
           photo{0, std::move(surface), roomFromPhoto, TileGrid({kPhotoWidth, kPhotoWidth / 2})} {}
 
     RgbImage view(const CameraModel& camera, const Rigid3& pose, int threads = 1, int samples = 1) {
         const PixelRays rays(camera, pool);
-        depthView.place(rays, pose, {&photo, 1}, 2, samples, pool, threads);
+        surfaceView.prepare(rays, pose, {&photo, 1}, 2, samples, pool, threads);
         const PlaneView planeView = plane.view();
         RgbImage result;
-        depthView.sample(rays, {&planeView, 1}, samples > 1 ? Sampling::Footprint : Sampling::Bilinear, pool,
-                         threads, result);
+        surfaceView.sample(rays, {&planeView, 1}, samples > 1 ? Sampling::Footprint : Sampling::Bilinear,
+                           pool, threads, result);
         return result;
     }
 
     RgbImage picture;
     PhotoPlane plane;
-    DepthPhoto photo;
-    DepthView depthView;
+    SurfacePhoto photo;
+    SurfaceView surfaceView;
     WorkerPool pool{3};
 };
 
@@ -64,7 +64,7 @@ const CameraModel kCamera(CameraIntrinsics::pinhole(161, 121, 1.1));
 
 } // namespace
 
-TEST(DepthView, OfASphereIsTheSphereModelsView) {
+TEST(SurfaceView, OfASphereIsTheSphereModelsView) {
     constexpr double kRadiusM = 2;
     Scene scene(sphereMesh(kRadiusM));
     const RayTable table(kCamera, 1);
@@ -80,7 +80,7 @@ TEST(DepthView, OfASphereIsTheSphereModelsView) {
     }
 }
 
-TEST(DepthView, HasTheSameBytesForAnyNumberOfThreads) {
+TEST(SurfaceView, HasTheSameBytesForAnyNumberOfThreads) {
     Scene scene(sphereMesh(1.5));
     const Rigid3 pose = lookingFrom({0.2, 0.1, -0.1}, 3.1, 0.2);
     const RgbImage one = scene.view(kCamera, pose, 1, 2);
@@ -88,26 +88,26 @@ TEST(DepthView, HasTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(scene.view(kCamera, pose, 3, 2), one);
 }
 
-TEST(DepthView, HasTheSameBytesOnAnySimd) {
+TEST(SurfaceView, HasTheSameBytesOnAnySimd) {
     Image<float, 1> inverse(512, 256);
     test::Random random(8);
     for (float& value : inverse.values()) { // jumps and slants everywhere
         value = static_cast<float>(random.uniform(0.3, 0.5));
     }
-    Scene scene(std::make_shared<const DepthMesh>(DepthMap(std::move(inverse))));
+    Scene scene(std::make_shared<const SurfaceMesh>(DepthMap(std::move(inverse))));
     const Rigid3 pose = lookingFrom({0.2, 0.1, -0.1}, 3.1, 0.2);
     const RgbImage expected = scene.view(kCamera, pose);
     test::forEachTarget(
         [&](const char* target) { EXPECT_EQ(scene.view(kCamera, pose), expected) << target; });
 }
 
-TEST(DepthView, ShowsTheDepthOfTheRoomThatItWasGiven) {
+TEST(SurfaceView, ShowsTheDepthOfTheRoomThatItWasGiven) {
     const RoomShape room{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -1, 1.5};
-    Scene scene(std::make_shared<const DepthMesh>(roomDepth(room, {}, 512)));
+    Scene scene(std::make_shared<const SurfaceMesh>(roomDepth(room, {}, 512)));
     const Rigid3 pose = lookingFrom({0.4, -0.3, 0.2}, 0.6, 0.2);
     scene.view(kCamera, pose);
     const PixelRays rays(kCamera, scene.pool);
-    const DepthImage depth = scene.depthView.depth(rays);
+    const DepthImage depth = scene.surfaceView.depth(rays);
     for (int y = 0; y < depth.height(); y += 7) {
         for (int x = 0; x < depth.width(); x += 7) {
             const Eigen::Vector3d ray = rays.ray(x, y);
@@ -117,7 +117,7 @@ TEST(DepthView, ShowsTheDepthOfTheRoomThatItWasGiven) {
     }
 }
 
-TEST(DepthView, HidesWhatLiesBehindFromTheCamera) {
+TEST(SurfaceView, HidesWhatLiesBehindFromTheCamera) {
     // A wall at 3 m, and before it a strip at 1 m, from 0.1 rad to the left to 0.1 rad to the right.
     Image<float, 1> inverse(512, 256);
     for (int y = 0; y < 256; ++y) {
@@ -125,42 +125,42 @@ TEST(DepthView, HidesWhatLiesBehindFromTheCamera) {
             *inverse.at(x, y) = std::abs(x - 255.5) < 8.2 ? 1.0F : 1 / 3.0F;
         }
     }
-    Scene scene(std::make_shared<const DepthMesh>(DepthMap(std::move(inverse))));
+    Scene scene(std::make_shared<const SurfaceMesh>(DepthMap(std::move(inverse))));
     scene.view(kCamera, lookingFrom({0, 0.5, 0}, 0, 0));
     const PixelRays rays(kCamera, scene.pool);
-    const DepthImage depth = scene.depthView.depth(rays);
+    const DepthImage depth = scene.surfaceView.depth(rays);
     // From half a metre to the left, the strip lies half a metre to the right of the middle.
     const auto column = static_cast<int>(80 + 0.5 * kCamera.intrinsics().fx);
     EXPECT_NEAR(*depth.at(column, 60), 1, 0.1);
     EXPECT_GT(*depth.at(20, 60), 2);
 }
 
-TEST(DepthView, IsWholeFromAnywhere) {
+TEST(SurfaceView, IsWholeFromAnywhere) {
     const RoomShape room{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -1, 1.5};
-    Scene scene(std::make_shared<const DepthMesh>(roomDepth(room, {}, 256)));
+    Scene scene(std::make_shared<const SurfaceMesh>(roomDepth(room, {}, 256)));
     // At a wall, in a corner, on the floor, outside, far away, at the photo, and a kilometre off.
     for (const Eigen::Vector3d& place :
          {Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(2, 2, 1.5), Eigen::Vector3d(0, 0, -1),
           Eigen::Vector3d(5, 1, 0), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1000, 0, 0)}) {
         for (const double yaw : {0.0, 2.0, 4.0}) {
             scene.view(kCamera, lookingFrom(place, yaw, 0.3));
-            const DepthImage depth = scene.depthView.depth(PixelRays(kCamera, scene.pool));
+            const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool));
             EXPECT_TRUE(std::all_of(depth.values().begin(), depth.values().end(),
                                     [](float z) { return std::isfinite(z) && z > 0; }));
         }
     }
 }
 
-TEST(DepthView, TakesDepthsOfFiveCentimetresAndOfAHundredMetres) {
+TEST(SurfaceView, TakesDepthsOfFiveCentimetresAndOfAHundredMetres) {
     for (const double radiusM : {0.05, 100.0}) {
         Scene scene(sphereMesh(radiusM));
         scene.view(kCamera, lookingFrom({0, 0, 0}, 1, 0));
-        const DepthImage depth = scene.depthView.depth(PixelRays(kCamera, scene.pool));
+        const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool));
         EXPECT_NEAR(*depth.at(80, 60), radiusM, 0.04 * radiusM);
     }
 }
 
-TEST(DepthView, SeesThroughALensWhatItSeesWithoutOne) {
+TEST(SurfaceView, SeesThroughALensWhatItSeesWithoutOne) {
     CameraIntrinsics lens = kCamera.intrinsics();
     lens.lens = LensModel::PlumbBob;
     lens.distortion = {0, 0, 0, 0, 0};
@@ -170,17 +170,18 @@ TEST(DepthView, SeesThroughALensWhatItSeesWithoutOne) {
     EXPECT_LE(worstDifference(scene.view(CameraModel(lens), pose), pinhole), 6);
 }
 
-TEST(DepthView, TakesWhatTheFirstPhotoDoesNotSeeFromTheNext) {
+TEST(SurfaceView, TakesWhatTheFirstPhotoDoesNotSeeFromTheNext) {
     // The first photo's surface is a near strip and nothing else that the camera sees behind it.
     Scene scene(sphereMesh(2));
     Scene far(sphereMesh(2), {Eigen::Quaterniond::Identity(), {0.1, 0, 0}});
-    const std::array<DepthPhoto, 2> photos{scene.photo, far.photo};
+    const std::array<SurfacePhoto, 2> photos{scene.photo, far.photo};
     const PixelRays rays(kCamera, scene.pool);
-    const auto needs = scene.depthView.place(rays, lookingFrom({0, 0, 0}, 0, 0), photos, 2, 1, scene.pool, 1);
+    const auto needs =
+        scene.surfaceView.prepare(rays, lookingFrom({0, 0, 0}, 0, 0), photos, 2, 1, scene.pool, 1);
     ASSERT_EQ(needs.size(), 2U);
     EXPECT_FALSE(needs[0].empty());
     EXPECT_TRUE(needs[1].empty()); // a sphere has no holes
-    EXPECT_EQ(scene.depthView.filledShare(), 0);
+    EXPECT_EQ(scene.surfaceView.filledShare(), 0);
 }
 
 } // namespace spherewalk::render

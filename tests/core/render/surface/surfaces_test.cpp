@@ -4,8 +4,8 @@
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/depth_map.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/render/scene_depth.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <gtest/gtest.h>

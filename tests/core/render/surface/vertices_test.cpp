@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "depth_cells.h"
-#include "depth_fit.h"
-#include "depth_locate.h"
-#include "depth_pieces.h"
-#include "depth_simd.h"
-#include "lattice.h"
-#include "photo_plane.h"
+#include "pixels/photo_plane.h"
 #include "random.h"
+#include "sphere/lattice.h"
+#include "surface/cells.h"
+#include "surface/coordinates.h"
+#include "surface/pieces.h"
+#include "surface/vertices.h"
 
 #include "spherewalk/geometry/equirect.h"
 
@@ -69,7 +68,7 @@ Piece square(float left, float top, float right, float bottom, float value) {
 
 } // namespace
 
-TEST(DepthSimd, LocatesAsDoublePrecisionDoes) {
+TEST(SurfaceSimd, LocatesAsDoublePrecisionDoes) {
     test::Random random(3);
     double worst = 0;
     for (int round = 0; round < 100; ++round) {
@@ -90,7 +89,7 @@ TEST(DepthSimd, LocatesAsDoublePrecisionDoes) {
     EXPECT_LT(worst, 0.01);
 }
 
-TEST(DepthSimd, LocatesPolesAndSeamWithinThePhoto) {
+TEST(SurfaceSimd, LocatesPolesAndSeamWithinThePhoto) {
     for (const Eigen::Vector3d& direction :
          {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(-1, 0, 0),
           Eigen::Vector3d(-1, -1e-20, 0), Eigen::Vector3d(0, 0, 0)}) {
@@ -102,7 +101,7 @@ TEST(DepthSimd, LocatesPolesAndSeamWithinThePhoto) {
     }
 }
 
-TEST(DepthSimd, DrawsWhatLiesInsideAndTheNearerOne) {
+TEST(SurfaceSimd, DrawsWhatLiesInsideAndTheNearerOne) {
     const std::vector<Piece> pieces{square(2.5F, 1.5F, 20.5F, 9.5F, 0.5F), square(10, 4, 40, 30, 0.25F)};
     constexpr int kWidth = 48;
     std::vector<float> values(std::size_t{kWidth} * 32);
@@ -117,7 +116,7 @@ TEST(DepthSimd, DrawsWhatLiesInsideAndTheNearerOne) {
     }
 }
 
-TEST(DepthSimd, CutsQuadsIntoPieces) {
+TEST(SurfaceSimd, CutsQuadsIntoPieces) {
     Quads quads;
     const auto add = [&](const std::array<Place, 4>& corners) {
         for (std::size_t i = 0; i < 4; ++i) {
@@ -155,14 +154,14 @@ TEST(DepthSimd, CutsQuadsIntoPieces) {
     EXPECT_EQ(value(11, 6), 0);
 }
 
-TEST(DepthSimd, DrawsUpToTheLastColumn) {
+TEST(SurfaceSimd, DrawsUpToTheLastColumn) {
     const std::vector<Piece> pieces{square(3, 31, 47, 31, 0.5F)};
     std::vector<float> values(std::size_t{48} * 32);
     draw(pieces, 0, 32, values.data(), 48);
     EXPECT_EQ(std::count(values.begin(), values.end(), 0.5F), 45);
 }
 
-TEST(DepthSimd, CountsThePixelsThatNothingCovers) {
+TEST(SurfaceSimd, CountsThePixelsThatNothingCovers) {
     std::vector<float> values(std::size_t{16} * 16, 1.0F);
     std::array<std::int32_t, 16> ofParts;
     EXPECT_EQ(zeros(values.data(), 16, ofParts), 0);
@@ -171,7 +170,7 @@ TEST(DepthSimd, CountsThePixelsThatNothingCovers) {
     EXPECT_EQ(ofParts, (std::array<std::int32_t, 16>{2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
 }
 
-TEST(DepthSimd, TakesWhereItHasNothingYet) {
+TEST(SurfaceSimd, TakesWhereItHasNothingYet) {
     std::vector<float> values(kCellPixels, 1.0F);
     std::vector<float> seen(kCellPixels, 0.5F);
     values[0] = values[17] = values[18] = 0;
@@ -188,7 +187,7 @@ TEST(DepthSimd, TakesWhereItHasNothingYet) {
     EXPECT_EQ(std::count(sources.begin(), sources.end(), 3), 0);
 }
 
-TEST(DepthSimd, BoxesWhatACellTakesFromAPhoto) {
+TEST(SurfaceSimd, BoxesWhatACellTakesFromAPhoto) {
     std::vector<std::int32_t> u(kCellPixels, 50);
     std::vector<std::int32_t> v(kCellPixels, 60);
     std::vector<std::uint8_t> sources(kCellPixels);
@@ -206,7 +205,7 @@ TEST(DepthSimd, BoxesWhatACellTakesFromAPhoto) {
               (std::array<std::int32_t, 4>{7, 50, 3, 60}));
 }
 
-TEST(DepthSimd, FitsWhatItLocates) {
+TEST(SurfaceSimd, FitsWhatItLocates) {
     // Random cells of random cameras, near the poles and the seam too, whose pixels have any distances.
     test::Random random(5);
     double worst = 0;

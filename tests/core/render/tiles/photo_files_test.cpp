@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "engine/tile_supply.h"
 #include "expect_error.h"
-#include "loader.h"
-#include "loader_photos.h"
 #include "temporary_folder.h"
 #include "test_dataset.h"
+#include "tiles/photo_files.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class Loading : public testing::Test {
 };
 
 TEST_F(Loading, GivesTheBytesOfAWholeDecodeWithAndWithoutMarkers) {
-    TileStore store(std::make_shared<LoaderPhotos>(dataset, VerifyPhotos::BeforeUse), 100 << 20);
+    TileStore store(std::make_shared<PhotoFiles>(dataset, VerifyPhotos::BeforeUse), 100 << 20);
     for (const std::size_t photo : {0, 1, 2}) {
         const RgbImage whole = jpeg::decode(dataset->readPhoto(photo), "a");
         for (const int i : {5, 0, 15, 6}) {
@@ -68,43 +68,43 @@ TEST_F(Loading, GivesTheBytesOfAWholeDecodeWithAndWithoutMarkers) {
 
 TEST_F(Loading, VerifiesBeforeUseWhenAskedTo) {
     damage(0);
-    LoaderPhotos photos(dataset, VerifyPhotos::BeforeUse);
+    PhotoFiles photos(dataset, VerifyPhotos::BeforeUse);
     for (int round = 0; round < 2; ++round) {
         test::expectError(ErrorKind::Corrupt, "was changed after the export",
                           [&] { photos.decodesParts(0); });
     }
-    EXPECT_EQ(photos.trust(0), PhotoTrust::Damaged);
+    EXPECT_EQ(photos.hash(0), PhotoHash::Damaged);
     EXPECT_TRUE(photos.decodesParts(1));
-    EXPECT_EQ(photos.trust(1), PhotoTrust::Verified);
+    EXPECT_EQ(photos.hash(1), PhotoHash::Verified);
 }
 
 TEST_F(Loading, VerifiesInBackgroundAndRefusesWhatItServedBefore) {
     damage(0);
-    const auto photos = std::make_shared<LoaderPhotos>(dataset, VerifyPhotos::InBackground);
+    const auto photos = std::make_shared<PhotoFiles>(dataset, VerifyPhotos::InBackground);
     TileStore store(photos, 100 << 20);
     EXPECT_FALSE(photos->verifyNext({}));
     store.acquire({0}, tile(0), TileStore::Missing::Decode);
     store.acquire({1}, tile(0), TileStore::Missing::Decode);
-    EXPECT_EQ(photos->trust(0), PhotoTrust::Unverified);
+    EXPECT_EQ(photos->hash(0), PhotoHash::Unverified);
     EXPECT_TRUE(photos->verifyNext({}));
     EXPECT_TRUE(photos->verifyNext({}));
     EXPECT_FALSE(photos->verifyNext({}));
-    EXPECT_EQ(photos->trust(0), PhotoTrust::Damaged);
-    EXPECT_EQ(photos->trust(1), PhotoTrust::Verified);
+    EXPECT_EQ(photos->hash(0), PhotoHash::Damaged);
+    EXPECT_EQ(photos->hash(1), PhotoHash::Verified);
     test::expectError(ErrorKind::Corrupt, "was changed after the export",
                       [&] { store.acquire({0}, tile(0), TileStore::Missing::Decode); });
     std::stop_source stop;
     stop.request_stop();
     store.acquire({2}, tile(0), TileStore::Missing::Decode);
     test::expectError(ErrorKind::Stopped, "", [&] { photos->verifyNext(stop.get_token()); });
-    EXPECT_EQ(photos->trust(2), PhotoTrust::Unverified);
+    EXPECT_EQ(photos->hash(2), PhotoHash::Unverified);
 }
 
 TEST_F(Loading, RefusesAnIndexOrAFileThatIsAnothers) {
     std::filesystem::copy_file(folder / dataset->info().photos[1].file,
                                folder / dataset->info().photos[0].file,
                                std::filesystem::copy_options::overwrite_existing);
-    LoaderPhotos photos(dataset, VerifyPhotos::InBackground);
+    PhotoFiles photos(dataset, VerifyPhotos::InBackground);
     // Both have the same picture here, so only the index of photo 1 is damaged.
     writeFile(folder / dataset->info().photos[1].restartIndex, bytesOf("SWRI nonsense"));
     test::expectError(ErrorKind::Corrupt, "restart index", [&] { photos.decodesParts(1); });
@@ -115,9 +115,9 @@ TEST_F(Loading, RefusesAnIndexOrAFileThatIsAnothers) {
 class Policies : public Loading {
   protected:
     TileSet all = TileSet::all(grid);
-    TileStore store{std::make_shared<LoaderPhotos>(dataset, VerifyPhotos::AtOpen), 100 << 20};
-    ViewLoader loader{store, std::make_shared<Thumbnails>(dataset)};
-    ViewLoader::NeedOf needOf = [this](std::size_t photo) { return TileNeed{{photo}, tile(3)}; };
+    TileStore store{std::make_shared<PhotoFiles>(dataset, VerifyPhotos::AtOpen), 100 << 20};
+    LateViews loader{store, std::make_shared<Thumbnails>(dataset)};
+    LateViews::NeedOf needOf = [this](std::size_t photo) { return TileNeed{{photo}, tile(3)}; };
 };
 
 TEST_F(Policies, WaitGivesTheTilesAndSaysHowLong) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "random.h"
-#include "tile_footprint.h"
-#include "tile_grid.h"
+#include "sphere/exact_view.h"
+#include "tiles/tile_grid.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "spherewalk/base/byte_source.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/image.h"
 #include "spherewalk/jpeg/restart.h"
 
@@ -12,6 +12,7 @@
 
 namespace spherewalk::jpeg {
 
+/// A rectangle of pixels; (x, y) is its top left one.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -21,37 +22,37 @@ struct PixelRect {
 };
 
 struct RegionOptions {
-    int denominator = 1; ///< 1, 2, 4 or 8: the picture is reduced by it, and rectangles are of that one
-    int threads = 1;     ///< 0: all that the machine has; the pixels are the same for any number
+    int denominator = 1; ///< 1, 2, 4 or 8. Rectangles count pixels of the reduced picture.
+    int threads = 1;     ///< 0 means all of the machine. The pixels do not depend on it.
     std::stop_token stop;
 };
 
-/// Takes row y (of the picture) of the region, region.width pixels of three bytes. Threads: called from
-/// several at a time, with different rows.
+/// Takes one row of a region: `y` counts from the picture's top, and `pixels` holds region.width RGB pixels.
+/// Threads: several threads call at the same time, with different rows.
 using RowSink = std::function<void(int y, const std::uint8_t* pixels)>;
 
-/// What a decoded region cost.
+/// The restart intervals that were decoded for a region, and the bytes that were read.
 struct RegionCost {
     std::uint64_t intervals = 0;
     std::uint64_t bytesRead = 0;
 };
 
-/// Samples as the JPEG stores them, before chroma upsampling and colour conversion.
+/// The samples that the JPEG stores, before chroma upsampling and colour conversion.
 struct Planes {
     using Plane = Image<std::uint8_t, 1>;
     Plane luma;
-    Plane blue; ///< empty for grey pictures
+    Plane blue; ///< Empty for grey pictures, as is red.
     Plane red;
-    int horizontal = 1; ///< luma samples for each chroma sample
+    int horizontal = 1; ///< Luma samples for each chroma sample.
     int vertical = 1;
 };
 
-/// Decodes parts of a JPEG with restart markers, reading only the bytes and decoding only the restart
-/// intervals that they touch. Every pixel has the bytes that decode() of the whole gives it: where chroma
-/// upsampling looks at a neighbour, the neighbour is decoded too.
-/// Cost: that of the intervals touched; least where the interval divides a row's MCUs (see dividingInterval),
-/// otherwise whole rows are decoded, from one row at which an interval begins to another.
-/// Threads: const, any number.
+/// Decodes parts of a JPEG with restart markers. It reads and decodes only the restart intervals that a part
+/// touches. Every pixel equals that of decode() of the whole picture, because neighbours that chroma
+/// upsampling needs are decoded too.
+/// Cost: that of the touched intervals. It is least where the interval divides the MCUs of a row, see
+/// dividingInterval(). Otherwise whole rows are decoded, between rows at which an interval begins.
+/// Threads: any number may share one.
 class RegionDecoder {
   public:
     /// Errors: Corrupt if the picture's header and the index contradict each other; Unsupported for pictures
@@ -60,19 +61,20 @@ class RegionDecoder {
 
     const RestartIndex& index() const { return m_index; }
 
-    /// Of the reduced picture.
+    /// The size of the picture, reduced by the denominator.
     int width(int denominator = 1) const;
     int height(int denominator = 1) const;
 
-    /// Errors: InvalidInput for a rectangle that is empty or leaves the picture; Corrupt for intervals that
-    /// do not decode; Stopped; those of the source and the sink. Rows may have been given before an error.
+    /// Decodes a region and gives its rows to the sink, in any order; rows may come before an error.
+    /// Errors: InvalidInput for a rectangle that is empty or leaves the picture; Corrupt for damaged
+    /// intervals; Stopped; those of the source and the sink.
     RegionCost decode(const PixelRect& region, const RegionOptions& options, const RowSink& sink) const;
 
-    /// The same as a picture.
+    /// The region as a picture. Errors: those of the other decode(), without the sink's.
     RgbImage decode(const PixelRect& region, const RegionOptions& options = {}) const;
 
-    /// The region's samples, widened to whole chroma samples. Errors: as decode(); Unsupported where a chroma
-    /// channel is sampled other than 1 x 1 in an MCU.
+    /// The samples of the region, widened to whole chroma samples. Errors: those of decode(); Unsupported
+    /// where a chroma channel has more than one block in an MCU.
     Planes decodePlanes(const PixelRect& region, int threads = 1) const;
 
   private:
@@ -85,11 +87,11 @@ class RegionDecoder {
 
     std::shared_ptr<const ByteSource> m_source;
     RestartIndex m_index;
-    Bytes m_header; ///< SOI to SOS, without what does not matter to decoding
+    Bytes m_header; ///< SOI to SOS, with only the segments that decoding needs.
 };
 
-/// The interval that divides a row's MCUs and is nearest to the wanted one, if there is one between half and
-/// twice of it; otherwise a whole row. Export with it: regions are then decoded at the least cost.
+/// The restart interval with which regions are decoded at the least cost. It divides the MCUs of a row and is
+/// nearest to the wanted one. If there is none between half and twice the wanted one, it is a whole row.
 /// Range: width, mcuWidth and wanted >= 1.
 int dividingInterval(int width, int mcuWidth, int wanted);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "spherewalk/base/image.h"
-#include "spherewalk/base/json.h"
-#include "spherewalk/base/worker_pool.h"
+#include "spherewalk/base/json_fwd.h"
+#include "spherewalk/base/parallel.h"
 #include "spherewalk/render/pixel_rays.h"
 
 #include <Eigen/Core>
@@ -13,16 +13,17 @@
 
 namespace spherewalk::render {
 
-/// What makes a photo's colours those of a robot's camera: the stored values are taken for sRGB and made
-/// linear; the matrix mixes the channels, as two sensors see the same light differently; each channel is
-/// made sRGB again; and a curve of each channel stands for how the robot's camera develops its pictures.
+/// A change of a photo's colours into those of a robot's camera. Stored values are taken for sRGB and made
+/// linear. A matrix mixes the channels, as two sensors see the same light differently. Each channel is made
+/// sRGB again. A curve of each channel then stands for how the camera develops its pictures.
 /// Source: IEC 61966-2-1 (sRGB).
 struct ColourCorrection {
     static constexpr int kKnots = 17;
-    static constexpr double kMostMatrix = 8; ///< of an entry's size
-    /// Values at evenly spread places from 0 to 1, straight between them.
+    static constexpr double kMostMatrix = 8; ///< No entry of the matrix may have a larger magnitude.
+    /// Values at evenly spread knots from 0 to 1. The curve is straight between them.
     using Curve = std::array<double, kKnots>;
 
+    /// The curve that changes nothing.
     static constexpr Curve straight() {
         Curve curve{};
         for (int i = 0; i < kKnots; ++i) {
@@ -32,49 +33,52 @@ struct ColourCorrection {
     }
 
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-    std::array<Curve, 3> curves{straight(), straight(), straight()}; ///< never falling; cut to [0, 1]
+    /// The curves of red, green and blue. They never fall, and their values are cut to [0, 1].
+    std::array<Curve, 3> curves{straight(), straight(), straight()};
 
     bool operator==(const ColourCorrection&) const = default;
 
-    /// Errors: InvalidInput with a sentence for values that are not finite, entries of the matrix beyond
-    /// kMostMatrix, and curves that fall or leave [-1, 2].
+    /// Errors: InvalidInput for values that are not finite, entries of the matrix beyond kMostMatrix, and
+    /// curves that fall or leave [-1, 2].
     void validate() const;
 
-    /// Of a colour in [0, 1] as pictures store it, in the same way. Frames: red, green, blue.
+    /// The corrected colour. Both colours are red, green and blue in [0, 1], as pictures store them.
     Eigen::Vector3d corrected(const Eigen::Vector3d& stored) const;
 };
 
-/// Light, of a value in [0, 1] as sRGB stores it, and back. Range: any; below 0 both go on straight.
+/// The light of a value that sRGB stores in [0, 1]. Below 0 the curve goes on straight.
 double linearLight(double stored);
+
+/// The value in [0, 1] that sRGB stores for this light. It undoes linearLight().
 double storedValue(double linear);
 
-/// As dataset.json has it.
+/// The correction as dataset.json holds it.
 Json toJson(const ColourCorrection& correction);
 
-/// Errors: Corrupt, naming the place.
+/// The correction that toJson() wrote. Errors: Corrupt, with the member's path.
 ColourCorrection parseColourCorrection(const JsonReader& reader);
 
-/// A correction made ready for many pixels: integer arithmetic and tables, within two grey levels of
-/// ColourCorrection::corrected() even where a curve is steep; one that corrects nothing changes no pixel.
-/// Threads: const, any number.
+/// A correction made ready for many pixels by integer arithmetic and tables. The result is within two grey
+/// levels of ColourCorrection::corrected(), even where a curve is steep. A correction that corrects nothing
+/// changes no pixel. Threads: const functions may run on any number at a time.
 class ColourTables {
   public:
-    /// Errors: those of ColourCorrection::validate().
+    /// Errors: as ColourCorrection::validate().
     explicit ColourTables(const ColourCorrection& correction);
 
-    /// Corrects the picture in its place; the bytes are the same for any number of threads. rays: of its
-    /// camera; what the lens does not see stays black.
+    /// Corrects the picture in its own memory. rays: those of the picture's camera; pixels that the lens does
+    /// not see stay black. threads: the most to use, 0 for all; the bytes are the same for any number.
     void apply(RgbImage& picture, const PixelRays& rays, WorkerPool& pool, int threads = 0) const;
 
   private:
     static constexpr int kLightBits = 14;
     static constexpr int kMatrixBits = 12;
-    static constexpr int kPlaceBits = 13; ///< of what comes out of the matrix
-    /// What one channel's value gives to red, green and blue, in fixed point; the fourth fills a register.
+    static constexpr int kEntryBits = 13; ///< The tables of developed values have so many bits of index.
+    /// What one channel's value gives to red, green and blue, in fixed point. The fourth fills a register.
     using Share = std::array<std::int32_t, 4>;
 
     std::array<std::array<Share, 256>, 3> m_shares{};
-    std::array<std::array<std::uint8_t, 1 << kPlaceBits>, 3> m_developed{};
+    std::array<std::array<std::uint8_t, 1 << kEntryBits>, 3> m_developed{};
 };
 
 } // namespace spherewalk::render

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/colour_correction.h"
-#include "spherewalk/render/room_shape.h"
-#include "spherewalk/render/scene_model.h"
-#include "spherewalk/render/view_choice.h"
+#include "spherewalk/render/ladder.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <cstdint>
 #include <map>
@@ -20,8 +19,8 @@
 
 namespace spherewalk::render {
 
-/// What dataset.json says, version 1. The members are explained in resources/docs/formats.md, and
-/// resources/docs/dataset.schema.json is the machine's form of it.
+/// The contents of dataset.json, version 1. resources/docs/formats.md explains the members, and
+/// resources/docs/dataset.schema.json is their schema.
 
 constexpr std::string_view kDatasetFormat = "spherewalk-dataset";
 constexpr int kDatasetVersion = 1;
@@ -34,21 +33,22 @@ struct RotationSigma {
     Radians roll;
 };
 
+/// One photo. File names are relative to the dataset's folder, and "" where the photo has no such file.
 struct DatasetPhoto {
-    std::string file; ///< relative to the dataset, under photos/
+    std::string file; ///< The JPEG lies under photos/.
     std::string sha256;
     std::uint64_t sizeBytes = 0;
     int width = 0;
     int height = 0;
-    std::string restartIndex; ///< relative; "" if the photo has no restart markers
-    std::string thumbnail;    ///< relative; "" if there is none
-    std::string depth;        ///< relative; "" if there is none
-    std::string station;      ///< what people call its place
+    std::string restartIndex; ///< The index exists if the JPEG has restart markers.
+    std::string thumbnail;
+    std::string depth;
+    std::string station; ///< The name that people give to the spot where it was taken.
     Rigid3 roomFromPhoto;
-    std::string rotationSource; ///< "imported", "aligned", "metadata", or "unknown" (identity)
+    std::string rotationSource; ///< The words are "imported", "aligned", "metadata" and "unknown" (identity).
     std::optional<Eigen::Vector3d> positionSigmaM;
     std::optional<RotationSigma> rotationSigma;
-    /// A scene model cheaper than the dataset's choice that is enough about this photo.
+    /// A scene model that is cheaper than the dataset's choice and good enough around this photo.
     std::optional<SceneKind> scene;
 };
 
@@ -61,44 +61,45 @@ struct DatasetInfo {
     std::string id;
     std::string name;
     std::string createdUtc;
-    std::string madeBy; ///< program and version
+    std::string madeBy; ///< The program and its version.
     std::string surveyId;
-    Polygon outline; ///< empty if unknown
+    Polygon outline; ///< It is empty if the outline is unknown.
     std::vector<Polygon> obstacles;
     double ceilingM = 0;
-    double stepM = 0;                            ///< of the planned grid; 0 if there was none
-    std::optional<double> sphereRadiusM;         ///< of the sphere scene model, if the dataset has one
-    std::optional<RoomShape> roomShape;          ///< of the room scene model, if the dataset has one
-    std::map<SceneKind, double> measuredErrorPx; ///< as ViewChoice::errorPx; of those that were measured
-    std::optional<ViewChoice> choice;            ///< if it was measured
-    std::optional<ColourCorrection> colour;      ///< from the photos' colours to the robot's, if it is known
+    double stepM = 0;                    ///< The step of the planned grid; 0 without a grid.
+    std::optional<double> sphereRadiusM; ///< It exists if the dataset has the sphere scene model.
+    std::optional<RoomShape> roomShape;  ///< It exists if the dataset has the room scene model.
+    /// The errors of the scene models that were measured, defined as ViewChoice::errorPx.
+    std::map<SceneKind, double> measuredErrorPx;
+    std::optional<ViewChoice> choice;       ///< It exists if it was measured.
+    std::optional<ColourCorrection> colour; ///< From the photos' colours to the robot's, if it is known.
     std::vector<SuggestedCamera> cameras;
     std::vector<DatasetPhoto> photos;
 };
 
-/// The scene models that the dataset has for some photo, cheap to exact; None always.
+/// The scene models that the dataset has for at least one photo, cheap to exact. None is always among them.
 std::vector<SceneKind> scenesOf(const DatasetInfo& info);
 
-/// The best scene model that the dataset has for a photo.
+/// The most exact scene model that the dataset has for a photo.
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo);
 
-/// What was chosen for views from a photo if that holds for the camera, else the best that there is.
+/// The chosen scene model for views from a photo, if the choice holds for the camera; else bestScene().
 SceneKind autoScene(const DatasetInfo& info, std::size_t photo, const CameraIntrinsics& camera);
 
-/// For Sampling::Auto what was chosen, if that holds for the camera; else the same.
+/// For Sampling::Auto the chosen sampling, if the choice holds for the camera; else `sampling` itself.
 Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIntrinsics& camera);
 
-/// Writes what was measured into an open description, which may hold more than this version knows.
-/// photoScenes: DatasetPhoto::scene of each photo, or none at all. Errors: Corrupt if it is no description of
-/// so many photos.
+/// Writes measured values into a description. Members that this version does not know stay. photoScenes:
+/// DatasetPhoto::scene of each photo, or empty. Errors: Corrupt for a description of other photos.
 void putMeasured(Json& description, const ViewChoice& choice, const std::map<SceneKind, double>& errorPx,
                  const std::vector<std::optional<SceneKind>>& photoScenes);
 
+/// The description as dataset.json holds it.
 Json toJson(const DatasetInfo& info);
 
-/// Errors: Unsupported for another version; Corrupt, naming source and place, for everything else that cannot
-/// be right: names that lead out of the dataset, sizes that are no equirectangular picture, rotations that
-/// are none, no photos.
+/// The description that toJson() wrote. source: the file's name for sentences. Errors: Unsupported for
+/// another version. Corrupt, with source and member, for names that lead out of the dataset, sizes that are
+/// not 2:1, rotations that are no unit quaternions, and no photos.
 DatasetInfo parseDatasetInfo(const Json& json, const std::string& source);
 
 } // namespace spherewalk::render

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "spherewalk/base/image.h"
+#include "spherewalk/render/ladder.h"
 #include "spherewalk/render/overlay.h"
-#include "spherewalk/render/pixel_trust.h"
-#include "spherewalk/render/sampling.h"
-#include "spherewalk/render/scene_model.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,61 +14,94 @@
 namespace spherewalk::render {
 
 struct ViewOptions {
-    std::optional<SceneKind> scene; ///< nothing: the best one that the dataset has
-    int threads = 0;                ///< 0: all that the machine has; the pixels are the same for any number
+    std::optional<SceneKind>
+        scene; ///< Without a value, the dataset's choice or its best scene model is taken.
+    int threads =
+        0; ///< The most to use, 0 for all that the machine has. The pixels are the same for any number.
     Sampling sampling = Sampling::Footprint;
-    double toleranceDb = 40; ///< for Sampling::Auto: how far below full scale its error is to be
-    /// Every pixel by itself in double precision, bilinear, a hundred times slower: for comparisons.
+    double toleranceDb = 40; ///< For Sampling::Auto: how far below full scale the error shall be.
+    /// Each pixel is computed by itself in double precision, bilinear. It is for comparisons: a hundred times
+    /// slower.
     bool exact = false;
-    bool wantsDepth = false; ///< View::depth
-    bool wantsTrust = false; ///< View::trust
-    /// Not to be used for this view: leave one out, and compare. Ignored if it is the only photo.
+    bool wantsDepth = false; ///< Whether View::depth is made.
+    bool wantsTrust = false; ///< Whether View::trust is made.
+    /// A photo that this view must not use, to compare it with. It is ignored if there is no other photo.
     std::optional<std::size_t> without = {};
-    /// Laid into the picture. Owner: they must live until the view is made.
+    /// Objects to be laid into the picture. Owner: they must live until the view is made.
     std::span<const Overlay> overlays = {};
-    ComposeOptions compose = {}; ///< how; its threads are those above
-    bool correctsColour = true;  ///< as the dataset says; false: the photos' own colours
+    ComposeOptions compose = {}; ///< How overlays are laid in; `threads` above holds for them, too.
+    bool correctsColour = true;  ///< Whether the dataset's colour correction is applied.
 };
 
-/// What a view's pixels come from.
+/// The picture that a view's pixels come from.
 enum class ViewOrigin {
-    Photo,         ///< the nearest photo
-    Thumbnail,     ///< the nearest photo's thumbnail, since the photo was not decoded yet
-    PreviousPhoto, ///< the photo of the view before, since the nearest one was not decoded yet
+    Photo,         ///< The nearest photo.
+    Thumbnail,     ///< The nearest photo's thumbnail, since the photo was not decoded yet.
+    PreviousPhoto, ///< The photo of the view before, since the nearest one was not decoded yet.
 };
 
+/// The word that options and files use: "photo", "thumbnail", "previous".
 std::string_view name(ViewOrigin origin);
 
 /// What a view was made from, and how far it can be trusted.
 struct ViewReport {
-    std::size_t photo = 0; ///< index into DatasetInfo::photos
+    std::size_t photo = 0; ///< The index of the photo in DatasetInfo::photos.
     std::string file;
     SceneKind scene = SceneKind::None;
-    Sampling sampling = Sampling::Footprint; ///< what was used, never Auto
+    Sampling sampling = Sampling::Footprint; ///< The sampling that was used, never Auto.
     ViewOrigin origin = ViewOrigin::Photo;
-    bool isLate = false; ///< something that it needs was not in memory when it was asked for
-    double offsetM = 0;  ///< between the camera and the photo
-    /// By how much a thing at half or at twice the distance that the scene model assumes would be displaced,
-    /// at worst, in pixels at the picture's centre; with SceneKind::None, a thing at the dataset's usual
-    /// distance (its sphere's radius, or 2 m if it has none).
+    bool isLate = false; ///< Whether a part of the photo was not in memory when the view was asked for.
+    double offsetM = 0;  ///< The distance between the camera and the photo.
+    /// The largest displacement of a thing at half or at twice the distance that the scene model assumes, in
+    /// pixels at the picture's centre. With SceneKind::None the thing is at the dataset's usual distance (its
+    /// sphere's radius, or 2 m if it has none).
     double parallaxPx = 0;
-    double filledShare =
-        0;                ///< of the pixels, that had to come from another photo; scene models with surfaces
-    double blurPx = 0;    ///< of a thumbnail: how far its pixels reach beyond one of the view's
-    double trust = 0;     ///< 1 / (1 + parallaxPx + blurPx): 1 at a photo's own place, 0.5 with 1 px in doubt
-    double decodeMs = 0;  ///< waiting for the photo to be decoded, 0 if it was in memory
-    int decodedTiles = 0; ///< that it waited for
-    bool isWholeDecode = false; ///< the photo has no restart markers: all of it was decoded
-    bool isVerified = false;    ///< the photo's hash is that of dataset.json
+    double filledShare = 0; ///< The share of pixels from further photos, for scene models with surfaces.
+    double blurPx = 0;      ///< How far a thumbnail's pixels reach beyond one of the view's.
+    double trust = 0; ///< 1 / (1 + parallaxPx + blurPx): 1 at a photo's own position, 0.5 at 1 px of doubt.
+    double decodeMs = 0;  ///< How long the view waited for tiles to be decoded; 0 if all were in memory.
+    int decodedTiles = 0; ///< The number of tiles that the view waited for.
+    bool isWholeDecode = false; ///< Whether all of the photo was decoded, as it has no restart markers.
+    bool isVerified = false;    ///< Whether the photo's hash is known to be the one in dataset.json.
     double renderMs = 0;
 };
 
-/// What was not asked for is empty.
+/// What is to be known of a pixel besides its error. Flags are bits: several may hold.
+enum class PixelFlag : std::uint8_t {
+    Unseen = 1, ///< The lens sees nothing there.
+    Pole = 2,   ///< It lies near the photo's zenith or nadir, where the camera's own foot is in the picture.
+    Stitching = 4, ///< It lies near the great circle where the pictures of a camera's two lenses were joined.
+    Seam = 8,      ///< It comes partly from the photo's left border, partly from its right one.
+    Coarse = 16,   ///< It is blurred, since the view was made from a coarser picture than the photo.
+    Overlay = 32,  ///< An overlay covers at least a part of it.
+};
+
+/// Whether the flags of a pixel (PixelTrust::flags) hold this one.
+constexpr bool has(std::uint8_t flags, PixelFlag flag) {
+    return (flags & static_cast<std::uint8_t>(flag)) != 0;
+}
+
+/// How far each pixel can be believed. Shape: both pictures have the view's size.
+struct PixelTrust {
+    /// By how many pixels of the view the shown thing may be displaced. It is +infinity where the lens sees
+    /// nothing. Under an overlay it is the error of the photo's pixel.
+    Image<float, 1> errorPx;
+    MaskImage flags; ///< The bits are those of PixelFlag.
+};
+
+/// The trust for such an error, as ViewReport::trust: 1 without error, 0.5 for one pixel, 0 for +infinity.
+constexpr float trust(float errorPx) {
+    return 1 / (1 + errorPx);
+}
+
+/// A finished view. Parts that were not asked for are empty.
 struct View {
-    RgbImage picture; ///< black where the lens sees nothing
-    DepthImage depth; ///< of the scene model without overlays, as viewDepth() says: none for SceneKind::None
-    PixelTrust trust; ///< as pixelTrust() says
-    MaskImage overlaid; ///< how much of each pixel overlays cover, 255 for all of it; empty without overlays
+    RgbImage picture; ///< It is black where the lens sees nothing.
+    /// The depth of the scene model without overlays: z along the optical axis, in metres. It is +infinity
+    /// where the lens sees nothing or 90 degrees or more off the axis. SceneKind::None gives none.
+    DepthImage depth;
+    PixelTrust trust;
+    MaskImage overlaid; ///< How much of each pixel overlays cover: 255 for all. It is empty without overlays.
     ViewReport report;
 };
 

@@ -11,34 +11,35 @@ namespace spherewalk::render {
 
 /// What a view is made from when its part of the nearest photo is not decoded.
 enum class LatePolicy {
-    Wait,     ///< that part, decoded now
-    Coarse,   ///< the photo's thumbnail
-    Previous, ///< the photo of the view before, seen from the new pose
+    Wait,     ///< The view waits while that part is decoded.
+    Coarse,   ///< The view is made from the photo's thumbnail.
+    Previous, ///< The view is made from the photo of the view before, seen from the new pose.
 };
 
+/// The word that options and files use: "wait", "coarse", "previous".
 std::string_view name(LatePolicy policy);
 
-/// Errors: InvalidInput, listing the names.
+/// The policy of that word. Errors: InvalidInput, with all the words.
 LatePolicy latePolicy(std::string_view name);
 
 struct StreamOptions {
     LatePolicy late = LatePolicy::Wait;
-    /// How far ahead of the camera's motion is decoded; 0: not at all. Range: up to 10.
+    /// How far ahead of the camera's motion photos are decoded. Range: 0 (not at all) to 10.
     double prefetchSeconds = 0.2;
 };
 
-/// Views of a stream, since it was made.
+/// The numbers of a stream's views since it was made.
 struct StreamCounters {
     std::uint64_t views = 0;
     std::uint64_t late = 0;
-    std::uint64_t waited = 0;   ///< late ones that waited
-    std::uint64_t coarse = 0;   ///< made from a thumbnail
-    std::uint64_t previous = 0; ///< made from the photo of the view before
+    std::uint64_t waited = 0;   ///< Late views that waited.
+    std::uint64_t coarse = 0;   ///< Late views that were made from a thumbnail.
+    std::uint64_t previous = 0; ///< Late views that were made from the photo of the view before.
 };
 
-/// The views of one moving camera in turn. What it will see next is predicted from its last two poses and
-/// decoded in a thread of its own between the views. Threads: one at a time; several streams of one renderer
-/// run beside each other.
+/// The views of one moving camera in turn. The stream predicts the next poses from the last two, and a thread
+/// of its own decodes for them between the views. Threads: one at a time; several streams of one renderer run
+/// beside each other.
 class ViewStream {
   public:
     /// Owner: the stream shares what the renderer has, and may outlive it. Errors: InvalidInput for options
@@ -48,9 +49,10 @@ class ViewStream {
     ViewStream(ViewStream&&) noexcept;
     ViewStream& operator=(ViewStream&&) noexcept;
 
-    /// timeS: when the camera is there, on any clock; what is not later than the view before is a new start.
-    /// LatePolicy::Coarse without a thumbnail, and Previous without a previous photo, become the next of
-    /// Previous, Coarse, Wait that can be: ViewReport::origin says. Errors: as Renderer::render().
+    /// The view of the camera at this pose of its optical frame. timeS: when the camera is there, on any
+    /// clock. A time that is not later than the view before is a new start. LatePolicy::Coarse needs a
+    /// thumbnail, and Previous a decoded previous photo. Without these, the next of Previous, Coarse, Wait is
+    /// done, and ViewReport::origin tells which. Errors: as Renderer::render().
     View next(const Rigid3& roomFromCamera, double timeS, const ViewOptions& options = {});
 
     /// The same into a view whose memory is used again.

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/view_engine.h"
+
+#include "layers/view_geometry.h"
+#include "sphere/exact_view.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rigid3.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace spherewalk::render {
+
+namespace {
+
+constexpr double kUsualDistanceM = 2;
+/// The error of 1 / distance as a share of it, where depths are not measured against anything.
+constexpr double kDepthResidual = 0.02;
+
+/// See ViewReport::parallaxPx: offset times the error of the inverse distance times the focal length.
+double parallax(SceneKind scene, double radiusM, double offsetM, const CameraModel& camera) {
+    const double inverseDistanceError = scene == SceneKind::Depth  ? kDepthResidual / radiusM
+                                        : scene == SceneKind::None ? 1 / radiusM
+                                                                   : 1 / (0.5 * radiusM) - 1 / radiusM;
+    return std::max(camera.intrinsics().fx, camera.intrinsics().fy) * offsetM * inverseDistanceError;
+}
+
+double elapsedMs(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+} // namespace
+
+ViewEngine::ViewEngine(std::shared_ptr<const Dataset> dataset, const RendererOptions& options)
+    : m_dataset(std::move(dataset)),
+      m_photos(std::make_shared<PhotoFiles>(m_dataset, options.verify)),
+      m_store(m_photos, options.cacheBytes),
+      m_thumbnails(std::make_shared<Thumbnails>(m_dataset)),
+      m_surfaces(m_dataset) {
+    if (m_dataset->info().colour) {
+        m_colour.emplace(*m_dataset->info().colour);
+    }
+}
+
+ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFromCamera,
+                                const ViewOptions& options) const {
+    if (!isPose(roomFromCamera)) {
+        throw Error(
+            ErrorKind::InvalidInput,
+            "The camera's pose is not a position in metres and a unit quaternion; nothing was rendered.");
+    }
+    if (options.scene == SceneKind::Sphere && !m_dataset->info().sphereRadiusM) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The dataset ", m_dataset->folder().string(),
+                         " has no sphere scene model; use none, or export it again."));
+    }
+    if (options.scene && hasSurfaces(*options.scene) &&
+        m_surfaces.photosFor(*options.scene, roomFromCamera.translation, options.without).empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
+                         " scene model; use another, or export it again with one."));
+    }
+    return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options};
+}
+
+std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, int samplesPerAxis) {
+    return m_rays.get({camera.intrinsics(), samplesPerAxis},
+                      [&] { return RayTable(camera, samplesPerAxis); });
+}
+
+std::size_t ViewEngine::nearestPhoto(const ViewRequest& request) const {
+    return m_dataset->nearestPhoto(request.roomFromCamera.translation, request.options.without);
+}
+
+std::shared_ptr<const PixelRays> ViewEngine::pixelRaysOf(const CameraModel& camera, const Tools& tools) {
+    return m_pixelRays.get(camera.intrinsics(), [&] { return PixelRays(camera, tools.pool, tools.threads); });
+}
+
+ViewEngine::Plan ViewEngine::plan(const ViewRequest& request, std::size_t photo) {
+    const DatasetInfo& info = m_dataset->info();
+    Plan plan;
+    plan.level = {photo, 1};
+    plan.scene = request.options.scene.value_or(autoScene(info, photo, request.camera.intrinsics()));
+    if (hasSurfaces(plan.scene)) {
+        plan.surface = plan.scene;
+        plan.scene = info.sphereRadiusM ? SceneKind::Sphere : SceneKind::None;
+    }
+    plan.radiusM = info.sphereRadiusM.value_or(kUsualDistanceM);
+    const double ratio = minification(request.camera, info.photos[photo].width);
+    plan.sampling =
+        request.options.exact
+            ? Sampling::Bilinear
+            : chosenSampling(autoSampling(info, request.options.sampling, request.camera.intrinsics()), ratio,
+                             request.options.toleranceDb);
+    if (plan.sampling == Sampling::Reduced) {
+        if (PlaneLayout::fits(m_photos->size({photo, 2}))) {
+            plan.level.denominator = 2;
+        } else {
+            plan.sampling = Sampling::Footprint; // too small, or of an odd height
+        }
+    }
+    plan.rays = raysOf(request.camera, samplesPerAxis(plan.sampling, ratio));
+    return plan;
+}
+
+/// The plan for the photo's thumbnail in its place.
+ViewEngine::Plan ViewEngine::coarse(const ViewRequest& request, const Plan& plan) {
+    Plan coarse = plan;
+    coarse.sampling = Sampling::Bilinear; // a thumbnail is magnified
+    coarse.rays = raysOf(request.camera, 1);
+    return coarse;
+}
+
+TileNeed ViewEngine::need(const ViewRequest& request, double reachPx) {
+    return need(request, plan(request, nearestPhoto(request)), reachPx);
+}
+
+TileNeed ViewEngine::need(const ViewRequest& request, const Plan& plan, double reachPx) {
+    const TileGrid grid = m_store.grid(plan.level);
+    const Projection projection(request.camera, request.roomFromCamera, roomFromPhoto(plan.level.photo),
+                                grid.photo(), plan.scene, plan.radiusM);
+    const auto footprint =
+        m_footprints.get(request.camera.intrinsics(), [&] { return ViewFootprint(request.camera); });
+    const auto seenIn = [&](const Eigen::Vector2d& pixel) { return projection.photoDirection(pixel); };
+    return {plan.level, footprint->tiles(grid, seenIn, reachPx)};
+}
+
+void ViewEngine::serve(const ViewRequest& request, LatePolicy policy, LateViews& late, View& view) {
+    const Plan nearest = plan(request, nearestPhoto(request));
+    if (nearest.surface) {
+        const TileStore::ViewInProgress inProgress(m_store);
+        makeFromSurfaces(request, nearest, view);
+        late.countSurfaceView(view.report.isLate);
+        return;
+    }
+    const TileNeed own = need(request, nearest, kFilterReachPx);
+    const TileStore::ViewInProgress inProgress(m_store);
+    const auto needOf = [&](std::size_t photo) {
+        return need(request, plan(request, photo), kFilterReachPx);
+    };
+    const Served served = late.serve(own, policy, needOf, request.options.threads);
+    switch (served.origin) {
+    case ViewOrigin::Photo:
+        make(request, nearest, served, view);
+        break;
+    case ViewOrigin::Thumbnail:
+        make(request, coarse(request, nearest), served, view);
+        break;
+    case ViewOrigin::PreviousPhoto:
+        make(request, plan(request, served.photo), served, view);
+        break;
+    }
+}
+
+/// Calls draw(tools). While another thread has the pool and the memory, the view is made by its own thread
+/// alone.
+template <class Draw>
+void ViewEngine::withTools(int threads, Draw&& draw) {
+    const std::unique_lock lock(m_drawing, std::try_to_lock);
+    if (lock) {
+        draw(Tools{m_pool, threads, m_memory});
+    } else {
+        WorkerPool alone(1);
+        Memory own;
+        draw(Tools{alone, 1, own});
+    }
+}
+
+void ViewEngine::make(const ViewRequest& request, const Plan& plan, const Served& served, View& view) {
+    const auto begin = std::chrono::steady_clock::now();
+    report(request, plan, served, view.report);
+    const PlaneView photo = served.coarse ? served.coarse->view() : served.lease.plane();
+    withTools(request.options.threads, [&](const Tools& tools) { draw(request, plan, photo, tools, view); });
+    view.report.renderMs = elapsedMs(begin);
+}
+
+void ViewEngine::draw(const ViewRequest& request, const Plan& plan, const PlaneView& photo,
+                      const Tools& tools, View& view) {
+    if (request.options.exact) {
+        const Projection projection(request.camera, request.roomFromCamera, roomFromPhoto(plan.level.photo),
+                                    photo.size(), plan.scene, plan.radiusM);
+        drawExactly(request.camera, projection, photo, tools.pool, tools.threads, view.picture);
+    } else {
+        const ViewSource source{photo, roomFromPhoto(plan.level.photo), plan.scene, plan.radiusM};
+        renderView(*plan.rays, request.roomFromCamera, source, plan.sampling, tools.pool, tools.threads,
+                   tools.memory.workspace, view.picture);
+    }
+    addLayers(request, plan, photo, tools, {}, view);
+}
+
+/// Makes all of a view whose plan has surfaces, from the photos nearest to the camera.
+void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view) {
+    const auto begin = std::chrono::steady_clock::now();
+    withTools(request.options.threads, [&](const Tools& tools) { drawSurfaces(request, plan, tools, view); });
+    view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
+}
+
+void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools, View& view) {
+    SurfaceView& surfaceView = tools.memory.surfaceView;
+    const auto rays = pixelRaysOf(request.camera, tools);
+    std::vector<SurfacePhoto> photos;
+    for (const std::size_t photo :
+         m_surfaces.photosFor(*plan.surface, request.roomFromCamera.translation, request.options.without)) {
+        const PhotoLevel level{photo, plan.level.denominator};
+        photos.push_back(
+            {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});
+    }
+    const std::vector<TileSet> needs =
+        surfaceView.prepare(*rays, request.roomFromCamera, photos, plan.radiusM, plan.rays->samplesPerAxis(),
+                            tools.pool, tools.threads);
+    std::vector<TileLease> leases;
+    std::vector<PlaneView> planes;
+    double waitedMs = 0;
+    int waitedTiles = 0;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        leases.push_back(m_store.acquire({photos[i].photo, plan.level.denominator}, needs[i],
+                                         TileStore::Missing::Decode, request.options.threads));
+        planes.push_back(leases.back().plane());
+        waitedMs += leases.back().waitedMs();
+        waitedTiles += leases.back().waitedTiles();
+    }
+    surfaceView.sample(*rays, planes, plan.sampling, tools.pool, tools.threads, view.picture);
+    Served served;
+    served.isLate = waitedTiles > 0;
+    served.lease = std::move(leases.front());
+    report(request, plan, served, view.report);
+    view.report.decodeMs = waitedMs;
+    view.report.decodedTiles = waitedTiles;
+    view.report.filledShare = surfaceView.filledShare();
+    DepthImage depth;
+    if (request.options.wantsDepth || !request.options.overlays.empty()) {
+        depth = surfaceView.depth(*rays);
+    }
+    addLayers(request, plan, planes.front(), tools, std::move(depth), view);
+}
+
+void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Served& served,
+                        ViewReport& report) const {
+    const DatasetPhoto& photo = m_dataset->info().photos[plan.level.photo];
+    report.photo = plan.level.photo;
+    report.file = photo.file;
+    report.scene = plan.surface.value_or(plan.scene);
+    report.sampling = plan.sampling;
+    report.origin = served.origin;
+    report.isLate = served.isLate;
+    report.offsetM = (request.roomFromCamera.translation - photo.roomFromPhoto.translation).norm();
+    report.parallaxPx = parallax(plan.surface == SceneKind::Depth ? SceneKind::Depth : plan.scene,
+                                 plan.radiusM, report.offsetM, request.camera);
+    report.blurPx =
+        served.coarse
+            ? std::max(0.0, 0.5 / minification(request.camera, served.coarse->view().size().width) - 0.5)
+            : 0;
+    report.trust = 1 / (1 + report.parallaxPx + report.blurPx);
+    report.decodeMs = served.lease.waitedMs();
+    report.decodedTiles = served.lease.waitedTiles();
+    report.isWholeDecode = served.lease.isWholeDecode();
+    report.isVerified = m_photos->hash(plan.level.photo) == PhotoHash::Verified;
+}
+
+/// Adds the dataset's colour correction. Then it adds depth, overlays and trust, if they are wanted. depth:
+/// that of the view, if it is known already.
+void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo,
+                           const Tools& tools, DepthImage depth, View& view) {
+    const ViewOptions& options = request.options;
+    view.depth = {};
+    view.trust = {};
+    view.overlaid = {};
+    if (m_colour && options.correctsColour) {
+        m_colour->apply(view.picture, *pixelRaysOf(request.camera, tools), tools.pool, tools.threads);
+    }
+    if (!options.wantsDepth && !options.wantsTrust && options.overlays.empty()) {
+        return;
+    }
+    const auto rays = pixelRaysOf(request.camera, tools);
+    const DatasetPhoto& whole = m_dataset->info().photos[plan.level.photo];
+    const ViewGeometry geometry{
+        *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
+        plan.radiusM};
+    const bool needDepth = std::any_of(options.overlays.begin(), options.overlays.end(),
+                                       [](const Overlay& overlay) { return overlay.roomDepth.empty(); });
+    if (options.wantsDepth || needDepth) {
+        view.depth = plan.surface ? std::move(depth) : viewDepth(geometry, tools.pool, tools.threads);
+    }
+    if (!options.overlays.empty()) {
+        ComposeOptions compose = options.compose;
+        compose.threads = tools.threads;
+        m_composer.compose(options.overlays, request.camera, view.depth, compose, tools.pool, view.picture,
+                           &view.overlaid);
+    }
+    if (options.wantsTrust) {
+        TrustOptions trust;
+        trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
+        trust.distanceResidual = plan.surface == SceneKind::Depth ? kDepthResidual : 1;
+        trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
+        view.trust = pixelTrust(geometry, trust, tools.pool, tools.threads);
+    }
+    if (!options.wantsDepth) {
+        view.depth = {};
+    }
+}
+
+} // namespace spherewalk::render

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "spherewalk/base/json_fwd.h"
+#include "spherewalk/geometry/camera_model.h"
+
+#include <string>
+#include <string_view>
+
+namespace spherewalk::render {
+
+/// The ladder: what a view is computed with, from cheap to exact. It has two sides, the scene model and the
+/// sampling. A dataset may hold the choice that was measured to be enough.
+
+/// What the scene is taken to be when a camera stands beside the photo, cheap to exact.
+enum class SceneKind {
+    None,   ///< Everything is infinitely far: the nearest photo is only turned.
+    Sphere, ///< Everything lies on a sphere about the photo. Source: Chachula and Stefanczyk.
+    Room,   ///< There are walls, a floor and a ceiling, and nothing else.
+    Depth,  ///< The distance of each of the photo's pixels was measured.
+};
+
+/// Whether a model of this kind gives each photo a surface, so that things hide each other.
+constexpr bool hasSurfaces(SceneKind kind) {
+    return kind == SceneKind::Room || kind == SceneKind::Depth;
+}
+
+/// The word that options and files use: "none", "sphere", "room", "depth".
+std::string_view name(SceneKind kind);
+
+/// The scene model of that word. Errors: InvalidInput, with all the words.
+SceneKind sceneKind(std::string_view name);
+
+/// How a view's pixel is made from the photo's pixels, cheap to exact. resources/docs/render.md tells what
+/// each costs and how large its error is.
+enum class Sampling {
+    Nearest,  ///< It takes the nearest pixel.
+    Bilinear, ///< It interpolates four pixels. It is right where view and photo have equal pixels per degree.
+              ///< Where the view has fewer, details flicker.
+    Reduced, ///< It is bilinear on the photo at half its size. It is softer, and details do not flicker up to
+             ///< a minification of about two.
+    Footprint, ///< It takes the mean of n x n bilinear samples over the view's pixel, n at least 2. At the
+               ///< picture's centre samples are less than 1.5 photo pixels apart. It is right when minifying.
+    Bicubic,   ///< It interpolates sixteen pixels. It is right where the view has more pixels per degree.
+    Auto,      ///< It is the cheapest of Reduced, Bilinear and Footprint that is expected to be good enough.
+};
+
+/// The word that options and files use: "nearest", "bilinear", "reduced", "footprint", "bicubic", "auto".
+std::string_view name(Sampling sampling);
+
+/// The sampling of that word. Errors: InvalidInput, with all the words.
+Sampling sampling(std::string_view name);
+
+/// How many photo pixels one view pixel spans at the middle of the picture, along the axis that has more.
+double minification(const CameraModel& camera, int photoWidth);
+
+/// How many samples each pixel has along an axis. Range: 1, but 2 to 8 for Footprint.
+int samplesPerAxis(Sampling sampling, double minification);
+
+/// How near a sampling comes, at worst, to the mean over each pixel's area. Units: decibels (peak signal to
+/// noise ratio). It was measured on pictures full of detail and promises nothing for others. Range: below a
+/// minification of 0.47 and above 3.82 the nearest one's value holds.
+double expectedDb(Sampling sampling, double minification);
+
+/// The sampling itself, if it is not Auto. For Auto: the cheapest that is expected to reach the tolerance.
+/// Nearest and Bicubic are never chosen, since something better costs less.
+Sampling chosenSampling(Sampling sampling, double minification, double toleranceDb);
+
+/// The choice that "auto" stands for, as it was measured on the dataset itself against a tolerance.
+struct ViewChoice {
+    SceneKind scene = SceneKind::None;
+    Sampling sampling = Sampling::Footprint; ///< This is never Auto.
+    double tolerancePx = 0;                  ///< The user asked for this tolerance.
+    double errorPx = 0; ///< The measured error: in 95 of 100 spots of a view the displacement is no larger.
+    double focalPx = 0; ///< The longer of fx and fy of the camera that the error was measured for.
+    std::string reason; ///< Sentences tell people why.
+
+    bool operator==(const ViewChoice&) const = default;
+
+    bool isWithin() const { return errorPx <= tolerancePx; }
+
+    /// Whether the choice holds for this camera. With a longer focal length the same error is more pixels.
+    bool isFor(const CameraIntrinsics& camera) const;
+};
+
+/// The scene model that a member names. Errors: Corrupt, with the member's path.
+SceneKind sceneKind(const JsonReader& reader, std::string_view key);
+
+/// The choice as dataset.json holds it.
+Json toJson(const ViewChoice& choice);
+
+/// The choice that toJson() wrote. Errors: Corrupt, with the member's path, for unknown names and impossible
+/// numbers.
+ViewChoice parseViewChoice(const JsonReader& reader);
+
+} // namespace spherewalk::render

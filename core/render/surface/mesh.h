@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "surface/vertices.h"
+
+#include "spherewalk/render/scene_depth.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::render {
+
+class SurfaceMesh;
+
+/// The patches of a photo's surface at the edges of things, where it is torn. A patch is a rectangle of the
+/// photo that faces the photo. Where distances of four pixels jump too much, the pixels are not joined into
+/// one surface. Each becomes a small patch, alone or with one neighbour, that ends halfway to the others. If
+/// one of two by two quads has such an edge, all four are made of patches. Patches are joined where the
+/// distance is even. Threads: const functions may run on any number at a time.
+class EdgePatches {
+  public:
+    static constexpr int kSubBlock = simd::BlockBoxes::kSubBlock;   ///< Quads along an axis of a sub-block.
+    static constexpr int kSubBlocks = simd::BlockBoxes::kSubBlocks; ///< Sub-blocks along an axis of a block.
+
+    EdgePatches() = default;
+
+    /// The patches at all edges of the mesh. Only the mesh's vertices are read.
+    explicit EdgePatches(const SurfaceMesh& mesh);
+
+    struct Range {
+        std::uint32_t begin = 0, end = 0;
+    };
+
+    /// The patches of a sub-block. Where one range ends the next begins, in the order of orderInBlock().
+    /// block: blocks are counted row by row.
+    Range ofSubBlock(std::size_t block, int subBlock) const {
+        const std::size_t index = block * (kSubBlocks * kSubBlocks) + static_cast<std::size_t>(subBlock);
+        return {m_first[index], m_first[index + 1]};
+    }
+
+    /// The number of the sub-block at these vertices of a block. The order is that of a quadtree's leaves.
+    /// Range: multiples of kSubBlock.
+    static int orderInBlock(int x, int y) {
+        const int column = x / kSubBlock;
+        const int row = y / kSubBlock;
+        return row / 2 * 8 + column / 2 * 4 + row % 2 * 2 + column % 2;
+    }
+
+    /// The patches of a range. The ranges of sub-blocks that follow each other may be joined.
+    simd::SurfacePatches at(Range range) const;
+
+  private:
+    struct Patch;
+
+    static std::pair<int, int> cornerInBlock(int subBlock);
+    static void addSubBlock(const SurfaceMesh& mesh, int left, int top, std::vector<Patch>& patches);
+    static void addQuad(const SurfaceMesh& mesh, int x, int y, std::vector<Patch>& patches);
+    static void addEdge(const SurfaceMesh& mesh, int x, int y, std::vector<Patch>& patches);
+    static void add(Patch patch, std::vector<Patch>& patches);
+    void keep(const SurfaceMesh& mesh, const std::vector<Patch>& patches);
+
+    std::vector<std::uint32_t> m_first;         ///< The first patch of each sub-block, and the end.
+    std::array<std::vector<float>, 4> m_cosine; ///< As in SurfacePatches.
+    std::array<std::vector<float>, 4> m_sine;
+    std::array<std::vector<float>, 4> m_inverse;
+};
+
+/// A photo's depth as a surface. Each pixel's centre is a vertex, and each four vertices make a quad. Where
+/// the surface is flat, up to kBlock x kBlock of these quads are drawn as one. Frames: the photo's. Threads:
+/// const functions may run on any number at a time.
+class SurfaceMesh {
+  public:
+    static constexpr int kLevels = 5; ///< Quads have 1, 2, 4, 8 or 16 pixels along an axis.
+    static constexpr int kBlock = 1 << (kLevels - 1);
+
+    /// Errors: InvalidInput for a map whose width is no multiple of 16.
+    explicit SurfaceMesh(const DepthMap& map);
+
+    /// Whether neighbours with these 1 / distances may belong to one surface.
+    static bool isSurface(std::initializer_list<float> inverseM) {
+        constexpr float kJump = 0.08F;
+        return std::max(inverseM) - std::min(inverseM) < kJump * std::max(inverseM);
+    }
+
+    /// Whether the four pixels from (x, y) to the right and down belong to one. Range: 0 <= x < width, 0 <= y
+    /// < height - 1.
+    bool isSurface(int x, int y) const {
+        return isSurface({inverseM(x, y), inverseM(x + 1, y), inverseM(x, y + 1), inverseM(x + 1, y + 1)});
+    }
+
+    /// Whether one of the two by two quads from (x, y) has an edge. All four are then made of patches.
+    bool hasEdge(int x, int y) const;
+
+    int width() const { return m_width; }
+
+    int height() const { return m_height; }
+
+    int blocksX() const { return m_width / kBlock; }
+
+    int blocksY() const { return (m_height - 1 + kBlock - 1) / kBlock; }
+
+    /// 1 / distance of a vertex, in 1/m. Range: 0 <= x <= width (the first column again), 0 <= y < height.
+    float inverseM(int x, int y) const {
+        return m_inverse[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width + 1) +
+                         static_cast<std::size_t>(x)];
+    }
+
+    /// The cosine and sine of a column's azimuth or of a row's elevation, at half pixels as in direction().
+    struct Angle {
+        float cosine, sine;
+    };
+
+    Angle azimuth(int halfX) const {
+        const auto x = static_cast<std::size_t>(halfX + 1);
+        return {m_cosAzimuth[x], m_sinAzimuth[x]};
+    }
+
+    Angle elevation(int halfY) const {
+        const auto y = static_cast<std::size_t>(halfY + 1);
+        return {m_cosElevation[y], m_sinElevation[y]};
+    }
+
+    /// A unit vector. Units: half pixels, so that a pixel's corners have integers; (2 x, 2 y) is its centre.
+    /// Range: -1 <= halfX <= 2 width, likewise y.
+    Eigen::Vector3f direction(int halfX, int halfY) const {
+        const auto [cosAzimuth, sinAzimuth] = azimuth(halfX);
+        const auto [cosElevation, sinElevation] = elevation(halfY);
+        return {cosElevation * cosAzimuth, cosElevation * sinAzimuth, sinElevation};
+    }
+
+    /// A block's vertices, in as many rows as it has.
+    simd::SurfaceBlock block(int blockX, int blockY) const;
+
+    /// Asks memory for what block() and deviation() read of a block, and does not wait for it.
+    void fetch(int blockX, int blockY) const;
+
+    /// The largest error of 1 / distance if a quad is taken to be flat. (x, y) is its upper left vertex in a
+    /// block. It is infinite at level 1 where the quad has an edge. Range: level > 0; x and y multiples of
+    /// 2^level.
+    float deviation(std::size_t block, int level, int x, int y) const {
+        const int inBlock =
+            kOfLevel[static_cast<std::size_t>(level)] + (y >> level) * (kBlock >> level) + (x >> level);
+        return m_deviation[block * kOfBlock + static_cast<std::size_t>(inBlock)];
+    }
+
+    const EdgePatches& patches() const { return m_patches; }
+
+    /// The bound of a block's vertices: their directions lie within `radius` of the centre, and 1 / distance
+    /// lies between `least` and `most`.
+    struct Bound {
+        Eigen::Vector3f centre;
+        float radius = 0;
+        float least = 0;
+        float most = 0;
+    };
+
+    const Bound& bound(int blockX, int blockY) const {
+        return m_bounds[static_cast<std::size_t>(blockY) * static_cast<std::size_t>(blocksX()) +
+                        static_cast<std::size_t>(blockX)];
+    }
+
+  private:
+    static constexpr std::array<int, kLevels> kOfLevel{-1, 21, 5, 1,
+                                                       0}; ///< The first quad of each level in a block.
+    static constexpr std::size_t kOfBlock = 85;
+
+    void measureBlock(int blockX, int blockY);
+    float measured(int x, int y, int endX, int endY) const;
+    void boundBlocks();
+
+    int m_width;
+    int m_height;
+    std::vector<float> m_inverse;
+    std::vector<float> m_cosAzimuth;
+    std::vector<float> m_sinAzimuth;
+    std::vector<float> m_cosElevation;
+    std::vector<float> m_sinElevation;
+    std::array<std::vector<float>, 4>
+        m_centres;                  ///< Every second one of these four, which is at the pixels' centres.
+    std::vector<float> m_deviation; ///< Block after block.
+    EdgePatches m_patches;
+    std::vector<Bound> m_bounds;
+};
+
+} // namespace spherewalk::render

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "pixels/photo_plane.h"
+#include "surface/coordinates.h"
+#include "surface/mesh.h"
+#include "surface/pieces.h"
+#include "tiles/tile_grid.h"
+
+#include "spherewalk/base/recently_used.h"
+#include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/render/dataset.h"
+#include "spherewalk/render/ladder.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::render {
+
+/// A photo with its surface.
+struct SurfacePhoto {
+    std::size_t photo = 0; ///< The photo's index in the dataset.
+    std::shared_ptr<const SurfaceMesh> mesh;
+    Rigid3 roomFromPhoto;
+    TileGrid grid; ///< The grid of the level that is sampled.
+};
+
+/// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.
+/// Threads: any, at a time.
+class Surfaces {
+  public:
+    /// A view takes so many photos at most.
+    static constexpr std::size_t kPhotosOfView = 3;
+
+    explicit Surfaces(std::shared_ptr<const Dataset> dataset);
+
+    /// Whether a photo has a surface of this kind.
+    bool has(SceneKind kind, std::size_t photo) const;
+
+    /// The surface of a photo that has one. Errors: NotFound, Io; Corrupt for a damaged file.
+    std::shared_ptr<const SurfaceMesh> get(SceneKind kind, std::size_t photo);
+
+    /// The photos for a view from the point, the nearest first. It is empty if none has a surface. without: a
+    /// photo that is left out.
+    std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
+                                       std::optional<std::size_t> without = std::nullopt) const;
+
+  private:
+    static constexpr std::size_t kKept = 24; ///< Each surface has about 5 MB.
+
+    SurfaceMesh made(SceneKind kind, std::size_t photo) const;
+
+    std::shared_ptr<const Dataset> m_dataset;
+    RecentlyUsed<std::pair<SceneKind, std::size_t>, SurfaceMesh> m_meshes{kKept};
+};
+
+/// Draws surfaces as a camera sees them. It keeps its memory. The values are the same for any number of
+/// threads.
+class SurfaceRaster {
+  public:
+    /// Draws the surface of a photo. Cells that are not open may be left out, and may get any values.
+    /// tolerancePx: by how much a part that is drawn flat may be displaced. out: it gets the view's size.
+    void draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
+              const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
+
+  private:
+    class BlockCutter;
+
+    static void clear(int row, const OpenCells& open, InverseBuffer& out);
+
+    /// The pieces of each row of blocks, for each row of cells.
+    std::vector<std::vector<simd::Piece>> m_pieces;
+};
+
+/// A view from the surfaces of several photos. Things hide each other. What the first photo does not see
+/// comes from the next one that sees it. prepare() tells which tiles are needed; sample() then makes the
+/// picture. It keeps its memory from frame to frame. The bytes are the same for any number of threads.
+/// Threads: one at a time.
+class SurfaceView {
+  public:
+    /// By how many pixels of the view a part that is drawn flat may be displaced.
+    static constexpr double kTolerancePx = 0.5;
+    /// The same for what the first photo does not see.
+    static constexpr double kFurtherTolerancePx = 2;
+    /// If a smaller share of the view is open, it is not looked for in a third photo, but filled from beside.
+    static constexpr double kLeastOpenShare = 0.01;
+
+    /// Draws the surfaces and finds each pixel's photo coordinates. Returns the tiles of each photo that
+    /// sample() reads. photos: 1 to 8, in the order in which they are asked. usualDistanceM: the distance of
+    /// what no photo sees.
+    std::vector<TileSet> prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                 std::span<const SurfacePhoto> photos, double usualDistanceM,
+                                 int samplesPerAxis, WorkerPool& pool, int threads);
+
+    /// Makes the picture. planes: those of the photos of prepare(), in its order. sampling: not Auto.
+    /// picture: it gets the view's size.
+    void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
+                int threads, RgbImage& picture) const;
+
+    /// The depth of the prepared view: z along the optical axis. It is +infinity where the lens sees nothing
+    /// or 90 degrees or more off the axis.
+    DepthImage depth(const PixelRays& rays) const;
+
+    /// The share of the pixels that the first photo's surface does not cover.
+    double filledShare() const { return m_filledShare; }
+
+  private:
+    /// A cell of 16 x 16 pixels, cut at the view's edges.
+    struct Cell {
+        int column = 0, row = 0;
+        int width = 0, height = 0;
+    };
+
+    struct SampleSpace;
+
+    /// Rows of sixteen pixels of a cell.
+    struct PixelRows {
+        const std::int32_t* u;
+        const std::int32_t* v;
+        int count;
+    };
+
+    Cell cell(int column, int row) const;
+    void needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
+    void fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling, SampleSpace& space) const;
+    void sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
+                      SampleSpace& space, RgbImage& picture) const;
+    void fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
+                    const PixelRows& rows, SampleSpace& space) const;
+    void samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
+                    SampleSpace& space, RgbImage& picture) const;
+    std::vector<SourcePhoto> drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                        std::span<const SurfacePhoto> photos, WorkerPool& pool, int threads);
+
+    int m_width = 0;
+    int m_height = 0;
+    int m_samples = 1;
+    OpenCells m_open{0, 0};
+    InverseBuffer m_seen; ///< What a further photo's surface looks like.
+    SurfaceRaster m_raster;
+    SurfaceCoordinates m_coordinates;
+    std::size_t m_photos = 0; ///< The number of photos that were drawn.
+    double m_filledShare = 0;
+};
+
+} // namespace spherewalk::render
