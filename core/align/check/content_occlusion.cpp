@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "content_occlusion.h"
+#include "check/content_witness.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -13,18 +13,18 @@ namespace spherewalk::align {
 namespace {
 
 constexpr double kLeastAsideM = 0.03;
-constexpr double kLeastViewerShare = 0.04; ///< fewer sightings may be wrong matches
+constexpr double kLeastViewerShare = 0.04; ///< Fewer sightings may be wrong matches.
 constexpr Radians kWidestGap = Degrees(200);
 constexpr double kNearer = 0.93;
 constexpr double kLeastNearerWeight = 1.5;
 constexpr Radians kBeside = Degrees(6);
 
-/// The photos that see what is missed, and how much of it.
-std::map<int, double> viewersOf(const PhotoWitnesses& witnesses, const PhotoPart& part) {
+/// The photos that see the missed things, each with the weight of the things that it sees.
+std::map<int, double> viewersOf(const PhotoWitnesses& witnesses, const PhotoRegion& region) {
     std::map<int, double> weights;
     double sum = 0;
     for (const Witness& witness : witnesses.witnesses) {
-        if (!witness.isSeen && isWithin(witness, part)) {
+        if (!witness.isSeen && isWithin(witness, region)) {
             for (const int viewer : witness.viewers) {
                 weights[viewer] += witness.weight;
                 sum += witness.weight;
@@ -37,16 +37,16 @@ std::map<int, double> viewersOf(const PhotoWitnesses& witnesses, const PhotoPart
 
 } // namespace
 
-bool isWithin(const Witness& witness, const PhotoPart& part, double times) {
-    return angleBetween(witness.expected, part.middle) < part.radius * times;
+bool isWithin(const Witness& witness, const PhotoRegion& region, double times) {
+    return angleBetween(witness.expected, region.middle) < region.radius * times;
 }
 
-bool isSeenFromOneSide(const PhotoWitnesses& witnesses, const PhotoPart& part, int photo,
+bool isSeenFromOneSide(const PhotoWitnesses& witnesses, const PhotoRegion& region, int photo,
                        const Sightings& sightings) {
-    const Eigen::Vector3d left = part.middle.unitOrthogonal();
-    const Eigen::Vector3d up = part.middle.cross(left);
+    const Eigen::Vector3d left = region.middle.unitOrthogonal();
+    const Eigen::Vector3d up = region.middle.cross(left);
     std::vector<double> angles;
-    for (const auto& [viewer, weight] : viewersOf(witnesses, part)) {
+    for (const auto& [viewer, weight] : viewersOf(witnesses, region)) {
         const Eigen::Vector3d position = sightings.positionInPhoto(photo, viewer);
         const Eigen::Vector2d aside(left.dot(position), up.dot(position));
         if (aside.norm() > kLeastAsideM) {
@@ -64,10 +64,10 @@ bool isSeenFromOneSide(const PhotoWitnesses& witnesses, const PhotoPart& part, i
     return widest > kWidestGap.value();
 }
 
-bool hasNearerThings(const PhotoWitnesses& witnesses, const PhotoPart& part) {
+bool hasNearerThings(const PhotoWitnesses& witnesses, const PhotoRegion& region) {
     std::vector<double> missedM;
     for (const Witness& witness : witnesses.witnesses) {
-        if (!witness.isSeen && isWithin(witness, part)) {
+        if (!witness.isSeen && isWithin(witness, region)) {
             missedM.push_back(witness.rangeM);
         }
     }
@@ -79,7 +79,7 @@ bool hasNearerThings(const PhotoWitnesses& witnesses, const PhotoPart& part) {
     double nearer = 0;
     for (const Witness& witness : witnesses.witnesses) {
         nearer += witness.isSeen && witness.rangeM < kNearer * *middle &&
-                          angleBetween(witness.expected, part.middle) < part.radius + kBeside
+                          angleBetween(witness.expected, region.middle) < region.radius + kBeside
                       ? witness.weight
                       : 0;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "content_witness.h"
+#include "check/content_witness.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr double kLeastParallaxSine = 0.009; ///< half a degree: less gives no distance
+constexpr double kLeastParallaxSine = 0.009; ///< Half a degree: less gives no distance.
 constexpr double kLeastRangeM = 0.1;
-constexpr double kSeenChord = 0.014; ///< 0.8 degrees: what lies so near is the same thing
-constexpr double kPriorShare = 0.2;  ///< evens out shares of few photos
+constexpr double kSeenChord = 0.014; ///< 0.8 degrees: things so near are the same thing.
+constexpr double kPriorShare = 0.2;  ///< Evens out shares of few photos.
 
 void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::size_t photos) {
     if (std::min(pair.a, pair.b) < 0 || static_cast<std::size_t>(std::max(pair.a, pair.b)) >= photos) {
@@ -29,7 +29,7 @@ void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::si
     }
 }
 
-/// Turns shares among all of a neighbour's photos into the chance that this photo shows the thing.
+/// Turns the share of a neighbour's photos that show a thing into the chance that this photo shows it.
 void setChances(std::span<Witness> witnesses) {
     double seen = 0;
     double shares = 0;
@@ -92,7 +92,7 @@ void Sightings::add(int photo, int other, const Correspondence& match, bool isFr
     m_of[static_cast<std::size_t>(photo)].push_back(sighting);
 }
 
-/// Where the two bearings come nearest to each other.
+/// The distance along the own bearing to where the two bearings come nearest to each other; 0 if unknown.
 double Sightings::rangeM(int photo, int other, const Eigen::Vector3d& own,
                          const Eigen::Vector3d& others) const {
     const Rigid3& roomFromOwn = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
@@ -138,7 +138,7 @@ void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const 
     setChances(std::span(result.witnesses).subspan(first));
 }
 
-/// What one feature of the neighbour, in all the photos that it was found in, says of this photo.
+/// The witness that one feature of the neighbour gives, by all photos that it was found in.
 std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
                                           PhotoWitnesses& result) const {
     const Sighting* inPhoto = nullptr;

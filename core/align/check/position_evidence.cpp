@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "position_evidence.h"
+#include "check/position_evidence.h"
 
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,16 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr double kWrongShare = 0.1;       ///< of the directions, expected to say nothing
-constexpr double kTails = 3;              ///< degrees of freedom of the directions' Student distribution
-constexpr double kLeastSigmaRad = 0.01;   ///< no pair knows its direction better
-constexpr double kRotationRad = 0.004;    ///< what the rough rotations add
-constexpr double kLeastPositionM = 0.003; ///< nobody lays a camera down better
+constexpr double kWrongShare = 0.1;       ///< Share of the directions that is expected to say nothing.
+constexpr double kTails = 3;              ///< Degrees of freedom of the directions' Student distribution.
+constexpr double kLeastSigmaRad = 0.01;   ///< No pair knows its direction better.
+constexpr double kRotationRad = 0.004;    ///< Error that the averaged rotations add.
+constexpr double kLeastPositionM = 0.003; ///< Nobody lays a camera down better.
 constexpr double kLargestResidualRad = 0.03;
 constexpr double kContradictedSigmas = 5;
 constexpr double kParallaxNoiseRad = 0.003;
-constexpr double kParallaxShare = 0.5; ///< neighbours share their scene: their parallaxes are not independent
+constexpr double kParallaxShare =
+    0.5; ///< Neighbours share their scene, so their parallaxes are not independent.
 
 bool isKnown(const PairEstimate& estimate) {
     return estimate.baselineInA && estimate.baselineInA->allFinite() && estimate.baselineInA->norm() > 0.5 &&
@@ -27,19 +28,18 @@ bool isKnown(const PairEstimate& estimate) {
 
 } // namespace
 
-std::vector<Baseline> baselines(std::span<const PairEstimate> estimates, const RoughRotations& rotations,
-                                int part) {
+std::vector<Baseline> baselines(std::span<const PairEstimate> estimates, const Component& component) {
     std::vector<Baseline> all;
-    for (std::size_t i = 0; i < estimates.size(); ++i) {
-        const PairEstimate& estimate = estimates[i];
-        if (rotations.residualRad[i] > kLargestResidualRad ||
-            rotations.part[static_cast<std::size_t>(estimate.a)] != part) {
+    for (const GraphEdge& edge : component.edges) {
+        if (edge.residualRad > kLargestResidualRad) {
             continue;
         }
+        const PairEstimate& estimate = estimates[static_cast<std::size_t>(edge.pair)];
         Baseline baseline{estimate.a, estimate.b, isKnown(estimate)};
         if (baseline.hasDirection) {
-            baseline.inPart = rotations.partFromPhoto[static_cast<std::size_t>(estimate.a)] *
-                              estimate.baselineInA->normalized();
+            const auto a = std::ranges::lower_bound(component.photos, estimate.a) - component.photos.begin();
+            baseline.inComponent = component.componentFromPhoto[static_cast<std::size_t>(a)] *
+                                   estimate.baselineInA->normalized();
             baseline.sigmaRad = std::max(estimate.baselineSigmaRad, kLeastSigmaRad);
         }
         baseline.parallaxRad = std::isfinite(estimate.parallaxRad) ? std::max(0., estimate.parallaxRad) : 0;
@@ -65,10 +65,10 @@ PositionEvidence::PositionEvidence(std::vector<Baseline> baselines, std::vector<
         ++i;
     }
     measureParallax();
-    turn(m_roomFromPart);
+    turn(m_roomFromComponent);
 }
 
-/// The median of parallax over distance, and how far the pairs lie from it.
+/// Measures the median of parallax over distance, and how far the pairs lie from it.
 void PositionEvidence::measureParallax() {
     std::vector<double> logs;
     for (const Baseline& baseline : m_baselines) {
@@ -90,8 +90,8 @@ void PositionEvidence::measureParallax() {
     m_parallaxSpread = std::clamp(1.5 * median(logs), 0.25, 1.);
 }
 
-void PositionEvidence::turn(const Eigen::Quaterniond& roomFromPart) {
-    m_roomFromPart = roomFromPart;
+void PositionEvidence::turn(const Eigen::Quaterniond& roomFromComponent) {
+    m_roomFromComponent = roomFromComponent;
     std::ranges::transform(m_baselines, m_logLikelihoods.begin(),
                            [this](const Baseline& baseline) { return logLikelihood(baseline); });
 }
@@ -100,7 +100,7 @@ void PositionEvidence::apply(std::span<const Move> moves) {
     for (const Move& move : moves) {
         m_positionsM[static_cast<std::size_t>(move.photo)] = move.positionM;
     }
-    turn(m_roomFromPart);
+    turn(m_roomFromComponent);
 }
 
 double PositionEvidence::gain(std::span<const Move> moves) {
@@ -148,7 +148,7 @@ PositionEvidence::Count PositionEvidence::count(int photo) const {
     return count;
 }
 
-/// Of the angle between a baseline and the line between positions so far apart.
+/// Standard deviation of the angle between a baseline and the line between positions at this distance.
 double PositionEvidence::sigmaRad(const Baseline& baseline, double distanceM) const {
     const double acrossM = std::hypot(m_positionSigmasM[static_cast<std::size_t>(baseline.a)],
                                       m_positionSigmasM[static_cast<std::size_t>(baseline.b)]) /
@@ -163,7 +163,7 @@ double PositionEvidence::misfit(const Baseline& baseline) const {
     if (!baseline.hasDirection || distanceM == 0) {
         return 0;
     }
-    const double chord = (m_roomFromPart * baseline.inPart - inRoom / distanceM).norm();
+    const double chord = (m_roomFromComponent * baseline.inComponent - inRoom / distanceM).norm();
     return chord / sigmaRad(baseline, distanceM);
 }
 
@@ -173,9 +173,10 @@ double PositionEvidence::logLikelihood(const Baseline& baseline) const {
     const double distanceM = inRoom.norm();
     double sum = 0;
     if (baseline.hasDirection && distanceM > 0) {
-        // Against a direction that says nothing: positive where the positions explain it.
+        // Relative to a direction that says nothing: positive where the positions explain the baseline.
         const double sigma = sigmaRad(baseline, distanceM);
-        const double squared = (m_roomFromPart * baseline.inPart - inRoom / distanceM).squaredNorm();
+        const double squared =
+            (m_roomFromComponent * baseline.inComponent - inRoom / distanceM).squaredNorm();
         const double density = 2 / std::min(sigma * sigma, 2.) *
                                std::pow(1 + squared / (kTails * sigma * sigma), -(kTails + 2) / 2);
         sum += std::log(kWrongShare + (1 - kWrongShare) * density);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "rough_rotations.h"
+#include "graph/pose_graph.h"
 
-#include "spherewalk/align/pair_estimate.h"
 #include "spherewalk/align/photo_pair.h"
 
 #include <Eigen/Geometry>
@@ -13,32 +12,33 @@
 
 namespace spherewalk::align {
 
-/// What one pair says of where its photos stand to each other.
+/// How a pair says that its photos stand to each other.
 struct Baseline {
     int a = 0;
     int b = 0;
     bool hasDirection = false;
-    Eigen::Vector3d inPart = Eigen::Vector3d::Zero(); ///< unit, from a to b; zero without direction
+    Eigen::Vector3d inComponent = Eigen::Vector3d::Zero(); ///< Unit vector from a to b; zero if unknown.
     double sigmaRad = 0;
     double parallaxRad = 0;
 };
 
-/// The baselines among the photos of one part, of pairs whose rotation agrees with the average.
-std::vector<Baseline> baselines(std::span<const PairEstimate> estimates, const RoughRotations& rotations,
-                                int part);
+/// The baselines of a component's pairs whose rotation agrees with the average. estimates: all of them.
+std::vector<Baseline> baselines(std::span<const PairEstimate> estimates, const Component& component);
 
-/// One photo laid elsewhere.
+/// A photo that is thought to have been taken elsewhere.
 struct Move {
     int photo = 0;
-    int planned = -1; ///< index among the planned positions; -1: none is there
+    int planned = -1; ///< Index of the planned position; -1 if none is there.
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
 };
 
-/// How well positions explain the baselines of one part: a robust log-likelihood in nats. Directions tell
-/// most; the parallax, which grows with the distance, tells a little, relative to its median in the part.
+/// How well positions explain the baselines of one component: a robust log-likelihood in nats. Directions
+/// tell most. The parallax grows with the distance and tells a little, relative to its median in the
+/// component.
 class PositionEvidence {
   public:
-    /// positionsM: one a photo, of all photos. Moves of photos outside the part gain nothing.
+    /// positionsM, positionSigmasM: one entry a photo, of all photos. Moves of photos outside the component
+    /// gain nothing.
     PositionEvidence(std::vector<Baseline> baselines, std::vector<Eigen::Vector3d> positionsM,
                      std::vector<double> positionSigmasM);
 
@@ -46,17 +46,18 @@ class PositionEvidence {
 
     const std::vector<Eigen::Vector3d>& positionsM() const { return m_positionsM; }
 
-    /// How the part's frame lies in the room; takes effect at once.
-    void turn(const Eigen::Quaterniond& roomFromPart);
+    /// Sets how the component's frame lies in the room.
+    void turn(const Eigen::Quaterniond& roomFromComponent);
 
-    const Eigen::Quaterniond& roomFromPart() const { return m_roomFromPart; }
+    const Eigen::Quaterniond& roomFromComponent() const { return m_roomFromComponent; }
 
+    /// Makes the moves.
     void apply(std::span<const Move> moves);
 
-    /// What the log-likelihood gains if the moves are made.
+    /// What the log-likelihood would gain by the moves. The positions stay as they are.
     double gain(std::span<const Move> moves);
 
-    /// The same over the baselines of one photo, which moves alone.
+    /// The log-likelihood of all baselines.
     double score() const;
 
     /// A photo's baselines with a direction, and how many of them its position contradicts.
@@ -67,10 +68,11 @@ class PositionEvidence {
 
     Count count(int photo) const;
 
-    /// A baseline's angle to where the positions say it points, over its sigma; nothing said: 0.
+    /// The angle between a baseline and the line between its positions, in standard deviations; 0 if either
+    /// is unknown.
     double misfit(const Baseline& baseline) const;
 
-    /// Indices among baselines().
+    /// The baselines of a photo, as indices among baselines().
     const std::vector<int>& of(int photo) const { return m_of[static_cast<std::size_t>(photo)]; }
 
   private:
@@ -82,11 +84,11 @@ class PositionEvidence {
     std::vector<Eigen::Vector3d> m_positionsM;
     std::vector<double> m_positionSigmasM;
     std::vector<std::vector<int>> m_of;
-    std::vector<double> m_logLikelihoods; ///< one a baseline, where the photos now are
-    std::vector<bool> m_isCounted;        ///< scratch of gain()
-    Eigen::Quaterniond m_roomFromPart = Eigen::Quaterniond::Identity();
+    std::vector<double> m_logLikelihoods; ///< One entry a baseline, for the positions of now.
+    std::vector<bool> m_isCounted;        ///< Memory of gain().
+    Eigen::Quaterniond m_roomFromComponent = Eigen::Quaterniond::Identity();
     double m_parallaxPerM = 0;
-    double m_parallaxSpread = 1; ///< of its logarithm
+    double m_parallaxSpread = 1; ///< Standard deviation of the logarithm.
 };
 
 } // namespace spherewalk::align

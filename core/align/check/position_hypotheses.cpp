@@ -1,26 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "position_hypotheses.h"
+#include "check/position_hypotheses.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace spherewalk::align {
 
 namespace {
 
+constexpr double kOneHeightM = 0.05;
+constexpr double kAtTagM = 0.02;
+
+} // namespace
+
+PlannedLines::PlannedLines(std::span<const PlannedPosition> planned)
+    : m_planned(planned.begin(), planned.end()), m_places(planned.size()) {
+    std::map<std::pair<int, double>, std::vector<int>> byRail;
+    for (int i = 0; const PlannedPosition& position : m_planned) {
+        if (position.placement >= 0 && position.positionM.allFinite()) {
+            byRail[{position.placement, std::round(position.positionM.z() / kOneHeightM)}].push_back(i);
+        }
+        ++i;
+    }
+    for (auto& [key, line] : byRail) {
+        std::ranges::stable_sort(line, std::less(),
+                                 [this](int i) { return m_planned[static_cast<std::size_t>(i)].stop; });
+        for (int index = 0; const int i : line) {
+            m_places[static_cast<std::size_t>(i)] = {static_cast<int>(m_lines.size()), index++};
+        }
+        m_lines.push_back(std::move(line));
+    }
+}
+
+PlannedLines::Place PlannedLines::place(int planned) const {
+    return planned < 0 ? Place{} : m_places[static_cast<std::size_t>(planned)];
+}
+
+int PlannedLines::tag(const PhotoPrior& photo) const {
+    int best = -1;
+    std::tuple<bool, double> bestKey;
+    for (int i = 0; const PlannedPosition& position : m_planned) {
+        const double distanceM = (position.positionM - photo.positionM).norm();
+        const std::tuple<bool, double> key = {
+            position.placement != photo.placement || position.stop != photo.stop, distanceM};
+        if (distanceM < kAtTagM && (best < 0 || key < bestKey)) {
+            best = i;
+            bestKey = key;
+        }
+        ++i;
+    }
+    return best;
+}
+
+Eigen::Vector3d PlannedLines::positionM(int line, int index) const {
+    const std::vector<int>& positions = m_lines[static_cast<std::size_t>(line)];
+    const auto at = [&](int i) -> const Eigen::Vector3d& {
+        return m_planned[static_cast<std::size_t>(positions[static_cast<std::size_t>(i)])].positionM;
+    };
+    const int last = static_cast<int>(positions.size()) - 1;
+    if (index < 0) {
+        return 2 * at(0) - at(1);
+    }
+    return index > last ? Eigen::Vector3d(2 * at(last) - at(last - 1)) : at(index);
+}
+
+namespace {
+
 constexpr std::size_t kMostKept = 100;
 constexpr std::size_t kMostSuspects = 150;
-constexpr int kLeastDirections = 4; ///< a photo with fewer is not judged by itself
+constexpr int kLeastDirections = 4; ///< A photo with fewer is not judged by itself.
 constexpr int kLeastContradicted = 2;
-constexpr int kLeastPartnersDirections = 2; ///< of what may have been swapped with one that is judged
+constexpr int kLeastPartnersDirections = 2; ///< Of a photo that may have been swapped with a judged one.
 constexpr double kAtPlannedM = 0.04;
-constexpr double kLeastFreeMoveM = 0.1; ///< less is a cart laid badly, which the alignment solves
+constexpr double kLeastFreeMoveM = 0.1; ///< Less is a cart laid badly, which the alignment solves.
 
-/// What a blunder must gain to be believed, in nats: the more ways there are for it to go, the more.
+/// The least gain of a blunder that is believed, in nats. It grows with the number of ways to make the
+/// blunder.
 double price(Blunder blunder, int moved) {
     switch (blunder) {
     case Blunder::Reversed:
@@ -35,11 +97,11 @@ double price(Blunder blunder, int moved) {
     return 0;
 }
 
-constexpr double kPriceUnplanned = 8; ///< on top: a position where nobody meant to stand
+constexpr double kPriceUnplanned = 8; ///< Extra price of a position where nobody meant to stand.
 
-class Search {
+class BlunderSearch {
   public:
-    Search(PositionEvidence& evidence, const PlannedLines& lines, const Places& places)
+    BlunderSearch(PositionEvidence& evidence, const PlannedLines& lines, const Places& places)
         : m_evidence(evidence), m_lines(lines), m_places(places) {
         findSuspects();
         m_photosAt.resize(static_cast<std::size_t>(lines.size()));
@@ -121,7 +183,7 @@ class Search {
         return m_photosAt[static_cast<std::size_t>(planned)];
     }
 
-    /// Lays the photos at one index of a line at another.
+    /// Adds moves of the photos at one index of a line to another index.
     void addMoves(int line, int from, int to, std::vector<Move>& moves) const {
         const std::vector<int>& positions = m_lines.lines()[static_cast<std::size_t>(line)];
         const bool isPlanned = to >= 0 && to < static_cast<int>(positions.size());
@@ -169,7 +231,7 @@ class Search {
         }
     }
 
-    /// Whether so little lies between the place and a planned one that the planned one is meant.
+    /// Whether a planned position lies so near that it is meant.
     bool isAtPlanned(const Eigen::Vector3d& pM) const {
         for (int planned = 0; planned < m_lines.size(); ++planned) {
             if ((m_lines[planned].positionM - pM).norm() < kAtPlannedM) {
@@ -179,12 +241,13 @@ class Search {
         return false;
     }
 
-    /// Where the photo's baselines meet, as seen from its neighbours.
+    /// The point where the photo's baselines from its neighbours meet. Empty if they lie on one line.
     std::optional<Eigen::Vector3d> meeting(int photo) const {
         Eigen::Vector3d meetingM = positionM(photo);
         for (int round = 0; round < 8; ++round) {
             Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
-            Eigen::Vector3d right = Eigen::Vector3d::Zero(); // relative to the photo: a room may lie far off
+            Eigen::Vector3d right =
+                Eigen::Vector3d::Zero(); // Relative to the photo, since a room may lie far off.
             for (const int i : m_evidence.of(photo)) {
                 const Baseline& baseline = m_evidence.baselines()[static_cast<std::size_t>(i)];
                 if (!baseline.hasDirection) {
@@ -192,7 +255,7 @@ class Search {
                 }
                 const Eigen::Vector3d otherM =
                     positionM(baseline.a == photo ? baseline.b : baseline.a) - positionM(photo);
-                const Eigen::Vector3d direction = m_evidence.roomFromPart() * baseline.inPart;
+                const Eigen::Vector3d direction = m_evidence.roomFromComponent() * baseline.inComponent;
                 const Eigen::Matrix3d across =
                     Eigen::Matrix3d::Identity() - direction * direction.transpose();
                 const double offM = (across * (meetingM - positionM(photo) - otherM)).norm();
@@ -202,7 +265,7 @@ class Search {
             }
             const Eigen::LDLT<Eigen::Matrix3d> solver(left);
             if (solver.info() != Eigen::Success || solver.rcond() < 1e-3) {
-                return std::nullopt; // all baselines lie on one line
+                return std::nullopt; // All baselines lie on one line.
             }
             meetingM = positionM(photo) + solver.solve(right);
         }
@@ -213,7 +276,7 @@ class Search {
     const PlannedLines& m_lines;
     const Places& m_places;
     std::vector<int> m_suspects;
-    std::vector<int> m_partners; ///< contradicted too, but held by too little to be judged: a grid's corners
+    std::vector<int> m_partners; ///< Contradicted, but held by too little to be judged: a grid's corners.
     std::vector<std::vector<int>> m_photosAt;
     std::vector<Hypothesis> m_found;
 };
@@ -222,7 +285,7 @@ class Search {
 
 std::vector<Hypothesis> hypotheses(PositionEvidence& evidence, const PlannedLines& lines,
                                    const Places& places) {
-    return Search(evidence, lines, places).run();
+    return BlunderSearch(evidence, lines, places).run();
 }
 
 } // namespace spherewalk::align

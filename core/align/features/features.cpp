@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/features.h"
 
-#include "even_selection.h"
-#include "keypoints.h"
-#include "option_check.h"
-#include "sphere_view.h"
+#include "features/keypoints.h"
+#include "features/option_check.h"
+#include "features/sphere_view.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
@@ -24,21 +23,21 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr int kLeastWidth = 64;        ///< pixels of a photo
-constexpr int kTile = 768;             ///< pixels; bounds the memory, and the time until a stop is heard
-constexpr float kLargestPx = 48;       ///< larger spots are too blurred to tell a direction
-constexpr double kOwnPx = 2;           ///< within it, one of several orientations or scales is enough
-constexpr double kLeastSigmaPx = 0.13; ///< of the camera's own pixels, from noise and compression; measured
-constexpr double kMaskedAround = 1.5;  ///< in diameters of a spot: a mask's edge must not look like a thing
+constexpr int kLeastWidth = 64;  ///< Least width of a photo in pixels.
+constexpr int kTile = 768;       ///< In pixels; bounds the memory and the time until a stop is heard.
+constexpr float kLargestPx = 48; ///< Larger spots are too blurred to tell a direction.
+constexpr double kOwnPx = 2;     ///< Within this distance one of several orientations or scales is enough.
+constexpr double kLeastSigmaPx = 0.13; ///< In the camera's own pixels, from noise and compression; measured.
+constexpr double kMaskedAround = 1.5;  ///< In diameters of a spot: a mask's edge must not look like a thing.
 
-/// A part of a view that is looked at in one go, with a margin.
+/// A piece of a view that is searched in one go, with a margin.
 struct Tile {
     GreyImage picture;
-    int left = 0; ///< of the picture in the view
+    int left = 0; ///< Place of the picture in the view.
     int top = 0;
-    std::vector<Keypoint> keypoints; ///< worth describing
-    std::vector<Spot> spots;         ///< one a keypoint
-    std::vector<float> sigmasRad;    ///< one a keypoint
+    std::vector<Keypoint> keypoints; ///< The keypoints worth describing.
+    std::vector<Spot> spots;         ///< One a keypoint.
+    std::vector<float> sigmasRad;    ///< One a keypoint.
 };
 
 GreyImage cut(const GreyImage& from, int left, int top, int width, int height) {
@@ -49,7 +48,7 @@ GreyImage cut(const GreyImage& from, int left, int top, int width, int height) {
     return part;
 }
 
-/// Both ends of pieces of [begin, end), about equal and not longer than a tile, whose joints are multiples of
+/// Begins and ends of pieces of [begin, end), about equal and not longer than a tile. Joints are multiples of
 /// 32 so that each tile halves the picture at the same pixels.
 std::vector<std::pair<int, int>> pieces(int begin, int end) {
     const int count = std::max(1, (end - begin + kTile - 1) / kTile);
@@ -111,7 +110,7 @@ class FeatureFinder {
     }
 
   private:
-    /// The tile whose own part is [left, right) x [top, bottom) of the view.
+    /// Searches the tile that owns [left, right) x [top, bottom) of the view.
     Tile searched(const SphereView& view, int left, int right, int top, int bottom) const {
         constexpr int kMargin = SphereView::kMargin;
         Tile tile;
@@ -173,7 +172,7 @@ class FeatureFinder {
         return features;
     }
 
-    /// places: for each of the tile's keypoints where it goes among the features; -1: nowhere.
+    /// places: the place of each of the tile's keypoints among the features; -1 if it has none.
     void describe(const Tile& tile, const int* places, Features& features) const {
         std::vector<Keypoint> asked;
         std::vector<std::size_t> to;
@@ -205,8 +204,8 @@ class FeatureFinder {
     KeypointDetector m_detector;
 };
 
-/// How far the picture can be reduced while decoding without being coarser than the working width, and
-/// without a part of a pixel left over, which would shift all others.
+/// How far decoding can reduce the picture so that it is not coarser than the working width. No part of a
+/// pixel may be left over, since that would shift all others.
 int denominatorFor(const jpeg::Info& info, int width) {
     int denominator = 1;
     while (denominator < 8 && info.width / (2 * denominator) >= width &&
@@ -216,7 +215,7 @@ int denominatorFor(const jpeg::Info& info, int width) {
     return denominator;
 }
 
-/// cameraWidth: of the photo before it was reduced.
+/// The features of a photo. cameraWidth: width of the photo before it was reduced.
 Features found(const RgbImage& photo, int cameraWidth, const FeatureOptions& options, const MaskImage& mask,
                const std::stop_token& stop) {
     if (photo.width() < kLeastWidth || photo.height() < kLeastWidth / 2) {

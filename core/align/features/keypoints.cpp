@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "keypoints.h"
+#include "features/keypoints.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -8,17 +8,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <map>
+#include <numbers>
+#include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 namespace spherewalk::align {
 
 namespace {
 
 constexpr double kOrbStep = 1.2;
-constexpr int kOrbLevels = 4; ///< corners are known to a pixel of their level: the coarser ones help no more
-constexpr float kOrbCorner = 7.0F / 31; ///< a corner's diameter as a share of its descriptor's patch
-constexpr double kRootScale = 512;      ///< the length of a RootSIFT descriptor; its values stay below 256
+constexpr int kOrbLevels = 4; ///< A corner is known to a pixel of its level, so coarser levels help no more.
+constexpr float kOrbCorner = 7.0F / 31; ///< A corner's diameter as a share of its descriptor's patch.
+constexpr double kRootScale = 512;      ///< The length of a RootSIFT descriptor; its values stay below 256.
 
 template <class Work>
 auto translated(const Work& work) {
@@ -43,13 +48,13 @@ cv::Ptr<cv::Feature2D> made(const FeatureOptions& options) {
                            cv::ORB::HARRIS_SCORE, 31, 8);
 }
 
-/// The picture's pixels, not copied.
+/// The picture's pixels as OpenCV's matrix, without a copy.
 cv::Mat matrixOf(const GreyImage& picture) {
     return {picture.height(), picture.width(), CV_8U, const_cast<std::uint8_t*>(picture.values().data())};
 }
 
-/// A coordinate of ORB's pyramid level, which OpenCV multiplies by the step and not by the true ratio of the
-/// sizes, and not about the pixels' corners.
+/// The true coordinate of a corner on a level of ORB's pyramid. OpenCV multiplies by the step instead of the
+/// true ratio of the sizes, and not about the pixels' corners.
 double fromOrbLevel(double coordinate, int octave, int size) {
     const double step = std::pow(kOrbStep, octave);
     const double ratio = size / std::round(size / step);
@@ -101,7 +106,7 @@ std::vector<Keypoint> KeypointDetector::find(const GreyImage& picture) const {
         Keypoint keypoint{each.pt.x, each.pt.y, each.size, each.response, each.angle,
                           each.pt.x, each.pt.y, each.size, each.octave,   each.class_id};
         if (m_state->kind == Detector::Sift) {
-            keypoint.x -= 0.25; // it doubles the picture about the pixels' corners and halves about centres
+            keypoint.x -= 0.25; // It doubles the picture about pixel corners and halves about centres.
             keypoint.y -= 0.25;
         } else if (m_state->kind == Detector::Orb) {
             keypoint.sizePx *= kOrbCorner;
@@ -121,7 +126,7 @@ std::vector<std::uint8_t> KeypointDetector::describe(const GreyImage& picture,
                                                      const std::vector<Keypoint>& keypoints) const {
     std::vector<cv::KeyPoint> asked;
     for (const Keypoint& each : keypoints) {
-        // What is asked for may come back in another order and not whole; the response is passed through.
+        // OpenCV may reorder the keypoints and drop some; the response passes through and holds the place.
         asked.emplace_back(each.rawX, each.rawY, each.rawSizePx, each.angleDeg,
                            static_cast<float>(asked.size()), each.octave, each.level);
     }
@@ -148,6 +153,85 @@ double KeypointDetector::sigmaPx(const Keypoint& keypoint) const {
         break;
     }
     return 0.35 * std::pow(kOrbStep, keypoint.octave);
+}
+
+namespace {
+
+constexpr int kElevationBands = 18; ///< Number of bands from pole to pole.
+
+/// The region of the sphere that holds the bearing. Regions are about equally large: bands of elevation, each
+/// cut into as many pieces as its length asks for.
+int regionOf(const Eigen::Vector3d& bearing) {
+    const double elevation = std::asin(std::clamp(bearing.z(), -1.0, 1.0));
+    const int band = std::clamp(static_cast<int>((elevation / std::numbers::pi + 0.5) * kElevationBands), 0,
+                                kElevationBands - 1);
+    const double middle = ((band + 0.5) / kElevationBands - 0.5) * std::numbers::pi;
+    const int pieces = std::max(1, static_cast<int>(std::lround(2 * kElevationBands * std::cos(middle))));
+    const double turn = (std::atan2(bearing.y(), bearing.x()) / std::numbers::pi + 1) / 2;
+    return band * 2 * kElevationBands + std::clamp(static_cast<int>(turn * pieces), 0, pieces - 1);
+}
+
+/// The spots kept so far, found again by their place on the sphere.
+class Neighbourhood {
+  public:
+    explicit Neighbourhood(double reachRad) : m_perUnit(1 / std::max(reachRad, 1e-5)) {}
+
+    bool hasNear(const Eigen::Vector3d& bearing, double reachRad) const {
+        const Eigen::Vector3i middle = cell(bearing);
+        for (int i = 0; i < 27; ++i) {
+            const Eigen::Vector3i offset(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            const auto [first, last] = m_bearings.equal_range(key(middle + offset));
+            if (std::any_of(first, last, [&](const auto& entry) {
+                    return (entry.second - bearing).squaredNorm() < reachRad * reachRad;
+                })) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void add(const Eigen::Vector3d& bearing) { m_bearings.emplace(key(cell(bearing)), bearing); }
+
+  private:
+    Eigen::Vector3i cell(const Eigen::Vector3d& bearing) const {
+        return (bearing * m_perUnit).array().floor().cast<int>();
+    }
+
+    static std::int64_t key(const Eigen::Vector3i& at) {
+        return (static_cast<std::int64_t>(at.x()) << 40) + (static_cast<std::int64_t>(at.y()) << 20) + at.z();
+    }
+
+    double m_perUnit;
+    std::unordered_multimap<std::int64_t, Eigen::Vector3d> m_bearings;
+};
+
+} // namespace
+
+std::vector<int> evenSelection(const std::vector<Spot>& spots, int most) {
+    std::vector<int> byStrength(spots.size());
+    std::iota(byStrength.begin(), byStrength.end(), 0);
+    const auto spot = [&](int i) -> const Spot& { return spots[static_cast<std::size_t>(i)]; };
+    std::stable_sort(byStrength.begin(), byStrength.end(),
+                     [&](int a, int b) { return spot(a).response > spot(b).response; });
+    double widest = 0;
+    for (const Spot& each : spots) {
+        widest = std::max(widest, each.ownRad);
+    }
+    Neighbourhood kept(widest);
+    std::map<int, int> roundOf;               // The next round of each region.
+    std::map<int, std::vector<int>> byRounds; // Members of each round, the strongest first.
+    for (const int i : byStrength) {
+        if (!kept.hasNear(spot(i).bearing, spot(i).ownRad)) {
+            kept.add(spot(i).bearing);
+            byRounds[roundOf[regionOf(spot(i).bearing)]++].push_back(i);
+        }
+    }
+    std::vector<int> selected;
+    for (const auto& [round, members] : byRounds) {
+        selected.insert(selected.end(), members.begin(), members.end());
+    }
+    selected.resize(std::min(selected.size(), static_cast<std::size_t>(most)));
+    return selected;
 }
 
 } // namespace spherewalk::align

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sphere_view.h"
+#include "features/sphere_view.h"
 
 #include "spherewalk/geometry/equirect.h"
 
@@ -12,6 +12,90 @@ namespace spherewalk::align {
 
 namespace {
 
+/// Where a row or column of the result lies in the source, and how many source pixels it stands for.
+struct SourcePlace {
+    double position = 0; ///< Pixel centres are integers.
+    double extent = 1;   ///< Below 1 where the result is finer than the source.
+};
+
+/// The source pixels that make one pixel of the result.
+struct Taps {
+    int first = 0;
+    std::vector<float> weights;
+};
+
+double catmullRom(double t) {
+    t = std::abs(t);
+    if (t >= 2) {
+        return 0;
+    }
+    return t < 1 ? (1.5 * t - 2.5) * t * t + 1 : ((-0.5 * t + 2.5) * t - 4) * t + 2;
+}
+
+Taps taps(const SourcePlace& place) {
+    const double extent = std::max(1.0, place.extent);
+    Taps result;
+    result.first = static_cast<int>(std::ceil(place.position - 2 * extent));
+    const int last = static_cast<int>(std::floor(place.position + 2 * extent));
+    double sum = 0;
+    for (int i = result.first; i <= last; ++i) {
+        const double weight = catmullRom((i - place.position) / extent);
+        result.weights.push_back(static_cast<float>(weight));
+        sum += weight;
+    }
+    for (float& weight : result.weights) {
+        weight = static_cast<float>(weight / sum);
+    }
+    return result;
+}
+
+void addScaled(const std::uint8_t* source, float weight, float* sum, int count) {
+    for (int x = 0; x < count; ++x) {
+        sum[x] += weight * static_cast<float>(source[x]);
+    }
+}
+
+std::uint8_t toByte(float value) {
+    return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
+}
+
+/// The picture whose rows and columns lie at these places of the source. Columns wrap around, rows stop at
+/// the source's edge. Filter: Catmull-Rom, widened to the extent where it is above 1.
+GreyImage resampled(const GreyImage& source, const std::vector<SourcePlace>& columns,
+                    const std::vector<SourcePlace>& rows) {
+    const int width = source.width();
+    std::vector<Taps> across;
+    std::size_t longest = 0;
+    for (const SourcePlace& place : columns) {
+        across.push_back(taps(place));
+        across.back().first = ((across.back().first % width) + width) % width;
+        longest = std::max(longest, across.back().weights.size());
+    }
+    GreyImage result(static_cast<int>(columns.size()), static_cast<int>(rows.size()));
+    std::vector<float> line(static_cast<std::size_t>(width) + longest);
+    for (int y = 0; y < result.height(); ++y) {
+        std::fill(line.begin(), line.end(), 0.0F);
+        const Taps down = taps(rows[static_cast<std::size_t>(y)]);
+        for (std::size_t i = 0; i < down.weights.size(); ++i) {
+            const int row = std::clamp(down.first + static_cast<int>(i), 0, source.height() - 1);
+            addScaled(source.at(0, row), down.weights[i], line.data(), width);
+        }
+        for (std::size_t i = 0; i < longest; ++i) {
+            line[static_cast<std::size_t>(width) + i] = line[i % static_cast<std::size_t>(width)];
+        }
+        std::uint8_t* out = result.at(0, y);
+        for (const Taps& tap : across) {
+            const float* at = line.data() + tap.first;
+            float sum = 0;
+            for (std::size_t i = 0; i < tap.weights.size(); ++i) {
+                sum += tap.weights[i] * at[i];
+            }
+            *out++ = toByte(sum);
+        }
+    }
+    return result;
+}
+
 constexpr double kPi = std::numbers::pi;
 
 double mercator(double elevation) {
@@ -22,7 +106,7 @@ double elevationOf(double mercatorOrdinate) {
     return std::atan(std::sinh(mercatorOrdinate));
 }
 
-/// Columns of a picture `width` pixels around, from `first` on, in the photo.
+/// Where the photo shows the columns of a picture `width` pixels around, from column `first` on.
 std::vector<SourcePlace> columnsOf(const GreyImage& photo, int width, int first, int count) {
     const double ratio = static_cast<double>(photo.width()) / width;
     std::vector<SourcePlace> columns;
@@ -63,6 +147,18 @@ double between(const GreyImage& picture, double u, double v) {
 
 } // namespace
 
+GreyImage grey(const RgbImage& picture) {
+    GreyImage result(picture.width(), picture.height());
+    const std::uint8_t* from = picture.values().data();
+    std::uint8_t* to = result.values().data();
+    const std::size_t count = result.values().size();
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i] = static_cast<std::uint8_t>(
+            (77 * from[3 * i] + 150 * from[3 * i + 1] + 29 * from[3 * i + 2] + 128) >> 8);
+    }
+    return result;
+}
+
 double SphereView::pixelsPerRad() const {
     return m_width / (2 * kPi);
 }
@@ -86,8 +182,8 @@ SphereView SphereView::cap(const GreyImage& photo, int width, bool isZenith) {
     SphereView view(isZenith ? Part::Zenith : Part::Nadir, width);
     const double perRad = view.pixelsPerRad();
     const double reach = 2 * std::tan((kPi / 2 - edge().value()) / 2) + kMargin / perRad;
-    // First to the working size without turning anything, so that the second step needs no filter.
-    const double widest = 2 * std::atan(reach * std::numbers::sqrt2 / 2); // the corners
+    // The first step brings the photo to the working size, so that the second step needs no filter.
+    const double widest = 2 * std::atan(reach * std::numbers::sqrt2 / 2); // Up to the corners.
     const int rows = std::min(width / 2, static_cast<int>(std::ceil(widest * perRad)) + 2);
     std::vector<SourcePlace> places;
     for (int y = 0; y < rows; ++y) {
@@ -120,7 +216,7 @@ Eigen::Vector3d SphereView::bearing(double x, double y) const {
         return direction({Radians(kPi - (x - kMargin + 0.5) / pixelsPerRad()),
                           Radians(elevationOf(m_top - (y + 0.5) / pixelsPerRad()))});
     }
-    // Seen from inside, with the horizon at azimuth 0 below the zenith and above the nadir.
+    // The view is from inside, with the horizon at azimuth 0 below the zenith and above the nadir.
     const double sign = m_part == Part::Zenith ? 1 : -1;
     const Eigen::Vector2d p = onPlane(x, y);
     const double q = p.squaredNorm() / 4;

@@ -1,37 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pose_graph.h"
+#include "graph/pose_graph.h"
 
-#include "rotation_average.h"
-#include "so3.h"
+#include "pairs/disjoint_sets.h"
 
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/statistics.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
+#include <utility>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr double kClosedRad = 0.035;       // around a triangle of pairs that are right
-constexpr double kContradictedRad = 0.052; // from the average
+constexpr double kClosedRad = 0.035;       // Largest turn around a triangle of right pairs.
+constexpr double kContradictedRad = 0.052; // Farther from the average a pair is wrong.
 constexpr int kRounds = 3;
 
 std::vector<GraphEdge> edgesOf(std::span<const PairEstimate> estimates) {
     std::vector<GraphEdge> edges;
     for (std::size_t i = 0; i < estimates.size(); ++i) {
         const PairEstimate& estimate = estimates[i];
-        const bool isRotation = std::abs(estimate.aFromB.norm() - 1) < 0.01; // nor NaN
+        const bool isRotation = std::abs(estimate.aFromB.norm() - 1) < 0.01; // NaN fails too.
         if (estimate.verdict == PairVerdict::Constraint && isRotation && estimate.a != estimate.b) {
             edges.push_back({static_cast<int>(i), estimate.a, estimate.b, estimate.aFromB.normalized(),
-                             std::min(estimate.inliers, 300) / 300.0, 0, 0});
+                             std::min(estimate.inliers, 300) / 300.0});
         }
     }
     return edges;
+}
+
+void checkPhotos(int photos, std::span<const PairEstimate> estimates) {
+    for (const PairEstimate& estimate : estimates) {
+        if (std::min(estimate.a, estimate.b) < 0 || std::max(estimate.a, estimate.b) >= photos) {
+            throw Error(ErrorKind::InvalidInput, text("A pair names the photos ", estimate.a, " and ",
+                                                      estimate.b, ", but there are ", photos, " photos."));
+        }
+    }
 }
 
 struct Side {
@@ -39,7 +49,7 @@ struct Side {
     int other;
 };
 
-// The turn from one end to the other, whichever way the edge was made.
+// The rotation from the other end to this one, whichever way the edge was made.
 Eigen::Quaterniond fromTo(const GraphEdge& edge, int from) {
     return edge.a == from ? edge.aFromB : edge.aFromB.conjugate();
 }
@@ -50,7 +60,8 @@ std::vector<double> closeTriangles(int photos, std::vector<GraphEdge>& edges) {
     std::map<std::pair<int, int>, std::size_t> edgeOf;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto [low, high] = std::minmax(edges[i].a, edges[i].b);
-        sides[static_cast<std::size_t>(low)].push_back({i, high}); // only upwards: every triangle once
+        sides[static_cast<std::size_t>(low)].push_back(
+            {i, high}); // Only upwards, so that every triangle counts once.
         edgeOf[{low, high}] = i;
     }
     std::vector<double> left;
@@ -78,31 +89,23 @@ std::vector<double> closeTriangles(int photos, std::vector<GraphEdge>& edges) {
 }
 
 std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& edges) {
-    std::vector<int> root(static_cast<std::size_t>(photos));
-    std::iota(root.begin(), root.end(), 0);
-    const auto rootOf = [&](int photo) {
-        while (root[static_cast<std::size_t>(photo)] != photo) {
-            photo = root[static_cast<std::size_t>(photo)];
-        }
-        return photo;
-    };
+    DisjointSets sets(static_cast<std::size_t>(photos));
     for (const GraphEdge& edge : edges) {
-        const int a = rootOf(edge.a);
-        const int b = rootOf(edge.b);
-        root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        const auto [first, second] = std::minmax({sets.of(edge.a), sets.of(edge.b)});
+        sets.join(second, first);
     }
-    std::map<int, Component> byRoot;
+    std::map<int, Component> byFirst;
     for (const GraphEdge& edge : edges) {
-        byRoot[rootOf(edge.a)].edges.push_back(edge);
+        byFirst[sets.of(edge.a)].edges.push_back(edge);
     }
     for (int photo = 0; photo < photos; ++photo) {
-        const auto component = byRoot.find(rootOf(photo));
-        if (component != byRoot.end()) {
+        const auto component = byFirst.find(sets.of(photo));
+        if (component != byFirst.end()) {
             component->second.photos.push_back(photo);
         }
     }
     std::vector<Component> components;
-    for (auto& [photo, component] : byRoot) {
+    for (auto& [photo, component] : byFirst) {
         components.push_back(std::move(component));
     }
     std::ranges::stable_sort(components, std::greater<>(),
@@ -110,7 +113,7 @@ std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& ed
     return components;
 }
 
-// Photos that were compared with many others, of which few agree, and no triangle of those confirms it: a
+// Whether a photo was compared with many others, of which few agree and none in a triangle. It may be a
 // mirror image, or a photo of another room.
 std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimates,
                               const std::vector<GraphEdge>& edges) {
@@ -138,11 +141,12 @@ std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimate
 } // namespace
 
 PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed) {
+    checkPhotos(photos, estimates);
     PoseGraph graph;
     std::vector<GraphEdge> edges = edgesOf(estimates);
     graph.cycleErrorRad = median(closeTriangles(photos, edges));
     const std::vector<bool> isUnconfirmed = unconfirmed(photos, estimates, edges);
-    // A pair that no triangle supports, of many, would drag its photos along in the average.
+    // A pair that none of its many triangles supports would drag its photos along in the average.
     std::erase_if(edges, [&](const GraphEdge& edge) {
         const bool isAlone = edge.closed < leastClosed || (edge.triangles >= 3 && edge.closed == 0) ||
                              isUnconfirmed[static_cast<std::size_t>(edge.a)] ||
@@ -160,9 +164,10 @@ PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int lea
             for (std::size_t i = 0; i < component.photos.size(); ++i) {
                 indexOf[static_cast<std::size_t>(component.photos[i])] = static_cast<int>(i);
             }
-            component.rootFromPhoto = averagedRotations(component, indexOf);
-            for (const GraphEdge& edge : component.edges) {
-                if (disagreement(edge, component.rootFromPhoto, indexOf).norm() < kContradictedRad) {
+            component.componentFromPhoto = averagedRotations(component, indexOf);
+            for (GraphEdge& edge : component.edges) {
+                edge.residualRad = disagreement(edge, component.componentFromPhoto, indexOf).norm();
+                if (edge.residualRad < kContradictedRad) {
                     kept.push_back(edge);
                 } else {
                     graph.contradicted.push_back(edge.pair);

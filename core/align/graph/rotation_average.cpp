@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rotation_average.h"
+#include "graph/pose_graph.h"
+#include "graph/sparse_solve.h"
+#include "pairs/disjoint_sets.h"
+#include "pairs/pair_geometry.h"
 
-#include "fixed_random.h"
-#include "so3.h"
-
-#include <Eigen/SparseCholesky>
+#include "spherewalk/base/fixed_random.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 
 namespace spherewalk::align {
 
 namespace {
 
 constexpr int kTrees = 3;
-constexpr double kToleranceRad = 0.035; // pairs of a room agree within fractions of a degree
-constexpr double kLeastAngleRad = 1e-3; // below it the sum of angles is rounded off
+constexpr double kAverageToleranceRad = 0.035; // Right pairs agree within fractions of a degree.
+constexpr double kLeastAngleRad = 1e-3;        // The sum of angles is rounded off below this angle.
 
 using Rotations = std::vector<Eigen::Quaterniond>;
 
-std::size_t at(std::span<const int> indexOf, int photo) {
+std::size_t placeOf(std::span<const int> indexOf, int photo) {
     return static_cast<std::size_t>(indexOf[static_cast<std::size_t>(photo)]);
 }
 
-// The tree of the edges that most can be said for; chance moves equals (and more, in other trees).
+// The rotations along a spanning tree of the best supported edges. Later trees differ by chance.
 Rotations treeRotations(const Component& component, std::span<const int> indexOf, int tree) {
     FixedRandom random(0x7EE00000ULL + static_cast<std::uint64_t>(tree));
     std::vector<std::pair<double, const GraphEdge*>> sorted;
@@ -38,19 +37,12 @@ Rotations treeRotations(const Component& component, std::span<const int> indexOf
     std::ranges::stable_sort(sorted, std::greater<>(), [](const auto& entry) { return entry.first; });
     const std::size_t count = component.photos.size();
     std::vector<std::vector<const GraphEdge*>> neighbours(count);
-    std::vector<std::size_t> root(count);
-    std::iota(root.begin(), root.end(), std::size_t(0));
-    const auto rootOf = [&](std::size_t node) {
-        while (root[node] != node) {
-            node = root[node] = root[root[node]];
-        }
-        return node;
-    };
+    DisjointSets joined(count);
     for (const auto& [trust, edge] : sorted) {
-        const std::size_t a = at(indexOf, edge->a);
-        const std::size_t b = at(indexOf, edge->b);
-        if (rootOf(a) != rootOf(b)) {
-            root[rootOf(a)] = rootOf(b);
+        const std::size_t a = placeOf(indexOf, edge->a);
+        const std::size_t b = placeOf(indexOf, edge->b);
+        if (joined.of(static_cast<int>(a)) != joined.of(static_cast<int>(b))) {
+            joined.join(static_cast<int>(a), static_cast<int>(b));
             neighbours[a].push_back(edge);
             neighbours[b].push_back(edge);
         }
@@ -63,8 +55,8 @@ Rotations treeRotations(const Component& component, std::span<const int> indexOf
         const std::size_t node = open.back();
         open.pop_back();
         for (const GraphEdge* edge : neighbours[node]) {
-            const std::size_t a = at(indexOf, edge->a);
-            const std::size_t b = at(indexOf, edge->b);
+            const std::size_t a = placeOf(indexOf, edge->a);
+            const std::size_t b = placeOf(indexOf, edge->b);
             const std::size_t other = a == node ? b : a;
             if (!isSet[other]) {
                 rotations[other] =
@@ -83,8 +75,8 @@ double weightOf(double angle, Norm norm) {
     if (norm == Norm::Angles) {
         return 1 / std::max(angle, kLeastAngleRad);
     }
-    const double root = 1 / (1 + angle * angle / (kToleranceRad * kToleranceRad));
-    return std::max(root * root, 1e-6); // never nothing: the graph must stay connected
+    const double root = 1 / (1 + angle * angle / (kAverageToleranceRad * kAverageToleranceRad));
+    return std::max(root * root, 1e-6); // The graph must stay connected, so no edge weighs 0.
 }
 
 // One step of least squares with the norm's weights; the first photo stays.
@@ -94,8 +86,8 @@ void averageOnce(const Component& component, std::span<const int> indexOf, Norm 
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
     entries.emplace_back(0, 0, 1.0);
     for (const GraphEdge& edge : component.edges) {
-        const auto a = static_cast<Eigen::Index>(at(indexOf, edge.a));
-        const auto b = static_cast<Eigen::Index>(at(indexOf, edge.b));
+        const auto a = static_cast<Eigen::Index>(placeOf(indexOf, edge.a));
+        const auto b = static_cast<Eigen::Index>(placeOf(indexOf, edge.b));
         const Eigen::Vector3d left = disagreement(edge, rotations, indexOf);
         const double weight = edge.weight * weightOf(left.norm(), norm);
         entries.emplace_back(a, a, weight);
@@ -107,21 +99,20 @@ void averageOnce(const Component& component, std::span<const int> indexOf, Norm 
     }
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-    const Eigen::MatrixXd turns = factor.solve(right);
-    if (factor.info() != Eigen::Success || !turns.allFinite()) {
+    const std::optional<Eigen::MatrixXd> turns = solvedSparse(matrix, right);
+    if (!turns || !turns->allFinite()) {
         return;
     }
     for (Eigen::Index i = 0; i < count; ++i) {
         Eigen::Quaterniond& rotation = rotations[static_cast<std::size_t>(i)];
-        rotation = (turn(turns.row(i).transpose()) * rotation).normalized();
+        rotation = (turn(turns->row(i).transpose()) * rotation).normalized();
     }
 }
 
 double costOf(const Component& component, std::span<const int> indexOf, const Rotations& rotations) {
     double cost = 0;
     for (const GraphEdge& edge : component.edges) {
-        const double ratio = disagreement(edge, rotations, indexOf).norm() / kToleranceRad;
+        const double ratio = disagreement(edge, rotations, indexOf).norm() / kAverageToleranceRad;
         cost += edge.weight * ratio * ratio / (1 + ratio * ratio);
     }
     return cost;
@@ -129,10 +120,10 @@ double costOf(const Component& component, std::span<const int> indexOf, const Ro
 
 } // namespace
 
-Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quaterniond> rootFromPhoto,
+Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quaterniond> componentFromPhoto,
                              std::span<const int> indexOf) {
-    return turnVector(rootFromPhoto[at(indexOf, edge.a)] * edge.aFromB *
-                      rootFromPhoto[at(indexOf, edge.b)].conjugate());
+    return turnVector(componentFromPhoto[placeOf(indexOf, edge.a)] * edge.aFromB *
+                      componentFromPhoto[placeOf(indexOf, edge.b)].conjugate());
 }
 
 std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf) {

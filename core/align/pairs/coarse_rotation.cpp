@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed_random.h"
-#include "nearest.h"
+#include "pairs/nearest.h"
+#include "pairs/pair_geometry.h"
 
-#include "spherewalk/align/match.h"
+#include "spherewalk/align/match_pairs.h"
+#include "spherewalk/base/fixed_random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +12,19 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr double kWithin = 0.35;         ///< radians that parallax may move a vote, 20 degrees
-constexpr double kAnotherRotation = 1.0; ///< radians from which two rotations are different answers
-constexpr double kLeastLead = 2;         ///< times the rival's votes
+constexpr double kVoteReachRad = 0.35;      ///< Parallax may move a vote by this much: 20 degrees.
+constexpr double kAnotherRotationRad = 1.0; ///< Two rotations farther apart than this are different answers.
+constexpr double kLeastLead = 2;            ///< Least ratio of the votes to the rival's votes.
 constexpr int kMostTrials = 1000;
 
-struct Vote {
+struct BearingVote {
     Eigen::Vector3d inA;
     Eigen::Vector3d inB;
 };
 
-/// The rotation that turns b's two bearings onto a's as well as can be: nothing if they are too near to each
-/// other to say, or lie at another angle in a than in b.
-std::optional<Eigen::Quaterniond> rotationOf(const Vote& first, const Vote& second) {
+/// The rotation that turns b's two bearings best onto a's. Empty if the bearings are too near to each other,
+/// or if they make another angle in a than in b.
+std::optional<Eigen::Quaterniond> rotationOf(const BearingVote& first, const BearingVote& second) {
     const auto frame = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
         Eigen::Matrix3d axes;
         axes.col(0) = (p + q).normalized();
@@ -34,38 +35,35 @@ std::optional<Eigen::Quaterniond> rotationOf(const Vote& first, const Vote& seco
     const double cosA = first.inA.dot(second.inA);
     const double cosB = first.inB.dot(second.inB);
     if (std::abs(cosA) > 0.9 || std::abs(cosB) > 0.9 ||
-        std::abs(std::acos(cosA) - std::acos(cosB)) > 2 * kWithin) {
+        std::abs(std::acos(cosA) - std::acos(cosB)) > 2 * kVoteReachRad) {
         return std::nullopt;
     }
     return Eigen::Quaterniond(frame(first.inA, second.inA) * frame(first.inB, second.inB).transpose());
 }
 
-bool isFor(const Eigen::Matrix3d& aFromB, const Vote& vote) {
-    return vote.inA.dot(aFromB * vote.inB) > std::cos(kWithin);
+bool isFor(const Eigen::Matrix3d& aFromB, const BearingVote& vote) {
+    return vote.inA.dot(aFromB * vote.inB) > std::cos(kVoteReachRad);
 }
 
-int votesFor(const Eigen::Quaterniond& aFromB, const std::vector<Vote>& votes) {
+int votesFor(const Eigen::Quaterniond& aFromB, const std::vector<BearingVote>& votes) {
     const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
-    return static_cast<int>(
-        std::count_if(votes.begin(), votes.end(), [&](const Vote& vote) { return isFor(rotation, vote); }));
+    return static_cast<int>(std::count_if(votes.begin(), votes.end(),
+                                          [&](const BearingVote& vote) { return isFor(rotation, vote); }));
 }
 
-/// Turned to where its voters want it on average.
-Eigen::Quaterniond centred(const Eigen::Quaterniond& aFromB, const std::vector<Vote>& votes) {
+/// The rotation that fits the bearings of its voters best.
+Eigen::Quaterniond centred(const Eigen::Quaterniond& aFromB, const std::vector<BearingVote>& votes) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     const Eigen::Matrix3d rotation = aFromB.toRotationMatrix();
-    for (const Vote& vote : votes) {
+    for (const BearingVote& vote : votes) {
         if (isFor(rotation, vote)) {
             sum += vote.inA * vote.inB.transpose();
         }
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> parts(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity();
-    mirror(2, 2) = (parts.matrixU() * parts.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    return Eigen::Quaterniond(parts.matrixU() * mirror * parts.matrixV().transpose());
+    return Eigen::Quaterniond(bestRotation(sum));
 }
 
-/// Pairs of votes: all if they are few, else a fixed choice of them.
+/// The pairs of votes that are tried: all if they are few, else a fixed choice.
 std::vector<std::pair<std::size_t, std::size_t>> trials(std::size_t count) {
     std::vector<std::pair<std::size_t, std::size_t>> result;
     if (count < 2 || count * (count - 1) / 2 <= kMostTrials) {
@@ -91,7 +89,7 @@ std::vector<std::pair<std::size_t, std::size_t>> trials(std::size_t count) {
 
 std::optional<CoarseRotation> coarseRotation(const Features& a, const Features& b,
                                              const MatchOptions& options) {
-    std::vector<Vote> votes;
+    std::vector<BearingVote> votes;
     Search search;
     search.most = options.firstLook;
     search.mostRatio = options.mostRatio;
@@ -111,11 +109,12 @@ std::optional<CoarseRotation> coarseRotation(const Features& a, const Features& 
             }
         }
     }
-    // What lies near the axis between two rotations votes for both, and says nothing for either.
-    std::vector<Vote> others = votes;
-    std::erase_if(others, [&](const Vote& vote) { return isFor(best.aFromB.toRotationMatrix(), vote); });
+    // Bearings near the axis between two rotations vote for both, so they decide nothing.
+    std::vector<BearingVote> others = votes;
+    std::erase_if(others,
+                  [&](const BearingVote& vote) { return isFor(best.aFromB.toRotationMatrix(), vote); });
     for (const Eigen::Quaterniond& rotation : tried) {
-        if (rotation.angularDistance(best.aFromB) > kAnotherRotation) {
+        if (rotation.angularDistance(best.aFromB) > kAnotherRotationRad) {
             best.rivalVotes = std::max(best.rivalVotes, votesFor(rotation, others));
         }
     }

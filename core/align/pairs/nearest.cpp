@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "nearest.h"
+#include "pairs/nearest.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSiftBytes = 128;
 
-/// Sum of the differences: as good as their squares, and one instruction for 16 of them.
+/// The sum of the differences. It serves as well as their squares and takes one instruction for 16 of them.
 int differenceSum(const std::uint8_t* a, const std::uint8_t* b) {
     int sum = 0;
     for (int i = 0; i < kSiftBytes; ++i) {
@@ -56,7 +56,7 @@ struct Nearest {
     bool isClear(double ratio) const { return index >= 0 && best < ratio * second; }
 };
 
-/// b's features by height in a's frame, so that those near a bearing are found in a run of them.
+/// b's features sorted by height in a's frame, so that the features near a bearing lie in one run.
 class ByHeight {
   public:
     ByHeight(const Features& b, int count, const Eigen::Quaterniond& aFromB)
@@ -77,7 +77,7 @@ class ByHeight {
         }
     }
 
-    /// take(feature of b) for all within reach.
+    /// Calls take(feature of b) for all features within reach.
     template <class Take>
     void near(const Eigen::Vector3f& bearing, double reachRad, const Take& take) {
         const double height = std::asin(std::clamp(static_cast<double>(bearing.z()), -1.0, 1.0));
@@ -95,7 +95,7 @@ class ByHeight {
         const float ofX = bearing.x();
         const float ofY = bearing.y();
         const float ofZ = bearing.z();
-        for (std::size_t i = 0; i < count; ++i) { // by itself, so that it is done several at a time
+        for (std::size_t i = 0; i < count; ++i) { // A loop by itself does several at a time.
             cosines[i] = x[i] * ofX + y[i] * ofY + z[i] * ofZ;
         }
         for (std::size_t i = 0; i < count; ++i) {
@@ -108,7 +108,7 @@ class ByHeight {
   private:
     std::vector<int> m_order;
     std::vector<float> m_x, m_y, m_z;
-    std::vector<float> m_cosines; ///< room for one run
+    std::vector<float> m_cosines; ///< Memory for one run.
 };
 
 template <class Distance>

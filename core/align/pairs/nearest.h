@@ -13,9 +13,9 @@ namespace spherewalk::align {
 
 /// Which descriptors are compared.
 struct Search {
-    int most = 1 << 30; ///< of each photo's features, the first
+    int most = 1 << 30; ///< Only so many first features of each photo.
     double mostRatio = 0.8;
-    std::optional<Eigen::Quaterniond> aFromB; ///< if given, only bearings that it brings within reach
+    std::optional<Eigen::Quaterniond> aFromB; ///< If given, only bearings within reach after it count.
     double reachRad = 0;
 };
 

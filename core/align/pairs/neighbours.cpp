@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/align/neighbours.h"
+#include "features/option_check.h"
+#include "pairs/disjoint_sets.h"
 
-#include "option_check.h"
-
+#include "spherewalk/align/match_pairs.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
@@ -12,31 +12,31 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr double kOnePlaceM = 0.01;
-constexpr double kSameDistanceM = 0.03; ///< below, the direction decides and not the cart's scatter
-constexpr double kFar = 1.8;            ///< times the nearest's distance
+constexpr double kNeighbourPlaceM = 0.01;
+constexpr double kSameDistanceM =
+    0.03;                    ///< Of distances closer than this the direction decides, not the cart's scatter.
+constexpr double kFar = 1.8; ///< Least distance of a far neighbour, in distances of the nearest.
 
-using Pairs = std::set<std::pair<int, int>>;
+using PairSet = std::set<std::pair<int, int>>;
 
 struct Other {
     int index = 0;
     double distanceM = 0;
-    double turn = 0; ///< its direction as a share of the full turn, [0, 1)
+    double turn = 0; ///< Its direction as a share of the full turn, [0, 1).
 };
 
-/// From one photo to another, across the floor.
+/// The way from one photo to another across the floor.
 Eigen::Vector2d across(std::span<const Eigen::Vector3d> positionsM, int from, int to) {
     return (positionsM[static_cast<std::size_t>(to)] - positionsM[static_cast<std::size_t>(from)]).head<2>();
 }
 
-/// All others across the floor up to a distance, nearest first; of two as near the first.
+/// All other photos up to a distance across the floor, the nearest first; of two as near the first.
 std::vector<Other> othersOf(int photo, std::span<const Eigen::Vector3d> positionsM, double mostM) {
     std::vector<Other> others;
     for (int i = 0; i < static_cast<int>(positionsM.size()); ++i) {
@@ -54,7 +54,7 @@ std::vector<Other> othersOf(int photo, std::span<const Eigen::Vector3d> position
     return others;
 }
 
-void add(int a, int b, Pairs& pairs) {
+void add(int a, int b, PairSet& pairs) {
     pairs.emplace(std::min(a, b), std::max(a, b));
 }
 
@@ -63,7 +63,7 @@ int sectorOf(const Other& other, int count) {
     return static_cast<int>(std::lround(other.turn * count)) % count;
 }
 
-/// Of each sector the nearest; of those about as near the one closest to the sector's middle.
+/// The nearest photo of each sector. Of several about as near, the one closest to the sector's middle.
 std::vector<const Other*> nearestOfSectors(const std::vector<Other>& others, int sectors, double leastM,
                                            double mostM) {
     const auto fromMiddle = [sectors](const Other& other) {
@@ -86,12 +86,12 @@ std::vector<const Other*> nearestOfSectors(const std::vector<Other>& others, int
 }
 
 void addNeighboursOf(int photo, std::span<const Eigen::Vector3d> positionsM, const NeighbourOptions& options,
-                     Pairs& pairs) {
+                     PairSet& pairs) {
     const std::vector<Other> others = othersOf(photo, positionsM, options.mostDistanceM);
     int atOnePlace = 0;
     double nearestM = 0;
     for (const Other& other : others) {
-        if (other.distanceM > kOnePlaceM) {
+        if (other.distanceM > kNeighbourPlaceM) {
             nearestM = other.distanceM;
             break;
         }
@@ -113,41 +113,25 @@ void addNeighboursOf(int photo, std::span<const Eigen::Vector3d> positionsM, con
     }
 }
 
-/// Which photos are connected so far.
-class Parts {
-  public:
-    explicit Parts(std::size_t photos) : m_parent(photos) { std::iota(m_parent.begin(), m_parent.end(), 0); }
-
-    int of(int photo) {
-        int& parent = m_parent[static_cast<std::size_t>(photo)];
-        return parent == photo ? photo : parent = of(parent);
-    }
-
-    void join(int a, int b) { m_parent[static_cast<std::size_t>(of(a))] = of(b); }
-
-  private:
-    std::vector<int> m_parent;
-};
-
 struct Link {
     int a = -1;
     int b = -1;
     double distanceM = std::numeric_limits<double>::max();
 };
 
-/// Of each part the shortest connection to any other one. Empty if there is but one part.
-std::map<int, Link> shortestLinks(std::span<const Eigen::Vector3d> positionsM, Parts& parts) {
+/// The shortest connection of each component to any other. Empty if there is but one component.
+std::map<int, Link> shortestLinks(std::span<const Eigen::Vector3d> positionsM, DisjointSets& components) {
     std::map<int, Link> links;
     const int count = static_cast<int>(positionsM.size());
     for (int a = 0; a < count; ++a) {
-        const int partA = parts.of(a);
+        const int ofA = components.of(a);
         for (int b = a + 1; b < count; ++b) {
-            const int partB = parts.of(b);
-            if (partA == partB) {
+            const int ofB = components.of(b);
+            if (ofA == ofB) {
                 continue;
             }
             const double distanceM = across(positionsM, a, b).norm();
-            for (Link* link : {&links[partA], &links[partB]}) {
+            for (Link* link : {&links[ofA], &links[ofB]}) {
                 if (distanceM < link->distanceM) {
                     *link = {a, b, distanceM};
                 }
@@ -157,14 +141,14 @@ std::map<int, Link> shortestLinks(std::span<const Eigen::Vector3d> positionsM, P
     return links;
 }
 
-/// Boruvka's way: all parts reach out at a time, until one is left.
-void connect(std::span<const Eigen::Vector3d> positionsM, Parts& parts, Pairs& pairs) {
-    for (auto links = shortestLinks(positionsM, parts); !links.empty();
-         links = shortestLinks(positionsM, parts)) {
-        for (const auto& [part, link] : links) {
-            if (parts.of(link.a) != parts.of(link.b)) { // not joined by another part's link since
+/// Boruvka's way: all components reach out at a time, until one is left.
+void connect(std::span<const Eigen::Vector3d> positionsM, DisjointSets& components, PairSet& pairs) {
+    for (auto links = shortestLinks(positionsM, components); !links.empty();
+         links = shortestLinks(positionsM, components)) {
+        for (const auto& [component, link] : links) {
+            if (components.of(link.a) != components.of(link.b)) { // no other link has joined them since
                 add(link.a, link.b, pairs);
-                parts.join(link.a, link.b);
+                components.join(link.a, link.b);
             }
         }
     }
@@ -185,15 +169,15 @@ std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> pos
     if (!std::all_of(positionsM.begin(), positionsM.end(), [](const auto& p) { return p.allFinite(); })) {
         throw Error(ErrorKind::InvalidInput, "Could not find neighbouring photos: a position is not finite.");
     }
-    Pairs pairs;
-    Parts parts(positionsM.size());
+    PairSet pairs;
+    DisjointSets components(positionsM.size());
     for (int photo = 0; photo < static_cast<int>(positionsM.size()); ++photo) {
         addNeighboursOf(photo, positionsM, options, pairs);
     }
     for (const auto& [a, b] : pairs) {
-        parts.join(a, b);
+        components.join(a, b);
     }
-    connect(positionsM, parts, pairs);
+    connect(positionsM, components, pairs);
     return {pairs.begin(), pairs.end()};
 }
 

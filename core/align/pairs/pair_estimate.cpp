@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/align/pair_estimate.h"
+#include "pairs/pair_fit.h"
+#include "pairs/pair_geometry.h"
 
-#include "epipolar_refinement.h"
-#include "rotation_hypotheses.h"
-
+#include "spherewalk/align/photo_pair.h"
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/parallel.h"
 
 #include <Eigen/Eigenvalues>
@@ -13,31 +13,32 @@
 
 namespace spherewalk::align {
 
+std::string_view name(PairVerdict verdict) {
+    constexpr EnumNames<PairVerdict, 4> kNames{{{PairVerdict::Constraint, "constraint"},
+                                                {PairVerdict::TooFew, "too_few"},
+                                                {PairVerdict::TooNarrow, "too_narrow"},
+                                                {PairVerdict::NoAgreement, "no_agreement"}}};
+    return nameOf(kNames, verdict);
+}
+
 namespace {
 
-constexpr double kDefaultSigmaRad = 0.001;
-constexpr double kLeastSpread = 0.02;     // a cone of about 11 degrees around its axis
-constexpr double kLargestSigmaRad = 0.03; // of a rotation that is still worth having
+constexpr double kLeastSpread = 0.02;     // A cone of about 11 degrees around its axis.
+constexpr double kLargestSigmaRad = 0.03; // A less certain rotation is not worth having.
 constexpr int kLeastMeasurable = 10;
-constexpr double kRival = 0.7; // of the best one's inliers: nobody can tell the two apart
-// A chance match within the gate lies this probably in one plane with a given baseline.
+constexpr double kRival = 0.7; // With this share of the best one's inliers a rival is as good.
+// Probability that a chance match within the gate lies in one plane with a given baseline.
 constexpr double kChance = 0.04;
 
 Bearings usable(const PhotoPair& pair) {
     Bearings bearings;
     for (std::size_t i = 0; i < pair.matches.size(); ++i) {
-        const Correspondence& match = pair.matches[i];
-        const double lengthA = match.inA.norm();
-        const double lengthB = match.inB.norm();
-        // Written so that NaN fails.
-        if (!(lengthA > 0.5 && lengthA < 2 && lengthB > 0.5 && lengthB < 2)) {
-            continue;
+        if (const std::optional<UnitMatch> match = unitMatch(pair.matches[i])) {
+            bearings.inA.push_back(match->inA);
+            bearings.inB.push_back(match->inB);
+            bearings.sigmaRad.push_back(match->sigmaRad);
+            bearings.match.push_back(static_cast<int>(i));
         }
-        bearings.inA.push_back(match.inA / lengthA);
-        bearings.inB.push_back(match.inB / lengthB);
-        const bool hasSigma = match.sigmaRad > 1e-6 && match.sigmaRad < 0.1;
-        bearings.sigmaRad.push_back(hasSigma ? match.sigmaRad : kDefaultSigmaRad);
-        bearings.match.push_back(static_cast<int>(i));
     }
     return bearings;
 }
@@ -98,7 +99,7 @@ Fits bestFit(const Bearings& bearings) {
     for (const RotationHypothesis& hypothesis : rotationHypotheses(bearings)) {
         firstScore = std::max(firstScore, hypothesis.score);
         if (hypothesis.score < 0.4 * firstScore) {
-            break; // sorted: those that follow have less
+            break; // The hypotheses that follow have less.
         }
         EpipolarFit fit = refineEpipolar(bearings, hypothesis.aFromB);
         if (isMirrored(fit) && fits.best.inliers > 0 && !isMirrored(fits.best)) {
@@ -106,7 +107,7 @@ Fits bestFit(const Bearings& bearings) {
         }
         const bool isBetter =
             fit.inliers > fits.best.inliers || (isMirrored(fits.best) && !isMirrored(fit) && !isChance(fit));
-        // Two starts may end in one minimum: that is no rival.
+        // Two starts may end in one minimum, which is no rival.
         const bool isSame = Eigen::AngleAxisd(fit.aFromB * fits.best.aFromB.transpose()).angle() < 0.05;
         EpipolarFit& other = isBetter ? fits.best : fit;
         if (!isSame && !isMirrored(other)) {

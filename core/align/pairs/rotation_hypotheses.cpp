@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rotation_hypotheses.h"
+#include "pairs/pair_fit.h"
+#include "pairs/pair_geometry.h"
 
-#include "fixed_random.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
+#include "spherewalk/base/fixed_random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +12,21 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr int kDraws = 1200;
-constexpr int kScored = 256;         // matches that a hypothesis is scored with
-constexpr std::size_t kRefined = 16; // hypotheses that are refined
+constexpr int kDrawnPairs = 1200;
+constexpr int kScored = 256;         // Number of matches that score a hypothesis.
+constexpr std::size_t kRefined = 16; // Number of hypotheses that are refined.
 constexpr std::size_t kKept = 4;
-constexpr double kToleranceRad = 0.26; // parallax of 0.5 m at 2 m
+constexpr double kParallaxRad = 0.26; // Parallax of 0.5 m at 2 m.
 constexpr double kDistinctRad = 0.21;
-const double kWidestChord = 1 - std::cos(kToleranceRad);
+const double kWidestChord = 1 - std::cos(kParallaxRad);
 
-// 1 for a match that agrees wholly, 0 for one beyond the tolerance.
+// How far a match agrees: 1 is wholly, 0 is beyond the tolerance.
 double agreement(const Eigen::Vector3d& inA, const Eigen::Vector3d& turnedB) {
     return std::max(0.0, 1 - (1 - inA.dot(turnedB)) / kWidestChord);
 }
 
-// The frame of two directions, both treated alike.
-Eigen::Matrix3d frameOf(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+// The frame of two directions, which treats both alike.
+Eigen::Matrix3d frameOfTwo(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
     Eigen::Matrix3d frame;
     frame.col(0) = (u + v).normalized();
     frame.col(1) = (u - v).normalized();
@@ -41,10 +39,11 @@ std::optional<Eigen::Matrix3d> rotationOfTwo(const Bearings& bearings, std::size
     const double angleA = std::acos(std::clamp(bearings.inA[i].dot(bearings.inA[j]), -1.0, 1.0));
     const double angleB = std::acos(std::clamp(bearings.inB[i].dot(bearings.inB[j]), -1.0, 1.0));
     if (std::min(angleA, angleB) < leastAngle || std::max(angleA, angleB) > M_PI - 0.3 ||
-        std::abs(angleA - angleB) > std::min(kToleranceRad, angleA)) {
+        std::abs(angleA - angleB) > std::min(kParallaxRad, angleA)) {
         return std::nullopt;
     }
-    return frameOf(bearings.inA[i], bearings.inA[j]) * frameOf(bearings.inB[i], bearings.inB[j]).transpose();
+    return frameOfTwo(bearings.inA[i], bearings.inA[j]) *
+           frameOfTwo(bearings.inB[i], bearings.inB[j]).transpose();
 }
 
 double score(const Bearings& bearings, const std::vector<int>& looked, const Eigen::Matrix3d& aFromB) {
@@ -56,7 +55,7 @@ double score(const Bearings& bearings, const std::vector<int>& looked, const Eig
     return sum / static_cast<double>(looked.size());
 }
 
-// The rotation of least squares over the matches that agree (Kabsch), a few times over.
+// The rotation of least squares over the matches that agree, found in a few rounds.
 RotationHypothesis refined(const Bearings& bearings, const std::vector<int>& looked, Eigen::Matrix3d aFromB) {
     for (int round = 0; round < 5; ++round) {
         Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
@@ -65,10 +64,7 @@ RotationHypothesis refined(const Bearings& bearings, const std::vector<int>& loo
             moment += agreement(bearings.inA[i], aFromB * bearings.inB[i]) * bearings.inA[i] *
                       bearings.inB[i].transpose();
         }
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-        signs.z() = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-        aFromB = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+        aFromB = bestRotation(moment);
     }
     return {aFromB, score(bearings, looked, aFromB)};
 }
@@ -76,7 +72,7 @@ RotationHypothesis refined(const Bearings& bearings, const std::vector<int>& loo
 void drawHypotheses(const Bearings& bearings, const std::vector<int>& looked, double leastAngle,
                     FixedRandom& random, std::vector<RotationHypothesis>& found) {
     const auto count = static_cast<std::size_t>(bearings.count());
-    for (int draw = 0; draw < kDraws; ++draw) {
+    for (int draw = 0; draw < kDrawnPairs; ++draw) {
         const std::size_t i = random.below(count);
         const std::size_t j = random.below(count);
         if (i == j) {
@@ -88,7 +84,7 @@ void drawHypotheses(const Bearings& bearings, const std::vector<int>& looked, do
     }
 }
 
-bool isBetter(const RotationHypothesis& one, const RotationHypothesis& other) {
+bool scoresMore(const RotationHypothesis& one, const RotationHypothesis& other) {
     return one.score > other.score;
 }
 
@@ -120,11 +116,12 @@ std::vector<RotationHypothesis> rotationHypotheses(const Bearings& bearings) {
     looked.resize(std::min<std::size_t>(looked.size(), kScored));
     std::vector<RotationHypothesis> found;
     drawHypotheses(bearings, looked, 0.3, random, found);
-    if (found.size() < kRefined) { // all in one direction, perhaps: the verdict shall be able to say so
+    if (found.size() < kRefined) { // Perhaps all lie in one direction; the verdict must be able to say so.
         drawHypotheses(bearings, looked, 0.02, random, found);
     }
-    std::ranges::stable_sort(found, isBetter);
-    // Distinct before and after: refinement brings neighbours together, and would leave one peak alone.
+    std::ranges::stable_sort(found, scoresMore);
+    // They must differ before and after: refinement brings neighbours together and would leave one peak
+    // alone.
     std::vector<RotationHypothesis> candidates(
         found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kRefined)));
     for (const RotationHypothesis& other : distinct(found)) {
@@ -133,7 +130,7 @@ std::vector<RotationHypothesis> rotationHypotheses(const Bearings& bearings) {
     for (RotationHypothesis& candidate : candidates) {
         candidate = refined(bearings, looked, candidate.aFromB);
     }
-    std::ranges::stable_sort(candidates, isBetter);
+    std::ranges::stable_sort(candidates, scoresMore);
     return distinct(candidates);
 }
 

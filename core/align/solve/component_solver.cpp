@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "component_solver.h"
+#include "solve/component_solver.h"
 
-#include "pair_normal.h"
+#include "solve/pair_normal.h"
+#include "solve/refinement.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -15,7 +16,7 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr int kFirstMatches = 60; // a pair: enough to come near
+constexpr int kFirstMatches = 60; // Matches a pair that are enough to come near.
 constexpr double kStrayRad = 0.01;
 
 void refineState(const ComponentInput& input, RefinementOptions options, ComponentState& state,
@@ -37,7 +38,7 @@ void comeNear(const ComponentInput& input, Model model, ComponentState& state, P
     }
 }
 
-// Counts the component's pairs of each photo.
+// The pairs of each photo of the component.
 std::vector<std::vector<const UsedPair*>> pairsOfPhotos(const ComponentState& state) {
     std::vector<std::vector<const UsedPair*>> pairs(state.unknowns.photo.size());
     for (const UsedPair& pair : state.used) {
@@ -47,7 +48,7 @@ std::vector<std::vector<const UsedPair*>> pairsOfPhotos(const ComponentState& st
     return pairs;
 }
 
-// Where the neighbours' estimates put a photo: that one of them that most others come near to.
+// The rotation that the neighbours' estimates give a photo: the estimate that lies nearest to all others.
 Eigen::Quaterniond asNeighboursSay(const ComponentInput& input, std::span<const UsedPair* const> pairs,
                                    std::span<const PhotoState> states, std::size_t photo) {
     std::vector<Eigen::Quaterniond> said;
@@ -99,7 +100,7 @@ void solveModel(const ComponentInput& input, Model model, bool isWarm, Component
         const std::vector<UsedPair> estimated =
             estimatedMatches(input.candidates, state.unknowns, input.priors, input.selection);
         state.scale = residualScale(estimated, state.unknowns.states());
-        // The first time the photos are not yet where they belong: the scale is large, and few are lost.
+        // In the first round the photos are not yet in place; the scale is large, so few matches are lost.
         state.used =
             agreeingMatches(input.candidates, state.unknowns, input.priors, state.scale, input.selection);
         RefinementOptions options = refinementOptions(*input.options, model, state.scale);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "component_solver.h"
-#include "pair_normal.h"
+#include "solve/component_solver.h"
+#include "solve/match_selection.h"
+#include "solve/pair_normal.h"
 
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 
 #include <array>
@@ -15,14 +16,14 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr int kTrialMatches = 40;     // a pair
-constexpr double kBound = 4;          // of a loss, in standard deviations
-constexpr double kNoiseSigmas = 3;    // an improvement must exceed its own standard deviation so often
-constexpr double kLeastShare = 0.005; // ... and be worth this share of what it improves
+constexpr int kTrialMatches = 40;     // Matches a pair.
+constexpr double kBound = 4;          // Of a loss, in standard deviations.
+constexpr double kNoiseSigmas = 3;    // Least improvement, in its own standard deviations.
+constexpr double kLeastShare = 0.005; // Least improvement, as a share of the loss.
 
 constexpr std::array<Model, 4> kLadder = {Model::Yaw, Model::Tilt, Model::Placement, Model::Position};
 
-// Losses of held-out matches by track: matches of one track err together.
+// Losses of held-out matches, summed by track, since matches of one track err together.
 struct Losses {
     std::map<int, double> byTrack;
     double sum = 0;
@@ -42,7 +43,7 @@ Losses losses(std::span<const UsedPair> pairs, std::span<const PhotoState> state
     return made;
 }
 
-// Whether the second is better than the first by more than chance would make it.
+// Whether the second is better than the first by more than chance explains.
 bool isBetter(const Losses& first, const Losses& second) {
     double squares = 0;
     const double improvement = first.sum - second.sum;
@@ -103,7 +104,7 @@ ModelChoice chooseModel(const ComponentInput& input, ComponentState& state, Prog
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         choice.trials.push_back({kLadder[rung], 0, took.count(), false});
     }
-    // One measure for all: the richest model's residuals.
+    // The richest model's residuals give one measure for all.
     const double scale = residualScale(heldOut, states.back().unknowns.states());
     std::size_t chosen = 0;
     for (std::size_t rung = 0; rung < kLadder.size(); ++rung) {

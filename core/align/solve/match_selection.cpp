@@ -1,47 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "match_selection.h"
+#include "solve/match_selection.h"
 
-#include "epipolar_residual.h"
-#include "pair_normal.h"
-#include "robust_scale.h"
-#include "tracks.h"
+#include "pairs/disjoint_sets.h"
+#include "pairs/pair_geometry.h"
+#include "solve/pair_normal.h"
 
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
+#include <unordered_map>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr double kLeastApartM = 0.01;
+/// Features of all photos, in sets that show one thing.
+class JoinedFeatures {
+  public:
+    int node(int photo, int feature) {
+        const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(photo)) << 32) |
+                                  static_cast<std::uint32_t>(feature);
+        const auto [entry, isNew] = m_nodes.try_emplace(key, m_sets.count());
+        if (isNew) {
+            m_sets.add();
+        }
+        return entry->second;
+    }
+
+    int track(int node) { return m_sets.of(node); }
+
+    void join(int one, int other) {
+        const auto [first, second] = std::minmax({track(one), track(other)});
+        m_sets.join(second, first);
+    }
+
+    int count() const { return m_sets.count(); }
+
+  private:
+    std::unordered_map<std::uint64_t, int> m_nodes;
+    DisjointSets m_sets;
+};
+
+} // namespace
+
+std::vector<std::vector<int>> tracks(std::span<const PhotoPair> pairs,
+                                     std::span<const std::vector<bool>> isUsed) {
+    JoinedFeatures joined;
+    std::vector<std::vector<int>> nodes(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PhotoPair& pair = pairs[i];
+        nodes[i].assign(pair.matches.size(), -1);
+        for (std::size_t j = 0; j < pair.matches.size(); ++j) {
+            const Correspondence& match = pair.matches[j];
+            if (isUsed[i][j] && match.featureA >= 0 && match.featureB >= 0) {
+                nodes[i][j] = joined.node(pair.a, match.featureA);
+                joined.join(nodes[i][j], joined.node(pair.b, match.featureB));
+            }
+        }
+    }
+    int alone = joined.count();
+    for (std::vector<int>& ofPair : nodes) {
+        for (int& node : ofPair) {
+            node = node < 0 ? alone++ : joined.track(node);
+        }
+    }
+    return nodes;
+}
+
+bool isHeldOut(int track, double share) {
+    return FixedRandom(0x48454C44ULL + static_cast<std::uint64_t>(track) * 2654435761ULL).uniform() < share;
+}
+
+namespace {
+
+constexpr double kTurnApartM = 0.01;
 constexpr double kUsualRangeM = 2;      // of what a photo shows in a room
 constexpr double kAgreeingSigmas = 3.2; // of the scaled residual
 constexpr double kBehindSigmas = 4.2;   // both bearings err, three sigmas of the difference
-constexpr double kLargestScale = 8;
-constexpr double kDefaultSigmaRad = 0.001;
+constexpr double kLargestResidualScale = 8;
 constexpr double kMarginSine = 0.16;
-constexpr int kBands = 6;
-constexpr int kSectors = 10;
+constexpr int kSelectionBands = 6;
+constexpr int kSelectionSectors = 10;
 
-// Equal areas of the sphere.
+// The cell of a grid with cells of equal area on the sphere.
 std::size_t cellOf(const Eigen::Vector3d& bearing) {
     const double around = std::atan2(bearing.y(), bearing.x()) / (2 * std::numbers::pi) + 0.5;
-    const int band = std::clamp(static_cast<int>((bearing.z() + 1) / 2 * kBands), 0, kBands - 1);
-    const int sector = std::clamp(static_cast<int>(around * kSectors), 0, kSectors - 1);
-    return static_cast<std::size_t>(band * kSectors + sector);
+    const int band =
+        std::clamp(static_cast<int>((bearing.z() + 1) / 2 * kSelectionBands), 0, kSelectionBands - 1);
+    const int sector = std::clamp(static_cast<int>(around * kSelectionSectors), 0, kSelectionSectors - 1);
+    return static_cast<std::size_t>(band * kSelectionSectors + sector);
 }
 
-// Takes from every direction in turn until there are enough.
+// Keeps matches from every direction in turn until there are enough.
 void thin(std::vector<UsedMatch>& matches, int most) {
     if (static_cast<int>(matches.size()) <= most) {
         return;
     }
-    std::array<std::vector<UsedMatch>, kBands * kSectors> cells;
+    std::array<std::vector<UsedMatch>, kSelectionBands * kSelectionSectors> cells;
     for (const UsedMatch& match : matches) {
         cells[cellOf(match.inA)].push_back(match);
     }
@@ -96,9 +157,9 @@ UsedPair emptyPair(const Candidates& candidates, const Unknowns& unknowns, std::
     const double apart = (unknowns.plannedM[static_cast<std::size_t>(pair.a)] -
                           unknowns.plannedM[static_cast<std::size_t>(pair.b)])
                              .norm();
-    pair.isTurn = apart < std::max(kLeastApartM, 2 * sigma);
-    pair.toleranceRad = std::hypot(apart, std::min(sigma, kLeastApartM)) / kUsualRangeM;
-    // Of photos at one place, the matches themselves tell how far apart they are.
+    pair.isTurn = apart < std::max(kTurnApartM, 2 * sigma);
+    pair.toleranceRad = std::hypot(apart, std::min(sigma, kTurnApartM)) / kUsualRangeM;
+    // With photos at one place the matches tell best how far apart they are.
     const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(at)];
     if (pair.isTurn && !estimate.baselineInA) {
         pair.toleranceRad = std::min(pair.toleranceRad, estimate.parallaxRad);
@@ -109,13 +170,11 @@ UsedPair emptyPair(const Candidates& candidates, const Unknowns& unknowns, std::
 bool usedMatch(const Candidates& candidates, int pair, int at, UsedMatch& into) {
     const Correspondence& match =
         candidates.pairs[static_cast<std::size_t>(pair)].matches[static_cast<std::size_t>(at)];
-    const double lengthA = match.inA.norm();
-    const double lengthB = match.inB.norm();
-    if (!(lengthA > 0.5 && lengthA < 2 && lengthB > 0.5 && lengthB < 2)) {
+    const std::optional<UnitMatch> unit = unitMatch(match);
+    if (!unit) {
         return false;
     }
-    const bool hasSigma = match.sigmaRad > 1e-6 && match.sigmaRad < 0.1;
-    into = {match.inA / lengthA, match.inB / lengthB, hasSigma ? match.sigmaRad : kDefaultSigmaRad, at,
+    into = {unit->inA, unit->inB, unit->sigmaRad, at,
             candidates.tracks[static_cast<std::size_t>(pair)][static_cast<std::size_t>(at)]};
     return true;
 }
@@ -173,7 +232,7 @@ double residualScale(std::span<const UsedPair> pairs, std::span<const PhotoState
         forEachRow(pair, states,
                    [&](const UsedMatch&, const MatchRow& row) { residuals.push_back(row.residual); });
     }
-    return agreeingScale(std::move(residuals), kLargestScale);
+    return agreeingScale(std::move(residuals), kLargestResidualScale);
 }
 
 } // namespace spherewalk::align

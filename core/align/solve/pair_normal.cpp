@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pair_normal.h"
+#include "solve/pair_normal.h"
 
-#include "epipolar_residual.h"
-#include "so3.h"
+#include "pairs/pair_geometry.h"
 
 #include <cmath>
 
@@ -13,7 +12,7 @@ namespace {
 // Matches are selected farther from the baseline (kLeastSine), so that none comes and goes as photos turn.
 constexpr double kNoPlane = 0.02;
 
-// Both components of the distance, in the tangent plane of a's bearing.
+// The rows of a turn: both components of the distance in the tangent plane of a's bearing.
 int turnRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
              MatchRow rows[2]) {
     const Eigen::Vector3d inRoomB = b.roomFromPhoto * match.inB;
@@ -31,22 +30,22 @@ int turnRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, 
     return 2;
 }
 
-struct Frame {
+struct PairFrame {
     Eigen::Matrix3d roomFromA;
     Eigen::Matrix3d roomFromB;
     Eigen::Vector3d direction;
     double apartM = 0;
 };
 
-Frame frameOf(const PhotoState& a, const PhotoState& b) {
-    Frame frame{a.roomFromPhoto.toRotationMatrix(), b.roomFromPhoto.toRotationMatrix(),
-                b.positionM - a.positionM, 0};
+PairFrame pairFrameOf(const PhotoState& a, const PhotoState& b) {
+    PairFrame frame{a.roomFromPhoto.toRotationMatrix(), b.roomFromPhoto.toRotationMatrix(),
+                    b.positionM - a.positionM, 0};
     frame.apartM = std::max(frame.direction.norm(), 1e-6);
     frame.direction /= frame.apartM;
     return frame;
 }
 
-int planeRow(const UsedMatch& match, const Frame& frame, MatchRow& row) {
+int planeRow(const UsedMatch& match, const PairFrame& frame, MatchRow& row) {
     const Eigen::Vector3d inRoomA = frame.roomFromA * match.inA;
     const Eigen::Vector3d inRoomB = frame.roomFromB * match.inB;
     const EpipolarResidual residual = epipolarResidual(inRoomA, inRoomB, frame.direction, match.sigmaRad);
@@ -65,7 +64,7 @@ int planeRow(const UsedMatch& match, const Frame& frame, MatchRow& row) {
 
 int matchRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
               MatchRow rows[2]) {
-    return pair.isTurn ? turnRows(pair, match, a, b, rows) : planeRow(match, frameOf(a, b), rows[0]);
+    return pair.isTurn ? turnRows(pair, match, a, b, rows) : planeRow(match, pairFrameOf(a, b), rows[0]);
 }
 
 Bounded bounded(double residual, double width) {
@@ -76,7 +75,7 @@ Bounded bounded(double residual, double width) {
 
 PairNormal pairNormal(const UsedPair& pair, const PhotoState& a, const PhotoState& b, double scale,
                       double width) {
-    const Frame frame = frameOf(a, b);
+    const PairFrame frame = pairFrameOf(a, b);
     PairNormal normal = PairNormal::Zero();
     MatchRow rows[2];
     Eigen::Matrix<double, 10, 1> column;
@@ -93,7 +92,7 @@ PairNormal pairNormal(const UsedPair& pair, const PhotoState& a, const PhotoStat
 }
 
 double pairCost(const UsedPair& pair, const PhotoState& a, const PhotoState& b, double scale, double width) {
-    const Frame frame = frameOf(a, b);
+    const PairFrame frame = pairFrameOf(a, b);
     double sum = 0;
     MatchRow rows[2];
     for (const UsedMatch& match : pair.matches) {

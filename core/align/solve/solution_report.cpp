@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solution_report.h"
+#include "solve/solution_report.h"
 
-#include "pair_normal.h"
-#include "robust_scale.h"
-#include "uncertainty.h"
+#include "pairs/pair_geometry.h"
+#include "solve/match_selection.h"
+#include "solve/pair_normal.h"
 
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace spherewalk::align {
 
 namespace {
 
-// A pair of which fewer matches than this agree holds nothing.
+// A pair with fewer matches that agree holds nothing.
 constexpr std::size_t kLeastMatches = 8;
 
 void judgeInliers(const ComponentInput& input, const ComponentState& state,

@@ -1,27 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/solve.h"
 
-#include "component_solver.h"
-#include "pose_graph.h"
-#include "room_orientation.h"
-#include "solution_report.h"
-#include "solve_input.h"
-#include "tracks.h"
+#include "graph/pose_graph.h"
+#include "graph/room_orientation.h"
+#include "solve/component_solver.h"
+#include "solve/match_selection.h"
+#include "solve/solution_report.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace spherewalk::align {
+
+namespace {
+
+constexpr EnumNames<Model, 5> kModelNames{{{Model::Auto, "auto"},
+                                           {Model::Yaw, "yaw"},
+                                           {Model::Tilt, "tilt"},
+                                           {Model::Placement, "placement"},
+                                           {Model::Position, "position"}}};
+
+} // namespace
+
+std::string_view name(Model model) {
+    return nameOf(kModelNames, model);
+}
+
+Model modelNamed(std::string_view name) {
+    return valueOf(kModelNames, "The alignment model", name);
+}
+
+namespace {
+
+constexpr double kFarthestM = 1e8;
+
+[[noreturn]] void refuse(const std::string& sentence) {
+    throw Error(ErrorKind::InvalidInput, sentence);
+}
+
+void checkPhoto(const PhotoPrior& photo) {
+    const std::string whose = text("Photo '", printable(photo.name), "' cannot be aligned: ");
+    if (!photo.positionM.allFinite() || photo.positionM.cwiseAbs().maxCoeff() > kFarthestM) {
+        refuse(text(whose, "its position is no number within ", kFarthestM, " m. Correct its station."));
+    }
+    if (!(photo.positionSigmaM >= 0 && photo.positionSigmaM < 10 && photo.heightSigmaM >= 0 &&
+          photo.heightSigmaM < 10)) {
+        refuse(text(whose, "the uncertainty of its position must be between 0 and 10 m."));
+    }
+    if (!(photo.tiltSigma.value() >= 0 && photo.tiltSigma.value() < 4)) {
+        refuse(text(whose, "the uncertainty of its tilt must be between 0 and 180 degrees."));
+    }
+    if (photo.levelFromPhoto &&
+        !(photo.levelFromPhoto->norm() > 0.99 && photo.levelFromPhoto->norm() < 1.01)) {
+        refuse(text(whose, "the tilt that it states is no rotation. Clear its tilt and try again."));
+    }
+}
+
+void checkEstimate(const PairEstimate& estimate, const PhotoPair& pair, const std::string& which) {
+    if (estimate.a != pair.a || estimate.b != pair.b) {
+        refuse(text("The estimates do not belong to the pairs: ", which, " differs."));
+    }
+    if (estimate.verdict != PairVerdict::Constraint) {
+        return;
+    }
+    const double length = estimate.aFromB.norm();
+    const bool hasBaseline = !estimate.baselineInA || std::abs(estimate.baselineInA->norm() - 1) < 0.01;
+    if (estimate.isInlier.size() != pair.matches.size() || !(length > 0.99 && length < 1.01) ||
+        !hasBaseline || !std::isfinite(estimate.baselineSigmaRad) || !std::isfinite(estimate.parallaxRad)) {
+        refuse(text("The estimate of ", which, " is damaged. Estimate it again."));
+    }
+}
+
+// Refuses input that cannot be solved, naming the photo or the pair.
+void checkInput(std::span<const PhotoPrior> photos, std::span<const PhotoPair> pairs,
+                std::span<const PairEstimate> estimates) {
+    if (pairs.size() != estimates.size()) {
+        refuse(text("There are ", pairs.size(), " pairs but ", estimates.size(), " estimates."));
+    }
+    for (const PhotoPrior& photo : photos) {
+        checkPhoto(photo);
+    }
+    const int count = static_cast<int>(photos.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PhotoPair& pair = pairs[i];
+        const std::string which = text("the pair of photos ", pair.a, " and ", pair.b);
+        if (pair.a < 0 || pair.b <= pair.a || pair.b >= count) {
+            refuse(text("There is no such pair of ", count, " photos: ", which, "."));
+        }
+        checkEstimate(estimates[i], pair, which);
+    }
+}
+
+} // namespace
+
+void SolveOptions::validate() const {
+    if (!(placementSigmaM >= 0 && placementSigmaM <= 10)) {
+        refuse(
+            text("The uncertainty of a rail's place must be between 0 and 10 m, not ", placementSigmaM, "."));
+    }
+    if (!(placementSigma.value() >= 0 && placementSigma.value() <= 3.15)) {
+        refuse("The uncertainty of a rail's heading must be between 0 and 180 degrees.");
+    }
+    if (!(heldOutShare > 0 && heldOutShare <= 0.5)) {
+        refuse(
+            text("The share of held-out matches must be above 0 and at most 0.5, not ", heldOutShare, "."));
+    }
+    if (threads < 0 || threads > 1024) {
+        refuse(text("The number of threads must be between 0 and 1024, not ", threads, "."));
+    }
+}
 
 namespace {
 
 constexpr int kMostMatches = 250;
 constexpr double kGoodHeadingShare = 0.7;
 constexpr double kGoodAgreeingShare = 0.5;
-constexpr int kHeadingsTried = 3;
 
 std::vector<std::vector<int>> inlierTracks(std::span<const PhotoPair> pairs,
                                            std::span<const PairEstimate> estimates) {
@@ -54,24 +154,24 @@ ComponentInput inputOf(const Component& component, std::span<const PhotoPrior> p
 ComponentState startOf(const Component& component, std::span<const PhotoPrior> priors,
                        const RoomOrientation& orientation) {
     std::vector<Eigen::Quaterniond> rotations;
-    for (const Eigen::Quaterniond& rootFromPhoto : component.rootFromPhoto) {
-        rotations.push_back((orientation.roomFromRoot * rootFromPhoto).normalized());
+    for (const Eigen::Quaterniond& componentFromPhoto : component.componentFromPhoto) {
+        rotations.push_back((orientation.roomFromComponent * componentFromPhoto).normalized());
     }
     return {unknowns(component.photos, priors, rotations), {}, 1, 0};
 }
 
-struct Attempt {
+struct SolveAttempt {
     ComponentState state;
     ModelChoice choice;
     RoomOrientation orientation;
     SolutionQuality quality;
 };
 
-Attempt attempt(const Component& component, const ComponentInput& input,
-                std::span<const PairEstimate> estimates, Model wanted, int rank, ProgressSink& progress,
-                const std::stop_token& stop) {
-    Attempt made;
-    made.orientation = roomOrientation(component, input.priors, estimates, rank);
+SolveAttempt attempt(const Component& component, const ComponentInput& input,
+                     const RoomOrientation& orientation, Model wanted, ProgressSink& progress,
+                     const std::stop_token& stop) {
+    SolveAttempt made;
+    made.orientation = orientation;
     made.state = startOf(component, input.priors, made.orientation);
     made.choice.model = wanted;
     ProgressStep choosing(progress, 0, wanted == Model::Auto ? 0.5 : 0);
@@ -87,21 +187,21 @@ Attempt attempt(const Component& component, const ComponentInput& input,
     return made;
 }
 
-// The heading that the positions speak for; if the matches then speak against it, the next ones.
-Attempt bestAttempt(const Component& component, const ComponentInput& input,
-                    std::span<const PairEstimate> estimates, Model wanted, ProgressSink& progress,
-                    const std::stop_token& stop) {
-    Attempt best;
-    for (int rank = 0; rank < kHeadingsTried; ++rank) {
-        Attempt made = attempt(component, input, estimates, wanted, rank, progress, stop);
-        if (rank == 0 || made.quality.agreeingShare > best.quality.agreeingShare) {
+// The solution at the likeliest heading or, if the matches speak against it, at the next ones.
+SolveAttempt bestAttempt(const Component& component, const ComponentInput& input,
+                         std::span<const PairEstimate> estimates, Model wanted, ProgressSink& progress,
+                         const std::stop_token& stop) {
+    std::optional<SolveAttempt> best;
+    for (const RoomOrientation& orientation : orientations(component, input.priors, estimates)) {
+        SolveAttempt made = attempt(component, input, orientation, wanted, progress, stop);
+        if (!best || made.quality.agreeingShare > best->quality.agreeingShare) {
             best = std::move(made);
         }
-        if (best.quality.agreeingShare > kGoodAgreeingShare || !best.orientation.hasHeading) {
+        if (best->quality.agreeingShare > kGoodAgreeingShare || !best->orientation.hasHeading) {
             break;
         }
     }
-    return best;
+    return std::move(*best);
 }
 
 std::string photosText(const Component& component, std::span<const PhotoPrior> priors) {
@@ -120,8 +220,8 @@ void warn(Alignment& alignment, ProgressSink& progress, const std::string& sente
     progress.warning(sentence);
 }
 
-void warnOfParts(Alignment& alignment, const PoseGraph& graph, std::span<const PhotoPrior> priors,
-                 ProgressSink& progress) {
+void warnOfComponents(Alignment& alignment, const PoseGraph& graph, std::span<const PhotoPrior> priors,
+                      ProgressSink& progress) {
     for (std::size_t i = 1; i < graph.components.size(); ++i) {
         warn(alignment, progress,
              text("The survey falls into ", graph.components.size(), " parts that share no photo pair; part ",
@@ -130,7 +230,7 @@ void warnOfParts(Alignment& alignment, const PoseGraph& graph, std::span<const P
     }
 }
 
-void warnOfQuality(Alignment& alignment, const Component& component, const Attempt& made,
+void warnOfQuality(Alignment& alignment, const Component& component, const SolveAttempt& made,
                    std::span<const PhotoPrior> priors, ProgressSink& progress) {
     const std::string which = photosText(component, priors);
     if (!made.orientation.hasHeading) {
@@ -195,7 +295,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
     const Candidates candidates{pairs, estimates, trackOf, {}, {}};
     alignment.model = options.model == Model::Auto ? Model::Yaw : options.model;
     alignment.reason = options.model == Model::Auto ? "There was nothing to solve." : "It was asked for.";
-    warnOfParts(alignment, graph, photos, progress);
+    warnOfComponents(alignment, graph, photos, progress);
     double done = 0.02;
     for (std::size_t i = 0; i < graph.components.size(); ++i) {
         const Component& component = graph.components[i];
@@ -204,9 +304,9 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
         ProgressStep step(progress, done, done + 0.9 * share);
         done += share;
         const ComponentInput input = inputOf(component, photos, candidates, options);
-        // The largest part chooses the model: small ones have too little to choose by.
+        // The largest component chooses the model: small ones have too little to choose by.
         const Model wanted = i == 0 ? options.model : alignment.model;
-        const Attempt made = bestAttempt(component, input, estimates, wanted, step, stop);
+        const SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
         if (i == 0) {
             alignment.model = made.choice.model;
             alignment.trials = made.choice.trials;

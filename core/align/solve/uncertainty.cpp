@@ -1,41 +1,201 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "uncertainty.h"
-
-#include "fixed_random.h"
-#include "normal_matrix.h"
-#include "pair_normal.h"
+#include "graph/sparse_solve.h"
+#include "pairs/pair_geometry.h"
+#include "solve/pair_normal.h"
+#include "solve/refinement.h"
+#include "solve/solution_report.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/geometry/rotation.h"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr int kDraws = 192; // a standard deviation of so many is right to 5 %
+constexpr int kBootstrapDraws = 192; // A standard deviation of so many is right to 5 %.
 constexpr double kLeastCurvature = 0.3;
 
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
-using Draws = Eigen::MatrixXd; // one column a draw
+using Draws = Eigen::MatrixXd; // One column a draw.
 
-// What the priors leave open, drawn for every photo: the tilt and the position, if the model solves them not.
+constexpr std::array<int, 3> kNoColumns = {-1, -1, -1};
+
+/// The place of each unknown in the vector that a model solves; -1 if the model does not solve it. Each has
+/// three numbers; the model Yaw solves only the third of a turn.
+class Columns {
+  public:
+    Columns(const Unknowns& unknowns, Model model);
+
+    int count() const { return m_count; }
+
+    std::array<int, 3> turn(std::size_t photo) const { return m_turn[photo]; }
+
+    std::array<int, 3> offset(std::size_t photo) const { return m_offset[photo]; }
+
+    std::array<int, 3> placement(std::size_t rail) const { return m_placement[rail]; }
+
+  private:
+    std::array<int, 3> next();
+
+    int m_count = 0;
+    std::vector<std::array<int, 3>> m_turn;
+    std::vector<std::array<int, 3>> m_offset;
+    std::vector<std::array<int, 3>> m_placement;
+};
+
+/// Turns a derivative by a pair's nine numbers (PairNormal's order) into one by the model's columns.
+struct PairColumns {
+    std::vector<int> column;                        ///< Of each row of the chain.
+    Eigen::Matrix<double, Eigen::Dynamic, 9> chain; ///< The nine numbers by the columns, transposed.
+};
+
+/// One row that a prior adds: its columns, and the derivative by each, in standard deviations.
+struct PriorRow {
+    std::vector<int> column;
+    std::vector<double> by;                ///< One a column.
+    std::optional<std::size_t> offsetAxis; ///< Set if it holds a photo to its stop.
+};
+
+std::array<int, 3> Columns::next() {
+    m_count += 3;
+    return {m_count - 3, m_count - 2, m_count - 1};
+}
+
+Columns::Columns(const Unknowns& unknowns, Model model) {
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        m_turn.push_back(solvesTilt(model) ? next() : std::array<int, 3>{-1, -1, m_count++});
+        m_offset.push_back(solvesPosition(model) ? next() : kNoColumns);
+    }
+    for (std::size_t i = 0; i < unknowns.placement.size(); ++i) {
+        m_placement.push_back(solvesPlacement(model) ? next() : kNoColumns);
+    }
+}
+
+PairColumns pairColumns(const Columns& columns, const Unknowns& unknowns, const UsedPair& pair) {
+    PairColumns made;
+    std::vector<Eigen::Matrix<double, 9, 1>> rows;
+    const auto add = [&](const std::array<int, 3>& at, int from, const Eigen::Matrix3d& by) {
+        for (int i = 0; i < 3; ++i) {
+            const int column = at[static_cast<std::size_t>(i)];
+            if (column < 0) {
+                continue;
+            }
+            auto found = std::ranges::find(made.column, column);
+            if (found == made.column.end()) {
+                made.column.push_back(column);
+                rows.emplace_back(Eigen::Matrix<double, 9, 1>::Zero());
+                found = made.column.end() - 1;
+            }
+            rows[static_cast<std::size_t>(found - made.column.begin())].segment<3>(from) += by.col(i);
+        }
+    };
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+    add(columns.turn(a), 0, one);
+    add(columns.turn(b), 3, one);
+    add(columns.offset(a), 6, -one);
+    add(columns.offset(b), 6, one);
+    if (unknowns.rail[a] >= 0) {
+        add(columns.placement(static_cast<std::size_t>(unknowns.rail[a])), 6,
+            -unknowns.positionByPlacement(a));
+    }
+    if (unknowns.rail[b] >= 0) {
+        add(columns.placement(static_cast<std::size_t>(unknowns.rail[b])), 6,
+            unknowns.positionByPlacement(b));
+    }
+    made.chain.resize(static_cast<Eigen::Index>(rows.size()), 9);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        made.chain.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+    }
+    return made;
+}
+
+std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns,
+                                std::span<const PhotoPrior> priors, const RefinementOptions& options) {
+    std::vector<PriorRow> rows;
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
+        const std::array<int, 3> turned = columns.turn(i);
+        if (turned[0] >= 0) {
+            const UpPrior up = upPrior(prior);
+            const Eigen::Matrix3d by = -skew(unknowns.reference[i] * up.upInPhoto) / up.sigmaRad;
+            for (int axis = 0; axis < 2; ++axis) {
+                rows.push_back({{turned.begin(), turned.end()}, {by(axis, 0), by(axis, 1), by(axis, 2)}, {}});
+            }
+        }
+        const Eigen::Vector3d offsetSigmas = offsetSigmasM(prior);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int column = columns.offset(i)[axis];
+            if (column >= 0) {
+                rows.push_back({{column}, {1 / offsetSigmas[static_cast<Eigen::Index>(axis)]}, axis});
+            }
+        }
+    }
+    const std::array<double, 3> sigmas = {options.placementSigmaM, options.placementSigmaM,
+                                          options.placementSigmaRad};
+    for (std::size_t rail = 0; rail < unknowns.placement.size(); ++rail) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (columns.placement(rail)[i] >= 0) {
+                rows.push_back(
+                    {{columns.placement(rail)[i]}, {1 / std::max(sigmas[i], kLeastPlacementSigma)}, {}});
+            }
+        }
+    }
+    return rows;
+}
+
+// The normal matrix of the matches, times curvature, and of the priors.
+Eigen::SparseMatrix<double> normalMatrix(const Columns& columns, const Unknowns& unknowns,
+                                         std::span<const UsedPair> pairs,
+                                         std::span<const Eigen::Matrix<double, 9, 9>> pairMatrices,
+                                         std::span<const PriorRow> priors) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const PairColumns at = pairColumns(columns, unknowns, pairs[i]);
+        const Eigen::MatrixXd block = at.chain * pairMatrices[i] * at.chain.transpose();
+        for (std::size_t row = 0; row < at.column.size(); ++row) {
+            for (std::size_t column = 0; column < at.column.size(); ++column) {
+                entries.emplace_back(
+                    at.column[row], at.column[column],
+                    block(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+            }
+        }
+    }
+    for (const PriorRow& prior : priors) {
+        for (std::size_t i = 0; i < prior.column.size(); ++i) {
+            for (std::size_t j = 0; j < prior.column.size(); ++j) {
+                entries.emplace_back(prior.column[i], prior.column[j], prior.by[i] * prior.by[j]);
+            }
+        }
+    }
+    for (int i = 0; i < columns.count(); ++i) {
+        entries.emplace_back(i, i, 1e-9); // What nothing holds shall not stop the rest.
+    }
+    Eigen::SparseMatrix<double> matrix(columns.count(), columns.count());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+// Random errors of every photo's tilt and position, as far as the model does not solve them.
 struct Unsolved {
     Draws turn;     // 3 rows a photo
     Draws position; // 3 rows a photo
 };
 
 Draws normalDraws(Eigen::Index rows, FixedRandom& random) {
-    Draws draws(rows, kDraws);
-    for (Eigen::Index column = 0; column < kDraws; ++column) {
+    Draws draws(rows, kBootstrapDraws);
+    for (Eigen::Index column = 0; column < kBootstrapDraws; ++column) {
         for (Eigen::Index row = 0; row < rows; ++row) {
-            draws(row, column) = random.normal();
+            draws(row, column) = random.sumNormal();
         }
     }
     return draws;
@@ -43,7 +203,7 @@ Draws normalDraws(Eigen::Index rows, FixedRandom& random) {
 
 Unsolved unsolved(const Unknowns& unknowns, std::span<const PhotoPrior> priors, Model model) {
     const auto count = static_cast<Eigen::Index>(unknowns.photo.size());
-    Unsolved made{Draws::Zero(3 * count, kDraws), Draws::Zero(3 * count, kDraws)};
+    Unsolved made{Draws::Zero(3 * count, kBootstrapDraws), Draws::Zero(3 * count, kBootstrapDraws)};
     FixedRandom random(0x5EED0003);
     for (Eigen::Index i = 0; i < count; ++i) {
         const PhotoPrior& prior =
@@ -63,7 +223,7 @@ struct PairScores {
     Matrix9d matrix = Matrix9d::Zero();
     Eigen::Matrix<double, 9, Eigen::Dynamic> scores;
     std::vector<int> track;
-    double curvature = 0; // summed
+    double curvature = 0; // The sum over the rows.
 };
 
 PairScores scoresOf(const UsedPair& pair, std::span<const PhotoState> states,
@@ -84,13 +244,13 @@ PairScores scoresOf(const UsedPair& pair, std::span<const PhotoState> states,
     return made;
 }
 
-// A sign a row and draw, equal within a track.
+// One sign for each row and draw, equal within a track.
 Draws signs(const std::vector<int>& track) {
-    Draws made(static_cast<Eigen::Index>(track.size()), kDraws);
+    Draws made(static_cast<Eigen::Index>(track.size()), kBootstrapDraws);
     for (std::size_t row = 0; row < track.size(); ++row) {
         FixedRandom random(0x51604ULL + static_cast<std::uint64_t>(track[row]) * 0x9E3779B97F4A7C15ULL);
         std::uint64_t bits = 0;
-        for (int column = 0; column < kDraws; ++column) {
+        for (int column = 0; column < kBootstrapDraws; ++column) {
             if (column % 64 == 0) {
                 bits = random.next();
             }
@@ -100,12 +260,12 @@ Draws signs(const std::vector<int>& track) {
     return made;
 }
 
-// How much larger than their priors say the offsets turned out to be along each axis, as far as there are
-// enough of them to tell.
+// The ratio of the offsets found to their priors' deviations along each axis; 1 where there are not enough of
+// them to tell.
 Eigen::Vector3d offsetFactors(const Unknowns& unknowns, std::span<const PhotoPrior> priors, Model model) {
     const auto photos = static_cast<double>(unknowns.photo.size());
     const auto rails = static_cast<double>(unknowns.placement.size());
-    // Taken up by the priors' own common errors: place, scale and heading; height and tilt; the rails.
+    // Common errors of the priors take up freedom: place, scale and heading; height and tilt; the rails.
     const Eigen::Vector3d freedom(photos - 2 - 1.5 * rails, photos - 2 - 1.5 * rails, photos - 3);
     if (!solvesPosition(model)) {
         return Eigen::Vector3d::Ones();
@@ -145,8 +305,8 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
                     std::span<const UsedPair> pairs, const RefinementOptions& options, const Unsolved& errors,
                     const std::stop_token& stop) {
     const std::vector<PhotoState> states = unknowns.states();
-    Draws right = Draws::Zero(columns.count(), kDraws);
-    Draws passedOn = right; // by what is not solved
+    Draws right = Draws::Zero(columns.count(), kBootstrapDraws);
+    Draws passedOn = right; // Errors that come from what is not solved.
     std::vector<Matrix9d> matrices;
     double curvature = 0;
     double count = 0;
@@ -156,7 +316,7 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
         curvature += scores.curvature;
         count += static_cast<double>(scores.track.size());
         const Eigen::Matrix<double, 9, Eigen::Dynamic> sums = scores.scores * signs(scores.track);
-        Eigen::Matrix<double, 9, Eigen::Dynamic> moved(9, kDraws);
+        Eigen::Matrix<double, 9, Eigen::Dynamic> moved(9, kBootstrapDraws);
         moved.topRows<3>() = errors.turn.middleRows<3>(3 * pair.a);
         moved.middleRows<3>(3) = errors.turn.middleRows<3>(3 * pair.b);
         moved.bottomRows<3>() =
@@ -180,14 +340,14 @@ Equations equations(const Columns& columns, const Unknowns& unknowns, std::span<
     return {normalMatrix(columns, unknowns, pairs, matrices, rows), std::move(right)};
 }
 
-// From a turn about the room's axes to changes of yaw, pitch and roll.
+// The matrix from a turn about the room's axes to changes of yaw, pitch and roll.
 Eigen::Matrix3d anglesByTurn(const Eigen::Quaterniond& roomFromPhoto) {
     const YawPitchRoll angles = yawPitchRoll(roomFromPhoto);
     Eigen::Matrix3d axes;
     axes.col(0) = Eigen::Vector3d::UnitZ();
     axes.col(1) = yawRotation(angles.yaw) * Eigen::Vector3d::UnitY();
     axes.col(2) = roomFromPhoto * Eigen::Vector3d::UnitX();
-    // Looking straight up or down, yaw and roll are one: then the room's axes say it better.
+    // For a photo that looks straight up or down yaw and roll are one; the room's axes say it better.
     if (std::abs(axes.determinant()) < 0.05) {
         return Eigen::Matrix3d::Identity();
     }
@@ -207,12 +367,12 @@ Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> pr
     const Unsolved errors = unsolved(unknowns, priors, options.model);
     const Equations system = equations(columns, unknowns, priors, pairs, options, errors, stop);
     throwIfStopped(stop);
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(system.matrix);
-    if (factor.info() != Eigen::Success) {
+    const std::optional<Eigen::MatrixXd> solution = solvedSparse(system.matrix, system.right);
+    if (!solution) {
         throw Error(ErrorKind::Internal,
                     "The uncertainty of the alignment could not be computed. Please report it.");
     }
-    const Draws solved = factor.solve(system.right);
+    const Draws& solved = *solution;
     const auto count = unknowns.photo.size();
     Draws turns = errors.turn;
     Draws positions = errors.position;
@@ -232,7 +392,7 @@ Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> pr
                 unknowns.positionByPlacement(i) * solved.middleRows<3>(at[0]);
         }
     }
-    Eigen::RowVectorXd common = Eigen::RowVectorXd::Zero(kDraws);
+    Eigen::RowVectorXd common = Eigen::RowVectorXd::Zero(kBootstrapDraws);
     for (std::size_t i = 0; i < count; ++i) {
         common += turns.row(static_cast<Eigen::Index>(3 * i) + 2) / static_cast<double>(count);
     }
@@ -245,7 +405,7 @@ Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> pr
         const Draws moved = positions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
         made.photos.push_back({rootMeanSquare(angles.row(0)), rootMeanSquare(angles.row(1)),
                                rootMeanSquare(angles.row(2)),
-                               std::sqrt(moved.squaredNorm() / (3.0 * kDraws))});
+                               std::sqrt(moved.squaredNorm() / (3.0 * kBootstrapDraws))});
     }
     return made;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unknowns.h"
+#include "solve/unknowns.h"
 
-#include "so3.h"
+#include "pairs/pair_geometry.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -13,17 +13,17 @@ namespace spherewalk::align {
 
 namespace {
 
-// A photo that says nothing of its tilt was, as cameras do it, made upright; but nobody vouches for it.
+// Cameras make photos upright. A photo that states no tilt is taken for upright, with this uncertainty.
 constexpr double kUnsaidTiltRad = 0.17;
 
-Eigen::Vector3d vector(const Unknowns::Block& block) {
+Eigen::Vector3d vectorOf(const Unknowns::Block& block) {
     return {block[0], block[1], block[2]};
 }
 
 } // namespace
 
 PhotoState Unknowns::state(std::size_t i) const {
-    PhotoState state{align::turn(vector(turn[i])) * reference[i], plannedM[i] + vector(offset[i])};
+    PhotoState state{align::turn(vectorOf(turn[i])) * reference[i], plannedM[i] + vectorOf(offset[i])};
     if (rail[i] >= 0) {
         const auto on = static_cast<std::size_t>(rail[i]);
         const Eigen::Vector3d fromCentre = plannedM[i] - railCentreM[on];
@@ -58,7 +58,7 @@ Eigen::Matrix3d Unknowns::positionByPlacement(std::size_t i) const {
 
 void Unknowns::rebase() {
     for (std::size_t i = 0; i < photo.size(); ++i) {
-        reference[i] = (align::turn(vector(turn[i])) * reference[i]).normalized();
+        reference[i] = (align::turn(vectorOf(turn[i])) * reference[i]).normalized();
         turn[i] = {};
     }
 }
@@ -102,7 +102,7 @@ void level(Unknowns& unknowns, std::span<const PhotoPrior> priors) {
         const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
         const Eigen::Quaterniond levelFromPhoto =
             prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()).normalized();
-        // Of all turns about z, the one nearest to the rotation: its quaternion has the same w and z.
+        // The turn about z that is nearest to a rotation has a quaternion with the same w and z.
         const Eigen::Quaterniond roomFromLevel = unknowns.reference[i] * levelFromPhoto.conjugate();
         const double heading = 2 * std::atan2(roomFromLevel.z(), roomFromLevel.w());
         unknowns.reference[i] = yawRotation(Radians(heading)) * levelFromPhoto;
@@ -110,7 +110,7 @@ void level(Unknowns& unknowns, std::span<const PhotoPrior> priors) {
 }
 
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior) {
-    // No prior is so sure that it may leave no room for rounding.
+    // Even a sure prior must leave room for rounding.
     return Eigen::Vector3d(prior.positionSigmaM, prior.positionSigmaM, prior.heightSigmaM).cwiseMax(1e-5);
 }
 

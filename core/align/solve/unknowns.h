@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "used_pair.h"
+#include "solve/pair_normal.h"
 
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/align/solve.h"
@@ -14,38 +14,39 @@
 
 namespace spherewalk::align {
 
-/// All that is solved for of one component, as the parameters of least squares. Photos and rails are counted
-/// within the component. Parameters: a photo's turn about the room's axes from its reference; its offset from
-/// its stop; a rail's x, y and heading about the middle of its stops.
+/// The unknowns of one component, as the parameters of least squares. Photos and rails are counted within the
+/// component. Parameters: a photo's turn about the room's axes from its reference; its offset from its stop;
+/// a rail's x, y and heading about the middle of its stops.
 struct Unknowns {
     using Block = std::array<double, 3>;
 
-    std::vector<int> photo; ///< index among the priors
+    std::vector<int> photo; ///< One a photo: its index among the priors.
     std::vector<Eigen::Quaterniond> reference;
-    std::vector<Eigen::Vector3d> plannedM; ///< from the local origin
-    std::vector<int> rail;                 ///< one a photo; -1: none
+    std::vector<Eigen::Vector3d> plannedM; ///< From the local origin, the first photo's planned position.
+    std::vector<int> rail;                 ///< One a photo; -1 if it stands on none.
     std::vector<Eigen::Vector3d> railCentreM;
     std::vector<Block> turn;
     std::vector<Block> offset;
-    std::vector<Block> placement; ///< one a rail
+    std::vector<Block> placement; ///< One a rail.
 
-    /// Of photo i.
+    /// The pose of photo i.
     PhotoState state(std::size_t i) const;
     std::vector<PhotoState> states() const;
-    /// How the photo's position follows its rail's three parameters.
+    /// The derivative of photo i's position by its rail's three parameters.
     Eigen::Matrix3d positionByPlacement(std::size_t i) const;
-    /// The turns become part of the references.
+    /// Adds the turns to the references and clears them.
     void rebase();
 };
 
-/// The photos of a component where they are planned, turned as told. Shape: rotations: one a photo of these.
+/// The photos of a component where they are planned, with these rotations. Shape: roomFromPhoto has one entry
+/// for each of `photos`.
 Unknowns unknowns(std::span<const int> photos, std::span<const PhotoPrior> priors,
                   std::span<const Eigen::Quaterniond> roomFromPhoto);
 
-/// Makes every photo's tilt what the photo says, as the model Yaw takes it; the heading stays.
+/// Sets every photo's tilt to what the photo says, as the model Yaw needs it. The heading stays.
 void level(Unknowns& unknowns, std::span<const PhotoPrior> priors);
 
-/// What the photo says is up, in its own frame, and how far that is to be believed.
+/// The direction that a photo says is up, in its own frame, with its standard deviation.
 struct UpPrior {
     Eigen::Vector3d upInPhoto = Eigen::Vector3d::UnitZ();
     double sigmaRad = 0;

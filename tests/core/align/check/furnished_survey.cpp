@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "furnished_survey.h"
+#include "check/furnished_survey.h"
 
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace spherewalk::align::test {
+namespace spherewalk::align {
 
-using spherewalk::test::Random;
+using test::Random;
 
 namespace {
 
@@ -164,4 +164,4 @@ bool FurnishedSurvey::fits(int a, int b, const Correspondence& match) const {
     return std::abs(normal.dot(inA)) < 0.005 && match.inA.cross(inA).dot(normal) > -0.002;
 }
 
-} // namespace spherewalk::align::test
+} // namespace spherewalk::align

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace spherewalk::align::test {
+namespace spherewalk::align {
 
 using Box = Eigen::AlignedBox3d;
 
@@ -59,4 +59,4 @@ class FurnishedSurvey {
     std::vector<Box> m_boxes;
 };
 
-} // namespace spherewalk::align::test
+} // namespace spherewalk::align

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "simulated_survey.h"
+#include "made/simulated_survey.h"
 
 #include "spherewalk/align/position_check.h"
 
@@ -19,9 +19,7 @@ namespace spherewalk::align {
 
 namespace {
 
-using spherewalk::test::Random;
-using test::SimulatedSurvey;
-using test::SimulationOptions;
+using test::Random;
 
 std::vector<WrongPosition> check(const SimulatedSurvey& survey) {
     return wrongPositions(survey.photos, survey.estimates, survey.plannedPositions);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "noise_photo.h"
+#include "made/noise_photo.h"
 
 #include "spherewalk/align/features.h"
-#include "spherewalk/align/match.h"
+#include "spherewalk/align/match_pairs.h"
 #include "spherewalk/jpeg/jpeg.h"
 
 #include <gtest/gtest.h>
@@ -46,13 +46,13 @@ double shareFoundAgain(const Features& a, const Features& b, const Eigen::Quater
     return static_cast<double>(found) / b.count();
 }
 
-class EachDetector : public testing::TestWithParam<Detector> {};
-
 std::string nameOf(const testing::TestParamInfo<Detector>& info) {
     return std::string(name(info.param));
 }
 
 } // namespace
+
+class EachDetector : public testing::TestWithParam<Detector> {};
 
 TEST_P(EachDetector, GivesUnitBearingsWithSigmasAndDescriptors) {
     FeatureOptions options = smallOptions();

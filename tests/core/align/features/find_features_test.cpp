@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "made/noise_photo.h"
 #include "random.h"
 #include "temporary_folder.h"
 
-#include "spherewalk/align/feature_cache.h"
+#include "spherewalk/align/find_features.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/jpeg/jpeg.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace spherewalk::align {
@@ -108,6 +113,87 @@ TEST(FeatureCache, IgnoresAnotherPhotosFile) {
     cache.keep(other, someFeatures());
     std::filesystem::rename(cache.fileOf(other), cache.fileOf(kPhoto));
     EXPECT_FALSE(cache.find(kPhoto));
+}
+
+/// Remembers what it was told, and asks for a stop at a fraction.
+class StoppingSink : public ProgressSink {
+  public:
+    void progress(double fraction, std::string_view /*activity*/) override {
+        isMonotone = isMonotone && fraction >= last;
+        last = fraction;
+        if (fraction >= stopAt) {
+            source.request_stop();
+        }
+    }
+
+    void warning(std::string_view sentence) override { warnings.emplace_back(sentence); }
+
+    double last = 0;
+    bool isMonotone = true;
+    double stopAt = 2;
+    std::stop_source source;
+    std::vector<std::string> warnings;
+};
+
+class FindFeatures : public testing::Test {
+  protected:
+    FindFeatures() {
+        for (int i = 0; i < 4; ++i) {
+            const Eigen::Quaterniond turned(
+                Eigen::AngleAxisd(i * std::numbers::pi / 3, Eigen::Vector3d::UnitZ()));
+            const std::filesystem::path file = folder / ("R" + std::to_string(i) + ".JPG");
+            writeFile(file, jpeg::encode(test::noisePhoto(turned, 512), 92));
+            photos.push_back({file, file.filename().string(), {}});
+        }
+        options.features.width = 512;
+        options.features.most = 300;
+        options.threads = 2;
+    }
+
+    test::TemporaryFolder folder;
+    std::vector<PhotoFile> photos;
+    FindOptions options;
+    StoppingSink watcher;
+    std::stop_token stop = watcher.source.get_token();
+};
+
+TEST_F(FindFeatures, GivesTheSameForAnyNumberOfThreads) {
+    const FoundFeatures byTwo = findFeatures(photos, options, watcher, stop);
+    options.threads = 1;
+    EXPECT_EQ(findFeatures(photos, options, noProgress(), stop).photos, byTwo.photos);
+    EXPECT_TRUE(watcher.isMonotone);
+    EXPECT_DOUBLE_EQ(watcher.last, 1);
+    EXPECT_EQ(byTwo.fromCache, 0);
+    EXPECT_GT(byTwo.photos[0].count(), 100);
+}
+
+TEST_F(FindFeatures, GoesOnWhereItWasStopped) {
+    options.cacheFolder = folder / "align-cache";
+    options.threads = 1;
+    watcher.stopAt = 0.5;
+    test::expectError(ErrorKind::Stopped, "", [&] { findFeatures(photos, options, watcher, stop); });
+    const FoundFeatures resumed = findFeatures(photos, options, noProgress(), {});
+    EXPECT_EQ(resumed.fromCache, 2);
+    options.cacheFolder.clear();
+    EXPECT_EQ(findFeatures(photos, options, noProgress(), {}).photos, resumed.photos);
+}
+
+TEST_F(FindFeatures, LeavesOutPhotosThatCannotBeRead) {
+    writeFile(photos[1].file, bytesOf("no picture"));
+    std::filesystem::remove(photos[2].file);
+    const FoundFeatures found = findFeatures(photos, options, watcher, stop);
+    EXPECT_THAT(found.unreadable, testing::ElementsAre(1, 2));
+    EXPECT_EQ(watcher.warnings.size(), 2U);
+    EXPECT_EQ(found.photos[1].count(), 0);
+    EXPECT_GT(found.photos[3].count(), 100);
+}
+
+TEST_F(FindFeatures, WarnsOnceOfACacheThatCannotBeWritten) {
+    writeFile(folder / "file", bytesOf("in the way"));
+    options.cacheFolder = folder / "file";
+    const FoundFeatures found = findFeatures(photos, options, watcher, stop);
+    EXPECT_EQ(watcher.warnings.size(), 1U);
+    EXPECT_GT(found.photos[3].count(), 100);
 }
 
 } // namespace spherewalk::align

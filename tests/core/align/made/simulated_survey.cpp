@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulated_survey.h"
+#include "made/simulated_survey.h"
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
-namespace spherewalk::align::test {
+namespace spherewalk::align {
 
-using spherewalk::test::Random;
+using test::Random;
 
 namespace {
 
@@ -147,4 +147,4 @@ PairEstimate SimulatedSurvey::estimate(int a, int b, Random& random) const {
     return estimate;
 }
 
-} // namespace spherewalk::align::test
+} // namespace spherewalk::align

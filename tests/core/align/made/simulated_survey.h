@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace spherewalk::align::test {
+namespace spherewalk::align {
 
 struct SimulationOptions {
     int rails = 5;
@@ -52,4 +52,4 @@ class SimulatedSurvey {
     std::vector<Eigen::Vector3d> m_pointsM; ///< what the room shows
 };
 
-} // namespace spherewalk::align::test
+} // namespace spherewalk::align

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "survey_truth.h"
+#include "made/survey_truth.h"
 
-#include "spherewalk/align/pair_estimate.h"
+#include "spherewalk/align/photo_pair.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>

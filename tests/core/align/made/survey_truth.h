@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "synthetic_survey.h"
+#include "made/synthetic_survey.h"
 
 #include "spherewalk/align/solve.h"
 

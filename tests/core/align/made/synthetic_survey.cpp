@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "synthetic_survey.h"
+#include "made/synthetic_survey.h"
 
-#include "fixed_random.h"
-#include "so3.h"
+#include "pairs/pair_geometry.h"
 
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
@@ -61,7 +61,7 @@ struct Found {
 };
 
 Eigen::Vector3d disturbed(const Eigen::Vector3d& bearing, double sigmaRad, FixedRandom& random) {
-    const Eigen::Vector2d error(random.normal() * sigmaRad, random.normal() * sigmaRad);
+    const Eigen::Vector2d error(random.sumNormal() * sigmaRad, random.sumNormal() * sigmaRad);
     return (bearing + tangentBasis(bearing) * error).normalized();
 }
 
@@ -132,8 +132,9 @@ Matched match(const SyntheticSurveyOptions& options, const std::vector<Eigen::Ve
 
 Eigen::Quaterniond randomAttitude(const SyntheticSurveyOptions& options, FixedRandom& random) {
     const double yaw =
-        options.hasAnyYaw ? (random.uniform() * 2 - 1) * std::numbers::pi : 0.05 * random.normal();
-    return rotation({Radians(yaw), options.tiltSigma * random.normal(), options.tiltSigma * random.normal()});
+        options.hasAnyYaw ? (random.uniform() * 2 - 1) * std::numbers::pi : 0.05 * random.sumNormal();
+    return rotation(
+        {Radians(yaw), options.tiltSigma * random.sumNormal(), options.tiltSigma * random.sumNormal()});
 }
 
 struct RailError {
@@ -154,11 +155,11 @@ SyntheticSurvey syntheticSurvey(const SyntheticSurveyOptions& options) {
     const int railsARow = (options.columns + options.stopsARail - 1) / options.stopsARail;
     std::vector<RailError> errors;
     for (int rail = 0; rail < railsARow * options.rows; ++rail) {
-        const double x = random.normal() * options.placementSigmaM;
-        const double y = random.normal() * options.placementSigmaM;
+        const double x = random.sumNormal() * options.placementSigmaM;
+        const double y = random.sumNormal() * options.placementSigmaM;
         const double along = (rail % railsARow + 0.5) * options.stopsARail * options.stepM;
         errors.push_back({{x, y, 0},
-                          random.normal() * options.placementSigma.value(),
+                          random.sumNormal() * options.placementSigma.value(),
                           corner + Eigen::Vector3d(along, rail / railsARow * options.stepM, 0)});
     }
     for (int i = 0; i < options.columns * options.rows; ++i) {
@@ -177,10 +178,11 @@ SyntheticSurvey syntheticSurvey(const SyntheticSurveyOptions& options) {
         const RailError& error = errors[static_cast<std::size_t>(prior.placement)];
         Rigid3 truth;
         truth.rotation = randomAttitude(options, random);
-        truth.translation =
-            error.centre + yawRotation(Radians(error.turn)) * (planned - error.centre) + error.shift +
-            Eigen::Vector3d(options.positionSigmaM * random.normal(),
-                            options.positionSigmaM * random.normal(), options.heightSigmaM * random.normal());
+        truth.translation = error.centre + yawRotation(Radians(error.turn)) * (planned - error.centre) +
+                            error.shift +
+                            Eigen::Vector3d(options.positionSigmaM * random.sumNormal(),
+                                            options.positionSigmaM * random.sumNormal(),
+                                            options.heightSigmaM * random.sumNormal());
         found.push_back(findPoints(options, points, truth, random));
         truth.translation += options.originM;
         survey.roomFromPhoto.push_back(truth);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "noise_photo.h"
+#include "made/noise_photo.h"
 #include "random.h"
 
-#include "spherewalk/align/match.h"
+#include "spherewalk/align/match_pairs.h"
 #include "spherewalk/practice/practice_room.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@ using test::noisePhoto;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 Eigen::Quaterniond yaw(double degrees) {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kPi / 180, Eigen::Vector3d::UnitZ()));
+    return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kHalfTurn / 180, Eigen::Vector3d::UnitZ()));
 }
 
 /// Features that are nothing but bearings and random descriptors.
@@ -231,6 +231,50 @@ TEST(Match, AgreesWithTheTruePosesOfThePracticeRoom) {
         return std::abs(offPlane) < 4 * match.sigmaRad;
     });
     EXPECT_GT(static_cast<double>(right), 0.85 * static_cast<double>(matches.size()));
+}
+
+TEST(MatchPairs, GivesThePairsInTheirOrder) {
+    test::Random random(6);
+    std::vector<Features> photos;
+    for (int i = 0; i < 4; ++i) {
+        std::vector<Eigen::Vector3d> bearings(80);
+        std::ranges::generate(bearings, [&] { return random.direction(); });
+        photos.push_back(made(bearings, random));
+    }
+    photos[2].descriptors = photos[1].descriptors;
+    const std::vector<std::pair<int, int>> pairs = {{1, 2}, {0, 3}};
+    const MatchOptions anywhere{.isGuided = false};
+    const auto matched = matchPairs(photos, pairs, anywhere, 2, noProgress(), {});
+    ASSERT_EQ(matched.size(), 2U);
+    EXPECT_EQ(std::pair(matched[0].a, matched[0].b), pairs[0]);
+    EXPECT_EQ(std::pair(matched[1].a, matched[1].b), pairs[1]);
+    EXPECT_EQ(matched[0].matches.size(), 80U);
+    expectError(ErrorKind::InvalidInput, "before the second",
+                [&] { matchPairs(photos, std::vector{std::pair(2, 1)}, {}, 2, noProgress(), {}); });
+    expectError(ErrorKind::InvalidInput, "of 4",
+                [&] { matchPairs(photos, std::vector{std::pair(0, 4)}, {}, 2, noProgress(), {}); });
+}
+
+TEST(Effort, HasANameThatFindsItAgain) {
+    for (const Effort effort : {Effort::Draft, Effort::Normal, Effort::Fine, Effort::Exact}) {
+        EXPECT_EQ(effortNamed(name(effort)), effort);
+    }
+    test::expectError(ErrorKind::InvalidInput, "draft, normal, fine and exact", [] { effortNamed("hard"); });
+}
+
+TEST(Effort, OptionsAreValidAndEachRungLooksAtMore) {
+    EffortOptions before;
+    before.features.width = 0;
+    before.features.most = 0;
+    for (const Effort effort : {Effort::Draft, Effort::Normal, Effort::Fine, Effort::Exact}) {
+        const EffortOptions options = optionsFor(effort);
+        EXPECT_NO_THROW(options.features.validate());
+        EXPECT_NO_THROW(options.match.validate());
+        EXPECT_NO_THROW(options.neighbours.validate());
+        EXPECT_GT(options.features.width, before.features.width);
+        EXPECT_GT(options.features.most, before.features.most);
+        before = options;
+    }
 }
 
 } // namespace spherewalk::align

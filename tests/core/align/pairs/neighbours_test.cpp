@@ -2,7 +2,7 @@
 #include "expect_error.h"
 #include "random.h"
 
-#include "spherewalk/align/neighbours.h"
+#include "spherewalk/align/match_pairs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed_random.h"
-#include "synthetic_survey.h"
+#include "made/synthetic_survey.h"
 
-#include "spherewalk/align/pair_estimate.h"
+#include "spherewalk/align/photo_pair.h"
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +11,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <string_view>
 
 namespace spherewalk::align {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kPairDegree = std::numbers::pi / 180;
 
 Eigen::Quaterniond attitude(double yawDegrees, double pitchDegrees = 0.4, double rollDegrees = -0.6) {
     return rotation({Degrees(yawDegrees), Degrees(pitchDegrees), Degrees(rollDegrees)});
@@ -26,7 +28,7 @@ double errorOf(const PairEstimate& estimate, const SyntheticPair& made) {
     return angleBetween(estimate.aFromB, made.aFromB).value();
 }
 
-SyntheticSurveyOptions seeded(int seed) {
+SyntheticSurveyOptions seededPairs(int seed) {
     SyntheticSurveyOptions options;
     options.seed = static_cast<std::uint64_t>(seed);
     return options;
@@ -39,12 +41,12 @@ TEST(PairEstimate, FindsRotationAndBaselineForAnyYaw) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const double heading = seed * 2.399;
         const Eigen::Vector3d offset(0.2 * std::cos(heading), 0.2 * std::sin(heading), 0);
-        const SyntheticPair made = syntheticPair(seeded(seed), offset, attitude(seed * 97.0));
+        const SyntheticPair made = syntheticPair(seededPairs(seed), offset, attitude(seed * 97.0));
         const PairEstimate estimate = estimatePair(made.pair);
         ASSERT_EQ(estimate.verdict, PairVerdict::Constraint);
-        EXPECT_LT(errorOf(estimate, made), 0.1 * kDegree);
+        EXPECT_LT(errorOf(estimate, made), 0.1 * kPairDegree);
         ASSERT_TRUE(estimate.baselineInA);
-        EXPECT_LT(angleBetween(*estimate.baselineInA, made.baselineInA).value(), 3 * kDegree);
+        EXPECT_LT(angleBetween(*estimate.baselineInA, made.baselineInA).value(), 3 * kPairDegree);
         EXPECT_GT(estimate.forwardShare, 0.9);
     }
 }
@@ -52,25 +54,25 @@ TEST(PairEstimate, FindsRotationAndBaselineForAnyYaw) {
 TEST(PairEstimate, SurvivesFourWrongMatchesOutOfFive) {
     for (int seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options = seeded(seed);
+        SyntheticSurveyOptions options = seededPairs(seed);
         options.wrongShare = 0.8;
         options.repeatedShare = 0.02;
         const SyntheticPair made = syntheticPair(options, {0.3, 0.4, 0}, attitude(seed * 61.0));
         const PairEstimate estimate = estimatePair(made.pair);
         ASSERT_EQ(estimate.verdict, PairVerdict::Constraint);
-        EXPECT_LT(errorOf(estimate, made), 0.4 * kDegree);
+        EXPECT_LT(errorOf(estimate, made), 0.4 * kPairDegree);
     }
 }
 
 TEST(PairEstimate, FindsHalfATurn) {
     for (int seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options = seeded(seed);
+        SyntheticSurveyOptions options = seededPairs(seed);
         options.hasAnyYaw = false;
         const SyntheticPair made = syntheticPair(options, {0.2, 0, 0}, attitude(180, 0, 0));
         const PairEstimate estimate = estimatePair(made.pair);
         ASSERT_EQ(estimate.verdict, PairVerdict::Constraint);
-        EXPECT_LT(errorOf(estimate, made), 0.1 * kDegree);
+        EXPECT_LT(errorOf(estimate, made), 0.1 * kPairDegree);
     }
 }
 
@@ -78,11 +80,11 @@ TEST(PairEstimate, GivesATurnAndNoBaselineForTwoPhotosAtOnePlace) {
     for (int seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         const SyntheticPair made =
-            syntheticPair(seeded(seed), Eigen::Vector3d::Zero(), attitude(seed * 40.0, 20, -30));
+            syntheticPair(seededPairs(seed), Eigen::Vector3d::Zero(), attitude(seed * 40.0, 20, -30));
         const PairEstimate estimate = estimatePair(made.pair);
         ASSERT_EQ(estimate.verdict, PairVerdict::Constraint);
         EXPECT_FALSE(estimate.baselineInA);
-        EXPECT_LT(errorOf(estimate, made), 0.03 * kDegree);
+        EXPECT_LT(errorOf(estimate, made), 0.03 * kPairDegree);
     }
 }
 
@@ -91,7 +93,7 @@ TEST(PairEstimate, SaysHowFarItErrs) {
     double baselineSquares = 0;
     int count = 0;
     for (int seed = 1; seed <= 40; ++seed) {
-        const SyntheticPair made = syntheticPair(seeded(seed), {0.2, 0.2, 0}, attitude(seed * 77.0));
+        const SyntheticPair made = syntheticPair(seededPairs(seed), {0.2, 0.2, 0}, attitude(seed * 77.0));
         const PairEstimate estimate = estimatePair(made.pair);
         ASSERT_EQ(estimate.verdict, PairVerdict::Constraint) << "seed " << seed;
         const Eigen::AngleAxisd error(estimate.aFromB * made.aFromB.conjugate());
@@ -111,7 +113,7 @@ TEST(PairEstimate, FollowsSigmasThatAreWrong) {
     for (const double factor : {0.4, 2.5}) {
         double squares = 0;
         for (int seed = 1; seed <= 20; ++seed) {
-            SyntheticPair made = syntheticPair(seeded(seed), {0.2, 0.2, 0}, attitude(seed * 77.0));
+            SyntheticPair made = syntheticPair(seededPairs(seed), {0.2, 0.2, 0}, attitude(seed * 77.0));
             for (Correspondence& match : made.pair.matches) {
                 match.sigmaRad *= factor;
             }
@@ -129,7 +131,8 @@ TEST(PairEstimate, FollowsSigmasThatAreWrong) {
 TEST(PairEstimate, RefusesAMirrorImage) {
     for (int seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticPair made = syntheticPair(seeded(seed), {seed % 2 * 0.2, 0.2, 0}, attitude(seed * 50.0));
+        SyntheticPair made =
+            syntheticPair(seededPairs(seed), {seed % 2 * 0.2, 0.2, 0}, attitude(seed * 50.0));
         for (Correspondence& match : made.pair.matches) {
             match.inB.y() = -match.inB.y();
         }
@@ -143,7 +146,7 @@ TEST(PairEstimate, RefusesAMirrorImage) {
 TEST(PairEstimate, RefusesMatchesByChance) {
     for (int seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options = seeded(seed);
+        SyntheticSurveyOptions options = seededPairs(seed);
         options.wrongShare = 1;
         options.points = 6000;
         options.mostMatches = 40 * seed;
@@ -156,7 +159,7 @@ TEST(PairEstimate, RefusesMatchesByChance) {
 TEST(PairEstimate, RefusesWhatLiesInOneDirection) {
     for (int seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options = seeded(seed);
+        SyntheticSurveyOptions options = seededPairs(seed);
         options.points = 60000;
         options.mostMatches = 30000;
         options.wrongShare = 0.05;
@@ -172,7 +175,7 @@ TEST(PairEstimate, RefusesWhatLiesInOneDirection) {
 
 TEST(PairEstimate, RefusesARoomThatLooksTheSameTurnedAround) {
     // Every second match belongs to the point on the opposite side.
-    SyntheticPair made = syntheticPair(seeded(3), {0.05, 0, 0}, attitude(0, 0, 0));
+    SyntheticPair made = syntheticPair(seededPairs(3), {0.05, 0, 0}, attitude(0, 0, 0));
     const Eigen::Quaterniond around = yawRotation(Degrees(180));
     for (std::size_t i = 0; i < made.pair.matches.size(); i += 2) {
         made.pair.matches[i].inB = around * made.pair.matches[i].inB;
@@ -181,7 +184,7 @@ TEST(PairEstimate, RefusesARoomThatLooksTheSameTurnedAround) {
 }
 
 TEST(PairEstimate, LeavesOutMatchesThatAreNoDirections) {
-    SyntheticPair made = syntheticPair(seeded(4), {0.2, 0, 0}, attitude(130));
+    SyntheticPair made = syntheticPair(seededPairs(4), {0.2, 0, 0}, attitude(130));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     made.pair.matches[0].inA.x() = nan;
     made.pair.matches[1].inB = Eigen::Vector3d::Zero();
@@ -190,7 +193,7 @@ TEST(PairEstimate, LeavesOutMatchesThatAreNoDirections) {
     made.pair.matches[4].inB *= std::numeric_limits<double>::infinity();
     const PairEstimate estimate = estimatePair(made.pair);
     ASSERT_EQ(estimate.verdict, PairVerdict::Constraint);
-    EXPECT_LT(errorOf(estimate, made), 0.1 * kDegree);
+    EXPECT_LT(errorOf(estimate, made), 0.1 * kPairDegree);
     EXPECT_FALSE(estimate.isInlier[0]);
     EXPECT_FALSE(estimate.isInlier[1]);
 }
@@ -202,7 +205,7 @@ TEST(PairEstimate, SaysTooFewForNothing) {
 TEST(PairEstimate, IsTheSameForAnyNumberOfThreads) {
     std::vector<PhotoPair> pairs;
     for (int seed = 1; seed <= 9; ++seed) {
-        pairs.push_back(syntheticPair(seeded(seed), {0.2, 0.1, 0}, attitude(seed * 10.0)).pair);
+        pairs.push_back(syntheticPair(seededPairs(seed), {0.2, 0.1, 0}, attitude(seed * 10.0)).pair);
     }
     PairOptions one;
     one.threads = 1;
@@ -214,6 +217,12 @@ TEST(PairEstimate, IsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(first[i].aFromB.coeffs(), second[i].aFromB.coeffs());
         EXPECT_EQ(first[i].inliers, second[i].inliers);
     }
+}
+
+TEST(PairVerdict, NamesDiffer) {
+    const std::set<std::string_view> names = {name(PairVerdict::Constraint), name(PairVerdict::TooFew),
+                                              name(PairVerdict::TooNarrow), name(PairVerdict::NoAgreement)};
+    EXPECT_EQ(names.size(), 4U);
 }
 
 } // namespace spherewalk::align

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "noise_photo.h"
+#include "made/noise_photo.h"
 
 #include "spherewalk/align/features.h"
-#include "spherewalk/align/match.h"
-#include "spherewalk/align/pair_estimate.h"
+#include "spherewalk/align/match_pairs.h"
+#include "spherewalk/align/photo_pair.h"
 #include "spherewalk/align/solve.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/rotation.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed_random.h"
-#include "pair_block.h"
-#include "pair_normal.h"
-#include "prior_blocks.h"
-#include "so3.h"
-#include "synthetic_survey.h"
+#include "made/synthetic_survey.h"
+#include "pairs/pair_geometry.h"
+#include "solve/refinement.h"
+
+#include "spherewalk/base/fixed_random.h"
 
 #include <gtest/gtest.h>
 
@@ -123,7 +122,7 @@ BlockExample blockExample() {
     for (auto* blocks : {&made.unknowns.turn, &made.unknowns.offset, &made.unknowns.placement}) {
         for (Unknowns::Block& block : *blocks) {
             for (double& value : block) {
-                value = 0.02 * random.normal();
+                value = 0.02 * random.sumNormal();
             }
         }
     }

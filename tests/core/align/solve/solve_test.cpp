@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "survey_truth.h"
-#include "synthetic_survey.h"
+#include "made/survey_truth.h"
+#include "made/synthetic_survey.h"
 
 #include "spherewalk/align/solve.h"
 #include "spherewalk/base/error.h"

@@ -14,35 +14,41 @@
 
 namespace spherewalk::align {
 
-/// A part of a photo that shows something else than its neighbours see there.
+/// Which matches fit the poses found, one list a pair in their order, one entry a match: in one plane with
+/// the baseline and in front; alike in direction where two photos share a place. A pair with a photo that has
+/// no pose fits nothing. Shape: roomFromPhoto has one entry a photo, empty where the photo was not solved.
+std::vector<std::vector<bool>> fittingMatches(std::span<const std::optional<Rigid3>> roomFromPhoto,
+                                              std::span<const PhotoPair> pairs);
+
+/// A region of a photo that shows something else than the photo's neighbours see there.
 struct ChangedContent {
     int photo = 0;
-    Eigen::Vector3d directionInPhoto = Eigen::Vector3d::UnitX(); ///< unit, the middle of the part
-    Radians radius;                                              ///< of a disc about as large
-    double confidence = 0;                                       ///< in [0, 1]
-    std::string reason; ///< a sentence: "What its 8 neighbours see there is not in this photo."
+    Eigen::Vector3d directionInPhoto = Eigen::Vector3d::UnitX(); ///< Middle of the region, unit.
+    Radians radius;                                              ///< Of a disc of about the same size.
+    double confidence = 0;                                       ///< In [0, 1].
+    std::string reason; ///< A sentence: "What its 8 neighbours see there is not in this photo."
 };
 
 struct ContentCheckOptions {
-    int threads = 0; ///< 0: all that the machine has
+    int threads = 0; ///< 0 means all that the machine has.
 };
 
-/// Finds photos in which something moved, vanished or came in (a chair, a door, a person): compact parts,
-/// from about 8 degrees across, that should show many things on which the photo's neighbours agree with one
-/// another, and show hardly any of them where they should be.
+/// Finds photos in which something moved, vanished or came in (a chair, a door, a person). Reported are
+/// compact regions, from about 8 degrees across. Such a region should show many things on which the photo's
+/// neighbours agree with one another, and hardly any of them is where it should be.
 ///
-/// roomFromPhoto: one a photo; nothing where it was not solved. isInlier: one list a pair, of the same order,
-/// one entry a match: whether the match fits the solved poses. Matches need their features' indices: without
-/// them nothing tells that two neighbours see the same thing.
+/// Shape: roomFromPhoto has one entry a photo, empty where the photo was not solved; isInlier is what
+/// fittingMatches() returns. Matches need their features' indices: without them nothing tells that two
+/// neighbours see the same thing.
 ///
-/// What vanished or is covered is told only where it is much, as furniture that hides things looks alike;
-/// what stands elsewhere in the photo is told sooner.
+/// Things that vanished or are covered are reported only where there is much of them, since furniture that
+/// hides things looks alike. Things that stand elsewhere in the photo are reported sooner.
 ///
-/// Not judged: photos with fewer than three neighbours; parts with little to recognise; photos that differ
-/// from their neighbours in more than four parts (they are wrong as a whole); changes that some neighbours
-/// share. So if from one photo on all later ones see the chair elsewhere, nothing is reported: each photo has
-/// neighbours that agree with it. At the survey's rim, where all neighbours stand to one side, what is missed
-/// may also be hidden by what stands nearer: there only clear changes are told.
+/// Not judged are: photos with fewer than three neighbours; regions with little to recognise; photos that
+/// differ from their neighbours in more than four regions (they are wrong as a whole); changes that some
+/// neighbours share. So if all photos from one on see the chair elsewhere, nothing is reported. At the
+/// survey's rim all neighbours stand to one side, and nearer things may hide what is missed; only clear
+/// changes are reported there.
 ///
 /// Frames: bearings and directions in the photo's panorama frame. Errors: InvalidInput if the lists' lengths
 /// differ or a pair names a photo that does not exist. Threads: the result is the same for any number. Cost:

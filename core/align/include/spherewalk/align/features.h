@@ -16,16 +16,16 @@ namespace spherewalk::align {
 
 enum class Detector { Sift, Akaze, Orb };
 
-/// As options and reports spell it: "sift", "akaze", "orb".
+/// The detector as options and reports spell it: "sift", "akaze", "orb".
 std::string_view name(Detector detector);
 
 struct FeatureOptions {
     Detector detector = Detector::Sift;
-    int width = 1280;                       ///< working pixels per turn, a multiple of 32 in [256, 8192]
-    int most = 2000;                        ///< features a photo, [1, 50000]
-    double leastContrast = 0.03;            ///< of SIFT, share of black to white between neighbouring scales
-    Radians lowestElevation = Degrees(-50); ///< below are the rail and the operator's legs
-    bool usesZenith = true;                 ///< also what stands higher than 53 degrees
+    int width = 1280;                       ///< Working pixels per turn, a multiple of 32 in [256, 8192].
+    int most = 2000;                        ///< Features a photo, [1, 50000].
+    double leastContrast = 0.03;            ///< For SIFT: share of the range from black to white.
+    Radians lowestElevation = Degrees(-50); ///< The rail and the operator's legs lie below.
+    bool usesZenith = true;                 ///< Whether the part above 53 degrees is used too.
     /// Descriptors hold the direction "up" instead of the strongest gradient's: they tell more things apart,
     /// but only between photos that stand upright within some 15 degrees.
     bool isUpright = false;
@@ -36,16 +36,16 @@ struct FeatureOptions {
     void validate() const;
 };
 
-/// What can be found again of one photo. One entry a feature in all the vectors; first the strongest of each
-/// part of the sphere, then the second of each: the first n are the best even selection of n.
+/// The features of one photo. All vectors have one entry a feature. The strongest feature of each region of
+/// the sphere comes first, then the second of each, so the first n are the best even selection of n.
 struct Features {
     Detector detector = Detector::Sift;
-    int descriptorBytes = 0;               ///< of each feature, a multiple of 32; 0 if there are none
-    std::vector<Eigen::Vector3f> bearings; ///< unit vectors in the photo's panorama frame
-    std::vector<float> sigmasRad;          ///< of the bearing, along any direction across it
-    std::vector<float> responses;          ///< the detector's measure of strength
-    /// SIFT: 128 values, the roots of the histogram's shares times 512 (RootSIFT: their distance is that of
-    /// Hellinger); else bits.
+    int descriptorBytes = 0;               ///< Per feature, a multiple of 32; 0 if there are no features.
+    std::vector<Eigen::Vector3f> bearings; ///< Unit vectors in the photo's panorama frame.
+    std::vector<float> sigmasRad;          ///< Standard deviation of the bearing, in any direction across it.
+    std::vector<float> responses;          ///< The detector's measure of strength.
+    /// For SIFT 128 values, the roots of the histogram's shares times 512 (RootSIFT, whose distance is
+    /// Hellinger's); for the others bits.
     std::vector<std::uint8_t> descriptors;
 
     int count() const { return static_cast<int>(bearings.size()); }
@@ -58,17 +58,17 @@ struct Features {
     bool operator==(const Features&) const = default;
 };
 
-/// Features of an equirectangular photo, found on views of the sphere that distort no angles (Mercator around
-/// the horizon, stereographic around the zenith), spread evenly. mask: equirectangular of any size, 0 where
-/// nothing is to be looked at; empty: the whole photo counts. A photo without texture has no features, which
-/// is no error. Errors: InvalidInput for a picture less than 64 x 32. Stop: Error{Stopped}. Threads: any; one
-/// photo uses one thread besides those of OpenCV. Cost: 0.4 s for the defaults. Source: Lowe 2004 (SIFT);
-/// Arandjelovic and Zisserman 2012 (RootSIFT).
+/// Features of an equirectangular photo, spread evenly over the sphere. They are found on views that distort
+/// no angles: Mercator around the horizon, stereographic around the zenith. mask: equirectangular of any
+/// size, 0 where no feature is wanted; an empty mask allows the whole photo. A photo without texture has no
+/// features, which is no error. Errors: InvalidInput for a picture smaller than 64 x 32. Stop:
+/// Error{Stopped}. Threads: any; one photo uses one thread besides those of OpenCV. Cost: 0.4 s for the
+/// defaults. Source: Lowe 2004 (SIFT); Arandjelovic and Zisserman 2012 (RootSIFT).
 Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask = {},
                         const std::stop_token& stop = {});
 
-/// The same of a JPEG's bytes, decoded no larger than the working width needs. source: what the bytes are,
-/// for sentences. Errors: those of jpeg::decode besides.
+/// detectFeatures() of a JPEG's bytes, decoded no larger than the working width needs. source: names the
+/// bytes in error sentences. Errors: also those of jpeg::decode().
 Features detectFeatures(ByteView jpeg, std::string_view source, const FeatureOptions& options,
                         const MaskImage& mask = {}, const std::stop_token& stop = {});
 

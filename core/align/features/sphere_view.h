@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/image.h"
+#include "spherewalk/geometry/angle.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace spherewalk::align {
+
+using GreyImage = Image<std::uint8_t, 1>;
+
+/// Luma of Rec. 601.
+GreyImage grey(const RgbImage& picture);
+
+/// A picture of a region of the sphere that distorts no angles. Around the region that the view owns there is
+/// a margin. Together the owned regions of all views are the sphere, each direction once. Pixel centres are
+/// integers. Source: Snyder 1987, Map Projections, Mercator and stereographic.
+class SphereView {
+  public:
+    static constexpr int kMargin = 48; ///< Pixels on all sides.
+
+    /// A band around the horizon, from the lowest elevation (or the lower cap's edge) to the upper cap's
+    /// edge.
+    static SphereView band(const GreyImage& photo, int width, Radians lowest);
+    /// A cap around the zenith or the nadir, seen from inside.
+    static SphereView cap(const GreyImage& photo, int width, bool isZenith);
+
+    /// The elevation where the caps begin. There the band's pixels are 1.7 times as fine as at the horizon.
+    static constexpr Radians edge() { return Degrees(53); }
+
+    const GreyImage& picture() const { return m_picture; }
+
+    /// The direction of a pixel: a unit vector in the photo's panorama frame. Range: any pixel.
+    Eigen::Vector3d bearing(double x, double y) const;
+    /// The angle that a pixel's side spans at this place.
+    double pixelRad(double x, double y) const;
+    /// The direction of the zenith in the picture at this place, as an angle from +x to +y.
+    Radians up(double x, double y) const;
+    /// Whether the view owns this place: no other view has it, and no second pixel of this view shows it.
+    bool owns(double x, double y) const;
+
+  private:
+    enum class Part { Band, Zenith, Nadir };
+
+    SphereView(Part part, int width) : m_part(part), m_width(width) {}
+
+    double pixelsPerRad() const;
+    Eigen::Vector2d onPlane(double x, double y) const; ///< Place on a cap's plane, from its middle, radians.
+
+    Part m_part;
+    int m_width;
+    double m_top = 0; ///< Mercator ordinate of a band's upper edge.
+    GreyImage m_picture;
+};
+
+/// The views that together show the sphere from the lowest elevation to the zenith, or to the cap's edge.
+std::vector<SphereView> sphereViews(const GreyImage& photo, int width, Radians lowest, bool usesZenith);
+
+} // namespace spherewalk::align

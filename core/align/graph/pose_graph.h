@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/align/photo_pair.h"
+
+#include <Eigen/Geometry>
+
+#include <span>
+#include <vector>
+
+namespace spherewalk::align {
+
+/// A pair estimate as an edge of a graph of photos.
+struct GraphEdge {
+    int pair = 0; ///< Index among the estimates.
+    int a = 0;
+    int b = 0;
+    Eigen::Quaterniond aFromB;
+    double weight = 1;
+    int triangles = 0;      ///< Number of triangles that it makes with two other edges.
+    int closed = 0;         ///< Number of those whose three rotations come back to where they began.
+    double residualRad = 0; ///< Turn between its rotation and the averaged rotations.
+};
+
+/// Photos that edges connect.
+struct Component {
+    std::vector<int> photos; ///< Indices of the photos, ascending.
+    std::vector<GraphEdge> edges;
+    std::vector<Eigen::Quaterniond> componentFromPhoto; ///< One a photo, in a frame of the component's own.
+};
+
+struct PoseGraph {
+    std::vector<Component> components; ///< Most photos first. Photos without edges are in none.
+    std::vector<int> contradicted;     ///< Pairs whose rotation the others contradict, ascending.
+    double cycleErrorRad = 0;          ///< Median turn around the triangles; 0 if there are none.
+};
+
+/// How the photos are turned to each other: rotations averaged over all pairs, from several spanning trees.
+/// Pairs that contradict the others are left out. leastClosed: number of triangles that must confirm a pair
+/// before it counts. Estimates that are no constraint, or whose rotation is not finite, are passed over.
+/// Errors: InvalidInput for an estimate of photos that do not exist.
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed = 0);
+
+/// The turn that remains of an edge's rotation between the averaged rotations of its photos. indexOf: the
+/// place of each photo in the component.
+Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quaterniond> componentFromPhoto,
+                             std::span<const int> indexOf);
+
+/// Averages the edges' rotations over a connected component, from several spanning trees. The norm is robust:
+/// first the sum of angles, then a sum that ignores edges which disagree by degrees.
+/// Source: Chatterjee and Govindu, Efficient and Robust Large-Scale Rotation Averaging, 2013.
+std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf);
+
+} // namespace spherewalk::align

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/align/photo_pair.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace spherewalk::align {
+
+/// The matrix of the cross product: skew(a) * b = a x b.
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
+    Eigen::Matrix3d matrix;
+    matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return matrix;
+}
+
+/// The rotation about this vector by its length, in radians.
+Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad);
+
+/// The vector that turn() takes to the rotation. Its length is in [0, pi].
+Eigen::Vector3d turnVector(const Eigen::Quaterniond& rotation);
+
+/// How turn(turnRad) follows a small change: turn(v + dv) = turn(leftJacobian(v) * dv) * turn(v).
+Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& turnRad);
+
+/// Two unit vectors that make a right-handed frame with this unit vector.
+Eigen::Matrix<double, 3, 2> tangentBasis(const Eigen::Vector3d& unit);
+
+/// The rotation R with the largest trace of R^T * moment: for a moment that sums a * b^T over pairs of
+/// directions, R brings the b nearest to the a (least squares). Source: Kabsch 1976.
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& moment);
+
+/// The smallest rotation that takes the direction to +z. Range: any length but 0.
+Eigen::Quaterniond uprightFrom(const Eigen::Vector3d& up);
+
+/// A match as it is computed with: its bearings as unit vectors, a standard deviation that is sensible. Empty
+/// for bearings that are no directions; a standard deviation out of range is replaced by 1 mrad.
+struct UnitMatch {
+    Eigen::Vector3d inA;
+    Eigen::Vector3d inB;
+    double sigmaRad = 0;
+};
+
+std::optional<UnitMatch> unitMatch(const Correspondence& match);
+
+/// The standard deviation of the residuals that agree; a minority of wrong ones is ignored. Units: residuals
+/// and result in supposed standard deviations; residuals have any sign. Range of the result: [0.3, largest];
+/// 1 for fewer than eight residuals; the largest if none agrees.
+double agreeingScale(std::vector<double> residuals, double largest);
+
+/// How far two bearings are from lying in one plane with the baseline, in standard deviations, signed.
+/// Frames: all three are unit vectors in one frame of any orientation.
+/// Source: Sampson's approximation for bearings; both ends have the error sigmaRad.
+struct EpipolarResidual {
+    double value = 0;
+    double sineA = 0; ///< Sine of the angle between a's bearing and the baseline.
+    double sineB = 0;
+    Eigen::Vector3d byA = Eigen::Vector3d::Zero();        ///< Derivative by the bearing of a.
+    Eigen::Vector3d byB = Eigen::Vector3d::Zero();        ///< Derivative by the bearing of b.
+    Eigen::Vector3d byBaseline = Eigen::Vector3d::Zero(); ///< Derivative by the baseline, as any vector.
+};
+
+/// A bearing nearer to the baseline than this says nothing: its plane turns with the least error.
+constexpr double kLeastSine = 0.12;
+
+inline EpipolarResidual epipolarResidual(const Eigen::Vector3d& inA, const Eigen::Vector3d& inB,
+                                         const Eigen::Vector3d& baseline, double sigmaRad) {
+    EpipolarResidual residual;
+    const double alongA = baseline.dot(inA);
+    const double alongB = baseline.dot(inB);
+    residual.sineA = std::sqrt(std::max(0.0, 1 - alongA * alongA));
+    residual.sineB = std::sqrt(std::max(0.0, 1 - alongB * alongB));
+    const Eigen::Vector3d normal = inA.cross(inB);
+    const double volume = baseline.dot(normal);
+    const double variance = std::max(2 - alongA * alongA - alongB * alongB, 1e-6);
+    const double scale = 1 / (sigmaRad * std::sqrt(variance));
+    const double slope = volume * scale / variance;
+    residual.value = volume * scale;
+    residual.byA = scale * inB.cross(baseline) + slope * alongA * baseline;
+    residual.byB = scale * baseline.cross(inA) + slope * alongB * baseline;
+    residual.byBaseline = scale * normal + slope * (alongA * inA + alongB * inB);
+    return residual;
+}
+
+/// The angle by which the bearing moved along the baseline's plane, in radians. A point in front of both
+/// photos gives a positive angle, a point behind a negative one. Range: the bearing does not lie on the
+/// baseline.
+inline double parallaxOf(const Eigen::Vector3d& inA, const Eigen::Vector3d& inB,
+                         const Eigen::Vector3d& baseline) {
+    const Eigen::Vector3d across = baseline - baseline.dot(inA) * inA;
+    return (inA - inB).dot(across) / std::max(across.norm(), 1e-9);
+}
+
+} // namespace spherewalk::align

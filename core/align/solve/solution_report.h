@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solve/component_solver.h"
+#include "solve/refinement.h"
+
+#include "spherewalk/align/solve.h"
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace spherewalk::align {
+
+/// How well a solution fits the inliers that the pairs had.
+struct SolutionQuality {
+    struct Photo {
+        int judged = 0;       ///< Inliers that say something.
+        int contradicted = 0; ///< Inliers that lie out of plane or behind.
+        int pairs = 0;        ///< Number of pairs that hold the photo.
+        double residualRad = 0;
+    };
+
+    std::vector<Photo> photos;
+    double agreeingShare = 0; ///< Of all judged inliers.
+    double residualRad = 0;   ///< Robust root mean square.
+};
+
+SolutionQuality quality(const ComponentInput& input, const ComponentState& state);
+
+/// Writes a component's poses and their uncertainty into the alignment.
+void report(const ComponentInput& input, Model model, const ComponentState& state,
+            const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
+            const std::stop_token& stop);
+
+/// The standard deviations of one photo's pose.
+struct PhotoUncertainty {
+    double yawRad = 0; ///< Against all others, without the common turn.
+    double pitchRad = 0;
+    double rollRad = 0;
+    double positionM = 0; ///< Along each axis.
+};
+
+struct Uncertainty {
+    std::vector<PhotoUncertainty> photos;
+    double commonYawRad = 0;
+};
+
+/// How far a converged solution may err. A feature takes part in many pairs with the same error, so the usual
+/// inverse of the normal matrix promises too much. Instead the residuals go through the normal equations many
+/// times, with random signs that are equal within a track (a wild cluster bootstrap). Random errors of the
+/// priors go with them. Tilts and positions that the model does not solve err as their priors say and pass
+/// their errors on. Errors: Internal if the matrix cannot be factored; Stopped.
+/// Source: Cameron, Gelbach, Miller, Bootstrap-Based Improvements for Inference with Clustered Errors, 2008.
+Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> priors,
+                        std::span<const UsedPair> pairs, const RefinementOptions& options,
+                        const std::stop_token& stop);
+
+} // namespace spherewalk::align
