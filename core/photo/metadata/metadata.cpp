@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/photo/metadata.h"
 
-#include "maker_note.h"
-#include "plain_text.h"
-#include "xmp_packet.h"
+#include "metadata/maker_note.h"
+#include "metadata/xmp_packet.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <exiv2/exif.hpp>
 
@@ -19,19 +18,19 @@ namespace spherewalk::photo {
 
 namespace {
 
-const Exiv2::Exifdatum* find(const Exiv2::ExifData& exif, const char* key) {
+const Exiv2::Exifdatum* findExif(const Exiv2::ExifData& exif, const char* key) {
     const auto found = exif.findKey(Exiv2::ExifKey(key));
     // exiv2 reads the first of no values as if it were there.
     return found == exif.end() || found->count() < 1 ? nullptr : &*found;
 }
 
 std::string exifText(const Exiv2::ExifData& exif, const char* key) {
-    const Exiv2::Exifdatum* datum = find(exif, key);
+    const Exiv2::Exifdatum* datum = findExif(exif, key);
     return datum == nullptr ? std::string() : plainText(datum->toString());
 }
 
 std::optional<double> exifNumber(const Exiv2::ExifData& exif, const char* key) {
-    const Exiv2::Exifdatum* datum = find(exif, key);
+    const Exiv2::Exifdatum* datum = findExif(exif, key);
     if (datum == nullptr) {
         return std::nullopt;
     }
@@ -84,7 +83,7 @@ void readExif(ByteView tiff, PhotoMetadata& metadata) {
         if (const auto iso = exifNumber(exif, "Exif.Photo.ISOSpeedRatings"); iso && *iso <= 1e7) {
             metadata.iso = static_cast<int>(*iso);
         }
-        metadata.hasFixedWhiteBalance = isManual(find(exif, "Exif.Photo.WhiteBalance"));
+        metadata.hasFixedWhiteBalance = isManual(findExif(exif, "Exif.Photo.WhiteBalance"));
     } catch (const std::exception& error) {
         metadata.remarks.push_back(text("The Exif data are damaged (", printable(error.what()), ")."));
     }
@@ -140,7 +139,7 @@ class PanoramaReader {
     bool m_isAny = false;
 };
 
-void readXmp(ByteView packet, std::string_view source, PhotoMetadata& metadata) {
+void readPanorama(ByteView packet, std::string_view source, PhotoMetadata& metadata) {
     try {
         const XmpSession session;
         const Exiv2::XmpData xmp = session.decoded(packet, source);
@@ -166,6 +165,15 @@ void readXmp(ByteView packet, std::string_view source, PhotoMetadata& metadata) 
     }
 }
 
+/// Pitch and roll, if the photo says both.
+std::optional<YawPitchRoll> tilt(const PhotoMetadata& metadata) {
+    if (!metadata.panorama || !metadata.panorama->pitch || !metadata.panorama->roll) {
+        return std::nullopt;
+    }
+    // GPano counts looking up as positive, our pitch looking down.
+    return YawPitchRoll{Radians(0), -Radians(*metadata.panorama->pitch), Radians(*metadata.panorama->roll)};
+}
+
 } // namespace
 
 PhotoMetadata readMetadata(ByteView jpeg, std::string_view source) {
@@ -179,9 +187,33 @@ PhotoMetadata readMetadata(ByteView jpeg, std::string_view source) {
         readExif(exif->content(jpeg).subspan(exifSignature().size()), metadata);
     }
     if (const jpeg::Segment* xmp = findApp1(segments, jpeg, xmpSignature())) {
-        readXmp(xmp->content(jpeg).subspan(xmpSignature().size()), source, metadata);
+        readPanorama(xmp->content(jpeg).subspan(xmpSignature().size()), source, metadata);
     }
     return metadata;
+}
+
+bool isLevel(const PhotoMetadata& metadata) {
+    if (metadata.theta && metadata.theta->isLevelled) {
+        return *metadata.theta->isLevelled;
+    }
+    if (metadata.model == "RICOH THETA S" || metadata.model == "RICOH THETA SC") {
+        return false;
+    }
+    const std::optional<YawPitchRoll> angles = tilt(metadata);
+    if (!angles) {
+        return metadata.model.starts_with("RICOH THETA ");
+    }
+    constexpr Radians kAlmostLevel = Degrees(0.5);
+    return std::abs(angles->pitch.value()) < kAlmostLevel.value() &&
+           std::abs(angles->roll.value()) < kAlmostLevel.value();
+}
+
+std::optional<Eigen::Quaterniond> levelFromPhoto(const PhotoMetadata& metadata) {
+    if (isLevel(metadata)) {
+        return Eigen::Quaterniond::Identity();
+    }
+    const std::optional<YawPitchRoll> angles = tilt(metadata);
+    return angles ? std::optional(rotation(*angles)) : std::nullopt;
 }
 
 } // namespace spherewalk::photo

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/photo/position_tag.h"
 
-#include "maker_note.h"
-#include "xmp_packet.h"
+#include "metadata/maker_note.h"
+#include "metadata/xmp_packet.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/jpeg/segments.h"
+#include "spherewalk/jpeg/jpeg.h"
 
 #include <exiv2/error.hpp>
 
@@ -25,21 +25,21 @@ namespace {
 using jpeg::Segment;
 
 constexpr std::string_view kKeyPrefix = "Xmp.spherewalk.";
-constexpr std::size_t kMaxContent = 65533;
-constexpr std::size_t kMaxText = 200;
+constexpr std::size_t kMostSegmentBytes = 65533;
+constexpr std::size_t kMostTagText = 200;
 constexpr std::array kPositionKeys{"PositionX", "PositionY", "PositionZ"};
 constexpr std::array kRotationKeys{"RoomFromPhotoW", "RoomFromPhotoX", "RoomFromPhotoY", "RoomFromPhotoZ"};
 constexpr std::array<std::string_view, 3> kPoseKeys{
     "Xmp.GPano.PoseHeadingDegrees", "Xmp.GPano.PosePitchDegrees", "Xmp.GPano.PoseRollDegrees"};
 
-std::string key(std::string_view name) {
+std::string tagKey(std::string_view name) {
     return text(kKeyPrefix, name);
 }
 
-void check(const PositionTag& tag) {
+void checkTag(const PositionTag& tag) {
     const auto isText = [](const std::string& value) { return printable(value, value.size()) == value; };
     if (tag.surveyId.empty() || !isText(tag.surveyId) || !isText(tag.stationName) ||
-        tag.surveyId.size() > kMaxText || tag.stationName.size() > kMaxText) {
+        tag.surveyId.size() > kMostTagText || tag.stationName.size() > kMostTagText) {
         throw Error(ErrorKind::InvalidInput,
                     text("A photo cannot be tagged with the survey \"", printable(tag.surveyId),
                          "\" and the station \"", printable(tag.stationName),
@@ -66,13 +66,13 @@ void setPose(const Eigen::Quaterniond& roomFromPhoto, Exiv2::XmpData& xmp) {
 }
 
 void setProperties(const PositionTag& tag, Exiv2::XmpData& xmp) {
-    xmp[key("SurveyId")] = tag.surveyId;
-    xmp[key("StationId")] = text(tag.stationId);
+    xmp[tagKey("SurveyId")] = tag.surveyId;
+    xmp[tagKey("StationId")] = text(tag.stationId);
     if (!tag.stationName.empty()) {
-        xmp[key("StationName")] = tag.stationName;
+        xmp[tagKey("StationName")] = tag.stationName;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        xmp[key(kPositionKeys[i])] = text(tag.positionM[static_cast<Eigen::Index>(i)]);
+        xmp[tagKey(kPositionKeys[i])] = text(tag.positionM[static_cast<Eigen::Index>(i)]);
     }
     if (tag.roomFromPhoto) {
         const auto& q = *tag.roomFromPhoto;
@@ -80,7 +80,7 @@ void setProperties(const PositionTag& tag, Exiv2::XmpData& xmp) {
             checkedQuaternion(q.w(), q.x(), q.y(), q.z(), "a photo's position tag");
         const std::array components{unit.w(), unit.x(), unit.y(), unit.z()};
         for (std::size_t i = 0; i < 4; ++i) {
-            xmp[key(kRotationKeys[i])] = text(components[i]);
+            xmp[tagKey(kRotationKeys[i])] = text(components[i]);
         }
         if (tag.isPanoramaPose) {
             setPose(unit, xmp);
@@ -147,7 +147,7 @@ std::multimap<std::string, std::string> foreignProperties(ByteView jpeg, const P
 
 Bytes xmpSegment(const std::string& packet, std::string_view source) {
     const std::size_t content = xmpSignature().size() + packet.size();
-    if (content > kMaxContent) {
+    if (content > kMostSegmentBytes) {
         throw Error(ErrorKind::Unsupported,
                     text("Could not tag ", source, ": its XMP would have ", humanBytes(content),
                          ", more than a JPEG can hold in one piece; remove some of it."));
@@ -204,7 +204,7 @@ bool isSame(const PositionTag& a, const PositionTag& b) {
            a.positionM == b.positionM && isSameRotation();
 }
 
-void verify(ByteView before, ByteView after, const PositionTag& tag, std::string_view source) {
+void verifyTagging(ByteView before, ByteView after, const PositionTag& tag, std::string_view source) {
     const auto require = [&](bool isTrue, std::string_view what) {
         if (!isTrue) {
             throw Error(ErrorKind::Internal,
@@ -251,8 +251,8 @@ std::map<std::string, std::string> ownProperties(ByteView jpeg, std::string_view
 
 /// The finite numbers of these names, nothing if one is missing.
 template <std::size_t Count>
-std::optional<std::array<double, Count>> numbers(const std::map<std::string, std::string>& properties,
-                                                 const std::array<const char*, Count>& names) {
+std::optional<std::array<double, Count>> tagNumbers(const std::map<std::string, std::string>& properties,
+                                                    const std::array<const char*, Count>& names) {
     std::array<double, Count> values{};
     for (std::size_t i = 0; i < Count; ++i) {
         const auto found = properties.find(names[i]);
@@ -277,7 +277,7 @@ std::optional<Eigen::Quaterniond> unitRotation(const std::optional<std::array<do
 } // namespace
 
 Bytes withPositionTag(ByteView jpeg, const PositionTag& tag, std::string_view source) {
-    check(tag);
+    checkTag(tag);
     const std::vector<Segment> segments = jpeg::segments(jpeg, source);
     const Segment* present = findApp1(segments, jpeg, xmpSignature());
     const Bytes segment = xmpSegment(taggedPacket(present, jpeg, tag, source), source);
@@ -289,7 +289,7 @@ Bytes withPositionTag(ByteView jpeg, const PositionTag& tag, std::string_view so
     for (const ByteView part : {jpeg.first(begin), ByteView(segment), jpeg.subspan(end)}) {
         tagged.insert(tagged.end(), part.begin(), part.end());
     }
-    verify(jpeg, tagged, tag, source);
+    verifyTagging(jpeg, tagged, tag, source);
     return tagged;
 }
 
@@ -297,9 +297,9 @@ std::optional<PositionTag> readPositionTag(ByteView jpeg, std::string_view sourc
     const std::map<std::string, std::string> properties = ownProperties(jpeg, source);
     const auto word = [&](const char* name) {
         const auto found = properties.find(name);
-        return found == properties.end() ? std::string() : printable(found->second, kMaxText);
+        return found == properties.end() ? std::string() : printable(found->second, kMostTagText);
     };
-    const auto position = numbers(properties, kPositionKeys);
+    const auto position = tagNumbers(properties, kPositionKeys);
     const auto stationId = integer(word("StationId"));
     if (!position || !stationId || word("SurveyId").empty()) {
         return std::nullopt;
@@ -308,7 +308,7 @@ std::optional<PositionTag> readPositionTag(ByteView jpeg, std::string_view sourc
                        *stationId,
                        word("StationName"),
                        Eigen::Vector3d(position->data()),
-                       unitRotation(numbers(properties, kRotationKeys)),
+                       unitRotation(tagNumbers(properties, kRotationKeys)),
                        false};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "xmp_packet.h"
+#include "metadata/xmp_packet.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

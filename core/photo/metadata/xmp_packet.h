@@ -2,7 +2,7 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
-#include "spherewalk/jpeg/segments.h"
+#include "spherewalk/jpeg/jpeg.h"
 
 #include <exiv2/xmp_exiv2.hpp>
 

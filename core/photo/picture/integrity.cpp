@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/photo/integrity.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/jpeg/segments.h"
 
 namespace spherewalk::photo {
 
 namespace {
 
 // A Theta X writes some 12 MB; this leaves room for larger cameras.
-constexpr std::uint64_t kMaxBytes = 512ULL << 20;
+constexpr std::uint64_t kMostPhotoBytes = 512ULL << 20;
 
 [[noreturn]] void fail(std::string_view source, std::string_view defect) {
     throw Error(ErrorKind::Corrupt,
@@ -72,7 +71,7 @@ PhotoFacts checkPhoto(ByteView jpeg, std::string_view source, const PhotoExpecta
 }
 
 PhotoFacts checkPhotoFile(const std::filesystem::path& file, const PhotoExpectation& expectation) {
-    return checkPhoto(readFile(file, kMaxBytes), file.string(), expectation);
+    return checkPhoto(readFile(file, kMostPhotoBytes), file.string(), expectation);
 }
 
 } // namespace spherewalk::photo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "opencv_picture.h"
+#include "picture/opencv_picture.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -22,7 +22,7 @@ constexpr int kGap = 4;
 constexpr int kCaptionHeight = 18;
 constexpr std::uint8_t kBackground = 40;
 
-void write(RgbImage& sheet, const std::string& caption, int left, int bottom, int width) {
+void writeCaption(RgbImage& sheet, const std::string& caption, int left, int bottom, int width) {
     cv::Mat pixels = matOver(sheet);
     cv::Mat cell = pixels(cv::Rect(left, bottom - kCaptionHeight, width, kCaptionHeight));
     cv::putText(cell, caption, {2, kCaptionHeight - 5}, cv::FONT_HERSHEY_SIMPLEX, 0.4, {230, 230, 230}, 1,
@@ -46,10 +46,32 @@ int scaledHeight(const RgbImage& picture, int width) {
     return std::max(1, static_cast<int>(std::lround(height)));
 }
 
-void copy(const RgbImage& from, RgbImage& to, int left, int top) {
+void copyInto(const RgbImage& from, RgbImage& to, int left, int top) {
     for (int y = 0; y < from.height(); ++y) {
         std::ranges::copy(from.row(y), to.at(left, top + y));
     }
+}
+
+void checkSameSize(const RgbImage& a, const RgbImage& b) {
+    if (a.empty() || a.width() != b.width() || a.height() != b.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Pictures of ", a.width(), " x ", a.height(), " and ", b.width(), " x ", b.height(),
+                         " pixels cannot be compared: they must be of one size."));
+    }
+}
+
+cv::Mat greyOf(const RgbImage& picture) {
+    cv::Mat grey;
+    cv::cvtColor(matOver(picture), grey, cv::COLOR_RGB2GRAY);
+    cv::Mat result;
+    grey.convertTo(result, CV_32F);
+    return result;
+}
+
+cv::Mat smoothed(const cv::Mat& values) {
+    cv::Mat result;
+    cv::GaussianBlur(values, result, {11, 11}, 1.5);
+    return result;
 }
 
 } // namespace
@@ -90,13 +112,46 @@ RgbImage contactSheet(std::span<const RgbImage> pictures, int columns, int cellW
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const int left = kGap + static_cast<int>(i % static_cast<std::size_t>(columns)) * (cellWidth + kGap);
         const int top = kGap + static_cast<int>(i / static_cast<std::size_t>(columns)) * (cellHeight + kGap);
-        copy(resized(pictures[i], cellWidth, scaledHeight(pictures[i], cellWidth)), sheet, left, top);
+        copyInto(resized(pictures[i], cellWidth, scaledHeight(pictures[i], cellWidth)), sheet, left, top);
         if (!captions.empty()) {
             translated("write a caption",
-                       [&] { write(sheet, captions[i], left, top + cellHeight, cellWidth); });
+                       [&] { writeCaption(sheet, captions[i], left, top + cellHeight, cellWidth); });
         }
     }
     return sheet;
+}
+
+double psnr(const RgbImage& a, const RgbImage& b) {
+    checkSameSize(a, b);
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < a.values().size(); ++i) {
+        const int difference = a.values()[i] - b.values()[i];
+        sum += static_cast<std::uint64_t>(difference * difference);
+    }
+    if (sum == 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double mean = static_cast<double>(sum) / static_cast<double>(a.values().size());
+    return 10 * std::log10(255.0 * 255.0 / mean);
+}
+
+double structuralSimilarity(const RgbImage& a, const RgbImage& b) {
+    checkSameSize(a, b);
+    return translated("compare pictures", [&] {
+        const cv::Mat x = greyOf(a);
+        const cv::Mat y = greyOf(b);
+        const cv::Mat meanX = smoothed(x);
+        const cv::Mat meanY = smoothed(y);
+        const cv::Mat varianceX = smoothed(x.mul(x)) - meanX.mul(meanX);
+        const cv::Mat varianceY = smoothed(y.mul(y)) - meanY.mul(meanY);
+        const cv::Mat covariance = smoothed(x.mul(y)) - meanX.mul(meanY);
+        constexpr double kMean = 0.01 * 255 * 0.01 * 255;
+        constexpr double kVariance = 0.03 * 255 * 0.03 * 255;
+        const cv::Mat top = (2 * meanX.mul(meanY) + kMean).mul(2 * covariance + kVariance);
+        const cv::Mat bottom =
+            (meanX.mul(meanX) + meanY.mul(meanY) + kMean).mul(varianceX + varianceY + kVariance);
+        return cv::mean(top / bottom)[0];
+    });
 }
 
 } // namespace spherewalk::photo

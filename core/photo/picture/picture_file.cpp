@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/photo/picture_file.h"
 
-#include "opencv_picture.h"
+#include "picture/opencv_picture.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -19,8 +19,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::uint64_t kMaxBytes = 1ULL << 30;
-constexpr std::uint64_t kMaxPixels = 1ULL << 28;
+constexpr std::uint64_t kMostPictureBytes = 1ULL << 30;
+constexpr std::uint64_t kMostPicturePixels = 1ULL << 28;
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR"sv;
 
 std::uint64_t bigEndian(ByteView bytes) {
@@ -38,7 +38,7 @@ void checkPngSize(ByteView png, const std::string& name) {
         throw Error(ErrorKind::Corrupt,
                     text("Could not read ", name, ": the PNG is damaged, copy it again."));
     }
-    if (width * height > kMaxPixels) {
+    if (width * height > kMostPicturePixels) {
         throw Error(ErrorKind::Unsupported, text("Could not read ", name, ": it has ", width, " x ", height,
                                                  " pixels, more than this version takes; reduce it."));
     }
@@ -81,12 +81,12 @@ DepthImage decodeDepthPng(const Bytes& png, const std::string& name) {
 } // namespace
 
 DepthImage readDepthPng(const std::filesystem::path& file) {
-    const Bytes bytes = readFile(file, kMaxBytes);
+    const Bytes bytes = readFile(file, kMostPictureBytes);
     return decodeDepthPng(bytes, file.string());
 }
 
 RgbImage readPicture(const std::filesystem::path& file) {
-    const Bytes bytes = readFile(file, kMaxBytes);
+    const Bytes bytes = readFile(file, kMostPictureBytes);
     const std::string name = file.string();
     if (textOf(bytes).starts_with(kPngSignature)) {
         return decodePng(bytes, name);

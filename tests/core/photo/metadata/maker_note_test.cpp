@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "made_photo.h"
+#include "picture/made_photo.h"
 
 #include "spherewalk/photo/metadata.h"
 

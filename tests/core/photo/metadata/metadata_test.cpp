@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "made_photo.h"
+#include "picture/made_photo.h"
 #include "random.h"
 
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/jpeg/segments.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/position_tag.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/file.h"
-#include "spherewalk/photo/levelling.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/position_tag.h"
 

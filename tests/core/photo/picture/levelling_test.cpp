@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/photo/levelling.h"
+#include "spherewalk/photo/metadata.h"
 
 #include <gtest/gtest.h>
 

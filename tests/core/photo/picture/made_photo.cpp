@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "made_photo.h"
+#include "picture/made_photo.h"
 
 #include "spherewalk/base/image.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/jpeg/segments.h"
 
 #include <algorithm>
 

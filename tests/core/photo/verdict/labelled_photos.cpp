@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "labelled_photos.h"
+#include "verdict/labelled_photos.h"
 
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/rotation.h"

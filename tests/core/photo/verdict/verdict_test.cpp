@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "labelled_photos.h"
+#include "verdict/labelled_photos.h"
 
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/verdict.h"
@@ -84,8 +84,8 @@ TEST_F(VerdictsOf, CleanPhotosAreHardlyEverAlarms) {
         for (int i = 0; i < 5; ++i) {
             const Verdict verdict = verdictOf(photo, jpegOf(test::ordinary(photo.clean.picture, m_random)));
             ++count;
-            alarms += verdict.quality() == Quality::Good ? 0 : 1;
-            EXPECT_NE(verdict.quality(), Quality::Failed) << verdict.sentence();
+            alarms += verdict.quality() == survey::Quality::Good ? 0 : 1;
+            EXPECT_NE(verdict.quality(), survey::Quality::Failed) << verdict.sentence();
         }
     }
     std::printf("clean: %d of %d are false alarms\n", alarms, count);
@@ -174,19 +174,19 @@ TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
     const Bytes jpeg = practice::thetaJpeg(picture, tags);
     const ExpectedSettings expected{
         .iso = 400, .exposureS = 1.0 / 30, .width = kWidth, .hasFixedWhiteBalance = false};
-    EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", expected, {}).verdict.quality(), Quality::Good);
+    EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", expected, {}).verdict.quality(), survey::Quality::Good);
     for (const ExpectedSettings& other :
          {ExpectedSettings{.iso = 200}, ExpectedSettings{.exposureS = 1.0 / 60}}) {
         const Verdict verdict = judgeJpeg(jpeg, "a.JPG", other, {}).verdict;
         ASSERT_EQ(verdict.findings.size(), 1U);
         EXPECT_EQ(verdict.findings[0].flaw, Flaw::Settings);
-        EXPECT_EQ(verdict.quality(), Quality::Failed);
+        EXPECT_EQ(verdict.quality(), survey::Quality::Failed);
     }
     EXPECT_EQ(judgeJpeg(jpeg, "a.JPG", {.width = 5376}, {}).verdict.findings[0].flaw, Flaw::Size);
     const Verdict balance = judgeJpeg(jpeg, "a.JPG", {.hasFixedWhiteBalance = true}, {}).verdict;
     ASSERT_EQ(balance.findings.size(), 1U);
     EXPECT_EQ(balance.findings[0].flaw, Flaw::Settings);
-    EXPECT_EQ(balance.quality(), Quality::Doubtful);
+    EXPECT_EQ(balance.quality(), survey::Quality::Doubtful);
 }
 
 TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {
@@ -204,7 +204,7 @@ TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {
         }
     }
     EXPECT_EQ(judgeJpeg(jpeg::encode(photos[0].picture, 90), "a.JPG", {}, others).verdict.quality(),
-              Quality::Good);
+              survey::Quality::Good);
     const Verdict verdict = judgeJpeg(jpeg::encode(turned, 90), "a.JPG", {}, others).verdict;
     ASSERT_EQ(verdict.findings.size(), 1U) << verdict.sentence();
     EXPECT_EQ(verdict.findings[0].flaw, Flaw::Turned);
@@ -212,8 +212,9 @@ TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {
 }
 
 TEST(Verdict, NamesReadBackAsWhatTheyName) {
-    for (const Quality quality : {Quality::Good, Quality::Doubtful, Quality::Failed}) {
-        EXPECT_EQ(qualityNamed(name(quality)), quality);
+    for (const survey::Quality quality :
+         {survey::Quality::Good, survey::Quality::Doubtful, survey::Quality::Failed}) {
+        EXPECT_EQ(survey::qualityNamed(name(quality)), quality);
     }
     for (int flaw = 0; flaw <= static_cast<int>(Flaw::Elsewhere); ++flaw) {
         EXPECT_EQ(flawNamed(name(static_cast<Flaw>(flaw))), static_cast<Flaw>(flaw));

@@ -11,14 +11,14 @@
 
 namespace spherewalk::photo {
 
-/// What is known of a photo before it is looked at.
+/// What is known about a photo before it is checked.
 struct PhotoExpectation {
-    std::optional<std::uint64_t> sizeBytes = {}; ///< as the camera listed it
-    std::optional<std::string> sha256 = {};      ///< 64 lower-case hexadecimal digits
-    int minWidth = 512;                          ///< pixels; a camera's preview is narrower
+    std::optional<std::uint64_t> sizeBytes = {}; ///< Size that the camera listed.
+    std::optional<std::string> sha256 = {};      ///< SHA-256 as 64 lower-case hexadecimal digits.
+    int minWidth = 512;                          ///< Least width in pixels; a camera's preview is narrower.
 };
 
-/// What was found.
+/// What the check found.
 struct PhotoFacts {
     std::uint64_t sizeBytes = 0;
     int width = 0;
@@ -35,7 +35,7 @@ struct PhotoFacts {
 /// defect; Unsupported as jpeg::readInfo. Threads: any. Cost: about 30 ms for 5376 x 2688 pixels.
 PhotoFacts checkPhoto(ByteView jpeg, std::string_view source, const PhotoExpectation& expectation = {});
 
-/// The same for a file. Errors: also NotFound, Io.
+/// Checks a file in the same way. Errors: also NotFound, Io.
 PhotoFacts checkPhotoFile(const std::filesystem::path& file, const PhotoExpectation& expectation = {});
 
 } // namespace spherewalk::photo

@@ -28,14 +28,14 @@ struct PositionTag {
     bool isPanoramaPose = false;
 };
 
-/// The same photo with the tag in its XMP, in place of an earlier one. Everything else stays: the other XMP
-/// properties with their values (but GPano's pose where the tag is to be that); every other segment, Exif and
+/// The photo with the tag in its XMP, in place of an earlier tag. Everything else stays: the other XMP
+/// properties with their values (except GPano's pose if the tag replaces it); every other segment, Exif and
 /// maker note among them, and the picture's data byte for byte. That is checked on the result before it is
 /// returned. Errors: InvalidInput for a tag out of range; Corrupt if the JPEG or its XMP is damaged;
 /// Unsupported if the XMP would exceed its 64 kB; Internal if the check fails. Threads: any, also at a time.
 Bytes withPositionTag(ByteView jpeg, const PositionTag& tag, std::string_view source);
 
-/// The tag of a photo, isPanoramaPose not set; nothing if there is none, or none that makes sense. Errors:
+/// The tag of a photo; nothing if there is no valid one. isPanoramaPose is never set. Errors:
 /// Corrupt if the bytes are no JPEG.
 std::optional<PositionTag> readPositionTag(ByteView jpeg, std::string_view source);
 

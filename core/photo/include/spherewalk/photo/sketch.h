@@ -10,27 +10,28 @@
 
 namespace spherewalk::photo {
 
+/// Size of a sketch's picture in pixels.
 inline constexpr int kSketchWidth = 192;
 inline constexpr int kSketchHeight = 96;
 
 /// How wide the sharpest edges are, in pixels of the photo or of its reduction to at most 2752 pixels. About
-/// 1 in a sharp picture. Nothing where there are too few edges to tell.
+/// 1 in a sharp picture. A value is absent where the photo has too few edges.
 struct EdgeWidths {
-    std::optional<double> alongRows;    ///< of upright edges: what a turning camera widens
-    std::optional<double> alongColumns; ///< of level edges
+    std::optional<double> alongRows;    ///< Width of upright edges, which a turning camera widens.
+    std::optional<double> alongColumns; ///< Width of level edges.
 
     bool operator==(const EdgeWidths&) const = default;
 };
 
-/// What is kept of a photo to judge it, and to compare its neighbours with.
+/// A small digest of a photo. Judging the photo and its neighbours needs nothing else of its pixels.
 struct Sketch {
-    int width = 0; ///< of the photo, pixels
-    int height = 0;
-    RgbImage picture; ///< kSketchWidth x kSketchHeight, levelled as far as the photo says its tilt
+    int width = 0;    ///< Width of the photo in pixels.
+    int height = 0;   ///< Height of the photo in pixels.
+    RgbImage picture; ///< kSketchWidth x kSketchHeight pixels, levelled if the photo says its tilt.
     EdgeWidths edges;
-    double brightness = 0; ///< mean over the sphere, [0, 255]
-    double blackPart = 0;  ///< of the sphere: so dark that nothing can be seen
-    double burntPart = 0;  ///< of the sphere: as bright as the camera can tell
+    double brightness = 0; ///< Mean over the sphere, in [0, 255].
+    double blackPart = 0;  ///< Part of the sphere, in [0, 1], that is too dark to show anything.
+    double burntPart = 0;  ///< Part of the sphere, in [0, 1], that is as bright as the camera can record.
 
     bool operator==(const Sketch&) const = default;
 };

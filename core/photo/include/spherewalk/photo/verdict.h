@@ -3,6 +3,7 @@
 
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/sketch.h"
+#include "spherewalk/survey/shot.h"
 
 #include <optional>
 #include <span>
@@ -12,56 +13,52 @@
 
 namespace spherewalk::photo {
 
-/// What the checks say of a photo, from good to bad.
-enum class Quality { Good, Doubtful, Failed };
-
-/// "good", "doubtful", "failed".
-std::string_view name(Quality quality);
-/// Errors: InvalidInput, listing the names.
-Quality qualityNamed(std::string_view name);
-
 /// What can be wrong with a photo.
 enum class Flaw {
-    Damaged,    ///< the file is not a whole spherical JPEG
-    Size,       ///< not as many pixels as asked for, or as its neighbours
-    Kind,       ///< not a stitched sphere, by its own words
-    Settings,   ///< not exposed as the survey's profile says
-    Brightness, ///< too dark or bright, or unlike its neighbours
-    Colour,     ///< of another white balance than its neighbours
-    Blur,
-    Black,   ///< an area without anything to be seen
-    Burnt,   ///< an area as bright as the camera can tell
-    Foreign, ///< something that its neighbours do not show: the operator, as a rule
-    UpsideDown,
-    Turned,    ///< when its neighbours all look one way
-    Elsewhere, ///< it looks like none of its neighbours
+    Damaged,    ///< The file is no whole spherical JPEG.
+    Size,       ///< The photo has not the width that was asked for.
+    Kind,       ///< The photo says that it is no stitched sphere.
+    Settings,   ///< The exposure differs from the survey's profile.
+    Brightness, ///< The photo is too dark or too bright, or differs from its neighbours.
+    Colour,     ///< The white balance differs from the neighbours'.
+    Blur,       ///< Edges are wider than they should be.
+    Black,      ///< An area is black.
+    Burnt,      ///< An area is as bright as the camera can record.
+    Foreign,    ///< Something is in view that the neighbours do not show, often the operator.
+    UpsideDown, ///< The photo is upside down, or the camera leaned.
+    Turned,     ///< The camera was turned against its neighbours, which all look one way.
+    Elsewhere,  ///< The photo looks like none of its neighbours.
 };
 
-/// "damaged", "upside-down", ...: as reports and the survey spell it.
+/// "damaged", "upside-down", ..., as reports and the survey spell the flaw.
 std::string_view name(Flaw flaw);
-/// Errors: InvalidInput, listing the names.
+/// Errors: InvalidInput for an unknown name; the sentence lists all names.
 Flaw flawNamed(std::string_view name);
 
+/// One flaw of a photo.
 struct Finding {
     Flaw flaw = Flaw::Damaged;
-    Quality quality = Quality::Doubtful; ///< what the photo is because of it
-    std::string sentence;                ///< what, and what to do
+    survey::Quality quality = survey::Quality::Doubtful; ///< Grade of a photo that has this flaw.
+    std::string sentence;                                ///< What is wrong, and what to do about it.
 
     bool operator==(const Finding&) const = default;
 };
 
+/// The judgement on one photo, with its reasons.
 struct Verdict {
-    std::vector<Finding> findings; ///< the worst first; none: good
+    std::vector<Finding> findings; ///< The flaws, the worst first; a good photo has none.
 
-    Quality quality() const { return findings.empty() ? Quality::Good : findings.front().quality; }
+    survey::Quality quality() const {
+        return findings.empty() ? survey::Quality::Good : findings.front().quality;
+    }
 
-    /// All sentences, one after the other; empty if there are none.
+    /// The sentences of all findings in one text; "" for a good photo.
     std::string sentence() const;
 
     bool operator==(const Verdict&) const = default;
 };
 
-/// How the camera was told to take the photo; what has no value is the camera's to choose.
+/// How the camera was told to take the photo. The camera chose each setting that has no value.
 struct ExpectedSettings {
     std::optional<int> iso = {};
     std::optional<double> exposureS = {};
@@ -72,26 +69,27 @@ struct ExpectedSettings {
 /// A photo that was taken near the one that is judged.
 struct Neighbour {
     const Sketch* sketch = nullptr; ///< Owner: the caller
-    double distanceM = 0;           ///< between the two positions
+    double distanceM = 0;           ///< Distance between the positions of the two photos.
 };
 
-/// So far at most is worth looking for neighbours, and so many of them are used: the nearest.
+/// Photos that are farther away are no neighbours.
 inline constexpr double kNeighbourhoodM = 0.75;
+/// Only so many of the nearest neighbours are used.
 inline constexpr std::size_t kMostNeighbours = 4;
 
-/// Judges a whole photo. The same input gives the same verdict. Neighbours beyond kNeighbourhoodM, and more
-/// than the nearest kMostNeighbours, are left out; without any, only what the photo shows and says by itself
-/// counts. Threads: any. Cost: up to a fifth of a second.
+/// Judges a whole photo. The same input gives the same verdict. Neighbours beyond kNeighbourhoodM,
+/// and more than the nearest kMostNeighbours, are left out. Without neighbours only the photo itself and its
+/// metadata count. Threads: any. Cost: up to a fifth of a second.
 Verdict judge(const Sketch& photo, const PhotoMetadata& metadata, const ExpectedSettings& expected,
               std::span<const Neighbour> neighbours);
 
-/// A verdict, and what neighbours of the photo will be compared with; nothing of a damaged one.
+/// A verdict with the sketch of the photo. A damaged photo has no sketch.
 struct JudgedPhoto {
     Verdict verdict;
     std::optional<Sketch> sketch;
 };
 
-/// The same from the file's bytes: a damaged file is a verdict, not an error. source: the photo's name, for
+/// Judges the bytes of a file. A damaged file gives a verdict, not an error. source: the photo's name for
 /// sentences. Cost: up to a third of a second for 5376 x 2688 pixels.
 JudgedPhoto judgeJpeg(ByteView jpeg, std::string_view source, const ExpectedSettings& expected,
                       std::span<const Neighbour> neighbours);
