@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_watch.h"
+#include "spherewalk/camera/camera_watch.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -12,7 +12,7 @@ namespace spherewalk::camera {
 
 namespace {
 
-constexpr double kLeastFall = 0.015; ///< of the battery, before anything is foretold from it
+constexpr double kLeastFall = 0.015; ///< Least fall of the charge before it foretells anything.
 constexpr int kFewestPhotos = 5;
 
 bool isCharging(const CameraState& state) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/capture.h"
 
-#include "capture_parts.h"
-
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
@@ -20,8 +18,8 @@ namespace spherewalk::camera {
 
 namespace {
 
-bool isResolved(const Shot& shot) {
-    return shot.step != ShotStep::Intended && shot.step != ShotStep::Started;
+bool isResolved(const survey::Shot& shot) {
+    return shot.step != survey::ShotStep::Intended && shot.step != survey::ShotStep::Started;
 }
 
 /// What a killed run left of this shot's download.
@@ -41,12 +39,15 @@ void removeLeftovers(const std::filesystem::path& target) {
 } // namespace
 
 Capture::Capture(OscClient& client, CaptureJournal& journal, Clock& clock, CaptureOptions options)
-    : m_client(client), m_journal(journal), m_clock(clock), m_options(std::move(options)) {
+    : m_client(client),
+      m_journal(journal),
+      m_clock(clock),
+      m_options(std::move(options)),
+      m_guard(client, m_options.profile),
+      m_settler(client, clock, m_options),
+      m_watch(m_options) {
     m_options.validate();
-    m_parts = std::make_unique<Parts>(client, clock, m_options);
 }
-
-Capture::~Capture() = default;
 
 CameraInfo Capture::connect(const std::stop_token& stop) {
     CameraInfo info = m_client.info(stop);
@@ -65,9 +66,10 @@ std::vector<ShotOutcome> Capture::settle(const std::stop_token& stop) {
         connect(stop);
     }
     std::vector<ShotOutcome> outcomes = settleExposures(stop);
-    std::erase_if(outcomes, [](const ShotOutcome& outcome) { return outcome.shot.step == ShotStep::Taken; });
-    for (const Shot& shot : m_journal.openShots()) {
-        if (shot.step == ShotStep::Taken) {
+    std::erase_if(outcomes,
+                  [](const ShotOutcome& outcome) { return outcome.shot.step == survey::ShotStep::Taken; });
+    for (const survey::Shot& shot : m_journal.openShots()) {
+        if (shot.step == survey::ShotStep::Taken) {
             outcomes.push_back(fetch(shot, stop));
         }
     }
@@ -77,7 +79,7 @@ std::vector<ShotOutcome> Capture::settle(const std::stop_token& stop) {
 
 std::vector<ShotOutcome> Capture::settleExposures(const std::stop_token& stop) {
     std::vector<ShotOutcome> outcomes;
-    for (const Shot& shot : m_journal.openShots()) {
+    for (const survey::Shot& shot : m_journal.openShots()) {
         if (!isResolved(shot)) {
             outcomes.push_back(resolve(shot, deadlineAfterRestart(shot, stop), stop));
         }
@@ -103,18 +105,19 @@ std::optional<CommandReply> Capture::trigger(const std::stop_token& stop) {
 }
 
 ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
-    std::vector<std::string> warnings;
-    for (ShotOutcome& earlier : makeReady(warnings, stop)) {
-        const ShotStep step = earlier.shot.step;
-        if (earlier.shot.station == station && (step == ShotStep::Taken || step == ShotStep::Downloaded)) {
-            earlier.warnings = std::move(warnings);
+    CaptureNotes notes;
+    for (ShotOutcome& earlier : makeReady(notes, stop)) {
+        const survey::ShotStep step = earlier.shot.step;
+        if (earlier.shot.station == station &&
+            (step == survey::ShotStep::Taken || step == survey::ShotStep::Downloaded)) {
+            static_cast<CaptureNotes&>(earlier) = std::move(notes);
             return std::move(earlier); // what was asked for has been done already
         }
     }
     for (int refusals = 0;; ++refusals) {
-        const auto [allowance, before] = readyForShot(warnings, stop);
+        const auto [allowance, before] = readyForShot(notes, stop);
         throwIfStopped(stop);
-        const Shot shot = m_journal.begin(station, m_camera->serialNumber, before);
+        const survey::Shot shot = m_journal.begin(station, m_camera->serialNumber, before);
         const Clock::TimePoint triggeredAt = m_clock.now();
         const std::optional<CommandReply> reply = trigger(stop);
         const bool isRefused = reply && reply->state == CommandReply::State::Error;
@@ -128,42 +131,42 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
         if (isRefused) {
             const Error error = refusal("take the photo", reply->error, reply->errorMessage);
             outcome.shot = shot;
-            outcome.shot.step = ShotStep::NotTaken;
+            outcome.shot.step = survey::ShotStep::NotTaken;
             outcome.sentence = error.sentence();
             outcome.problem = error.kind();
         } else {
             outcome = follow(shot, reply, triggeredAt + allowance, stop);
         }
-        outcome.warnings = std::move(warnings);
+        static_cast<CaptureNotes&>(outcome) = std::move(notes);
         outcome.exposing = m_clock.now() - triggeredAt;
         return outcome;
     }
 }
 
-ShotOutcome Capture::follow(Shot shot, const std::optional<CommandReply>& reply, Clock::TimePoint deadline,
-                            const std::stop_token& stop) {
+ShotOutcome Capture::follow(survey::Shot shot, const std::optional<CommandReply>& reply,
+                            Clock::TimePoint deadline, const std::stop_token& stop) {
     if (reply && reply->state == CommandReply::State::InProgress) {
         m_journal.started(shot.id, reply->id);
-        shot.step = ShotStep::Started;
+        shot.step = survey::ShotStep::Started;
         shot.commandId = reply->id;
     }
     return resolve(std::move(shot), deadline, stop);
 }
 
-ShotOutcome Capture::resolve(Shot shot, Clock::TimePoint deadline, const std::stop_token& stop) {
-    Resolution resolution = m_parts->settler.resolve(shot, deadline, stop);
-    if (resolution.step == ShotStep::Taken) {
-        m_parts->watch.notePhoto();
+ShotOutcome Capture::resolve(survey::Shot shot, Clock::TimePoint deadline, const std::stop_token& stop) {
+    Resolution resolution = m_settler.resolve(shot, deadline, stop);
+    if (resolution.step == survey::ShotStep::Taken) {
+        m_watch.notePhoto();
         giveUpOlder(shot, resolution.fileUrl);
         doubtExposure(resolution, stop);
         resolution.fileUrl = marked(std::move(resolution.fileUrl), stop);
     }
     switch (resolution.step) {
-    case ShotStep::Taken:
+    case survey::ShotStep::Taken:
         m_journal.taken(shot.id, resolution.fileUrl);
         shot.fileUrl = resolution.fileUrl;
         break;
-    case ShotStep::NotTaken:
+    case survey::ShotStep::NotTaken:
         m_journal.notTaken(shot.id);
         break;
     default:
@@ -194,10 +197,10 @@ std::string Capture::marked(std::string fileUrl, const std::stop_token& stop) {
 }
 
 /// A camera whose counter began anew gives a name again: what lay under it is gone, and this photo is not it.
-void Capture::giveUpOlder(const Shot& shot, const std::string& fileUrl) {
-    for (const Shot& older : m_journal.openShots()) {
-        if (older.id != shot.id && older.step == ShotStep::Taken && older.cameraSerial == shot.cameraSerial &&
-            pathOfUrl(older.fileUrl) == pathOfUrl(fileUrl)) {
+void Capture::giveUpOlder(const survey::Shot& shot, const std::string& fileUrl) {
+    for (const survey::Shot& older : m_journal.openShots()) {
+        if (older.id != shot.id && older.step == survey::ShotStep::Taken &&
+            older.cameraSerial == shot.cameraSerial && pathOfUrl(older.fileUrl) == pathOfUrl(fileUrl)) {
             m_journal.unclear(older.id,
                               text("The camera has given the name ", fileNameOfUrl(fileUrl),
                                    " to another photo before this one was downloaded; take it again."));
@@ -205,7 +208,7 @@ void Capture::giveUpOlder(const Shot& shot, const std::string& fileUrl) {
     }
 }
 
-ShotOutcome Capture::fetch(const Shot& shot, const std::stop_token& stop) {
+ShotOutcome Capture::fetch(const survey::Shot& shot, const std::stop_token& stop) {
     if (!m_camera) {
         connect(stop);
     }
@@ -231,7 +234,7 @@ ShotOutcome Capture::fetch(const Shot& shot, const std::stop_token& stop) {
     }
     if (outcome.photo) {
         m_journal.downloaded(shot.id, *outcome.photo);
-        outcome.shot.step = ShotStep::Downloaded;
+        outcome.shot.step = survey::ShotStep::Downloaded;
     }
     outcome.fetching = m_clock.now() - start;
     return outcome;
@@ -239,12 +242,12 @@ ShotOutcome Capture::fetch(const Shot& shot, const std::stop_token& stop) {
 
 ShotOutcome Capture::shoot(std::int64_t station, const std::stop_token& stop) {
     ShotOutcome exposed = expose(station, stop);
-    if (exposed.shot.step != ShotStep::Taken || exposed.problem) {
+    if (exposed.shot.step != survey::ShotStep::Taken || exposed.problem) {
         return exposed;
     }
     ShotOutcome fetched = fetch(exposed.shot, stop);
-    fetched.warnings = std::move(exposed.warnings);
     fetched.exposing = exposed.exposing;
+    static_cast<CaptureNotes&>(fetched) = std::move(exposed);
     return fetched;
 }
 
@@ -267,7 +270,7 @@ bool Capture::disconnectWithin(std::chrono::milliseconds time) {
 
 void Capture::disconnect(const std::stop_token& stop) {
     m_isPrepared = false;
-    m_parts->guard.restore(stop);
+    m_guard.restore(stop);
 }
 
 } // namespace spherewalk::camera

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the workflow makes sure of before a shot, and after it.
-#include "capture_parts.h"
-
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/capture.h"
 
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -21,20 +21,34 @@ void addAll(std::vector<std::string>& warnings, std::vector<std::string> more) {
     std::move(more.begin(), more.end(), std::back_inserter(warnings));
 }
 
-/// Tells of settled shots that left no photo.
-void addWarnings(std::vector<std::string>& warnings, const std::vector<ShotOutcome>& settled) {
+/// Notes settled shots that left no photo.
+void noteEarlier(CaptureNotes& notes, const std::vector<ShotOutcome>& settled) {
     for (const ShotOutcome& outcome : settled) {
         if (!outcome.sentence.empty()) {
-            warnings.push_back(
-                text("An earlier photo of station ", outcome.shot.station, ": ", outcome.sentence));
+            notes.earlier.push_back({outcome.shot.station, outcome.sentence});
         }
+    }
+}
+
+void requireCaptureTime(const char* option, std::chrono::milliseconds value,
+                        std::chrono::milliseconds least) {
+    if (value < least || value > std::chrono::hours(1)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The capture option ", option, " must lie between ", least.count(), " ms and 1 h."));
+    }
+}
+
+void requireNumber(const char* option, double value, double most) {
+    if (!(value >= 0 && value <= most)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The capture option ", option, " must lie between 0 and ", most, "."));
     }
 }
 
 } // namespace
 
-Clock::TimePoint Capture::deadlineAfterRestart(const Shot& shot, const std::stop_token& stop) {
-    const auto allowance = m_options.allowance.of(m_parts->guard.read(kTimingOptions, stop));
+Clock::TimePoint Capture::deadlineAfterRestart(const survey::Shot& shot, const std::stop_token& stop) {
+    const auto allowance = m_options.allowance.of(m_guard.read(kTimingOptions, stop));
     const auto now = m_clock.utc();
     if (shot.intendedAt <= now - allowance) {
         return m_clock.now();
@@ -51,24 +65,23 @@ CameraReadiness Capture::prepare(const std::stop_token& stop) {
         connect(stop);
     }
     CameraReadiness readiness;
-    addWarnings(readiness.warnings, settleExposures(stop));
-    m_parts->watch.beginAnew();
+    noteEarlier(readiness, settleExposures(stop));
+    m_watch.beginAnew();
     const CameraState state = m_client.state(stop);
-    addAll(readiness.warnings, m_parts->watch.look(state));
+    addAll(readiness.warnings, m_watch.look(state));
     readiness.batteryFraction = state.batteryFraction;
-    m_parts->settler.waitUntilIdle(stop);
-    m_parts->guard.rememberIn(m_journal.downloadFolder(), m_camera->serialNumber);
-    addAll(readiness.warnings, m_parts->guard.apply(stop));
-    addAll(readiness.warnings, m_parts->guard.setClock(m_clock.utc(), stop));
-    readiness.remainingPhotos =
-        wholeNumber(m_parts->guard.read({"remainingPictures"}, stop), "remainingPictures");
-    addAll(readiness.warnings, m_parts->watch.lookAtStorage(readiness.remainingPhotos));
+    m_settler.waitUntilIdle(stop);
+    m_guard.rememberIn(m_journal.downloadFolder(), m_camera->serialNumber);
+    addAll(readiness.warnings, m_guard.apply(stop));
+    addAll(readiness.warnings, m_guard.setClock(m_clock.utc(), stop));
+    readiness.remainingPhotos = wholeNumber(m_guard.read({"remainingPictures"}, stop), "remainingPictures");
+    addAll(readiness.warnings, m_watch.lookAtStorage(readiness.remainingPhotos));
     m_isPrepared = true;
     return readiness;
 }
 
 /// Who answers, after a while if need be.
-CameraInfo Capture::reach(std::vector<std::string>& warnings, const std::stop_token& stop) {
+CameraInfo Capture::reach(CaptureNotes& notes, const std::stop_token& stop) {
     const Clock::TimePoint begin = m_clock.now();
     try {
         return m_client.info(stop);
@@ -77,21 +90,21 @@ CameraInfo Capture::reach(std::vector<std::string>& warnings, const std::stop_to
             throw;
         }
     }
-    CameraInfo info = m_parts->settler.reconnect(stop);
+    CameraInfo info = m_settler.reconnect(stop);
     const std::chrono::duration<double> away = m_clock.now() - begin;
-    warnings.push_back(text("The camera did not answer for ", fixed(away.count(), 0), " s."));
+    notes.warnings.push_back(text("The camera did not answer for ", fixed(away.count(), 0), " s."));
     return info;
 }
 
 /// Brings the camera to where the next shot may be intended, whatever has happened since the last one. What
 /// had to be settled first.
-std::vector<ShotOutcome> Capture::makeReady(std::vector<std::string>& warnings, const std::stop_token& stop) {
+std::vector<ShotOutcome> Capture::makeReady(CaptureNotes& notes, const std::stop_token& stop) {
     if (!m_camera) {
         connect(stop);
     }
     std::vector<ShotOutcome> settled = m_hasSettled ? settleExposures(stop) : settle(stop);
-    addWarnings(warnings, settled);
-    const CameraInfo info = reach(warnings, stop);
+    noteEarlier(notes, settled);
+    const CameraInfo info = reach(notes, stop);
     if (info.serialNumber != m_camera->serialNumber) {
         throw Error(ErrorKind::NotFound,
                     text("Another camera answers (serial number ", printable(info.serialNumber),
@@ -102,35 +115,35 @@ std::vector<ShotOutcome> Capture::makeReady(std::vector<std::string>& warnings, 
     m_camera = info;
     if (!m_isPrepared || hasRestarted) {
         m_isPrepared = false; // the camera may have lost its settings
-        const CameraReadiness readiness = prepare(stop);
-        warnings.insert(warnings.end(), readiness.warnings.begin(), readiness.warnings.end());
+        CameraReadiness readiness = prepare(stop);
+        std::ranges::move(readiness.earlier, std::back_inserter(notes.earlier));
+        addAll(notes.warnings, std::move(readiness.warnings));
     }
     return settled;
 }
 
-std::chrono::milliseconds Capture::checkBeforeShot(std::vector<std::string>& warnings,
-                                                   const std::stop_token& stop) {
-    addAll(warnings, m_parts->watch.look(m_parts->settler.waitUntilIdle(stop)));
-    std::set<std::string> names = m_parts->guard.heldNames();
+std::chrono::milliseconds Capture::checkBeforeShot(CaptureNotes& notes, const std::stop_token& stop) {
+    addAll(notes.warnings, m_watch.look(m_settler.waitUntilIdle(stop)));
+    std::set<std::string> names = m_guard.heldNames();
     names.insert(kTimingOptions.begin(), kTimingOptions.end());
     names.insert("remainingPictures");
-    Json options = m_parts->guard.read({names.begin(), names.end()}, stop);
-    addAll(warnings, m_parts->watch.lookAtStorage(wholeNumber(options, "remainingPictures")));
-    if (std::vector<std::string> changed = m_parts->guard.hold(options, stop); !changed.empty()) {
-        addAll(warnings, std::move(changed));
-        options.update(m_parts->guard.read(kTimingOptions, stop));
+    Json options = m_guard.read({names.begin(), names.end()}, stop);
+    addAll(notes.warnings, m_watch.lookAtStorage(wholeNumber(options, "remainingPictures")));
+    if (std::vector<std::string> changed = m_guard.hold(options, stop); !changed.empty()) {
+        addAll(notes.warnings, std::move(changed));
+        options.update(m_guard.read(kTimingOptions, stop));
     }
-    m_client.settle(stop);
+    m_client.waitUntilApplied(stop);
     return m_options.allowance.of(options);
 }
 
-Baseline Capture::baseline(const std::stop_token& stop) {
+survey::Baseline Capture::baseline(const std::stop_token& stop) {
     FileQuery query;
     query.entryCount = 1;
     const FileList newest = m_client.listFiles(query, stop);
     // The list, not the state's latest file: what is compared later is the list, and some cameras forget the
     // latest file when they restart.
-    Baseline before{{}, newest.totalEntries};
+    survey::Baseline before{{}, newest.totalEntries};
     if (!newest.entries.empty()) {
         before.latestFileUrl = markedUrl(newest.entries.front());
         pathOfUrl(before.latestFileUrl); // refuses now what could not be compared later
@@ -139,14 +152,14 @@ Baseline Capture::baseline(const std::stop_token& stop) {
 }
 
 /// All that must be known and so before a trigger; tried again if the camera goes away meanwhile.
-Capture::Ready Capture::readyForShot(std::vector<std::string>& warnings, const std::stop_token& stop) {
+Capture::Ready Capture::readyForShot(CaptureNotes& notes, const std::stop_token& stop) {
     constexpr int kAttempts = 3;
     for (int attempt = 1;; ++attempt) {
         try {
             if (attempt > 1) {
-                makeReady(warnings, stop);
+                makeReady(notes, stop);
             }
-            const auto allowance = checkBeforeShot(warnings, stop);
+            const auto allowance = checkBeforeShot(notes, stop);
             return {allowance, baseline(stop)};
         } catch (const Error& error) {
             const bool isAway = error.kind() == ErrorKind::Network || error.kind() == ErrorKind::Timeout;
@@ -162,19 +175,19 @@ Capture::Ready Capture::readyForShot(std::vector<std::string>& warnings, const s
 void Capture::doubtExposure(Resolution& resolution, const std::stop_token& stop) {
     const auto differences = [&] {
         try {
-            return m_parts->guard.exposureDifferences(stop);
+            return m_guard.exposureDifferences(stop);
         } catch (const Error& error) {
             if (!isCameraTrouble(error.kind())) {
                 throw;
             }
-            m_parts->settler.reconnect(stop);
-            return m_parts->guard.exposureDifferences(stop);
+            m_settler.reconnect(stop);
+            return m_guard.exposureDifferences(stop);
         }
     }();
     if (differences.empty()) {
         return;
     }
-    resolution.step = ShotStep::Unclear;
+    resolution.step = survey::ShotStep::Unclear;
     resolution.problem = ErrorKind::Corrupt;
     resolution.sentence = text(differences.front(), " after the photo ", fileNameOfUrl(resolution.fileUrl),
                                " was taken: it may be exposed differently from the others. It stays on the "
@@ -182,7 +195,7 @@ void Capture::doubtExposure(Resolution& resolution, const std::stop_token& stop)
 }
 
 std::optional<std::int64_t> Capture::photosLeft() const {
-    return m_parts->watch.photosLeft();
+    return m_watch.photosLeft();
 }
 
 bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop) {
@@ -190,7 +203,7 @@ bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token
         return m_client.renewLevel(stop); // the settings are looked at again before the next trigger
     }
     if (code == OscErrorCode::DisabledCommand && refusals == 0) {
-        m_parts->guard.applyImageMode(stop); // seen on a camera that had fallen into video mode
+        m_guard.applyImageMode(stop); // seen on a camera that had fallen into video mode
         return true;
     }
     if (refusals >= worthwhileRepeats(code)) {
@@ -199,6 +212,40 @@ bool Capture::mayTryAgain(OscErrorCode code, int refusals, const std::stop_token
     m_clock.sleep(m_options.busyPause * (1 << refusals), stop);
     throwIfStopped(stop);
     return true;
+}
+
+void CaptureOptions::validate() const {
+    using std::chrono::milliseconds;
+    requireCaptureTime("pollInterval", pollInterval, milliseconds(1));
+    requireCaptureTime("allowance.base", allowance.base, milliseconds(1));
+    requireCaptureTime("allowance.filterExtra", allowance.filterExtra, milliseconds(0));
+    requireCaptureTime("confirmTime", confirmTime, milliseconds(1));
+    requireCaptureTime("reconnectTime", reconnectTime, milliseconds(1));
+    requireCaptureTime("reconnectPause", reconnectPause, milliseconds(1));
+    requireCaptureTime("idleTime", idleTime, milliseconds(1));
+    requireCaptureTime("busyPause", busyPause, milliseconds(0));
+    requireNumber("allowance.exposureFactor", allowance.exposureFactor, 100);
+    requireNumber("allowance.timeScale", allowance.timeScale, 100);
+    requireNumber("batteryWarning", batteryWarning, 1);
+    requireNumber("batteryMinimum", batteryMinimum, 1);
+    download.validate();
+    if (profile) {
+        profile->validate();
+    }
+}
+
+CaptureOptions CaptureOptions::scaled(double factor) const {
+    if (!(factor > 0 && factor <= 100)) {
+        throw Error(ErrorKind::InvalidInput, "The time scale of a camera must lie above 0 and up to 100.");
+    }
+    CaptureOptions result = *this;
+    for (auto* time : {&result.pollInterval, &result.allowance.base, &result.allowance.filterExtra,
+                       &result.confirmTime, &result.reconnectTime, &result.reconnectPause, &result.idleTime,
+                       &result.busyPause, &result.download.restartPause}) {
+        *time = std::chrono::milliseconds(std::max(1LL, std::llround(double(time->count()) * factor)));
+    }
+    result.allowance.timeScale *= factor;
+    return result;
 }
 
 } // namespace spherewalk::camera

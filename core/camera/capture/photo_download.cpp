@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/photo_download.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/camera/new_files.h"
+#include "spherewalk/camera/shot_settler.h"
 
 #include <algorithm>
 #include <array>

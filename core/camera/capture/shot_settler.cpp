@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shot_settler.h"
+#include "spherewalk/camera/shot_settler.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/endpoint.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,25 +14,47 @@ namespace spherewalk::camera {
 namespace {
 
 Resolution taken(std::string fileUrl) {
-    return {ShotStep::Taken, std::move(fileUrl), {}, {}};
+    return {survey::ShotStep::Taken, std::move(fileUrl), {}, {}};
 }
 
 Resolution notTaken(std::string sentence, ErrorKind problem) {
-    return {ShotStep::NotTaken, {}, std::move(sentence), problem};
+    return {survey::ShotStep::NotTaken, {}, std::move(sentence), problem};
 }
 
 Resolution unclear(std::string sentence) {
-    return {ShotStep::Unclear, {}, std::move(sentence), ErrorKind::Corrupt};
+    return {survey::ShotStep::Unclear, {}, std::move(sentence), ErrorKind::Corrupt};
 }
 
-Resolution otherCamera(const Shot& shot, const std::string& serial) {
+Resolution otherCamera(const survey::Shot& shot, const std::string& serial) {
     return unclear(text("Another camera answers now (serial number ", printable(serial),
                         "); whether the camera ", printable(shot.cameraSerial),
                         " has taken this photo must be looked up on it."));
 }
 
-bool isOtherFile(const std::string& fileUrl, const Baseline& baseline) {
+bool isOtherFile(const std::string& fileUrl, const survey::Baseline& baseline) {
     return baseline.latestFileUrl.empty() || pathOfUrl(fileUrl) != pathOfUrl(baseline.latestFileUrl);
+}
+
+/// The size, which hardly ever repeats; a time is told in the zone that the camera happens to be set to.
+std::string markOf(const FileEntry& entry) {
+    if (entry.sizeBytes) {
+        return text(*entry.sizeBytes);
+    }
+    std::string mark = entry.dateTime;
+    std::replace(mark.begin(), mark.end(), ' ', '_');
+    return mark;
+}
+
+/// Whether the file at this place of the list is the newest of before.
+bool isLatest(const survey::Baseline& before, const FileList& list, std::size_t index) {
+    if (index >= list.entries.size() || before.latestFileUrl.empty()) {
+        return index >= list.entries.size() && before.latestFileUrl.empty();
+    }
+    return isFile(before.latestFileUrl, list.entries[index]);
+}
+
+NewFiles doubtfulFiles(std::string why) {
+    return {NewFiles::Count::Doubtful, {}, std::move(why)};
 }
 
 } // namespace
@@ -71,7 +94,8 @@ CameraState ShotSettler::waitUntilIdle(const std::stop_token& stop) {
     }
 }
 
-Resolution ShotSettler::resolve(const Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop) {
+Resolution ShotSettler::resolve(const survey::Shot& shot, Clock::TimePoint deadline,
+                                const std::stop_token& stop) {
     Followed followed;
     if (!shot.commandId.empty()) {
         followed = follow(shot, deadline, stop);
@@ -80,7 +104,7 @@ Resolution ShotSettler::resolve(const Shot& shot, Clock::TimePoint deadline, con
         return *std::move(followed.resolution);
     }
     Resolution resolution = inspectFiles(shot, deadline, stop);
-    if (followed.isDone && resolution.step == ShotStep::NotTaken) {
+    if (followed.isDone && resolution.step == survey::ShotStep::NotTaken) {
         return unclear(
             "The camera says that it has taken the photo, but has no new file: its files were deleted, or "
             "their names begin anew.");
@@ -89,7 +113,7 @@ Resolution ShotSettler::resolve(const Shot& shot, Clock::TimePoint deadline, con
 }
 
 /// Asks for the running command until it ends or is overdue.
-ShotSettler::Followed ShotSettler::follow(const Shot& shot, Clock::TimePoint deadline,
+ShotSettler::Followed ShotSettler::follow(const survey::Shot& shot, Clock::TimePoint deadline,
                                           const std::stop_token& stop) {
     for (;;) {
         try {
@@ -124,7 +148,7 @@ ShotSettler::Followed ShotSettler::follow(const Shot& shot, Clock::TimePoint dea
 }
 
 /// One look at the files; nothing while the camera is busy.
-std::optional<NewFiles> ShotSettler::look(const Shot& shot, const std::stop_token& stop) {
+std::optional<NewFiles> ShotSettler::look(const survey::Shot& shot, const std::stop_token& stop) {
     if (!m_client.state(stop).isIdle()) {
         return std::nullopt;
     }
@@ -133,7 +157,7 @@ std::optional<NewFiles> ShotSettler::look(const Shot& shot, const std::stop_toke
     return newFilesSince(shot.baseline, m_client.listFiles(query, stop));
 }
 
-void ShotSettler::requireNotRunning(const Shot& shot, const std::stop_token& stop) {
+void ShotSettler::requireNotRunning(const survey::Shot& shot, const std::stop_token& stop) {
     if (shot.commandId.empty() ||
         m_client.status(shot.commandId, stop).state != CommandReply::State::InProgress) {
         return;
@@ -143,7 +167,7 @@ void ShotSettler::requireNotRunning(const Shot& shot, const std::stop_token& sto
                 "it off and on, then resume.");
 }
 
-Resolution ShotSettler::inspectFiles(const Shot& shot, Clock::TimePoint deadline,
+Resolution ShotSettler::inspectFiles(const survey::Shot& shot, Clock::TimePoint deadline,
                                      const std::stop_token& stop) {
     if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
         return otherCamera(shot, serial);
@@ -186,6 +210,40 @@ Resolution ShotSettler::inspectFiles(const Shot& shot, Clock::TimePoint deadline
         }
         pause(m_options.pollInterval, stop);
     }
+}
+
+std::string markedUrl(const FileEntry& entry) {
+    return text(entry.fileUrl, "#", markOf(entry));
+}
+
+bool isMarked(std::string_view url) {
+    return url.find('#') != std::string_view::npos;
+}
+
+bool isFile(std::string_view url, const FileEntry& entry) {
+    const std::size_t mark = url.find('#');
+    const bool isSameMark = mark == std::string_view::npos || url.substr(mark + 1) == markOf(entry);
+    return isSameMark && pathOfUrl(entry.fileUrl) == pathOfUrl(url);
+}
+
+NewFiles newFilesSince(const survey::Baseline& before, const FileList& newest) {
+    if (newest.totalEntries == before.totalEntries && isLatest(before, newest, 0)) {
+        return {};
+    }
+    if (newest.totalEntries > before.totalEntries + 1) {
+        return doubtfulFiles(
+            text("The camera holds ", newest.totalEntries - before.totalEntries,
+                 " new photos where one was expected: another program or the camera's own button "
+                 "took photos as well."));
+    }
+    const bool grewByOne = newest.totalEntries == before.totalEntries + 1;
+    if (grewByOne && !newest.entries.empty() && !isLatest(before, newest, 0) && isLatest(before, newest, 1)) {
+        return {NewFiles::Count::One, newest.entries.front().fileUrl, {}};
+    }
+    return doubtfulFiles(
+        text("The camera's files have changed in another way than by one photo (", before.totalEntries,
+             " before, ", newest.totalEntries,
+             " now): some were deleted, its file counter was reset, or its storage changed."));
 }
 
 } // namespace spherewalk::camera

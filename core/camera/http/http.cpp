@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "http_transfer.h"
+#include "spherewalk/camera/http.h"
+
+#include "http/http_transfer.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
+#include <memory>
 #include <utility>
 
 namespace spherewalk::camera {
@@ -29,26 +32,12 @@ HeaderList jsonHeaders(const char* accept) {
     return {list, &curl_slist_free_all};
 }
 
-void requireTime(const char* option, std::chrono::milliseconds value) {
+void requireHttpTime(const char* option, std::chrono::milliseconds value) {
     if (value < std::chrono::milliseconds(1) || value > std::chrono::minutes(10)) {
         throw Error(ErrorKind::InvalidInput,
                     text("The HTTP option ", option, " must lie between 1 ms and 10 min."));
     }
 }
-
-} // namespace
-
-void HttpOptions::validate() const {
-    requireTime("connectTimeout", connectTimeout);
-    requireTime("requestTimeout", requestTimeout);
-    requireTime("stallTimeout", stallTimeout);
-    if (maxAnswerBytes < 1024 || maxAnswerBytes > (1ULL << 30)) {
-        throw Error(ErrorKind::InvalidInput,
-                    "The HTTP option maxAnswerBytes must lie between 1 kB and 1 GB.");
-    }
-}
-
-namespace {
 
 /// Notices when too few bytes arrive for too long.
 class StallWatch {
@@ -80,6 +69,16 @@ void setBody(CURL* easy, curl_slist* headers, const std::string& json) {
 }
 
 } // namespace
+
+void HttpOptions::validate() const {
+    requireHttpTime("connectTimeout", connectTimeout);
+    requireHttpTime("requestTimeout", requestTimeout);
+    requireHttpTime("stallTimeout", stallTimeout);
+    if (maxAnswerBytes < 1024 || maxAnswerBytes > (1ULL << 30)) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The HTTP option maxAnswerBytes must lie between 1 kB and 1 GB.");
+    }
+}
 
 HttpClient::HttpClient(Endpoint endpoint, HttpOptions options)
     : m_endpoint(std::move(endpoint)), m_options(options) {
@@ -251,6 +250,35 @@ HttpResponse HttpClient::stream(std::string_view path, const std::string& json, 
         return perform(transfer, stop);
     };
     return authorised(request, stop);
+}
+
+void CredentialsMemory::set(const Credentials& credentials) {
+    const std::scoped_lock lock(m_mutex);
+    m_credentials = credentials;
+    ++m_revision;
+}
+
+std::optional<Credentials> CredentialsMemory::newer(int& given) const {
+    const std::scoped_lock lock(m_mutex);
+    return std::exchange(given, m_revision) < m_revision ? m_credentials : std::nullopt;
+}
+
+CredentialsSource rememberingCredentials(CredentialsSource ask) {
+    struct Shared {
+        std::mutex asking;
+        CredentialsMemory memory;
+    };
+
+    return [ask = std::move(ask), shared = std::make_shared<Shared>(), given = 0]() mutable {
+        const std::scoped_lock lock(shared->asking);
+        if (auto known = shared->memory.newer(given)) {
+            return known;
+        }
+        if (const auto said = ask()) {
+            shared->memory.set(*said);
+        }
+        return shared->memory.newer(given);
+    };
 }
 
 } // namespace spherewalk::camera

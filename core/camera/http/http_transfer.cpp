@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "http_transfer.h"
+#include "http/http_transfer.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"

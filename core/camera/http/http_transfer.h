@@ -32,12 +32,12 @@ struct HttpClient::Handles {
 
 /// One request and what has come back so far. libcurl's callbacks, which must not throw, work on it.
 struct HttpClient::Transfer {
-    Handles* handles = nullptr; ///< of its own; none: the client's
+    Handles* handles = nullptr; ///< Handles of this request; null for those of the client.
     CURL* easy = nullptr;
-    Sink sink; ///< of a download or a stream
-    Tick tick; ///< whether to wait longer; throws if not
+    Sink sink; ///< Receiver of a download or a stream.
+    Tick tick; ///< Called while waiting; it throws to end the request.
     std::uint64_t maxBytes = 0;
-    std::chrono::milliseconds timeout{0}; ///< 0: only the stall timeout
+    std::chrono::milliseconds timeout{0}; ///< 0 leaves only the stall timeout.
     HttpResponse response;
     std::uint64_t headerBytes = 0;
     bool isTooLarge = false;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "profile_options.h"
+#include "osc/camera_options.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/osc_messages.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
 
 namespace spherewalk::camera {
@@ -17,7 +21,7 @@ using survey::WhiteBalance;
 
 namespace {
 
-constexpr double kSame = 1e-3; // as cameras list 1/60 s as 0.01666666
+constexpr double kSameValue = 1e-3; // as cameras list 1/60 s as 0.01666666
 constexpr std::size_t kMostOffered = 1000;
 
 /// Options and what people call them.
@@ -195,7 +199,7 @@ std::vector<std::string> profileLacks(const CaptureProfile& profile, const Json&
 bool isSameOption(const Json& a, const Json& b) {
     if (a.is_number() && b.is_number()) {
         const double x = a.get<double>();
-        return std::abs(x - b.get<double>()) <= kSame * std::abs(x);
+        return std::abs(x - b.get<double>()) <= kSameValue * std::abs(x);
     }
     return a == b;
 }
@@ -203,6 +207,59 @@ bool isSameOption(const Json& a, const Json& b) {
 std::string optionDifference(const std::string& name, const Json& wanted, const Json& found) {
     return text("The camera's ", wordOf(name), " is ", valueWords(name, found), " instead of ",
                 valueWords(name, wanted));
+}
+
+std::string cameraTime(std::chrono::system_clock::time_point time, std::chrono::minutes zone) {
+    using namespace std::chrono;
+    const auto local = floor<seconds>(time) + zone;
+    const auto day = floor<days>(local);
+    const year_month_day date(day);
+    const hh_mm_ss clock(local - day);
+    const int offset = static_cast<int>(zone.count());
+    std::array<char, 64> spelled{};
+    std::snprintf(spelled.data(), spelled.size(), "%04d:%02u:%02u %02d:%02d:%02d%c%02d:%02d",
+                  static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                  static_cast<unsigned>(date.day()), static_cast<int>(clock.hours().count()),
+                  static_cast<int>(clock.minutes().count()), static_cast<int>(clock.seconds().count()),
+                  offset < 0 ? '-' : '+', std::abs(offset) / 60, std::abs(offset) % 60);
+    return spelled.data();
+}
+
+// By places, as a zone behind UTC begins with a dash.
+std::optional<std::chrono::system_clock::time_point> parseCameraTime(std::string_view text) {
+    using namespace std::chrono;
+    constexpr std::string_view kShape = "0000:00:00 00:00:00+00:00";
+    if (text.size() != kShape.size()) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < kShape.size(); ++i) {
+        const bool fits = kShape[i] == '0' || text[i] == kShape[i] || (kShape[i] == '+' && text[i] == '-');
+        if (!fits) {
+            return std::nullopt;
+        }
+    }
+    const year_month_day date{year(digitsAt(text, 0, 4)), month(static_cast<unsigned>(digitsAt(text, 5, 2))),
+                              day(static_cast<unsigned>(digitsAt(text, 8, 2)))};
+    const std::array<int, 5> parts{digitsAt(text, 11, 2), digitsAt(text, 14, 2), digitsAt(text, 17, 2),
+                                   digitsAt(text, 20, 2), digitsAt(text, 23, 2)};
+    for (const int part : parts) {
+        if (part < 0 || part > 60) {
+            return std::nullopt;
+        }
+    }
+    if (!date.ok()) {
+        return std::nullopt;
+    }
+    const minutes zone = hours(parts[3]) + minutes(parts[4]);
+    return sys_days(date) + hours(parts[0]) + minutes(parts[1]) + seconds(parts[2]) -
+           (text[19] == '-' ? -zone : zone);
+}
+
+std::chrono::minutes localZone(std::chrono::system_clock::time_point time) {
+    using namespace std::chrono;
+    const std::time_t moment = system_clock::to_time_t(time);
+    std::tm local{};
+    return ::localtime_r(&moment, &local) == nullptr ? minutes(0) : minutes(local.tm_gmtoff / 60);
 }
 
 } // namespace spherewalk::camera

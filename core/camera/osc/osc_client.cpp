@@ -2,6 +2,7 @@
 #include "spherewalk/camera/osc_client.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
 
@@ -109,7 +110,7 @@ void OscOptions::validate() const {
     http.validate();
     requirePause("retryPause", retryPause);
     requirePause("busyPause", busyPause);
-    requirePause("settlePause", settlePause);
+    requirePause("applyPause", applyPause);
     if (statusTimeout < std::chrono::milliseconds(1) || statusTimeout > std::chrono::minutes(10)) {
         throw Error(ErrorKind::InvalidInput,
                     "The camera option statusTimeout must lie between 1 ms and 10 min.");
@@ -121,7 +122,7 @@ void OscOptions::validate() const {
 
 OscOptions OscOptions::scaled(double factor) const {
     OscOptions result = *this;
-    for (auto* pause : {&result.retryPause, &result.busyPause, &result.settlePause}) {
+    for (auto* pause : {&result.retryPause, &result.busyPause, &result.applyPause}) {
         *pause = scaledBy(*pause, factor);
     }
     return result;
@@ -286,15 +287,15 @@ std::optional<FileEntry> OscClient::findFile(std::string_view fileUrl, const std
     return std::nullopt;
 }
 
-void OscClient::settle(const std::stop_token& stop) {
+void OscClient::waitUntilApplied(const std::stop_token& stop) {
     if (m_optionsSetAt) {
-        pause(*m_optionsSetAt + m_options.settlePause - m_clock.now(), stop);
+        pause(*m_optionsSetAt + m_options.applyPause - m_clock.now(), stop);
     }
 }
 
 CommandReply OscClient::takePicture(const std::stop_token& stop) {
     enterLevel(stop);
-    settle(stop);
+    waitUntilApplied(stop);
     const std::string body = request("camera.takePicture", Json::object()).dump();
     return replyOf(readAnswer(m_http.postOnce(kExecutePath, body, stop), m_http.endpoint()));
 }
@@ -312,7 +313,7 @@ CommandReply OscClient::status(const std::string& id, const std::stop_token& sto
 void OscClient::streamPreview(const HttpClient::Sink& sink, const HttpClient::Tick& tick,
                               const std::stop_token& stop) {
     enterLevel(stop);
-    settle(stop);
+    waitUntilApplied(stop);
     constexpr std::size_t kMostHead = 4096;
     std::string head; // some cameras send a refusal with the status of a success
     const auto keepHead = [&](ByteView bytes) {

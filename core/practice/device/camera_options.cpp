@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_options.h"
+#include "device/camera_options.h"
 
-#include "camera_time.h"
+#include "photo/camera_time.h"
+
+#include "spherewalk/base/json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "osc_error.h"
+#include "device/osc_protocol.h"
 
 #include <map>
 #include <string>
@@ -10,18 +10,20 @@
 
 namespace spherewalk::practice {
 
-/// The shooting options of a Theta V: names, values, what they may be. Errors are OscErrors.
+/// The options of a Theta V with their values and what these may be. Errors: OscError.
 class CameraOptions {
   public:
     CameraOptions(int width, bool levelled);
 
-    /// The options and "...Support" companions of these names. readOnly: values that the camera knows.
+    /// The values of these options, and of their "...Support" companions. readOnly: options that nobody can
+    /// set.
     Json get(const Json& names, const std::map<std::string, Json>& readOnly) const;
 
-    /// Changes all or none.
+    /// Changes all of these options, or none.
     void set(const Json& values);
+    /// Restores all values but the clock.
     void reset();
-    /// As a sleep or a restart does: the exposure is forgotten, sleep, volume and language are not.
+    /// Restores the values of the exposure, as a sleep or a restart does. Sleep, volume and language stay.
     void forgetExposure();
     /// The values that make up the exposure.
     Json exposure() const;
@@ -37,7 +39,7 @@ class CameraOptions {
         std::string mostName;
     };
 
-    /// One of a list, or within a range, or anything.
+    /// Any value, one of a list, or a number within a range.
     using Legal = std::variant<std::monostate, std::vector<Json>, Range>;
 
     void define(const std::string& name, Json initial, Legal legal);

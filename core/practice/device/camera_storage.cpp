@@ -1,12 +1,163 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "file_commands.h"
+#include "device/camera_storage.h"
 
-#include "osc_parameters.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/fixed_random.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace spherewalk::practice {
+
+namespace {
+
+constexpr std::string_view kDcfFolder = "100RICOH";
+constexpr int kFirstNumber = 10000;
+constexpr std::uint64_t kMaxStoredBytes = 256ULL << 20;
+
+std::string hexDigits(std::uint64_t seed, std::size_t count) {
+    FixedRandom random(seed, 0x5704a6e);
+    std::string digits;
+    while (digits.size() < count) {
+        digits += "0123456789abcdef"[random.next() % 16];
+    }
+    return digits;
+}
+
+bool isPhotoName(const std::string& name) {
+    return name.size() == 12 && name.starts_with("R") && name.ends_with(".JPG");
+}
+
+/// Of no pixels for what is no picture.
+jpeg::Info sizeOf(ByteView bytes, const std::string& name) {
+    try {
+        return jpeg::readInfo(bytes, name);
+    } catch (const Error&) { // a camera stores a damaged photo all the same
+        return {};
+    }
+}
+
+} // namespace
+
+CameraStorage::CameraStorage(std::filesystem::path folder, std::uint64_t seed)
+    : m_folder(std::move(folder)), m_id(hexDigits(seed, 30)) {
+    if (m_folder.empty()) {
+        m_folder = m_temporary.emplace("practice-camera").path();
+    }
+    ensureFolder(m_folder / kDcfFolder);
+    load();
+    m_urlFolder = text("/files/", m_id, "/");
+}
+
+void CameraStorage::load() {
+    const std::filesystem::path record = m_folder / "camera.json";
+    if (std::filesystem::exists(record)) {
+        const Json content = parseJson(readTextFile(record, 1 << 16), record.string());
+        const JsonReader reader(content, record.string());
+        m_id = reader.string("storage_id");
+        m_nextShot = static_cast<int>(reader.integer("next_shot", 1, 1 << 30));
+        m_namedFrom =
+            reader.isAbsent("named_from") ? 0 : static_cast<int>(reader.integer("named_from", 0, m_nextShot));
+        if (!std::all_of(m_id.begin(), m_id.end(), [](char c) { return c >= '0' && c <= 'z'; })) {
+            reader.fail("the storage id is not made of digits and letters");
+        }
+    } else {
+        save();
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder / kDcfFolder)) {
+        const std::string name = entry.path().filename().string();
+        if (!isPhotoName(name)) {
+            continue;
+        }
+        const Bytes bytes = readFile(entry.path(), kMaxStoredBytes);
+        const jpeg::Info info = sizeOf(bytes, name);
+        const auto written = std::filesystem::last_write_time(entry.path());
+        const auto utc = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+            std::chrono::file_clock::to_sys(written));
+        m_files.push_back({name, bytes.size(), info.width, info.height, {utc, std::chrono::minutes(0)}});
+    }
+    std::sort(m_files.begin(), m_files.end(),
+              [](const StoredFile& a, const StoredFile& b) { return a.name < b.name; });
+}
+
+void CameraStorage::save() const {
+    const Json record = {{"storage_id", m_id}, {"next_shot", m_nextShot}, {"named_from", m_namedFrom}};
+    writeFile(m_folder / "camera.json", bytesOf(record.dump() + "\n"));
+}
+
+int CameraStorage::takeShotNumber() {
+    const int shot = m_nextShot++;
+    save();
+    return shot;
+}
+
+void CameraStorage::restartNames() {
+    while (!m_files.empty()) {
+        remove(std::string(m_files.back().name));
+    }
+    m_namedFrom = m_nextShot - 1;
+    save();
+}
+
+std::string CameraStorage::fileName(int shot) const {
+    std::string digits = std::to_string(kFirstNumber + shot - m_namedFrom);
+    return "R" + std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0') + digits + ".JPG";
+}
+
+std::string CameraStorage::urlPath(const std::string& name) const {
+    return m_urlFolder + uri(name);
+}
+
+std::string CameraStorage::uri(const std::string& name) {
+    return text(kDcfFolder, "/", name);
+}
+
+std::filesystem::path CameraStorage::path(const std::string& name) const {
+    return m_folder / kDcfFolder / name;
+}
+
+void CameraStorage::add(const std::string& name, ByteView bytes, const ZonedTime& time) {
+    const jpeg::Info info = sizeOf(bytes, name);
+    writeFile(path(name), bytes, DurableFile::Overwrite::No);
+    m_files.push_back({name, bytes.size(), info.width, info.height, time});
+}
+
+void CameraStorage::remove(const std::string& name) {
+    std::error_code failure;
+    std::filesystem::remove(path(name), failure);
+    if (failure) {
+        throw Error(ErrorKind::Io,
+                    text("Could not delete ", path(name).string(), ": ", failure.message(), "."));
+    }
+    std::erase_if(m_files, [&](const StoredFile& file) { return file.name == name; });
+}
+
+std::uint64_t CameraStorage::usedBytes() const {
+    std::uint64_t used = 0;
+    for (const StoredFile& file : m_files) {
+        used += file.sizeBytes;
+    }
+    return used;
+}
+
+std::optional<StoredFile> CameraStorage::find(std::string_view url) const {
+    const std::size_t begin = url.find("/files/");
+    if (begin == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view path = url.substr(begin);
+    for (const StoredFile& file : m_files) {
+        if (urlPath(file.name) == path) {
+            return file;
+        }
+    }
+    return std::nullopt;
+}
 
 namespace {
 
@@ -147,4 +298,5 @@ void deleteFiles(CameraStorage& storage, const Json& parameters) {
         storage.remove(name);
     }
 }
+
 } // namespace spherewalk::practice

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fault_plan.h"
+#include "device/fault_plan.h"
 
-#include "osc_error.h"
+#include "device/osc_protocol.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace spherewalk::practice {
 
 namespace {
 
-constexpr std::array kNames = {
+constexpr std::array kFaultNames = {
     std::pair{FaultKind::NeverAnswer, std::string_view("never-answer")},
     std::pair{FaultKind::DropAfterHeader, std::string_view("drop-after-header")},
     std::pair{FaultKind::DropBeforeExecuting, std::string_view("drop-before-executing")},
@@ -65,7 +66,7 @@ constexpr std::array kNames = {
 } // namespace
 
 std::string_view name(FaultKind kind) {
-    for (const auto& [known, spelled] : kNames) {
+    for (const auto& [known, spelled] : kFaultNames) {
         if (known == kind) {
             return spelled;
         }
@@ -99,9 +100,9 @@ bool isOfCamera(FaultKind kind) {
 Fault faultOf(const JsonReader& reader) {
     Fault fault;
     const std::string spelled = reader.string("fault");
-    const auto* const found = std::find_if(kNames.begin(), kNames.end(),
+    const auto* const found = std::find_if(kFaultNames.begin(), kFaultNames.end(),
                                            [&](const auto& known) { return known.second == spelled; });
-    if (found == kNames.end()) {
+    if (found == kFaultNames.end()) {
         reader.fail(text("there is no fault \"", printable(spelled), "\""));
     }
     fault.kind = found->first;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/practice/fault.h"
 
 #include <initializer_list>
@@ -11,25 +11,26 @@
 
 namespace spherewalk::practice {
 
-/// The fault that a JSON object spells: {"fault": name, "on": ..., "skip": ..., "count": ..., "byte": ...,
+/// The fault in a JSON object: {"fault": name, "on": ..., "skip": ..., "count": ..., "byte": ...,
 /// "amount": ..., "code": ...}. Errors: Corrupt, InvalidInput.
 Fault faultOf(const JsonReader& reader);
 
-/// True for what happens to the camera itself rather than to a request.
+/// True for troubles of the camera itself, false for those of requests.
 bool isOfCamera(FaultKind kind);
 
-/// The faults still to come. Threads: any.
+/// The faults that wait for their calls. Threads: any.
 class FaultPlan {
   public:
     /// Errors: those of Fault::validate().
     void arm(Fault fault);
     void clear();
 
-    /// The fault of this kind that meets this call, counted down; nothing if there is none.
+    /// The first fault of this kind that meets the call. It is counted down. Returns nothing if no fault
+    /// meets it.
     std::optional<Fault> take(FaultKind kind, std::string_view call);
-    /// The same of any of these kinds.
+    /// The same for several kinds.
     std::optional<Fault> take(std::initializer_list<FaultKind> kinds, std::string_view call);
-    /// All that happen to the camera itself at this call.
+    /// All troubles of the camera itself that meet the call; each is counted down.
     std::vector<Fault> takeOfCamera(std::string_view call);
 
   private:

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "osc_device.h"
+#include "device/osc_device.h"
 
-#include "fault_plan.h"
-#include "file_commands.h"
-#include "osc_parameters.h"
-#include "prng.h"
+#include "device/fault_plan.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/fixed_random.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace spherewalk::practice {
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kBytesPerPixel = 0.31; ///< of a Theta V photo, to tell how many more there is room for
 
 std::string serialNumber(std::uint64_t seed) {
-    Prng random(seed, 0x5e71a1);
+    FixedRandom random(seed, 0x5e71a1);
     return "00" + std::to_string(100000 + random.next() % 900000);
 }
 
@@ -41,7 +41,7 @@ OscDevice::OscDevice(const PracticeCameraOptions& options, FaultPlan& faults, Cl
       m_session(clock, options.timeScale),
       m_boot(clock.now()) {
     // Differs from run to run of one storage, as ids of a rebooted camera do.
-    Prng random(options.seed, 0x1d + static_cast<std::uint64_t>(m_storage.files().size()));
+    FixedRandom random(options.seed, 0x1d + static_cast<std::uint64_t>(m_storage.files().size()));
     m_nextId = static_cast<int>(100 + random.next() % 9000);
     m_fingerprint = static_cast<int>(random.next() % 50);
 }
@@ -256,6 +256,115 @@ std::filesystem::path OscDevice::storageFolder() const {
 
 std::filesystem::path OscDevice::truthFile() const {
     return m_truthFile;
+}
+
+void OscDevice::meet(const Fault& fault) {
+    if (fault.kind == FaultKind::ExtraPhoto) {
+        return takeExtraPhoto();
+    }
+    const std::scoped_lock lock(m_mutex);
+    changed();
+    switch (fault.kind) {
+    case FaultKind::Battery:
+        return loseCharge(fault.amount);
+    case FaultKind::StorageFull:
+        m_condition.isFull = true;
+        break;
+    case FaultKind::Hot:
+        m_condition.isHot = true;
+        break;
+    case FaultKind::ResetSettings:
+        m_settings.forgetExposure();
+        break;
+    case FaultKind::ClockUnset:
+        m_condition.isClockUnset = true;
+        m_clockOffset = std::chrono::system_clock::from_time_t(0) - m_clock.utc();
+        break;
+    case FaultKind::OtherSerial:
+        ++m_condition.serialShift;
+        break;
+    case FaultKind::LevelOne:
+        m_level = m_options.model == CameraModel::ThetaV ? 2 : 1;
+        m_session.end();
+        break;
+    case FaultKind::Plugin:
+        m_condition.hasPlugin = true;
+        break;
+    case FaultKind::RestartCounter:
+        m_storage.restartNames();
+        break;
+    case FaultKind::UnknownValues:
+        m_condition.saysUnknownThings = true;
+        break;
+    case FaultKind::Slow:
+        m_condition.slowness = fault.amount;
+        break;
+    case FaultKind::NoMoreTrouble:
+        m_condition = {};
+        break;
+    default:
+        m_outage(fault);
+    }
+}
+
+void OscDevice::loseCharge(double fraction) {
+    m_condition.battery = std::max(0.0, m_condition.battery.value_or(1.0) - fraction);
+    if (*m_condition.battery <= 0) {
+        m_condition.battery = 1.0; // somebody changes it
+        m_outage({FaultKind::Reboot, "", 0, 1, 0, 3});
+    }
+}
+
+/// What happens to the camera at this point of an exposure. False if it is off now.
+bool OscDevice::survives(std::string_view phase) {
+    const std::vector<Fault> faults = m_faults.takeOfCamera(phase);
+    for (const Fault& fault : faults) {
+        meet(fault);
+    }
+    return std::none_of(faults.begin(), faults.end(),
+                        [](const Fault& fault) { return fault.kind == FaultKind::Reboot; });
+}
+
+void OscDevice::takeExtraPhoto() {
+    ExposureSettings settings;
+    {
+        const std::scoped_lock lock(m_mutex);
+        settings = settingsNow(m_storage.takeShotNumber());
+    }
+    ExposedPhoto photo = m_exposer.expose(settings, m_stop.get_token());
+    photo.truth.byButton = true;
+    const std::scoped_lock lock(m_mutex);
+    store(photo, settings);
+}
+
+void OscDevice::restart() {
+    std::jthread worker;
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_countdown.request_stop();
+        worker = std::move(m_worker);
+    }
+    worker = {}; // ends, and is waited for
+    const std::scoped_lock lock(m_mutex);
+    m_captures.clear();
+    m_phase.reset();
+    m_condition.hasPlugin = false;
+    m_boot = m_clock.now();
+    forget();
+}
+
+void OscDevice::fallAsleep() {
+    const std::scoped_lock lock(m_mutex);
+    forget();
+}
+
+/// What neither a sleep nor a restart leaves.
+void OscDevice::forget() {
+    m_settings.forgetExposure();
+    m_level = m_options.model == CameraModel::ThetaV ? 2 : 1;
+    m_session.end();
+    m_preview.end();
+    changed();
 }
 
 } // namespace spherewalk::practice

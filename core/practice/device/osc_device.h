@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "camera_condition.h"
-#include "camera_options.h"
-#include "camera_storage.h"
-#include "exposure.h"
-#include "live_preview.h"
-#include "osc_error.h"
-#include "osc_session.h"
+#include "device/camera_options.h"
+#include "device/camera_storage.h"
+#include "device/osc_protocol.h"
+#include "photo/exposure.h"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -19,8 +19,48 @@ namespace spherewalk::practice {
 
 class FaultPlan;
 
-/// The camera behind the HTTP server: requests as JSON in, answers as JSON out. baseUrl: "http://host:port",
-/// with which file URLs begin. Threads: any.
+/// The troubles that the camera has.
+struct CameraCondition {
+    std::optional<double> battery; ///< Charge, [0, 1]. Nothing: it falls as pictures are taken.
+    bool isFull = false;
+    bool isOutOfRoom = false; ///< It is full, and somebody asked for a picture since.
+    bool isHot = false;
+    bool isClockUnset = false;
+    bool hasPlugin = false;
+    bool saysUnknownThings = false;
+    std::uint64_t serialShift = 0; ///< Another number means another camera.
+    double slowness = 1;
+};
+
+/// The live preview, which shows the next photo small. There is one preview at a time; a new one ends the one
+/// before. Threads: any.
+class LivePreview {
+  public:
+    explicit LivePreview(const Exposer& exposer) : m_exposer(exposer) {}
+
+    /// Begins a preview. Returns its number.
+    std::uint64_t begin();
+
+    void end() { begin(); }
+
+    bool isCurrent(std::uint64_t preview) const;
+
+    /// The preview of the photo with these settings, as a JPEG. The last picture is drawn again only if the
+    /// settings change it. Stop: throws Error{Stopped}.
+    std::shared_ptr<const Bytes> picture(const ExposureSettings& settings, const EquirectSize& size,
+                                         const std::stop_token& stop);
+
+  private:
+    const Exposer& m_exposer;
+    mutable std::mutex m_mutex; ///< Guards all below.
+    std::uint64_t m_current = 0;
+    ExposureSettings m_shownSettings;
+    EquirectSize m_shownSize;
+    std::shared_ptr<const Bytes> m_shown;
+};
+
+/// The camera behind the HTTP server. It takes requests as JSON and gives answers as JSON. baseUrl:
+/// "http://host:port", the beginning of file URLs. Threads: any.
 class OscDevice {
   public:
     OscDevice(const PracticeCameraOptions& options, FaultPlan& faults, Clock& clock);
@@ -34,24 +74,25 @@ class OscDevice {
     OscReply execute(const Json& request, const std::string& baseUrl);
     OscReply status(const std::string& body, const std::string& baseUrl);
 
-    /// Does to the camera what the fault says. Those that close its port are passed on.
+    /// Makes the fault happen to the camera. Outages, which close its port, go to onOutage().
     void meet(const Fault& fault);
 
-    /// Who closes the port. Before start.
+    /// Sets the function that closes the port. Call it before the first request.
     void onOutage(std::function<void(const Fault&)> outage) { m_outage = std::move(outage); }
 
-    /// As at power-on: a running exposure is lost, ids and settings are forgotten.
+    /// Switches the camera off and on: a running exposure is lost; ids and settings are forgotten.
     void restart();
     void fallAsleep();
 
-    /// Begins a live preview, which ends the one before; nothing while a picture is taken.
+    /// Begins a live preview, which ends the one before. Returns its number, or nothing while a picture is
+    /// taken.
     std::optional<std::uint64_t> beginPreview();
-    /// False once a picture was taken, the mode or the preview's format was changed, or another began.
+    /// False after a picture, after a change of the mode or the format, and after another preview began.
     bool isPreviewing(std::uint64_t preview) const;
-    /// The preview's next picture, at its rate; null once it has ended.
+    /// Waits for the preview's rate, and returns its next picture. Returns null once the preview ended.
     std::shared_ptr<const Bytes> nextPreviewPicture(std::uint64_t preview);
 
-    /// Where the bytes of a file URL's path lie; nothing if there is no such file.
+    /// The file on the disk for the path of a URL. Returns nothing if there is no such file.
     std::optional<std::filesystem::path> fileOf(const std::string& urlPath) const;
     /// The same for camera.getImage of API level 1.
     std::optional<std::filesystem::path> imageOf(const Json& request) const;
@@ -65,7 +106,7 @@ class OscDevice {
     /// Ends a running exposure and joins its thread.
     void stop();
 
-    /// Waits as long as the camera would need, times the time scale; sooner when stopped.
+    /// Waits so many seconds of the camera's time. Stop: returns at once.
     void pause(double seconds) const { pause(seconds, m_stop.get_token()); }
 
     void pause(double seconds, const std::stop_token& stop) const;
@@ -78,10 +119,10 @@ class OscDevice {
         std::string id;
         Outcome outcome = Outcome::Running;
         OscCode code = OscCode::Unexpected;
-        std::string failure; ///< a sentence
+        std::string failure; ///< A sentence.
         std::string urlPath;
         int answers = 0;
-        bool isStuck = false; ///< says "in progress" for ever
+        bool isStuck = false; ///< It says "in progress" for ever.
     };
 
     Capture* capture(const std::string& id);
@@ -123,15 +164,15 @@ class OscDevice {
     LivePreview m_preview{m_exposer};
     std::stop_source m_stop;
 
-    mutable std::mutex m_mutex; ///< guards all below
+    mutable std::mutex m_mutex; ///< Guards all below.
     CameraStorage m_storage;
     std::filesystem::path m_truthFile;
     CameraOptions m_settings;
     Eigen::Vector3d m_position;
     std::chrono::system_clock::duration m_clockOffset{0};
     std::chrono::minutes m_zone{0};
-    std::vector<Capture> m_captures; ///< oldest first
-    std::optional<Phase> m_phase;    ///< of the capture that is running
+    std::vector<Capture> m_captures; ///< Oldest first.
+    std::optional<Phase> m_phase;    ///< Of the running capture.
     std::stop_source m_countdown;
     CameraCondition m_condition;
     int m_level;
@@ -140,7 +181,7 @@ class OscDevice {
     int m_nextId = 0;
     int m_fingerprint = 0;
     int m_exposures = 0;
-    std::jthread m_worker; ///< last: ends before what it uses
+    std::jthread m_worker; ///< Last: it ends before what it uses.
 };
 
 } // namespace spherewalk::practice

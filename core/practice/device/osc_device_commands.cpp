@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that the device knows, level by level, and its options.
-#include "file_commands.h"
-#include "osc_device.h"
-#include "osc_parameters.h"
+#include "device/osc_device.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 
 namespace spherewalk::practice {
 

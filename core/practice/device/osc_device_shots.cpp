@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the device takes pictures, and what it tells about them.
-#include "fault_plan.h"
-#include "osc_device.h"
-#include "prng.h"
+#include "device/fault_plan.h"
+#include "device/osc_device.h"
+#include "photo/exposure.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/fixed_random.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -24,6 +26,11 @@ Json inProgress(std::string_view id) {
     return body;
 }
 
+/// Whether both settings give the same picture.
+bool showTheSame(const ExposureSettings& a, const ExposureSettings& b) {
+    return a.shot == b.shot && a.levelled == b.levelled && a.nominalPositionM == b.nominalPositionM;
+}
+
 PhotoDefect defectOf(const std::optional<Fault>& fault) {
     if (!fault) {
         return PhotoDefect::None;
@@ -41,6 +48,33 @@ PhotoDefect defectOf(const std::optional<Fault>& fault) {
 }
 
 } // namespace
+
+std::uint64_t LivePreview::begin() {
+    const std::scoped_lock lock(m_mutex);
+    return ++m_current;
+}
+
+bool LivePreview::isCurrent(std::uint64_t preview) const {
+    const std::scoped_lock lock(m_mutex);
+    return preview == m_current;
+}
+
+std::shared_ptr<const Bytes> LivePreview::picture(const ExposureSettings& settings, const EquirectSize& size,
+                                                  const std::stop_token& stop) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        const bool isSameSize = m_shownSize.width == size.width && m_shownSize.height == size.height;
+        if (m_shown && isSameSize && showTheSame(m_shownSettings, settings)) {
+            return m_shown;
+        }
+    }
+    auto drawn = std::make_shared<const Bytes>(m_exposer.preview(settings, size, stop));
+    const std::scoped_lock lock(m_mutex);
+    m_shownSettings = settings;
+    m_shownSize = size;
+    m_shown = drawn;
+    return drawn;
+}
 
 OscDevice::Capture* OscDevice::capture(const std::string& id) {
     const auto found =
@@ -106,7 +140,7 @@ ExposureSettings OscDevice::settingsNow(int shot) const {
 }
 
 double OscDevice::busySeconds(const ExposureSettings& settings) const {
-    Prng random(m_options.seed, static_cast<std::uint64_t>(settings.shot));
+    FixedRandom random(m_options.seed, static_cast<std::uint64_t>(settings.shot));
     const Json& filter = m_settings.value("_filter");
     const double plain = filter == "hdr" || filter == "Hh hdr" ? 9 : filter == "Noise Reduction" ? 8 : 3.5;
     return plain + random.uniform(-0.5, 0.5) + 2 * settings.exposureTimeS;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "osc_error.h"
+#include "device/osc_protocol.h"
+
+#include "spherewalk/base/json.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace spherewalk::practice {
@@ -72,6 +75,60 @@ OscReply refusal(std::string_view command, OscCode code) {
     body["state"] = "error";
     body["error"] = {{"code", spelled.spelled}, {"message", spelled.message}};
     return {spelled.status, body};
+}
+
+const Json& required(const Json& parameters, const char* name) {
+    if (!parameters.contains(name)) {
+        throw OscError(OscCode::MissingParameter);
+    }
+    return parameters[name];
+}
+
+std::int64_t wholeNumber(const Json& value, std::int64_t least, std::int64_t most) {
+    const bool isWhole = value.is_number_integer() ||
+                         (value.is_number() && value.get<double>() == std::floor(value.get<double>()) &&
+                          std::abs(value.get<double>()) < 1e15);
+    const std::int64_t number = isWhole ? value.get<std::int64_t>() : least - 1;
+    if (number < least || number > most) {
+        throw OscError(OscCode::InvalidParameterValue);
+    }
+    return number;
+}
+
+std::string word(const Json& value, std::initializer_list<std::string_view> known) {
+    const std::string spelled = value.is_string() ? value.get<std::string>() : std::string();
+    if (std::find(known.begin(), known.end(), spelled) == known.end()) {
+        throw OscError(OscCode::InvalidParameterValue);
+    }
+    return spelled;
+}
+
+bool flag(const Json& parameters, const char* name, bool fallback) {
+    if (!parameters.contains(name)) {
+        return fallback;
+    }
+    if (!parameters[name].is_boolean()) {
+        throw OscError(OscCode::InvalidParameterValue);
+    }
+    return parameters[name].get<bool>();
+}
+
+std::string OscSession::start() {
+    std::string digits = std::to_string(++m_count);
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    m_id = "SID_" + digits;
+    m_usedAt = m_clock.now();
+    return *m_id;
+}
+
+void OscSession::use(const Json& parameters) {
+    const Json& given = required(parameters, "sessionId");
+    const std::chrono::duration<double> unused = m_clock.now() - m_usedAt;
+    const bool isOver = m_timeScale > 0 && unused.count() > kTimeoutS * m_timeScale;
+    if (!m_id || isOver || given != *m_id) {
+        throw OscError(OscCode::InvalidSessionId);
+    }
+    m_usedAt = m_clock.now();
 }
 
 } // namespace spherewalk::practice

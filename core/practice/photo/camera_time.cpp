@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_time.h"
+#include "photo/camera_time.h"
 
 #include "spherewalk/base/text.h"
 

@@ -8,19 +8,20 @@
 
 namespace spherewalk::practice {
 
-/// A moment and the offset of the zone that it is told in.
+/// A moment, and the zone in which the camera tells it.
 struct ZonedTime {
     std::chrono::system_clock::time_point utc;
     std::chrono::minutes zone{0};
 };
 
-/// "2026:01:02 03:04:05", in the zone.
+/// The local time in the spelling of Exif, "2026:01:02 03:04:05".
 std::string exifTime(const ZonedTime& time);
 
-/// "+01:30".
+/// The offset from UTC, "+01:30".
 std::string zoneText(std::chrono::minutes zone);
 
-/// exifTime and zoneText together, as OSC spells dateTimeZone; nothing for anything else.
+/// The moment that exifTime() and zoneText() together spell, as in the option dateTimeZone. Returns nothing
+/// for any other text, and for a moment that does not exist.
 std::optional<ZonedTime> parseDateTimeZone(std::string_view text);
 
 } // namespace spherewalk::practice

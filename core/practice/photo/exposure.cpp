@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exposure.h"
+#include "photo/exposure.h"
 
-#include "prng.h"
-
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -17,13 +17,13 @@ namespace spherewalk::practice {
 
 namespace {
 
-constexpr std::uint64_t kMaxPhotoBytes = 256ULL << 20;
+constexpr std::uint64_t kMaxGivenBytes = 256ULL << 20;
 constexpr int kPreviewQuality = 80;
 constexpr int kPreviewReduction = 4;  ///< of a photo that is shown as a preview
 constexpr double kPoseNoiseDeg = 0.3; ///< of the accelerometer behind GPano's pitch and roll
 
 /// GPano's signs: pitch > 0 looks up, which is our pitch below zero; roll is ours.
-void describePose(ThetaTags& tags, const YawPitchRoll& angles, bool levelled, Prng& random) {
+void describePose(ThetaTags& tags, const YawPitchRoll& angles, bool levelled, FixedRandom& random) {
     const double pitch = -Degrees(angles.pitch).value() + random.normal(kPoseNoiseDeg);
     const double roll = Degrees(angles.roll).value() + random.normal(kPoseNoiseDeg);
     tags.levelled = levelled;
@@ -61,6 +61,34 @@ RgbImage plain(const EquirectSize& size, int shot) {
 }
 
 } // namespace
+
+void PhotoErrors::validate() const {
+    const double tiltDeg = Degrees(tiltSigma).value();
+    if (!(tiltDeg >= 0 && tiltDeg <= 30)) {
+        throw Error(
+            ErrorKind::InvalidInput,
+            text("The practice camera's tilt error must be between 0 and 30 degrees, not ", tiltDeg, "."));
+    }
+    if (!(positionSigmaM >= 0 && positionSigmaM <= 1)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The practice camera's position error must be between 0 and 1 m, not ",
+                         positionSigmaM, "."));
+    }
+}
+
+Rigid3 PhotoErrors::truePose(const Eigen::Vector3d& nominalPositionM, int shot) const {
+    FixedRandom random(seed, static_cast<std::uint64_t>(shot));
+    const double yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
+    const double pitch = random.normal(tiltSigma.value());
+    const double roll = random.normal(tiltSigma.value());
+    Rigid3 pose;
+    pose.rotation = rotation({Radians(anyYaw ? yaw : 0), Radians(pitch), Radians(roll)});
+    pose.translation = nominalPositionM;
+    for (int i = 0; i < 3; ++i) {
+        pose.translation[i] += random.normal(positionSigmaM);
+    }
+    return pose;
+}
 
 Exposer::Exposer(const PracticeCameraOptions& options) : m_options(options) {
     if (options.photoFolder.empty()) {
@@ -111,7 +139,7 @@ Bytes Exposer::preview(const ExposureSettings& settings, const EquirectSize& siz
         return jpeg::encode(draw(poseOf(settings), size, stop), kPreviewQuality);
     }
     const auto file = m_options.photoFolder / nearestPhoto(settings.nominalPositionM).file;
-    const RgbImage photo = jpeg::decode(readFile(file, kMaxPhotoBytes), file.string(), kPreviewReduction);
+    const RgbImage photo = jpeg::decode(readFile(file, kMaxGivenBytes), file.string(), kPreviewReduction);
     return jpeg::encode(sampled(photo, size), kPreviewQuality);
 }
 
@@ -120,7 +148,8 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
         yawPitchRoll(m_options.errors.truePose(settings.nominalPositionM, settings.shot).rotation);
     const Rigid3 pose = poseOf(settings);
     ThetaTags tags;
-    Prng random(m_options.errors.seed ^ 0x6a09e667f3bcc908ULL, static_cast<std::uint64_t>(settings.shot));
+    FixedRandom random(m_options.errors.seed ^ 0x6a09e667f3bcc908ULL,
+                       static_cast<std::uint64_t>(settings.shot));
     describePose(tags, bodyAngles, settings.levelled, random);
     tags.time = settings.time.utc;
     tags.timeZone = settings.time.zone;
@@ -154,7 +183,7 @@ const PlacedPhoto& Exposer::nearestPhoto(const Eigen::Vector3d& positionM) const
 ExposedPhoto Exposer::taken(const ExposureSettings& settings) const {
     const PlacedPhoto& nearest = nearestPhoto(settings.nominalPositionM);
     ExposedPhoto photo;
-    photo.jpeg = readFile(m_options.photoFolder / nearest.file, kMaxPhotoBytes);
+    photo.jpeg = readFile(m_options.photoFolder / nearest.file, kMaxGivenBytes);
     photo.truth.positionM = nearest.positionM;
     photo.truth.roomFromPhoto = nearest.roomFromPhoto;
     return photo;

@@ -1,48 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "camera_time.h"
+#include "photo/camera_time.h"
 
 #include "spherewalk/base/bytes.h"
-#include "spherewalk/practice/practice_camera.h"
+#include "spherewalk/practice/practice_options.h"
 #include "spherewalk/practice/truth.h"
 
 #include <stop_token>
 
 namespace spherewalk::practice {
 
-/// What is wrong with a photo.
+/// A defect that a photo shall have.
 enum class PhotoDefect { None, Empty, Small, NoMakerNote, HostileMakerNote };
 
-/// What the camera was set to when the shutter was released.
+/// The settings of the camera at the release of the shutter.
 struct ExposureSettings {
     int shot = 0;
     Eigen::Vector3d nominalPositionM = Eigen::Vector3d::Zero();
     ZonedTime time;
     bool levelled = false;
     int program = 2;
-    double exposureTimeS = 0; ///< 0: the camera chooses
+    double exposureTimeS = 0; ///< Seconds; 0: the camera chooses.
     int isoSpeed = 0;         ///< 0: the camera chooses
     double exposureBias = 0;
     bool hasFixedWhiteBalance = false;
     PhotoDefect defect = PhotoDefect::None;
-    Json options = Json::object(); ///< of the exposure, for the truth
+    Json options = Json::object(); ///< The same settings in the camera's spelling, for the truth.
 };
 
 struct ExposedPhoto {
     Bytes jpeg;
-    Truth truth; ///< without file name and URL
+    Truth truth; ///< File name and URL are still empty.
 };
 
-/// Makes the photos: draws the room, or takes them from a folder. Threads: const, any.
+/// Makes photos: it draws the room, or takes the nearest photo of a folder. Threads: any.
 class Exposer {
   public:
-    /// Errors: those of reading the photo folder's names.
+    /// Owner: options must outlive the exposer. Errors: NotFound for a photo that the folder lacks.
     explicit Exposer(const PracticeCameraOptions& options);
 
+    /// The file that the camera would store, and the truth about it. Errors: those of reading a given photo.
+    /// Stop: throws Error{Stopped}.
     ExposedPhoto expose(const ExposureSettings& settings, const std::stop_token& stop) const;
 
-    /// The picture of that photo alone, small, as a JPEG. Errors: also Stopped.
+    /// The picture of the same photo in this size, as a JPEG without metadata. Errors, Stop: as expose().
     Bytes preview(const ExposureSettings& settings, const EquirectSize& size,
                   const std::stop_token& stop) const;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/practice/theta_jpeg.h"
 
-#include "camera_time.h"
-#include "tiff_writer.h"
+#include "photo/camera_time.h"
+#include "photo/tiff_writer.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

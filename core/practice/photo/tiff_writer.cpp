@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tiff_writer.h"
+#include "photo/tiff_writer.h"
 
 #include "spherewalk/base/error.h"
 

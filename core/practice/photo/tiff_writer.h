@@ -20,16 +20,16 @@ class TiffWriter {
         std::uint16_t tag;
         std::uint16_t type;
         std::uint32_t count;
-        Bytes value; ///< in the file's byte order
+        Bytes value; ///< In the byte order of the file.
     };
 
-    /// Where a directory has been written.
+    /// The place of a written directory.
     struct Place {
         std::uint32_t offset = 0;
-        std::uint32_t nextOffset = 0; ///< of the link to the next directory
+        std::uint32_t nextOffset = 0; ///< Place of the link to the next directory.
         std::vector<std::pair<std::uint16_t, std::uint32_t>> entries;
 
-        /// Of the entry with this tag.
+        /// Place of the entry with this tag.
         std::uint32_t entry(std::uint16_t tag) const;
     };
 
@@ -44,10 +44,12 @@ class TiffWriter {
     Entry signedRationals(std::uint16_t tag,
                           std::initializer_list<std::pair<std::int64_t, std::int64_t>> values) const;
 
-    /// Appends a directory with its values behind it. entries: by rising tag.
+    /// Appends a directory, and behind it the values that do not fit into their entries. entries: by rising
+    /// tag.
     Place directory(const std::vector<Entry>& entries);
+    /// Appends bytes and returns their place.
     std::uint32_t append(ByteView bytes);
-    /// Overwrites a number written before, for offsets that were not known then.
+    /// Overwrites a number, for offsets that become known later.
     void patchLong(std::uint32_t offset, std::uint32_t value);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(m_bytes.size()); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "furniture.h"
-
-#include "noise.h"
+#include "room/noise.h"
+#include "room/scene.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene.h"
+#include "room/scene.h"
 
 #include "spherewalk/base/parallel.h"
 

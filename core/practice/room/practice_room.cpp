@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/practice/practice_room.h"
 
-#include "picture.h"
+#include "room/picture.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene.h"
+#include "room/scene.h"
 
-#include "noise.h"
+#include "room/noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "digest_gate.h"
+#include "server/digest_gate.h"
 
-#include "prng.h"
-
-#include "spherewalk/base/md5.h"
+#include "spherewalk/base/digest.h"
+#include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/text.h"
 
 #include <utility>
@@ -46,7 +45,7 @@ DigestGate::DigestGate(std::string realm, std::string user, std::string password
       m_user(std::move(user)),
       m_password(std::move(password)),
       m_nonceRequests(nonceRequests),
-      m_count(Prng(seed, 0xd19e57).next()) {
+      m_count(FixedRandom(seed, 0xd19e57).next()) {
     makeNonce();
 }
 

@@ -10,19 +10,20 @@
 
 namespace spherewalk::practice {
 
-/// Lets requests in by HTTP digest authentication, as a camera in client mode does: MD5, qop=auth, nonces
-/// that end, counters that must grow. Source: RFC 7616. Threads: any.
+/// HTTP digest authentication of a camera in client mode: MD5, qop=auth, nonces that end, and counters that
+/// are good once. Source: RFC 7616. Threads: any.
 class DigestGate {
   public:
-    /// user: empty to let everybody in. nonceRequests: how often a nonce is good; 0: for ever.
+    /// user: empty to let everybody pass. nonceRequests: each nonce is good for so many requests; 0: for
+    /// ever.
     DigestGate(std::string realm, std::string user, std::string password, int nonceRequests,
                std::uint64_t seed);
 
-    /// What the "WWW-Authenticate" of a 401 must say; "" if the request may pass. authorization: its header
-    /// of this name, or "". uri: path and query.
+    /// The value of "WWW-Authenticate" for a 401, or "" if the request may pass. authorization: the request's
+    /// header of this name, or "". uri: path and query of the request.
     std::string challenge(std::string_view method, std::string_view uri, const std::string& authorization);
 
-    /// No nonce that was given out is good any longer.
+    /// Makes all nonces so far stale.
     void renew();
 
   private:
@@ -36,10 +37,10 @@ class DigestGate {
     std::string m_user;
     std::string m_password;
     int m_nonceRequests;
-    std::mutex m_mutex; ///< guards all below
+    std::mutex m_mutex; ///< Guards all below.
     std::uint64_t m_count;
     std::string m_nonce;
-    std::set<std::string> m_countersSeen; ///< of this nonce, with the client's own
+    std::set<std::string> m_countersSeen; ///< Client nonces with their counters, of this nonce.
 };
 
 } // namespace spherewalk::practice

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/practice/practice_camera.h"
 
-#include "camera_server.h"
+#include "server/camera_server.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"

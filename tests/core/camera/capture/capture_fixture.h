@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "capture/memory_journal.h"
+#include "capture/test_camera.h"
 #include "manual_clock.h"
-#include "memory_journal.h"
 #include "temporary_folder.h"
-#include "test_camera.h"
 
 #include "spherewalk/camera/capture.h"
 
@@ -50,7 +50,7 @@ class CaptureFixture : public testing::Test {
 
     camera::Capture& capture() { return program->capture; }
 
-    const camera::Shot& lastShot() const { return journal.shots.rbegin()->second; }
+    const survey::Shot& lastShot() const { return journal.shots.rbegin()->second; }
 
     /// The photo that the journal has for the shot is the camera's file of this index.
     void expectPhoto(std::int64_t shot, std::size_t fileIndex) {

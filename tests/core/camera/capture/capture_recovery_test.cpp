@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "capture_fixture.h"
+#include "capture/capture_fixture.h"
 #include "expect_error.h"
 #include "random.h"
+
+#include "spherewalk/base/json.h"
 
 #include <set>
 
@@ -71,17 +73,17 @@ TEST_F(CaptureRecoveryTest, NothingOpenNeedsNothing) {
 TEST_F(CaptureRecoveryTest, AShotKilledBeforeItsTriggerIsProvedNotTakenAfterTheDeadline) {
     killAfter("begin");
     const auto begun = clock.passed();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::NotTaken);
     EXPECT_GE(clock.passed() - begun, 30s);
     EXPECT_EQ(triggers(), 0);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 1);
 }
 
 TEST_F(CaptureRecoveryTest, AShotKilledDuringItsTriggerIsFoundWhileStillExposing) {
     killDuringTrigger();
     const auto begun = clock.passed();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     EXPECT_LT(clock.passed() - begun, 10s); // as soon as the file is there, not at the deadline
     expectPhoto(1, 2);
     EXPECT_EQ(triggers(), 1);
@@ -92,7 +94,7 @@ TEST_F(CaptureRecoveryTest, ACameraThatSeemsIdleWhileExposingIsNotTriggeredAgain
     camera.processing = 25s;
     killDuringTrigger();
     const ShotOutcome outcome = capture().shoot(1, {}); // settles by itself before anything new
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(outcome.shot.id, 1);
     expectPhoto(1, 2);
     EXPECT_EQ(triggers(), 1);
@@ -100,23 +102,32 @@ TEST_F(CaptureRecoveryTest, ACameraThatSeemsIdleWhileExposingIsNotTriggeredAgain
 
 TEST_F(CaptureRecoveryTest, AnOpenShotOfAnotherStationIsSettledBeforeTheNext) {
     killDuringTrigger(1);
-    EXPECT_EQ(capture().shoot(2, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(2, {}).shot.step, survey::ShotStep::Downloaded);
     expectPhoto(1, 2);
     expectPhoto(2, 3);
     EXPECT_EQ(triggers(), 2);
 }
 
+TEST_F(CaptureRecoveryTest, AnEarlierShotWithoutAPhotoIsNotedWithItsStationBesideTheSentence) {
+    killAfter("begin");
+    const ShotOutcome outcome = capture().shoot(2, {});
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
+    ASSERT_EQ(outcome.earlier.size(), 1U);
+    EXPECT_EQ(outcome.earlier[0].station, 1);
+    EXPECT_EQ(outcome.earlier[0].sentence, "The camera has taken no photo; it can be taken again.");
+}
+
 TEST_F(CaptureRecoveryTest, AShotThatIsTakenButCannotBeFetchedIsTakenAgainOnlyWhenAskedAgain) {
     capture().prepare({});
     camera.nextPhoto = test::jpegBytes(640, 320);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Taken);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Taken);
     camera.nextPhoto = test::jpegBytes(2048, 1024);
     start();
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Taken);
     EXPECT_EQ(outcome.problem, ErrorKind::Corrupt);
     EXPECT_EQ(triggers(), 1);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 2);
 }
 
@@ -139,7 +150,7 @@ TEST_F(CaptureRecoveryTest, TheDeadlineCountsFromTheIntentionByTheClockOfDay) {
     killAfter("begin");
     clock.advance(1h);
     const auto begun = clock.passed();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::NotTaken);
     EXPECT_LT(clock.passed() - begun, 10s);
     EXPECT_GE(clock.passed() - begun, options.confirmTime); // never at the first look
 }
@@ -148,7 +159,7 @@ TEST_F(CaptureRecoveryTest, AClockSetBackMakesTheWaitNoLongerThanTheAllowance) {
     killAfter("begin");
     clock.jump(-24h);
     const auto begun = clock.passed();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::NotTaken);
     EXPECT_GE(clock.passed() - begun, 30s);
     EXPECT_LT(clock.passed() - begun, 40s);
 }
@@ -157,7 +168,7 @@ TEST_F(CaptureRecoveryTest, AClockSetForwardDoesNotHideAnExposureOfOrdinaryLengt
     camera.showsShooting = false;
     killDuringTrigger();
     clock.jump(24h);
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     expectPhoto(1, 2);
 }
 
@@ -166,14 +177,14 @@ TEST_F(CaptureRecoveryTest, AnIntentionAtTheEndsOfTimeDoesNoHarm) {
          {std::chrono::system_clock::time_point::min(), std::chrono::system_clock::time_point::max()}) {
         killAfter("begin");
         journal.shots.rbegin()->second.intendedAt = when;
-        EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
+        EXPECT_EQ(settleOne().shot.step, survey::ShotStep::NotTaken);
     }
 }
 
 TEST_F(CaptureRecoveryTest, AStartedShotIsFollowedByItsId) {
     killAfter("started");
     const auto begun = clock.passed();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     EXPECT_LT(clock.passed() - begun, 5s);
     expectPhoto(1, 2);
     EXPECT_EQ(triggers(), 1);
@@ -184,21 +195,21 @@ TEST_F(CaptureRecoveryTest, AStartedShotWhoseIdIsForgottenIsFoundByItsFile) {
     clock.advance(10s);
     camera.tellsEndOnce = true;
     camera.fault("/osc/commands/status", answering(test::answerOsc("invalidParameterValue", 400)), 2);
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     expectPhoto(1, 2);
 }
 
 TEST_F(CaptureRecoveryTest, AStartedShotLostByARestartOfTheCameraIsNotTaken) {
     killAfter("started");
     camera.restart();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::NotTaken);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::NotTaken);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
     expectPhoto(2, 2);
 }
 
 TEST_F(CaptureRecoveryTest, ATakenShotIsOnlyDownloaded) {
     killAfter("taken");
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     expectPhoto(1, 2);
     EXPECT_EQ(triggers(), 1);
     EXPECT_EQ(camera.count("camera.setOptions"), 2); // those of the first run
@@ -208,7 +219,7 @@ TEST_F(CaptureRecoveryTest, ATakenShotIsDownloadedThoughTheCameraIsFull) {
     killAfter("taken");
     camera.cameraErrors = Json::array({"NO_MEMORY"});
     camera.options["remainingPictures"] = 0;
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
 }
 
 TEST_F(CaptureRecoveryTest, ADownloadThatWasKilledStartsAnew) {
@@ -226,7 +237,7 @@ TEST_F(CaptureRecoveryTest, ADownloadThatWasKilledStartsAnew) {
     expectError(ErrorKind::Stopped, "", [&] { capture().shoot(1, death.get_token()); });
     writeFile(folder / "shot-1.incoming.1-0.part", bytesOf("left by a kill")); // what a real kill leaves
     start();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
     expectPhoto(1, 2);
     capture().prepare({});
     capture().disconnect({});
@@ -237,22 +248,22 @@ TEST_F(CaptureRecoveryTest, APhotoOnAnotherCameraWaitsForIt) {
     killAfter("taken");
     camera.serial = "00999999";
     const ShotOutcome outcome = settleOne();
-    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Taken);
     EXPECT_EQ(outcome.problem, ErrorKind::NotFound);
-    EXPECT_EQ(lastShot().step, ShotStep::Taken);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Taken);
 }
 
 TEST_F(CaptureRecoveryTest, AnOpenShotOfAnotherCameraIsUnclear) {
     killDuringTrigger();
     camera.serial = "00999999";
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Unclear);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
 }
 
 TEST_F(CaptureRecoveryTest, AnOpenShotIsUnclearIfTwoFilesAreNew) {
     killDuringTrigger();
     clock.advance(10s);
     camera.addFile();
-    EXPECT_EQ(settleOne().shot.step, ShotStep::Unclear);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
 }
 
 TEST_F(CaptureRecoveryTest, AnOpenShotStaysOpenWhileTheCameraIsAway) {
@@ -262,7 +273,7 @@ TEST_F(CaptureRecoveryTest, AnOpenShotStaysOpenWhileTheCameraIsAway) {
     camera.fault("/osc/info", answering(closeSilently()), 1000);
     camera.fault("camera.listFiles", answering(closeSilently()), 1000);
     expectError(ErrorKind::Network, "broke", [&] { capture().settle({}); });
-    EXPECT_EQ(lastShot().step, ShotStep::Intended);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Intended);
     EXPECT_GE(clock.passed(), options.reconnectTime);
 }
 
@@ -274,10 +285,10 @@ TEST_F(CaptureRecoveryTest, AnyDeathAtAnyInstantLeavesEachStationItsOwnPhoto) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         for (int station = 0; station < 3; ++station) {
-            const auto shotOfStation = [&]() -> const Shot* {
+            const auto shotOfStation = [&]() -> const survey::Shot* {
                 for (const auto& [id, shot] : journal.shots) {
                     if (shot.station == static_cast<std::int64_t>(100 * seed) + station &&
-                        shot.step == ShotStep::Downloaded) {
+                        shot.step == survey::ShotStep::Downloaded) {
                         return &shot;
                     }
                 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "capture_fixture.h"
+#include "capture/capture_fixture.h"
 #include "expect_error.h"
+
+#include "spherewalk/base/json.h"
 
 namespace spherewalk::camera {
 namespace {
@@ -18,7 +20,7 @@ class CaptureTest : public test::CaptureFixture {};
 
 TEST_F(CaptureTest, TakesTheStationsPhoto) {
     const ShotOutcome outcome = capture().shoot(17, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(outcome.sentence, "");
     EXPECT_EQ(lastShot().station, 17);
     EXPECT_EQ(lastShot().cameraSerial, "00123456");
@@ -53,7 +55,7 @@ TEST_F(CaptureTest, TakesManyPhotosEachForItsStation) {
     for (int station = 0; station < 10; ++station) {
         nextPhotoLooks(static_cast<char>('a' + station));
         const ShotOutcome outcome = capture().shoot(station, {});
-        EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded) << outcome.sentence;
+        EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded) << outcome.sentence;
         expectPhoto(outcome.shot.id, static_cast<std::size_t>(station) + 2);
     }
     EXPECT_EQ(triggers(), 10);
@@ -104,9 +106,9 @@ TEST_F(CaptureTest, StopsTheRunWhenThisComputersDiskFails) {
     capture().prepare({});
     std::filesystem::remove_all(folder.path());
     expectError(ErrorKind::Io, "shot-1", [&] { capture().shoot(1, {}); });
-    EXPECT_EQ(lastShot().step, ShotStep::Taken);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Taken);
     std::filesystem::create_directory(folder.path());
-    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, survey::ShotStep::Downloaded);
 }
 
 TEST_F(CaptureTest, RefusesWhatIsNoCamera) {
@@ -157,7 +159,7 @@ TEST_F(CaptureTest, AppliesItsSettingsAgainAfterARestartOfTheCamera) {
     camera.restart();
     camera.options["captureMode"] = "video";
     camera.options["sleepDelay"] = 180;
-    EXPECT_EQ(capture().shoot(2, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(2, {}).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(camera.options["sleepDelay"], 65535);
     capture().disconnect({});
     EXPECT_EQ(camera.options["sleepDelay"], 180);
@@ -240,7 +242,7 @@ TEST_F(CaptureTest, WaitsForACameraThatIsAwayBetweenTwoShots) {
     capture().shoot(1, {});
     camera.fault("/osc/info", answering(closeSilently()), 8);
     const ShotOutcome outcome = capture().shoot(2, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_THAT(outcome.warnings, ElementsAre(HasSubstr("did not answer for")));
     expectPhoto(2, 3);
 }
@@ -248,7 +250,7 @@ TEST_F(CaptureTest, WaitsForACameraThatIsAwayBetweenTwoShots) {
 TEST_F(CaptureTest, GoesOnWhenTheCameraGoesAwayWhileItIsPrepared) {
     capture().shoot(1, {});
     camera.fault("camera.listFiles", answering(closeSilently()), 3);
-    EXPECT_EQ(capture().shoot(2, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(2, {}).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 2);
 }
 
@@ -274,10 +276,11 @@ TEST_F(CaptureProfileTest, AsksAPersonAboutAPhotoThatMayBeExposedOtherwise) {
     capture().prepare({});
     forgetAtTheTrigger();
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
     EXPECT_THAT(outcome.sentence, HasSubstr("exposed differently"));
     EXPECT_TRUE(journal.photos.empty());
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded); // the profile is in force again
+    EXPECT_EQ(capture().shoot(1, {}).shot.step,
+              survey::ShotStep::Downloaded); // the profile is in force again
     EXPECT_EQ(camera.options["iso"], 200);
 }
 
@@ -292,7 +295,7 @@ TEST_F(CaptureProfileTest, AsksAlsoAboutOneThatAKilledRunLeft) {
     expectError(ErrorKind::Io, "death", [&] { capture().shoot(1, {}); });
     journal.onRecorded = [](const std::string&) {};
     start();
-    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Unclear);
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, survey::ShotStep::Unclear);
 }
 
 TEST_F(CaptureTest, RefusesToShootWithAnotherCamera) {
@@ -305,7 +308,7 @@ TEST_F(CaptureTest, RefusesToShootWithAnotherCamera) {
 TEST_F(CaptureTest, TriesAMomentaryRefusalAgainAsANewShot) {
     camera.fault("camera.takePicture", answering(answerOsc("serviceUnavailable", 503)), 2);
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_THAT(log.only({"begin", "camera.takePicture", "notTaken", "started"}),
                 ElementsAre("begin", "camera.takePicture", "notTaken", "begin", "camera.takePicture",
                             "notTaken", "begin", "camera.takePicture", "started"));
@@ -315,10 +318,10 @@ TEST_F(CaptureTest, TriesAMomentaryRefusalAgainAsANewShot) {
 TEST_F(CaptureTest, RepairsTheModeAfterARefusalOnce) {
     capture().prepare({});
     camera.options["captureMode"] = "video";
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
     camera.fault("camera.takePicture", answering(answerOsc("disabledCommand", 403)), 2);
     const ShotOutcome outcome = capture().shoot(2, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::NotTaken);
     EXPECT_THAT(outcome.sentence, HasSubstr("words of the camera"));
     EXPECT_EQ(outcome.problem, ErrorKind::Busy);
     EXPECT_EQ(camera.files.size(), 3U);
@@ -327,7 +330,7 @@ TEST_F(CaptureTest, RepairsTheModeAfterARefusalOnce) {
 TEST_F(CaptureTest, ReportsARefusalThatStays) {
     camera.fault("camera.takePicture", answering(answerOsc("noFreeSpace", 403)));
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::NotTaken);
     EXPECT_EQ(outcome.problem, ErrorKind::Full);
     EXPECT_EQ(triggers(), 1);
 }
@@ -335,7 +338,7 @@ TEST_F(CaptureTest, ReportsARefusalThatStays) {
 TEST_F(CaptureTest, SendsOneTriggerWhenTheAnswerIsLost) {
     camera.fault("camera.takePicture", losingTheAnswer());
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 1);
     EXPECT_EQ(camera.files.size(), 3U);
     expectPhoto(outcome.shot.id, 2);
@@ -344,12 +347,12 @@ TEST_F(CaptureTest, SendsOneTriggerWhenTheAnswerIsLost) {
 TEST_F(CaptureTest, SendsOneTriggerWhenItIsDroppedBeforeItCounts) {
     camera.fault("camera.takePicture", answering(closeSilently()));
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::NotTaken);
     EXPECT_EQ(outcome.problem, ErrorKind::NotFound);
     EXPECT_GE(clock.passed(), 30s); // proof takes until the deadline
     EXPECT_EQ(triggers(), 1);
-    EXPECT_EQ(lastShot().step, ShotStep::NotTaken);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded); // free to be taken again
+    EXPECT_EQ(lastShot().step, survey::ShotStep::NotTaken);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded); // free to be taken again
     expectPhoto(2, 2);
 }
 
@@ -363,7 +366,7 @@ TEST_F(CaptureTest, FindsThePhotoWhateverBadAnswerTheTriggerGot) {
             return answer;
         });
         const ShotOutcome outcome = capture().shoot(1, {});
-        EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded) << answer.bytes;
+        EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded) << answer.bytes;
         EXPECT_EQ(camera.files.size(), before + 1) << answer.bytes;
         expectPhoto(outcome.shot.id, before);
     }
@@ -375,7 +378,7 @@ TEST_F(CaptureTest, FindsThePhotoWhenTheIdIsForgotten) {
         "/osc/commands/status", [](const auto& normal) { return normal(); }, 7);
     camera.fault("/osc/commands/status", losingTheAnswer());
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     expectPhoto(outcome.shot.id, 2);
     EXPECT_EQ(triggers(), 1);
 }
@@ -383,7 +386,7 @@ TEST_F(CaptureTest, FindsThePhotoWhenTheIdIsForgotten) {
 TEST_F(CaptureTest, FindsThePhotoWhenDoneComesWithoutItsName) {
     camera.tellsFileUrl = false;
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     expectPhoto(outcome.shot.id, 2);
 }
 
@@ -393,7 +396,7 @@ TEST_F(CaptureTest, DoesNotTakeAnOldFileForTheNewOne) {
                                 R"("}})");
     });
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     expectPhoto(outcome.shot.id, 2);
 }
 
@@ -403,7 +406,7 @@ TEST_F(CaptureTest, SurvivesALinkThatBreaksWhilePolling) {
         "/osc/info", [](const auto& normal) { return normal(); }, 2);
     camera.fault("/osc/info", answering(closeSilently()), 6);
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 1);
     expectPhoto(outcome.shot.id, 2);
 }
@@ -411,7 +414,7 @@ TEST_F(CaptureTest, SurvivesALinkThatBreaksWhilePolling) {
 TEST_F(CaptureTest, ReportsAShotCancelledAtTheCamera) {
     camera.fault("/osc/commands/status", answering(answerOsc("canceledShooting", 403)));
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::NotTaken);
     EXPECT_THAT(outcome.sentence, HasSubstr("cancelled"));
 }
 
@@ -419,30 +422,30 @@ TEST_F(CaptureTest, LeavesAShotOpenThatNeverEndsAndSettlesItAfterARestart) {
     camera.isStuck = true;
     camera.showsShooting = false;
     expectError(ErrorKind::Timeout, "switch it off and on", [&] { capture().shoot(1, {}); });
-    EXPECT_EQ(lastShot().step, ShotStep::Started);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Started);
     expectError(ErrorKind::Timeout, "switch it off and on", [&] { capture().shoot(1, {}); });
     EXPECT_EQ(triggers(), 1);
     camera.isStuck = false;
     camera.restart();
     start();
-    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::NotTaken);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, survey::ShotStep::NotTaken);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
 }
 
 TEST_F(CaptureTest, LeavesAShotOpenWhileTheCameraStaysBusy) {
     camera.isStuck = true;
     expectError(ErrorKind::Busy, "stays busy", [&] { capture().shoot(1, {}); });
-    EXPECT_EQ(lastShot().step, ShotStep::Started);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Started);
 }
 
 TEST_F(CaptureTest, TakesAPhotoThatComesAtTheVeryDeadline) {
     camera.processing = 29'900ms;
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
 }
 
 TEST_F(CaptureTest, TakesAPhotoThatComesAfterTheDeadline) {
     camera.processing = 40s;
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 1);
 }
 
@@ -451,7 +454,7 @@ TEST_F(CaptureTest, WaitsLongerForLongExposures) {
     camera.options["_filter"] = "Noise Reduction";
     camera.processing = 160s;
     camera.showsShooting = false;
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded);
 }
 
 TEST_F(CaptureTest, AsksAPersonWhenTwoPhotosAreNew) {
@@ -461,7 +464,7 @@ TEST_F(CaptureTest, AsksAPersonWhenTwoPhotosAreNew) {
         return closeSilently();
     });
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
     EXPECT_THAT(outcome.sentence, HasSubstr("2 new photos"));
     EXPECT_EQ(lastShot().note, outcome.sentence);
     EXPECT_TRUE(journal.photos.empty());
@@ -473,7 +476,7 @@ TEST_F(CaptureTest, TrustsTheCamerasNameForTheFileAmongTwoNewOnes) {
         return normal();
     });
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Downloaded);
     expectPhoto(outcome.shot.id, 3);
 }
 
@@ -484,7 +487,7 @@ TEST_F(CaptureTest, AsksAPersonWhenTheCameraWasReset) {
         return closeSilently();
     });
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
     EXPECT_THAT(outcome.sentence, HasSubstr("reset"));
 }
 
@@ -495,7 +498,7 @@ TEST_F(CaptureTest, AsksAPersonWhenAnotherCameraTakesTheAddress) {
         return closeSilently();
     });
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
     EXPECT_THAT(outcome.sentence, HasSubstr("00123456"));
     EXPECT_EQ(triggers(), 1);
 }
@@ -508,26 +511,26 @@ TEST_F(CaptureTest, AsksAPersonWhenAnotherCameraAnswersWhilePolling) {
             return closeSilently();
         },
         6);
-    EXPECT_EQ(capture().shoot(1, {}).shot.step, ShotStep::Unclear);
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Unclear);
 }
 
 TEST_F(CaptureTest, KeepsAPhotoThatCannotBeFetchedAsTaken) {
     capture().prepare({});
     camera.nextPhoto = test::jpegBytes(640, 320);
     const ShotOutcome outcome = capture().shoot(1, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Taken);
     EXPECT_EQ(outcome.problem, ErrorKind::Corrupt);
     EXPECT_THAT(outcome.sentence, HasSubstr("640 x 320"));
-    EXPECT_EQ(lastShot().step, ShotStep::Taken);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Taken);
     camera.nextPhoto = test::jpegBytes(2048, 1024);
-    EXPECT_EQ(capture().shoot(2, {}).shot.step, ShotStep::Downloaded); // the run may go on
+    EXPECT_EQ(capture().shoot(2, {}).shot.step, survey::ShotStep::Downloaded); // the run may go on
 }
 
 TEST_F(CaptureTest, ExposesAndFetchesApart) {
     const ShotOutcome exposed = capture().expose(1, {});
-    EXPECT_EQ(exposed.shot.step, ShotStep::Taken);
+    EXPECT_EQ(exposed.shot.step, survey::ShotStep::Taken);
     EXPECT_TRUE(journal.photos.empty());
-    EXPECT_EQ(capture().fetch(exposed.shot, {}).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(capture().fetch(exposed.shot, {}).shot.step, survey::ShotStep::Downloaded);
     expectPhoto(exposed.shot.id, 2);
 }
 
@@ -539,8 +542,8 @@ TEST_F(CaptureTest, StopsDuringATriggerAndLeavesTheShotOpen) {
         return test::neverAnswer();
     });
     expectError(ErrorKind::Stopped, "Stopped", [&] { capture().shoot(1, stop.get_token()); });
-    EXPECT_EQ(lastShot().step, ShotStep::Intended);
-    EXPECT_EQ(capture().settle({}).at(0).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Intended);
+    EXPECT_EQ(capture().settle({}).at(0).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(triggers(), 1);
 }
 
@@ -551,7 +554,7 @@ TEST_F(CaptureTest, StopsBetweenTwoQuestions) {
         return normal();
     });
     expectError(ErrorKind::Stopped, "Stopped", [&] { capture().shoot(1, stop.get_token()); });
-    EXPECT_EQ(lastShot().step, ShotStep::Started);
+    EXPECT_EQ(lastShot().step, survey::ShotStep::Started);
 }
 
 TEST(CaptureOptions, ScalesTheCamerasTimes) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "event_log.h"
+#include "capture/event_log.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/file.h"
@@ -18,24 +18,24 @@ class MemoryJournal : public camera::CaptureJournal {
     MemoryJournal(Clock& clock, EventLog& log, std::filesystem::path folder)
         : m_clock(clock), m_log(log), m_folder(std::move(folder)) {}
 
-    camera::Shot begin(std::int64_t station, const std::string& serial,
-                       const camera::Baseline& baseline) override;
+    survey::Shot begin(std::int64_t station, const std::string& serial,
+                       const survey::Baseline& baseline) override;
     void started(std::int64_t shot, const std::string& commandId) override;
     void taken(std::int64_t shot, const std::string& fileUrl) override;
     void notTaken(std::int64_t shot) override;
     void unclear(std::int64_t shot, const std::string& why) override;
     void downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
-    std::vector<camera::Shot> openShots() const override;
+    std::vector<survey::Shot> openShots() const override;
 
     std::filesystem::path downloadFolder() const override { return m_folder; }
 
     /// Called after each record; throwing from it is the program's death at that instant.
     std::function<void(const std::string& event)> onRecorded = [](const std::string&) {};
-    std::map<std::int64_t, camera::Shot> shots;
+    std::map<std::int64_t, survey::Shot> shots;
     std::map<std::int64_t, Bytes> photos; ///< by shot
 
   private:
-    camera::Shot& shot(std::int64_t id) { return shots.at(id); }
+    survey::Shot& shot(std::int64_t id) { return shots.at(id); }
 
     void recorded(const std::string& event);
 

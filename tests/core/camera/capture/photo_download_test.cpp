@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture/test_camera.h"
 #include "expect_error.h"
 #include "temporary_folder.h"
-#include "test_camera.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/camera/photo_download.h"
 
 #include <array>

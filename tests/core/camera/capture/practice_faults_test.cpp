@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The workflow against a practice camera that does everything wrong that it can. Whatever happens, each
 // station ends with its own photo, taken with the profile's exposure.
+#include "capture/practice_fixture.h"
 #include "expect_error.h"
-#include "practice_fixture.h"
 
 namespace spherewalk::camera {
 namespace {
@@ -34,7 +34,7 @@ TEST_P(FaultOfOneRequest, IsOvercomeAndSendsNoSecondTrigger) {
         ++station;
         arm(kind, GetParam().on);
         ShotOutcome outcome = shoot(station);
-        if (outcome.shot.step == ShotStep::NotTaken) { // which is right only if nothing was done
+        if (outcome.shot.step == survey::ShotStep::NotTaken) { // which is right only if nothing was done
             EXPECT_TRUE(GetParam().isTrigger);
             EXPECT_EQ(exposuresOf(station), 0);
             EXPECT_NE(outcome.sentence, "");
@@ -64,7 +64,7 @@ TEST_F(PracticeFaults, EveryRefusalOfATriggerIsToldOrRepeatedOnce) {
         ++station;
         practice().arm({FaultKind::Refuse, "camera.takePicture", 0, 1, 0, 0, code});
         ShotOutcome outcome = shoot(station);
-        if (outcome.shot.step == ShotStep::NotTaken) {
+        if (outcome.shot.step == survey::ShotStep::NotTaken) {
             EXPECT_NE(outcome.sentence, "");
             EXPECT_EQ(exposuresOf(station), 0);
             outcome = shoot(station);
@@ -107,7 +107,7 @@ TEST_F(PracticeFaults, APhotoThatIsNoneStaysOnTheCameraAndIsTold) {
         SCOPED_TRACE(practice::name(kind));
         arm(kind, "camera.takePicture");
         const ShotOutcome outcome = shoot(++station);
-        EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+        EXPECT_EQ(outcome.shot.step, survey::ShotStep::Taken);
         EXPECT_NE(outcome.sentence, "");
         expectRightPhoto(shoot(station));
     }
@@ -137,7 +137,7 @@ TEST_F(PracticeFaults, ARestartWhileThePictureIsProcessedLosesItAndIsTold) {
     expectRightPhoto(shoot(1));
     arm(FaultKind::Reboot, "exposing", 1, 10);
     const ShotOutcome lost = shoot(2);
-    EXPECT_EQ(lost.shot.step, ShotStep::NotTaken);
+    EXPECT_EQ(lost.shot.step, survey::ShotStep::NotTaken);
     EXPECT_EQ(exposuresOf(2), 0);
     expectRightPhoto(shoot(2));
     EXPECT_EQ(exposuresOf(2), 1);
@@ -148,7 +148,7 @@ TEST_F(PracticeFaults, ARestartAfterThePictureIsWrittenLosesNothing) {
     runCamera();
     shoot(1);
     arm(FaultKind::Reboot, "written", 1, 10);
-    EXPECT_EQ(shoot(2).shot.step, ShotStep::Downloaded);
+    EXPECT_EQ(shoot(2).shot.step, survey::ShotStep::Downloaded);
     EXPECT_EQ(exposuresOf(2), 1);
 }
 
@@ -157,7 +157,7 @@ TEST_F(PracticeFaults, ARestartAfterThePictureIsWrittenLeavesNoProofOfItsExposur
     expectRightPhoto(shoot(1));
     arm(FaultKind::Reboot, "written", 1, 10);
     const ShotOutcome outcome = shoot(2);
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
     EXPECT_THAT(outcome.sentence, HasSubstr("R0010002.JPG"));
     expectRightPhoto(shoot(2));
 }
@@ -166,7 +166,7 @@ TEST_F(PracticeFaults, ASleepDuringADownloadOnlyDelaysIt) {
     runCamera();
     arm(FaultKind::Sleep, "/files", 1, 20);
     ShotOutcome outcome = shoot(1);
-    if (outcome.shot.step == ShotStep::Taken) {
+    if (outcome.shot.step == survey::ShotStep::Taken) {
         outcome = capture().settle({}).at(0);
     }
     expectRightPhoto(outcome);
@@ -186,7 +186,7 @@ TEST_F(PracticeFaults, SettingsThatAreLostAreSetAgainOrThePhotoIsDoubted) {
     for (const char* on : {"camera.listFiles", "camera.takePicture"}) { // after the last look
         arm(FaultKind::ResetSettings, on);
         const ShotOutcome outcome = shoot(++station);
-        EXPECT_EQ(outcome.shot.step, ShotStep::Unclear);
+        EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
         EXPECT_THAT(outcome.sentence, HasSubstr("exposed differently"));
         expectRightPhoto(shoot(station));
     }
@@ -203,7 +203,7 @@ TEST_F(PracticeFaults, APictureByTheButtonIsGivenToNoStation) {
     arm(FaultKind::ExtraPhoto, "camera.takePicture");
     arm(FaultKind::ExecuteThenDrop, "camera.takePicture");
     const ShotOutcome outcome = shoot(++station);
-    EXPECT_EQ(outcome.shot.step, ShotStep::Unclear) << "two new files, and no word which is which";
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear) << "two new files, and no word which is which";
     EXPECT_NE(outcome.sentence, "");
     expectRightPhoto(shoot(station));
 }
@@ -245,7 +245,7 @@ TEST_F(PracticeFaults, ACounterThatBeginsAnewMixesNothingUp) {
     expectRightPhoto(shoot(2)); // its file has the first one's name
     arm(FaultKind::RestartCounter, "camera.takePicture");
     const ShotOutcome outcome = shoot(3);
-    if (outcome.shot.step == ShotStep::Unclear) {
+    if (outcome.shot.step == survey::ShotStep::Unclear) {
         EXPECT_NE(outcome.sentence, "");
         expectRightPhoto(shoot(3));
     } else {
@@ -256,13 +256,13 @@ TEST_F(PracticeFaults, ACounterThatBeginsAnewMixesNothingUp) {
 TEST_F(PracticeFaults, ANameGivenAgainIsNotTakenForThePhotoThatHadIt) {
     runCamera();
     practice().setPosition({1, 0, 1});
-    const Shot taken = capture().expose(1, {}).shot;
-    ASSERT_EQ(taken.step, ShotStep::Taken);
+    const survey::Shot taken = capture().expose(1, {}).shot;
+    ASSERT_EQ(taken.step, survey::ShotStep::Taken);
     practice().befall({FaultKind::RestartCounter, ""});
     practice().setPosition({2, 0, 1});
     practice().befall({FaultKind::ExtraPhoto, ""}); // under the same name
     const ShotOutcome outcome = capture().fetch(taken, {});
-    EXPECT_EQ(outcome.shot.step, ShotStep::Taken);
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Taken);
     EXPECT_THAT(outcome.sentence, HasSubstr("another photo"));
     EXPECT_TRUE(journal.photos.empty());
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "memory_journal.h"
+#include "capture/memory_journal.h"
 #include "temporary_folder.h"
 
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/digest.h"
 #include "spherewalk/camera/capture.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_camera.h"
@@ -91,7 +91,7 @@ class PracticeFixture : public testing::Test {
 
     /// The shot's photo is one that the camera took at its station, with the profile's exposure.
     void expectRightPhoto(const camera::ShotOutcome& outcome) {
-        ASSERT_EQ(outcome.shot.step, camera::ShotStep::Downloaded) << outcome.sentence;
+        ASSERT_EQ(outcome.shot.step, survey::ShotStep::Downloaded) << outcome.sentence;
         const std::string sha256 = sha256Hex(journal.photos.at(outcome.shot.id));
         const std::vector<practice::Truth> all = truths();
         const auto found = std::find_if(all.begin(), all.end(),

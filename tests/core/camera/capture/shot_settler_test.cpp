@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/endpoint.h"
-#include "spherewalk/camera/new_files.h"
+#include "spherewalk/camera/shot_settler.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ std::string url(int number) {
     return text("http://192.168.1.1/files/100RICOH/R", number, ".JPG");
 }
 
-Baseline before(int latest, int total) {
+survey::Baseline before(int latest, int total) {
     return {latest == 0 ? "" : url(latest), total};
 }
 
@@ -41,7 +41,7 @@ TEST(NewFiles, OneIfItStandsAboveTheOldNewest) {
 }
 
 TEST(NewFiles, IgnoresTheAddressOfTheCamera) {
-    Baseline moved = before(5, 7);
+    survey::Baseline moved = before(5, 7);
     moved.latestFileUrl = "http://10.0.0.7:8080/files/100RICOH/R5.JPG";
     EXPECT_EQ(newFilesSince(moved, now({5, 4}, 7)).count, NewFiles::Count::None);
     EXPECT_EQ(newFilesSince(moved, now({6, 5}, 8)).count, NewFiles::Count::One);

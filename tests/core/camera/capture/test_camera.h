@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "event_log.h"
+#include "capture/event_log.h"
+#include "http/scripted_server.h"
 #include "manual_clock.h"
-#include "scripted_server.h"
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/camera/photo_download.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cameras of API level 1, and cameras that want a password.
+#include "capture/practice_fixture.h"
 #include "expect_error.h"
-#include "practice_fixture.h"
-#include "scripted_server.h"
+#include "http/scripted_server.h"
 
 #include "spherewalk/camera/live_preview.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "scripted_server.h"
+#include "http/scripted_server.h"
 
 #include "spherewalk/camera/http.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scripted_server.h"
+#include "http/scripted_server.h"
 
 #include <arpa/inet.h>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_clock.h"
+#include "osc/camera_options.h"
 #include "random.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "event_log.h"
+#include "capture/event_log.h"
+#include "capture/test_camera.h"
 #include "expect_error.h"
 #include "manual_clock.h"
-#include "test_camera.h"
 
 #include "spherewalk/camera/discovery.h"
 

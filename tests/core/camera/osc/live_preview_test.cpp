@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
+#include "http/scripted_server.h"
 #include "manual_clock.h"
-#include "scripted_server.h"
 #include "structural_jpeg.h"
 
 #include "spherewalk/base/json.h"

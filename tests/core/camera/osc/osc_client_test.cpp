@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture/test_camera.h"
 #include "expect_error.h"
-#include "test_camera.h"
 
 #include "spherewalk/camera/osc_client.h"
 
@@ -193,7 +193,7 @@ TEST_F(OscClientTest, StopsWhileWaitingToTryAgain) {
 
 TEST(OscOptions, ScalesTheCamerasPaceButNotTheNetworks) {
     const OscOptions fast = OscOptions().scaled(0.01);
-    EXPECT_EQ(fast.settlePause, 10ms);
+    EXPECT_EQ(fast.applyPause, 10ms);
     EXPECT_EQ(fast.busyPause, 10ms);
     EXPECT_EQ(fast.http.requestTimeout, 20s);
 }

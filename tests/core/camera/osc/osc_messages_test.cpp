@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/camera/osc_messages.h"
 
 #include <set>

@@ -2,7 +2,7 @@
 #include "random.h"
 #include "structural_jpeg.h"
 
-#include "spherewalk/camera/preview_parser.h"
+#include "spherewalk/camera/live_preview.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture/test_camera.h"
 #include "expect_error.h"
-#include "test_camera.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/camera/settings_guard.h"
 
 namespace spherewalk::camera {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "practice_camera_fixture.h"
+#include "server/practice_camera_fixture.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/truth.h"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "practice_camera_fixture.h"
+#include "server/practice_camera_fixture.h"
+
+#include "spherewalk/base/json.h"
 
 namespace spherewalk::practice {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "practice_camera_fixture.h"
+#include "server/practice_camera_fixture.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/truth.h"

@@ -2,7 +2,7 @@
 #include "expect_error.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/practice/photo_errors.h"
+#include "spherewalk/practice/practice_camera.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "picture_comparison.h"
 #include "random.h"
+#include "room/picture_comparison.h"
 
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/practice/practice_room.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "practice_camera_fixture.h"
+#include "server/practice_camera_fixture.h"
+
+#include "spherewalk/base/json.h"
 
 #include <array>
 #include <netinet/in.h>

@@ -18,25 +18,26 @@ class CameraWatch {
     /// Owner: the options must outlive the object.
     explicit CameraWatch(const CaptureOptions& options) : m_options(options) {}
 
-    /// What is new to the operator. Errors: Busy or Full if the camera can take no picture, with what to do.
+    /// The sentences that are new to the operator. Errors: Busy or Full if the camera can take no picture;
+    /// the sentence says what to do.
     std::vector<std::string> look(const CameraState& state);
-    /// The same. remaining: as the camera says, if it does.
+    /// The same for the storage. remaining: number of photos that still fit, if the camera says it.
     std::vector<std::string> lookAtStorage(std::optional<std::int64_t> remaining);
 
-    /// A picture has been taken.
+    /// Counts a picture that was taken.
     void notePhoto() { ++m_photos; }
 
-    /// Says everything again that is still so.
+    /// Makes look() repeat everything that is still true.
     void beginAnew() { m_said.clear(); }
 
-    /// How many more photos storage and battery allow, as the latter has fallen so far; nothing if neither is
-    /// known.
+    /// How many more photos the storage and the battery allow. The battery's part follows from how far its
+    /// charge has fallen. Nothing if neither is known.
     std::optional<std::int64_t> photosLeft() const;
 
   private:
     struct Reading {
         double fraction = 0;
-        int photos = 0; ///< taken until then
+        int photos = 0; ///< Photos taken until the reading.
     };
 
     void say(std::vector<std::string>& sentences, const std::string& what, std::string sentence);
@@ -47,7 +48,7 @@ class CameraWatch {
     std::set<std::string> m_said;
     int m_photos = 0;
     std::optional<std::int64_t> m_remaining;
-    std::optional<Reading> m_first; ///< since it was charged
+    std::optional<Reading> m_first; ///< The first reading since the battery was charged.
     Reading m_last;
 };
 

@@ -20,24 +20,28 @@ struct CameraPlace {
 /// Where cameras usually are: on their own WiFi, and a practice camera on this computer.
 std::vector<CameraPlace> usualPlaces();
 
+/// A camera that answered.
 struct FoundCamera {
     CameraPlace place;
     CameraInfo info;
 };
 
+/// Where to look for cameras, and for how long.
 struct FindOptions {
     std::vector<CameraPlace> places = usualPlaces();
-    std::chrono::milliseconds answerTime{2'500}; ///< given to each place; all are asked at the same time
-    std::chrono::milliseconds browseTime{1'500}; ///< listening for announcements; 0: not at all
+    std::chrono::milliseconds answerTime{
+        2'500}; ///< Time that each place has to answer; all are asked at the same time.
+    std::chrono::milliseconds browseTime{1'500}; ///< Time to listen for announcements; 0 to ignore them.
 
     /// Errors: InvalidInput, with the option and its range.
     void validate() const;
 };
 
+/// What was found.
 struct FindReport {
-    std::vector<FoundCamera> cameras; ///< each once, in the order of the places
-    std::vector<CameraPlace> silent;  ///< where nothing answers as a camera does
-    std::string note;                 ///< why announcements could not be listened for, as a sentence
+    std::vector<FoundCamera> cameras; ///< Each camera once, in the order of the places.
+    std::vector<CameraPlace> silent;  ///< Places where no camera answered.
+    std::string note; ///< Why announcements could not be heard, as a sentence; "" if they could.
 };
 
 /// Asks all places, and those that cameras in client mode announce on the network by DNS-SD (_osc._tcp,

@@ -6,9 +6,10 @@
 
 namespace spherewalk::camera {
 
-/// Where a camera answers: plain HTTP, as spherical cameras offer nothing else over WiFi.
+/// Address at which a camera answers. It is plain HTTP, because spherical cameras offer nothing else over
+/// WiFi.
 struct Endpoint {
-    std::string host = "192.168.1.1"; ///< a name, an IPv4 address, or an IPv6 address without brackets
+    std::string host = "192.168.1.1"; ///< Name, IPv4 address, or IPv6 address without brackets.
     int port = 80;
 
     bool operator==(const Endpoint&) const = default;

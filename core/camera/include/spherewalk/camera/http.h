@@ -2,13 +2,13 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
-#include "spherewalk/camera/credentials.h"
 #include "spherewalk/camera/endpoint.h"
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -16,12 +16,44 @@
 
 namespace spherewalk::camera {
 
+/// Name and password of a user of a camera in client mode.
+struct Credentials {
+    std::string user;
+    std::string password;
+
+    bool operator==(const Credentials&) const = default;
+};
+
+/// Gives credentials from a keychain, the environment or a person; nothing if there are none. It is called
+/// when a camera asks who connects, and again when the camera refuses the answer. Threads: the client's.
+using CredentialsSource = std::function<std::optional<Credentials>()>;
+
+/// The latest credentials for all clients of one camera. Threads: any, also at the same time.
+class CredentialsMemory {
+  public:
+    void set(const Credentials& credentials);
+
+    /// The credentials if they are newer than those that this client got last; otherwise nothing. given: the
+    /// client's own counter, 0 at first; this function advances it.
+    std::optional<Credentials> newer(int& given) const;
+
+  private:
+    mutable std::mutex m_mutex;
+    std::optional<Credentials> m_credentials;
+    int m_revision = 0;
+};
+
+/// A source whose copies share one answer. `ask` is called once for all copies, and again only after a
+/// refusal, by one thread at a time.
+CredentialsSource rememberingCredentials(CredentialsSource ask);
+
+/// Limits of all requests.
 struct HttpOptions {
     std::chrono::milliseconds connectTimeout{5'000};
-    std::chrono::milliseconds requestTimeout{20'000}; ///< of an ordinary request, in all
-    std::chrono::milliseconds stallTimeout{15'000};   ///< of a download: the longest time for 16 kB
-    std::uint64_t maxAnswerBytes = 1 << 20;           ///< of an ordinary request's answer
-    CredentialsSource credentials = {};               ///< none: an answer 401 stays as it is
+    std::chrono::milliseconds requestTimeout{20'000}; ///< Whole time of an ordinary request.
+    std::chrono::milliseconds stallTimeout{15'000};   ///< Longest time for 16 kB of a download.
+    std::uint64_t maxAnswerBytes = 1 << 20;           ///< Largest answer to an ordinary request.
+    CredentialsSource credentials = {}; ///< Without a source an answer 401 is returned as it is.
 
     /// Errors: InvalidInput, with the option and its range.
     void validate() const;
@@ -30,9 +62,9 @@ struct HttpOptions {
 /// What a server answered, whatever the status.
 struct HttpResponse {
     int status = 0;
-    std::string contentType; ///< as sent, in lower case
-    std::string body;        ///< of a download only if the status is not 200, and then at most 64 kB
-    std::optional<std::uint64_t> declaredBytes; ///< Content-Length, if there was one
+    std::string contentType; ///< Content type as sent, in lower case.
+    std::string body;        ///< The body; of a download only if the status is not 200, and at most 64 kB.
+    std::optional<std::uint64_t> declaredBytes; ///< Content-Length, if the answer had one.
     std::uint64_t receivedBytes = 0;
 };
 
@@ -97,7 +129,7 @@ class HttpClient {
     Endpoint m_endpoint;
     HttpOptions m_options;
     std::unique_ptr<Handles> m_handles;
-    std::optional<Credentials> m_credentials; ///< accepted, or about to be tried
+    std::optional<Credentials> m_credentials; ///< Credentials that were accepted or are about to be tried.
 };
 
 } // namespace spherewalk::camera

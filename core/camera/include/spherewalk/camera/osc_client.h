@@ -16,17 +16,20 @@
 
 namespace spherewalk::camera {
 
+/// How patient a client is.
 struct OscOptions {
     HttpOptions http;
-    std::chrono::milliseconds statusTimeout{5'000}; ///< of a question about a running command
-    int attempts = 3;                               ///< of a repeatable request that gets no usable answer
-    std::chrono::milliseconds retryPause{1'000};    ///< between these
-    std::chrono::milliseconds busyPause{1'000};     ///< after the first "busy"; doubled for each further one
-    std::chrono::milliseconds settlePause{1'000};   ///< from changing an option to taking a picture
+    std::chrono::milliseconds statusTimeout{5'000}; ///< Timeout of a question about a running command.
+    int attempts = 3; ///< Number of tries for a repeatable request without a usable answer.
+    std::chrono::milliseconds retryPause{1'000}; ///< Pause between the tries.
+    std::chrono::milliseconds busyPause{
+        1'000}; ///< Pause after the first "busy"; it doubles for each further one.
+    std::chrono::milliseconds applyPause{
+        1'000}; ///< Time from changing an option until a picture may be taken.
 
     /// Errors: InvalidInput, with the option and its range.
     void validate() const;
-    /// All pauses that the camera's own pace asks for, times the factor; network timeouts stay.
+    /// The options with all pauses of the camera multiplied by the factor. Network timeouts stay.
     OscOptions scaled(double factor) const;
 };
 
@@ -59,8 +62,8 @@ class OscClient {
 
     CameraInfo info(const std::stop_token& stop);
     CameraState state(const std::stop_token& stop);
-    /// The options as an object; nothing if the camera does not know one of the names, as it then refuses
-    /// all.
+    /// The options as an object. Nothing if the camera does not know one of the names, because it then
+    /// refuses all.
     std::optional<Json> findOptions(const std::vector<std::string>& names, const std::stop_token& stop);
     /// The same. Errors: Unsupported for an unknown name.
     Json getOptions(const std::vector<std::string>& names, const std::stop_token& stop);
@@ -69,8 +72,8 @@ class OscClient {
     /// The entry of this file, wherever it stands in the list; nothing if the camera does not have it.
     std::optional<FileEntry> findFile(std::string_view fileUrl, const std::stop_token& stop);
 
-    /// Waits until an option that was changed last is in force.
-    void settle(const std::stop_token& stop);
+    /// Waits until the options that were changed last are in force.
+    void waitUntilApplied(const std::stop_token& stop);
     /// Triggers once. A refusal is returned, not thrown. After any error it is unknown whether the camera has
     /// taken a picture.
     CommandReply takePicture(const std::stop_token& stop);
@@ -115,9 +118,9 @@ class OscClient {
     OscOptions m_options;
     Clock& m_clock;
     std::optional<Clock::TimePoint> m_optionsSetAt;
-    std::vector<int> m_apiLevels{2}; ///< as the camera's info says
-    bool m_isSwitched = false;       ///< to level 2, from 1
-    Json m_session;                  ///< of level 1, as the camera spells it; null: none
+    std::vector<int> m_apiLevels{2}; ///< Levels that the camera's info names.
+    bool m_isSwitched = false;       ///< Whether the camera was switched from level 1 to 2.
+    Json m_session;                  ///< Session of level 1 as the camera spells it; null without one.
 };
 
 } // namespace spherewalk::camera

@@ -29,25 +29,26 @@ enum class OscErrorCode {
     ExclusiveUse,
     StorageFull,
     Unauthorized,
-    Other, ///< a code that is in no table of ours
+    Other, ///< Any code that is not listed here.
 };
 
 /// The meaning of a code as the camera spells it; Other for an unknown one.
 OscErrorCode oscErrorCode(std::string_view spelled);
-/// The meaning of an answer that has no JSON: None below 400.
+/// The meaning of the HTTP status of an answer without JSON; None below 400.
 OscErrorCode oscErrorCodeOfStatus(int httpStatus);
 
+/// The kind of error that a refusal becomes.
 ErrorKind kindOf(OscErrorCode code);
 /// What the operator should do, as a sentence without a full stop.
 std::string_view advice(OscErrorCode code);
-/// How often a repeatable command that was refused so is worth sending again.
+/// How often to send a repeatable command again after such a refusal.
 int worthwhileRepeats(OscErrorCode code);
-/// True if a camera that refuses takePicture so has certainly not taken a picture.
+/// Whether such a refusal of takePicture proves that the camera has taken no picture.
 bool provesNothingDone(OscErrorCode code);
 
-/// What a camera answers to a command of another API level, or of a session that has ended.
+/// Whether the code answers a command of another API level, or of a session that has ended.
 bool isOfOtherLevel(OscErrorCode code);
-/// True for errors that come from the camera or the way to it, not from this computer or a stop.
+/// Whether an error of this kind comes from the camera or the network, not from this computer or a stop.
 bool isCameraTrouble(ErrorKind kind);
 
 /// The error for a refused command, with the advice. detail: the camera's own words, or empty.

@@ -11,18 +11,19 @@
 
 namespace spherewalk::camera {
 
-/// What a camera says, read tolerantly: unknown members and unusable optional ones are ignored, as firmwares
-/// differ. Errors of all parse functions: Corrupt, for a required member that is missing or unusable.
+// What a camera says is read tolerantly, because firmwares differ: unknown members and unusable optional
+// members are ignored. Errors of all parse functions: Corrupt for a required member that is missing or
+// unusable.
 
 /// Who the camera is, from GET /osc/info.
 struct CameraInfo {
     std::string manufacturer;
-    std::string model;        ///< required
-    std::string serialNumber; ///< required
+    std::string model;        ///< Required.
+    std::string serialNumber; ///< Required.
     std::string firmwareVersion;
-    std::vector<int> apiLevels{1}; ///< 1 is what a camera that names none speaks
-    std::optional<std::int64_t> uptimeS;
-    int httpPort = 0; ///< 0 if not named
+    std::vector<int> apiLevels{1};       ///< A camera that names no level speaks level 1.
+    std::optional<std::int64_t> uptimeS; ///< Time since the camera was switched on.
+    int httpPort = 0;                    ///< 0 if the camera names none.
 
     bool hasApiLevel(int level) const;
 };
@@ -30,14 +31,14 @@ struct CameraInfo {
 /// How the camera is, from POST /osc/state.
 struct CameraState {
     std::string fingerprint;
-    std::optional<double> batteryFraction; ///< in [0, 1]; cameras that say percent are converted
-    std::string batteryState;              ///< "charging", "charged", "disconnect", or ""
-    std::string captureStatus;             ///< "idle", "shooting", ..., or ""
-    std::string latestFileUrl;             ///< "" if there is none
+    std::optional<double> batteryFraction; ///< Charge in [0, 1]; percent are converted.
+    std::string batteryState;              ///< "charging", "charged", "disconnect" or "".
+    std::string captureStatus;             ///< "idle", "shooting" and so on, or "".
+    std::string latestFileUrl;             ///< "" if there is none.
     std::string storageUri;
     std::optional<int> apiVersion;
     bool isPluginRunning = false;
-    std::vector<std::string> errors; ///< as spelled in _cameraError
+    std::vector<std::string> errors; ///< Codes as _cameraError spells them.
 
     /// True unless the camera says that it is busy.
     bool isIdle() const;
@@ -48,39 +49,41 @@ struct CommandReply {
     enum class State { Done, InProgress, Error };
 
     State state = State::Done;
-    std::string id; ///< required while InProgress; opaque
-    std::optional<double> completion;
+    std::string id;                   ///< Name of the command; required while InProgress.
+    std::optional<double> completion; ///< How far the command is, from 0 to 1.
     Json results = Json::object();
     OscErrorCode error = OscErrorCode::None;
-    std::string errorMessage; ///< the camera's own words
-    bool isFromCamera = true; ///< false if only an HTTP status told of the error
+    std::string errorMessage; ///< The camera's own words.
+    bool isFromCamera = true; ///< False if only the HTTP status told of the error.
 
-    /// results.fileUrl, or fileUri of API level 1, or "".
+    /// The member fileUrl of the results, or fileUri of API level 1; "" without either.
     std::string fileUrl() const;
 };
 
+/// A file in a list of the camera.
 struct FileEntry {
     std::string name;
-    std::string fileUrl; ///< required
+    std::string fileUrl; ///< Required.
     std::optional<std::uint64_t> sizeBytes;
-    std::string dateTime; ///< as the camera's clock had it
-    int width = 0;        ///< 0 if not said
+    std::string dateTime; ///< Time by the camera's clock.
+    int width = 0;        ///< Pixels; 0 if the camera does not say it.
     int height = 0;
 };
 
+/// A page of a list of files, newest first.
 struct FileList {
     std::vector<FileEntry> entries;
-    std::int64_t totalEntries = 0; ///< on the camera; required
+    std::int64_t totalEntries = 0; ///< Number of files on the camera; required.
 };
 
 CameraInfo parseCameraInfo(const Json& json);
 CameraState parseCameraState(const Json& json);
 CommandReply parseCommandReply(const Json& json);
 FileList parseFileList(const Json& results);
-/// The same of camera.listImages of API level 1.
+/// Reads the results of camera.listImages of API level 1.
 FileList parseImageList(const Json& results);
-/// The path that stands for a file's name of API level 1, which has neither host nor leading slash; anything
-/// else as it is.
+/// The path for a file's name of API level 1, which has neither host nor leading slash. Any other text is
+/// returned as it is.
 std::string urlOfName(std::string name);
 
 /// A whole number that may be spelled as an integer or as a float without a fraction.
@@ -90,12 +93,13 @@ std::optional<double> finiteNumber(const Json& json, std::string_view key);
 /// A text of at most 2048 characters without control characters.
 std::optional<std::string> shortText(const Json& json, std::string_view key);
 
-/// Tells a camera's error in words: "its storage is full". blocks: whether it can still take pictures.
+/// An error of the camera in words.
 struct CameraTrouble {
-    std::string sentence;
-    bool blocks = false;
+    std::string sentence; ///< What is wrong, and what to do.
+    bool blocks = false;  ///< Whether the camera can take no pictures.
 };
 
+/// Puts a code of _cameraError into words.
 CameraTrouble describeCameraError(std::string_view code);
 
 } // namespace spherewalk::camera

@@ -14,18 +14,20 @@
 
 namespace spherewalk::camera {
 
+/// Size of a decoded photo in pixels.
 struct PhotoFacts {
     int width = 0;
     int height = 0;
 };
 
-/// Decodes the whole picture in the file and tells its size. Errors: Corrupt, for anything that is not a
-/// complete JPEG. Given by the caller, as decoding is another module's.
+/// Decodes the whole picture in the file and returns its size. The caller gives this function, because
+/// another module decodes pictures. Errors: Corrupt for anything that is not a complete JPEG.
 using PhotoCheck = std::function<PhotoFacts(const std::filesystem::path& file)>;
 
+/// How patient a download is, and what it accepts.
 struct DownloadOptions {
-    PhotoCheck check; ///< required
-    int restarts = 3; ///< after a cut, stalled or short download
+    PhotoCheck check; ///< Required.
+    int restarts = 3; ///< Number of new tries after a cut, stalled or short download.
     std::chrono::milliseconds restartPause{1'000};
     std::uint64_t maxBytes = 256ULL << 20;
     int minWidth = 1024;

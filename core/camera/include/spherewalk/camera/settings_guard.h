@@ -2,10 +2,10 @@
 #pragma once
 
 #include "spherewalk/base/json.h"
-#include "spherewalk/camera/delay_memory.h"
 #include "spherewalk/camera/osc_client.h"
 #include "spherewalk/survey/capture_profile.h"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -17,6 +17,25 @@
 #include <vector>
 
 namespace spherewalk::camera {
+
+/// The options that say when a camera sleeps and switches itself off.
+inline constexpr std::array kDelayNames{"sleepDelay", "offDelay"};
+
+/// Where a camera's own delays are kept while it is told to stay awake, so that they outlive a program that
+/// is killed: a small file for each camera.
+class DelayMemory {
+  public:
+    DelayMemory(const std::filesystem::path& folder, std::string_view serialNumber);
+
+    /// The delays that were written and not forgotten; null if there are none.
+    Json read() const;
+    /// Writes the delays durably. Errors: Io, Full.
+    void write(const Json& delays) const;
+    void forget() const;
+
+  private:
+    std::filesystem::path m_file;
+};
 
 /// Brings a camera into the state in which a survey is taken (still pictures, a spherical JPEG, exposed as
 /// the survey's profile says, never asleep), proves it by reading back, and puts sleep and power-off times
@@ -35,7 +54,7 @@ class SettingsGuard {
     /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG; InvalidInput if
     /// it does not offer what the profile asks for.
     std::vector<std::string> apply(const std::stop_token& stop);
-    /// The options that apply() has set.
+    /// Names of the options that apply() has set.
     std::set<std::string> heldNames() const;
     /// Compares these options with what apply() has set, and sets it again if they differ: a camera forgets
     /// its settings when it sleeps. What differed, as sentences.
@@ -44,13 +63,13 @@ class SettingsGuard {
     std::vector<std::string> setClock(std::chrono::system_clock::time_point now, const std::stop_token& stop);
     /// How the camera's exposure differs from the profile at this moment; changes nothing.
     std::vector<std::string> exposureDifferences(const std::stop_token& stop);
-    /// Only the mode, after a camera has refused to take a picture.
+    /// Sets only the mode, after a camera has refused to take a picture.
     void applyImageMode(const std::stop_token& stop);
     /// Puts back what apply() found at its first call, or a killed program before it; nothing if apply() was
     /// not called.
     void restore(const std::stop_token& stop);
 
-    /// Those of the options that this camera knows; unknown ones are remembered and not asked for again.
+    /// Reads the options that this camera knows. Unknown ones are remembered and not asked for again.
     Json read(const std::vector<std::string>& names, const std::stop_token& stop);
 
   private:
@@ -64,9 +83,10 @@ class SettingsGuard {
     std::optional<survey::CaptureProfile> m_profile;
     std::set<std::string> m_unknown;
     std::optional<DelayMemory> m_memory;
-    Json m_original;                  ///< null until apply()
-    Json m_basics = Json::object();   ///< set by apply(): the photos' format, and no sleep
-    Json m_exposure = Json::object(); ///< set by apply(), in one call, as the values depend on each other
+    Json m_original;                  ///< Null until apply().
+    Json m_basics = Json::object();   ///< The photos' format and no sleep, as apply() has set them.
+    Json m_exposure = Json::object(); ///< Exposure that apply() has set, in one call, since its values depend
+                                      ///< on each other.
 };
 
 /// The time that a shot may take before it counts as lost: the base, the self-timer, twice the exposure, and
@@ -75,9 +95,11 @@ struct ShotAllowance {
     std::chrono::milliseconds base{30'000};
     std::chrono::milliseconds filterExtra{20'000};
     double exposureFactor = 2;
-    double timeScale = 1; ///< of the camera's own times: 0.01 for a practice camera a hundred times as fast
+    double timeScale =
+        1; ///< Factor for the camera's own times; 0.01 for a practice camera that is 100 times as fast.
 
-    /// options: exposureDelay, shutterSpeed, _filter, as far as the camera has them.
+    /// The allowance for a shot with these options: exposureDelay, shutterSpeed and _filter, if the camera
+    /// has them.
     std::chrono::milliseconds of(const Json& options) const;
 };
 

@@ -19,21 +19,21 @@
 
 namespace spherewalk::practice {
 
-/// Something laid into the practice room, for tests of overlays. It is lit like furniture but neither darkens
-/// nor is mirrored by anything, so that it changes no pixel besides its own.
+/// An object in the practice room, for tests of overlays. It is lit like furniture. It casts no shadow and
+/// has no mirror image, so that it changes no pixels but its own.
 struct PracticeObject {
     enum class Shape { Sphere, Box };
 
     Shape shape = Shape::Sphere;
-    Eigen::Vector3d centreM = Eigen::Vector3d::Zero();         ///< room frame
-    Eigen::Vector3d halfSizeM = Eigen::Vector3d::Constant(.1); ///< a sphere's radius is the first
+    Eigen::Vector3d centreM = Eigen::Vector3d::Zero();         ///< Room frame, metres.
+    Eigen::Vector3d halfSizeM = Eigen::Vector3d::Constant(.1); ///< A sphere's radius is the first number.
     Radians yaw;
     std::array<std::uint8_t, 3> colour = {200, 30, 30};
 };
 
 struct PracticeRoomOptions {
-    Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< the south-west corner of the floor
-    Eigen::Vector3d sizeM = {5, 4, 2.6};               ///< along x (east), y (north), z (up)
+    Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< South-west corner of the floor, metres.
+    Eigen::Vector3d sizeM = {5, 4, 2.6};               ///< Along x (east), y (north) and z (up), metres.
     std::vector<PracticeObject> objects;
 
     /// Errors: InvalidInput for sizes outside 4 x 3.5 x 2.3 to 12 x 12 x 5 m, an origin farther than 10^8 m,
@@ -41,34 +41,34 @@ struct PracticeRoomOptions {
     void validate() const;
 };
 
-/// The room as an operator would draw it. Units: metres, in the room frame.
+/// The plan that an operator would draw of the room. Frames: room. Units: metres.
 struct RoomPlan {
     Polygon outline;
-    std::vector<Polygon> obstacles; ///< furniture that stands on the floor
+    std::vector<Polygon> obstacles; ///< Outlines of the furniture that stands on the floor.
     double ceilingM = 0;
 };
 
-/// What one ray sees.
+/// What one ray meets.
 struct Sample {
-    std::array<float, 3> colour = {}; ///< red, green, blue as pictures store them, [0, 255]
-    double rangeM = 0;                ///< along the ray; +infinity where there is nothing
+    std::array<float, 3> colour = {}; ///< Red, green, blue as pictures store them, [0, 255].
+    double rangeM = 0;                ///< Along the ray; +infinity where it meets nothing.
 };
 
-/// What a picture shows.
+/// The content of a picture.
 enum class Content {
-    Room,           ///< without the objects
-    RoomAndObjects, ///< all
-    Objects,        ///< the objects alone, black where there are none
+    Room,           ///< The room without the objects.
+    RoomAndObjects, ///< Everything.
+    Objects,        ///< The objects alone, before black.
 };
 
 struct PictureOptions {
     Content content = Content::RoomAndObjects;
-    int threads = 0; ///< 0: all that the machine has; the pictures are the same for any number
+    int threads = 0; ///< 0: all that the machine has. Pictures are equal for any number.
 };
 
-/// A furnished, lit room that exists only as formulas: every picture and every depth of it is exact, from any
-/// position. Wood floor, rug, one wall with a repeated pattern, plain plaster, pictures, books, a window, a
-/// mirroring ball and a glossy cabinet.
+/// A furnished, lit room that exists only as formulas, so that its pictures and depths are exact from any
+/// position. It has a wood floor, a rug, a wall with a repeated pattern, plain plaster, paintings, books, a
+/// window, a mirroring ball and a glossy cabinet.
 ///
 /// Pictures: a pixel is the average of the scene over the pixel's area, in the values that pictures store
 /// (not in linear light), so that resampling one picture gives another. Textures fade where a pixel cannot
@@ -87,21 +87,23 @@ class PracticeRoom {
     const PracticeRoomOptions& options() const;
     RoomPlan plan() const;
 
-    /// originM, direction: room frame, any length but zero. footprint: the angle that the sample stands for,
-    /// radians; details too fine for it are left out.
+    /// What the ray from originM meets first. Frames: room. direction: any length but zero. footprint: the
+    /// angle of the sample, radians; finer details are averaged.
     Sample cast(const Eigen::Vector3d& originM, const Eigen::Vector3d& direction, double footprint,
                 Content content = Content::RoomAndObjects) const;
 
+    /// The equirectangular picture of a camera with this pose. Range: size.width and height in [1, 32768].
     RgbImage spherical(const Rigid3& roomFromPhoto, const EquirectSize& size,
                        const PictureOptions& options = {}, ProgressSink& progress = noProgress(),
                        const std::stop_token& stop = {}) const;
+    /// The picture of a camera with this lens and pose.
     RgbImage view(const CameraModel& camera, const Rigid3& roomFromCamera, const PictureOptions& options = {},
                   ProgressSink& progress = noProgress(), const std::stop_token& stop = {}) const;
 
-    /// Distances along the rays through the pixel centres.
+    /// Distances along the rays through the pixel centres, metres; +infinity where there is nothing.
     DepthImage sphericalRange(const Rigid3& roomFromPhoto, const EquirectSize& size,
                               const PictureOptions& options = {}) const;
-    /// Distances along the optical axis (z-depth) at the pixel centres.
+    /// Distances along the optical axis (z-depth) at the pixel centres, metres.
     DepthImage viewDepth(const CameraModel& camera, const Rigid3& roomFromCamera,
                          const PictureOptions& options = {}) const;
 

@@ -9,37 +9,37 @@
 
 namespace spherewalk::practice {
 
-/// What a Theta V writes into a still picture besides its pixels. Angles as the file has them: pitch > 0
-/// looks up, growing roll turns the horizon counter-clockwise in the picture.
+/// The metadata that a Theta V writes into a still picture. Angles have the file's signs: pitch > 0 looks up,
+/// and a growing roll turns the horizon counter-clockwise in the picture.
 struct ThetaTags {
     enum class ByteOrder { Big, Little };
 
     std::string model = "RICOH THETA V";
     std::string firmware = "3.82.1";
     std::string serial = "YL00123456";
-    std::chrono::system_clock::time_point time; ///< UTC
-    std::chrono::minutes timeZone{0};           ///< east of UTC
+    std::chrono::system_clock::time_point time; ///< Time of the shot, UTC.
+    std::chrono::minutes timeZone{0};           ///< East of UTC.
     double exposureTimeS = 1.0 / 60;
     int isoSpeed = 200;
     int exposureProgram = 2;
     double exposureBias = 0;
     bool hasFixedWhiteBalance = false;
-    bool levelled = false; ///< the zenith correction has been applied to the pixels
+    bool levelled = false; ///< The zenith correction was applied to the pixels.
     double posePitchDeg = 0;
     double poseRollDeg = 0;
-    double inclinationRollDeg = 0; ///< of the body at the shot, whether corrected or not
+    double inclinationRollDeg = 0; ///< Of the camera's body at the shot, with or without the correction.
     double inclinationPitchDeg = 0;
 
-    // Variants that readers have to cope with.
+    // Variants that readers must cope with.
     ByteOrder byteOrder = ByteOrder::Big;
     bool thetaIfdInsideMakerNote = true;
     bool withMakerNote = true;
-    bool withHostileMakerNote = false; ///< whose offsets lead out of the file
+    bool withHostileMakerNote = false; ///< The maker note's offsets lead out of the file.
     bool withXmp = true;
 };
 
-/// The picture as a Theta V would store it: Exif with the Ricoh maker note, its Theta directory and a
-/// thumbnail; GPano XMP in element form; baseline JPEG, 4:2:0. Errors: InvalidInput for a picture that is not
+/// The file that a Theta V would store: baseline JPEG (4:2:0) with Exif, Ricoh's maker note with its Theta
+/// directory, a thumbnail, and GPano XMP in element form. Errors: InvalidInput for a picture that is not
 /// twice as wide as high, or empty. Source: CIPA DC-008 (Exif), TIFF 6.0, Google's GPano.
 Bytes thetaJpeg(const RgbImage& picture, const ThetaTags& tags, int quality = 92);
 

@@ -11,33 +11,35 @@
 
 namespace spherewalk::practice {
 
-/// What really happened at one exposure of the practice camera, for tests to compare with.
+/// What really happened at one exposure of the practice camera; tests compare results with it.
 struct Truth {
-    std::string file;    ///< name on the camera, R0010001.JPG
-    std::string urlPath; ///< of its URL, /files/.../R0010001.JPG
-    int shot = 0;        ///< counted from 1 over the life of the storage
-    Eigen::Vector3d nominalPositionM = Eigen::Vector3d::Zero(); ///< where the operator put the cart
-    Eigen::Vector3d positionM = Eigen::Vector3d::Zero();        ///< where the lens really was
-    std::optional<Eigen::Quaterniond> roomFromPhoto; ///< nothing for photos served from a folder without it
-    std::string time;                                ///< of the trigger, ISO 8601, UTC
+    std::string file;    ///< Name on the camera, R0010001.JPG.
+    std::string urlPath; ///< Path of the file's URL, /files/.../R0010001.JPG.
+    int shot = 0;        ///< Number of the shot, counted from 1 over the life of the storage.
+    Eigen::Vector3d nominalPositionM = Eigen::Vector3d::Zero(); ///< Place of the cart, room frame.
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero();        ///< True place of the lens, room frame.
+    std::optional<Eigen::Quaterniond>
+        roomFromPhoto; ///< Nothing for given photos whose rotation is not known.
+    std::string time;  ///< Time of the trigger, ISO 8601, UTC.
     std::string sha256;
-    Json options = Json::object(); ///< of the exposure, as the camera spells them: exposureProgram, iso, ...
-    bool byButton = false;         ///< nobody asked for it over the network
+    Json options =
+        Json::object();    ///< Options of the exposure in the camera's spelling: exposureProgram, iso, ...
+    bool byButton = false; ///< Somebody pressed the button; no request asked for the picture.
 };
 
-/// A JSON lines file to which exposures are added durably, one object each.
+/// A JSON lines file with one object an exposure.
 class TruthFile {
   public:
     explicit TruthFile(std::filesystem::path file);
 
-    /// Returns when the line is on the disk. Errors: Io, Full.
+    /// Appends a line, and returns when it is on the disk. Errors: Io, Full.
     void append(const Truth& truth) const;
 
   private:
     std::filesystem::path m_file;
 };
 
-/// All exposures of a truth file; a last line that was cut short by a crash is left out. Errors: NotFound,
+/// All exposures of a truth file. A last line that a crash cut short is dropped. Errors: NotFound,
 /// Io, Corrupt.
 std::vector<Truth> readTruth(const std::filesystem::path& file);
 

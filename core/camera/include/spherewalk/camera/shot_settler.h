@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/camera/capture_journal.h"
+#include "spherewalk/camera/capture_options.h"
+#include "spherewalk/camera/osc_client.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace spherewalk::camera {
+
+/// What the camera's files say about a shot whose answer was lost.
+struct NewFiles {
+    enum class Count { None, One, Doubtful };
+
+    Count count = Count::None;
+    std::string fileUrl; ///< URL of the one new file.
+    std::string why;     ///< Why the count is doubtful, as a sentence.
+};
+
+/// The file's URL with a mark: its size (or time) as a fragment. The mark tells the file from a later one of
+/// the same name, because names repeat when a camera's counter begins anew.
+std::string markedUrl(const FileEntry& entry);
+/// Whether the URL has a mark.
+bool isMarked(std::string_view url);
+/// Whether the URL belongs to this file. Of a URL without a mark only the path counts. Errors: those of
+/// pathOfUrl().
+bool isFile(std::string_view url, const FileEntry& entry);
+
+/// Compares the newest files (at least two, if there are so many) with what was there before the shot. One:
+/// the count grew by one, the newest file is new, and the one below it is the newest of before. None: count
+/// and newest file are unchanged, in size too if the baseline was marked. Anything else (two new
+/// files, files deleted, a counter reset, a storage changed) is doubtful, as a photo must never be attributed
+/// to a station by guessing.
+NewFiles newFilesSince(const survey::Baseline& before, const FileList& newest);
+
+/// How a shot was settled. The step is Taken, NotTaken or Unclear.
+struct Resolution {
+    survey::ShotStep step = survey::ShotStep::Unclear;
+    std::string fileUrl;              ///< URL of the photo, if it is Taken.
+    std::string sentence;             ///< For the operator; "" if the photo is Taken.
+    std::optional<ErrorKind> problem; ///< Nothing if the photo is Taken.
+};
+
+/// Finds out how a shot ended that was, or may have been, triggered. Nothing is changed. The rules stand in
+/// capture.h. Errors: Network, Timeout, ... if the camera stays away, Busy if it stays busy,
+/// Stopped: the shot is then as open as before.
+class ShotSettler {
+  public:
+    ShotSettler(OscClient& client, Clock& clock, const CaptureOptions& options)
+        : m_client(client), m_clock(clock), m_options(options) {}
+
+    /// deadline: the moment at which a triggered exposure is certainly over.
+    Resolution resolve(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
+
+    /// Waits until a camera answers, and returns its description. Errors: those of the last try.
+    CameraInfo reconnect(const std::stop_token& stop);
+    /// Waits until the camera is idle, and returns its state. Errors: Busy.
+    CameraState waitUntilIdle(const std::stop_token& stop);
+
+  private:
+    /// What the running command told. Without a resolution the files must tell the end.
+    struct Followed {
+        std::optional<Resolution> resolution;
+        bool isDone = false; ///< Whether the camera says that it took the photo.
+    };
+
+    Followed follow(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    Resolution inspectFiles(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    std::optional<NewFiles> look(const survey::Shot& shot, const std::stop_token& stop);
+    void requireNotRunning(const survey::Shot& shot, const std::stop_token& stop);
+    void pause(Clock::Duration duration, const std::stop_token& stop);
+
+    OscClient& m_client;
+    Clock& m_clock;
+    const CaptureOptions& m_options;
+};
+
+} // namespace spherewalk::camera
