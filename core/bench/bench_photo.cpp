@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "subject.h"
+#include "bench_photo.h"
 
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using Eigen::Vector3d;
 
@@ -39,7 +39,7 @@ Rigid3 lookingTo(double leftDeg, double upDeg, const Vector3d& at) {
     return {rotation({Degrees(leftDeg), Degrees(-upDeg), Degrees(0)}) * bodyFromOptical(), at};
 }
 
-Subject::Subject(std::shared_ptr<const render::Dataset> dataset)
+BenchPhoto::BenchPhoto(std::shared_ptr<const render::Dataset> dataset)
     : m_index(dataset->nearestPhoto(dataset->info().photos.front().roomFromPhoto.translation)),
       m_jpeg(dataset->readPhoto(m_index)),
       m_picture(jpeg::decode(m_jpeg, dataset->info().photos[m_index].file)),
@@ -47,4 +47,4 @@ Subject::Subject(std::shared_ptr<const render::Dataset> dataset)
       m_freeM(halfWayToNext(dataset->info(), dataset->info().photos[m_index].roomFromPhoto.translation)) {
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

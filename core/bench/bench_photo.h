@@ -8,45 +8,48 @@
 #include <memory>
 #include <optional>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
-/// The camera of every measurement: 640 x 480 pixels, no distortion.
+/// The camera of every measurement: 640 x 480 pixels, no distortion. fieldDeg: horizontal.
 CameraModel standardCamera(double fieldDeg);
 
-/// Looking so many degrees left and up. Frames: from the optical to the panorama frame.
+/// The pose of a camera that is turned to the left and upwards. Frames: from the optical to the panorama
+/// frame.
 Rigid3 lookingTo(double leftDeg, double upDeg, const Eigen::Vector3d& at = Eigen::Vector3d::Zero());
 
-/// The photo that is decoded and looked at: the dataset's first. Threads: const, any number.
-class Subject {
+/// The photo that is decoded and looked at: the dataset's first one. Threads: const, any number.
+class BenchPhoto {
   public:
     /// Errors: those of reading and decoding the photo.
-    explicit Subject(std::shared_ptr<const render::Dataset> dataset);
+    explicit BenchPhoto(std::shared_ptr<const render::Dataset> dataset);
 
     const render::Dataset& dataset() const { return m_renderer.dataset(); }
 
-    const render::DatasetPhoto& photo() const { return dataset().info().photos[m_index]; }
+    /// The dataset's entry of this photo.
+    const render::DatasetPhoto& entry() const { return dataset().info().photos[m_index]; }
 
     const Bytes& jpeg() const { return m_jpeg; }
 
-    /// All of it, by libjpeg-turbo.
+    /// The whole photo as libjpeg-turbo decodes it.
     const RgbImage& picture() const { return m_picture; }
 
-    /// Has room for all of the photo and its reduced level.
+    /// A renderer whose cache has room for all of the photo and its reduced level.
     const render::Renderer& renderer() const { return m_renderer; }
 
-    /// Of the sphere scene model, if the dataset has one.
+    /// The radius of the sphere scene model, if the dataset has one.
     std::optional<double> radiusM() const { return dataset().info().sphereRadiusM; }
 
-    /// The one that views are timed with, and OpenCV's too.
+    /// The scene model that views are timed with, OpenCV's views too.
     render::SceneKind scene() const {
         return radiusM() ? render::SceneKind::Sphere : render::SceneKind::None;
     }
 
-    /// How far a camera can be from the photo and still see no other one; infinity if there is no other.
+    /// How far a camera can move from the photo while the photo stays the nearest one; infinity for a
+    /// dataset of one place.
     double freeM() const { return m_freeM; }
 
     Rigid3 roomFromCamera(const Rigid3& photoFromCamera) const {
-        return photo().roomFromPhoto * photoFromCamera;
+        return entry().roomFromPhoto * photoFromCamera;
     }
 
   private:
@@ -57,4 +60,4 @@ class Subject {
     double m_freeM;
 };
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

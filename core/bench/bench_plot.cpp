@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view_bench.h"
+#include "measurements.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/measure/chart.h"
-#include "spherewalk/measure/plot_axis.h"
+#include "spherewalk/report/chart.h"
 
 #include <algorithm>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
+
+using report::Chart;
+using report::evenTicks;
+using report::Scale;
+using report::Svg;
+using report::SvgAnchor;
+using report::SvgBox;
+using report::SvgPoint;
 
 namespace {
 
@@ -120,7 +127,8 @@ void scaleErrors(Chart& chart, const std::vector<RungPoint>& points, const std::
     }
     const auto [leastMs, mostMs] = std::minmax_element(ms.begin(), ms.end());
     const auto [leastDb, mostDb] = std::minmax_element(db.begin(), db.end());
-    chart.xAxis(logarithmicTicks(0.8 * *leastMs, 1.2 * *mostMs), Scale::Logarithmic, "milliseconds a view");
+    chart.xAxis(report::logarithmicTicks(0.8 * *leastMs, 1.2 * *mostMs), Scale::Logarithmic,
+                "milliseconds a view");
     chart.yAxis(evenTicks(*leastDb - 0.5, *mostDb + 3, 8), Scale::Even, "likeness to the exact view, dB");
     chart.axisLines();
 }
@@ -143,7 +151,7 @@ void drawErrors(Svg& svg, const BenchReport& report) {
         labels.keepFree({x - 2, kErrors.y, 4, kErrors.height});
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string_view colour = seriesColour(i);
+        const std::string_view colour = report::seriesColour(i);
         const SvgPoint mean{chart.x(points[i].ms), chart.y(points[i].fidelity.meanDb)};
         const double lowest = chart.y(points[i].fidelity.worstDb);
         svg.line(mean, {mean.x, lowest}, Svg::Line::Mark, colour);
@@ -188,7 +196,7 @@ Walks walksOf(const BenchReport& report) {
 void drawLegend(Svg& svg, const Walks& walks) {
     double x = kWalks.x;
     for (std::size_t i = 0; i < walks.series.size(); ++i) {
-        svg.rectangle({x, kHeight - 24, 12, 12}, seriesColour(i));
+        svg.rectangle({x, kHeight - 24, 12, 12}, report::seriesColour(i));
         svg.text({x + 18, kHeight - 14}, walks.series[i], Svg::Text::Small);
         x += 18 + Svg::extent({}, walks.series[i], Svg::Text::Small).width + 16;
     }
@@ -222,7 +230,7 @@ void drawWalks(Svg& svg, const BenchReport& report) {
                 const double top = std::min(chart.y(100 * row.lateShare), chart.bottom() - 2);
                 svg.rectangle(
                     {left + static_cast<double>(series) * bar + 1, top, bar - 2, chart.bottom() - top},
-                    seriesColour(series));
+                    report::seriesColour(series));
             }
         }
     }
@@ -249,4 +257,4 @@ std::string benchPlot(const BenchReport& report) {
     return svg.str();
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

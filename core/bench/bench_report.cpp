@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/measure/bench_report.h"
+#include "spherewalk/bench/bench_report.h"
 
-namespace spherewalk::measure {
+#include "spherewalk/base/json.h"
+
+#include <algorithm>
+
+namespace spherewalk::bench {
 
 namespace {
 
@@ -54,7 +58,7 @@ Json toJson(const RungFidelity& fidelity) {
 }
 
 Json toJson(const std::vector<LatticeRow>& lattice) {
-    render::LatticeError worst;
+    LatticeError worst;
     Json searches = Json::array();
     for (const LatticeRow& row : lattice) {
         worst.add(row.error);
@@ -85,6 +89,14 @@ Json listOf(const std::vector<Row>& rows) {
 
 } // namespace
 
+const BenchRow* BenchReport::find(const std::string& name, int threads, const std::string& peer) const {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const BenchRow& row) {
+        return row.name == name && row.threads == threads &&
+               (peer.empty() || (row.peer && row.peer->name == peer));
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
 Json toJson(const BenchReport& report) {
     return {{"machine", toJson(report.machine)},
             {"dataset", toJson(report.measurand)},
@@ -102,4 +114,4 @@ Json toJson(const BenchReport& report) {
             {"resident_photos", report.residence.photos}};
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

@@ -1,57 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "decode_bench.h"
-
+#include "bench_photo.h"
 #include "contest.h"
-#include "verified.h"
+#include "measurements.h"
+#include "sphere/exact_view.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/render/projection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using jpeg::PixelRect;
 
 namespace {
 
 constexpr int kMcu = 16;
-constexpr int kStep = 8; // view pixels between samples of a view's outline
+constexpr int kStep = 8; // A view is sampled every so many pixels.
 constexpr int kReducedBy = 2;
 
-std::uint64_t bytesOf(const RgbImage& picture) {
+std::uint64_t pixelBytes(const RgbImage& picture) {
     return picture.values().size();
 }
 
-std::uint64_t bytesOf(const jpeg::Planes& planes) {
+std::uint64_t pixelBytes(const jpeg::Planes& planes) {
     return planes.luma.values().size() + planes.blue.values().size() + planes.red.values().size();
 }
 
 class DecodeBench {
   public:
-    DecodeBench(const Subject& subject, bool peers)
-        : m_subject(subject), m_threads(std::min(2, hardwareThreads())) {
-        const render::DatasetPhoto& photo = subject.photo();
-        const std::filesystem::path& folder = subject.dataset().folder();
-        if (photo.restartIndex.empty()) {
-            add("decode.whole", 1, [this] { return bytesOf(wholeByLibjpeg()); });
+    DecodeBench(const BenchPhoto& photo, bool peers)
+        : m_photo(photo), m_threads(std::min(2, hardwareThreads())) {
+        const render::DatasetPhoto& entry = photo.entry();
+        const std::filesystem::path& folder = photo.dataset().folder();
+        if (entry.restartIndex.empty()) {
+            add("decode.whole", 1, [this] { return pixelBytes(wholeByLibjpeg()); });
         } else {
-            const auto indexFile = folder / photo.restartIndex;
-            m_decoder.emplace(std::make_shared<MemorySource>(subject.jpeg(), photo.file),
+            const auto indexFile = folder / entry.restartIndex;
+            m_decoder.emplace(std::make_shared<MemorySource>(photo.jpeg(), entry.file),
                               jpeg::parseRestartIndex(readFile(indexFile), indexFile.string()));
-            m_region = regionAhead(standardCamera(90), {photo.width, photo.height});
+            m_region = regionAhead(standardCamera(90), {entry.width, entry.height});
             addParts();
         }
-        if (!photo.thumbnail.empty()) {
-            const Bytes thumbnail = readFile(folder / photo.thumbnail);
+        if (!entry.thumbnail.empty()) {
+            const Bytes thumbnail = readFile(folder / entry.thumbnail);
             add("decode.thumbnail", 1,
-                [=] { return bytesOf(jpeg::decode(thumbnail, "the photo's thumbnail")); });
+                [=] { return pixelBytes(jpeg::decode(thumbnail, "the photo's thumbnail")); });
         }
         if (peers && m_decoder) {
             m_contest.add(kLibjpegWhole, [this](int) { wholeByLibjpeg(); });
@@ -63,13 +62,13 @@ class DecodeBench {
         if (!m_decoder) {
             return;
         }
-        requirePart(m_decoder->decode(m_region), m_region, m_subject.picture(), "a decoded region");
-        requirePart(m_decoder->decode(whole(), {.threads = 0, .stop = stop}), whole(), m_subject.picture(),
+        requirePart(m_decoder->decode(m_region), m_region, m_photo.picture(), "a decoded region");
+        requirePart(m_decoder->decode(whole(), {.threads = 0, .stop = stop}), whole(), m_photo.picture(),
                     "the photo decoded by several threads");
         throwIfStopped(stop);
         const PixelRect reduced = reducedRegion();
         requirePart(m_decoder->decode(reduced, {.denominator = kReducedBy, .stop = stop}), reduced,
-                    jpeg::decode(m_subject.jpeg(), m_subject.photo().file, kReducedBy), "a reduced region");
+                    jpeg::decode(m_photo.jpeg(), m_photo.entry().file, kReducedBy), "a reduced region");
         throwIfStopped(stop);
         if (m_hasPlanes) {
             requirePart(m_decoder->decodePlanes(m_region), m_region, m_decoder->decodePlanes(whole(), 0),
@@ -105,7 +104,7 @@ class DecodeBench {
 
     void addPlanes(const std::string& name, const PixelRect& region, int threads) {
         try {
-            add(name, threads, [=, this] { return bytesOf(m_decoder->decodePlanes(region, threads)); });
+            add(name, threads, [=, this] { return pixelBytes(m_decoder->decodePlanes(region, threads)); });
             m_hasPlanes = true;
         } catch (const Error& error) { // chroma that is stored in an unusual way has no such row
             if (error.kind() != ErrorKind::Unsupported) {
@@ -118,7 +117,7 @@ class DecodeBench {
         const auto addPictures = [this](const std::string& name, const PixelRect& region, int denominator) {
             for (int threads = 1; threads <= m_threads; ++threads) {
                 add(name, threads, [=, this] {
-                    return bytesOf(m_decoder->decode(
+                    return pixelBytes(m_decoder->decode(
                         region, {.denominator = denominator, .threads = threads, .stop = {}}));
                 });
             }
@@ -139,9 +138,9 @@ class DecodeBench {
                 m_region.height / kReducedBy};
     }
 
-    RgbImage wholeByLibjpeg() const { return jpeg::decode(m_subject.jpeg(), m_subject.photo().file); }
+    RgbImage wholeByLibjpeg() const { return jpeg::decode(m_photo.jpeg(), m_photo.entry().file); }
 
-    const Subject& m_subject;
+    const BenchPhoto& m_photo;
     int m_threads;
     std::optional<jpeg::RegionDecoder> m_decoder;
     PixelRect m_region;
@@ -173,11 +172,11 @@ PixelRect regionAhead(const CameraModel& camera, const EquirectSize& photo) {
     return {left, top, end(greatest.x(), photo.width) - left, end(greatest.y(), photo.height) - top};
 }
 
-std::vector<BenchRow> measureDecoding(const Subject& subject, bool peers, int rounds, ProgressSink& progress,
+std::vector<BenchRow> measureDecoding(const BenchPhoto& photo, bool peers, int rounds, ProgressSink& progress,
                                       const std::stop_token& stop) {
-    DecodeBench decoding(subject, peers);
+    DecodeBench decoding(photo, peers);
     decoding.verify(stop);
     return decoding.run(rounds, progress, stop);
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "extras_bench.h"
-
+#include "bench_photo.h"
 #include "contest.h"
+#include "measurements.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/render/dataset_format.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 namespace {
 
@@ -49,8 +51,8 @@ CameraIntrinsics wideWithDistortion() {
 
 class ExtrasBench {
   public:
-    explicit ExtrasBench(const Subject& subject)
-        : m_subject(subject),
+    explicit ExtrasBench(const BenchPhoto& photo)
+        : m_photo(photo),
           m_camera(standardCamera(90)),
           m_own{disc(m_camera.intrinsics())},
           m_other{disc(wideWithDistortion())} {}
@@ -58,11 +60,11 @@ class ExtrasBench {
     void fill(Contest& contest) {
         render::ViewOptions options;
         options.threads = 1;
-        options.scene = m_subject.scene();
+        options.scene = m_photo.scene();
         add(contest, kViewAlone, options);
         options.wantsTrust = true;
         add(contest, kTrust, options);
-        if (!m_subject.radiusM()) {
+        if (!m_photo.radiusM()) {
             return;
         }
         options.wantsTrust = false;
@@ -93,8 +95,7 @@ class ExtrasBench {
 
   private:
     void render(int run, const render::ViewOptions& options) {
-        m_subject.renderer().render(m_camera, m_subject.roomFromCamera(lookingTo(7.3 * run, 0)), options,
-                                    m_view);
+        m_photo.renderer().render(m_camera, m_photo.roomFromCamera(lookingTo(7.3 * run, 0)), options, m_view);
     }
 
     void add(Contest& contest, const std::string& name, const render::ViewOptions& options) {
@@ -111,7 +112,7 @@ class ExtrasBench {
         }
     }
 
-    const Subject& m_subject;
+    const BenchPhoto& m_photo;
     CameraModel m_camera;
     std::array<render::Overlay, 1> m_own;
     std::array<render::Overlay, 1> m_other;
@@ -119,15 +120,72 @@ class ExtrasBench {
     std::vector<std::string> m_names;
 };
 
+std::string sceneRowName(render::SceneKind scene, render::Sampling sampling) {
+    return text("scene.", name(scene), ".", name(sampling));
+}
+
+void addViews(const BenchPhoto& photo, render::SceneKind scene, render::Sampling sampling,
+              const CameraModel& camera, render::View& view, Contest& contest) {
+    constexpr int kDirections = 120;
+    render::ViewOptions options;
+    options.threads = 1;
+    options.scene = scene;
+    options.sampling = sampling;
+    const double asideM = std::min(0.5 * photo.freeM(), 0.5);
+    const auto look = [&, options, asideM](int run) {
+        const Rigid3 pose = lookingTo(360.0 / kDirections * run, 0, {0.8 * asideM, 0.6 * asideM, 0});
+        photo.renderer().render(camera, photo.roomFromCamera(pose), options, view);
+    };
+    for (int run = 0; run < kDirections; ++run) { // what is read and decoded once does not count
+        look(run);
+    }
+    contest.add(sceneRowName(scene, sampling), look);
+}
+
 } // namespace
 
-std::vector<BenchRow> measureExtras(const Subject& subject, int rounds, ProgressSink& progress,
+std::vector<BenchRow> measureExtras(const BenchPhoto& photo, int rounds, ProgressSink& progress,
                                     const std::stop_token& stop) {
-    ExtrasBench extras(subject);
+    ExtrasBench extras(photo);
     Contest contest;
     extras.fill(contest);
     contest.run(rounds, std::clamp(rounds / 4, 1, 10), progress, "Timing depth, trust and overlays", stop);
     return extras.rows(contest);
 }
 
-} // namespace spherewalk::measure
+std::vector<BenchRow> measureScenes(const BenchPhoto& photo, int rounds, ProgressSink& progress,
+                                    const std::stop_token& stop) {
+    std::vector<BenchRow> rows;
+    const std::vector<render::SceneKind> scenes = scenesOf(photo.dataset().info());
+    const auto isSurface = [](render::SceneKind scene) {
+        return scene == render::SceneKind::Room || scene == render::SceneKind::Depth;
+    };
+    if (!photo.radiusM() || std::none_of(scenes.begin(), scenes.end(), isSurface)) {
+        return rows;
+    }
+    const CameraModel camera = standardCamera(57);
+    for (const render::Sampling sampling : {render::Sampling::Bilinear, render::Sampling::Footprint}) {
+        Contest contest;
+        render::View view;
+        for (const render::SceneKind scene : scenes) {
+            if (scene != render::SceneKind::None) {
+                addViews(photo, scene, sampling, camera, view, contest);
+            }
+        }
+        contest.run(rounds, std::clamp(rounds / 4, 1, 10), progress, "Timing scene models", stop);
+        const Measured sphere = contest.of(sceneRowName(render::SceneKind::Sphere, sampling));
+        for (const render::SceneKind scene : scenes) {
+            if (isSurface(scene)) {
+                BenchRow row;
+                row.name = sceneRowName(scene, sampling);
+                row.own = contest.of(row.name);
+                row.peer = {kSphereView, sphere.medianMs};
+                row.view = ViewSetting{57, 0};
+                rows.push_back(std::move(row));
+            }
+        }
+    }
+    return rows;
+}
+
+} // namespace spherewalk::bench

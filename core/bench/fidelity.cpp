@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fidelity.h"
-
-#include "view_bench.h"
+#include "bench_photo.h"
+#include "measurements.h"
+#include "sphere/exact_view.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/render/bilinear.h"
-#include "spherewalk/render/projection.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -25,11 +23,11 @@ constexpr double kEqualDb = 100; // JSON has no infinity
 
 class Reference {
   public:
-    Reference(const Subject& subject, const CameraModel& camera, int pixelStep)
-        : m_subject(subject), m_camera(camera), m_step(pixelStep) {}
+    Reference(const BenchPhoto& photo, const CameraModel& camera, int pixelStep)
+        : m_photo(photo), m_camera(camera), m_step(pixelStep) {}
 
     std::vector<Vector3d> values(const Rigid3& photoFromCamera, const std::stop_token& stop) const {
-        const RgbImage& picture = m_subject.picture();
+        const RgbImage& picture = m_photo.picture();
         const render::Projection projection(m_camera, photoFromCamera, {},
                                             {picture.width(), picture.height()}, render::SceneKind::None, 1);
         const int columns = (m_camera.width() + m_step - 1) / m_step;
@@ -50,12 +48,12 @@ class Reference {
         Vector3d sum = Vector3d::Zero();
         for (int part = 0; part < kParts * kParts; ++part) {
             const Vector2d offset((part % kParts + 0.5) / kParts - 0.5, (part / kParts + 0.5) / kParts - 0.5);
-            sum += render::bilinear(m_subject.picture(), *projection.photoPixel(pixel + offset));
+            sum += render::bilinear(m_photo.picture(), *projection.photoPixel(pixel + offset));
         }
         return sum / (kParts * kParts);
     }
 
-    const Subject& m_subject;
+    const BenchPhoto& m_photo;
     const CameraModel& m_camera;
     int m_step;
 };
@@ -73,11 +71,11 @@ double psnrDb(const std::vector<Vector3d>& expected, const RgbImage& picture, in
     return std::min(kEqualDb, 10 * std::log10(255.0 * 255.0 / mean));
 }
 
-std::vector<RungFidelity> measureFidelity(const Subject& subject, double fieldDeg,
+std::vector<RungFidelity> measureFidelity(const BenchPhoto& photo, double fieldDeg,
                                           const FidelityOptions& options, ProgressSink& progress,
                                           const std::stop_token& stop) {
     const CameraModel camera = standardCamera(fieldDeg);
-    const Reference reference(subject, camera, options.pixelStep);
+    const Reference reference(photo, camera, options.pixelStep);
     std::vector<RungFidelity> result;
     for (const render::Sampling rung : kRungs) {
         result.push_back({rung, fieldDeg, 0, kEqualDb});
@@ -90,7 +88,7 @@ std::vector<RungFidelity> measureFidelity(const Subject& subject, double fieldDe
         for (RungFidelity& rung : result) {
             render::ViewOptions wanted;
             wanted.sampling = rung.rung;
-            subject.renderer().render(camera, subject.roomFromCamera(photoFromCamera), wanted, view);
+            photo.renderer().render(camera, photo.roomFromCamera(photoFromCamera), wanted, view);
             const double db = psnrDb(expected, view.picture, options.pixelStep);
             rung.meanDb += db / options.directions;
             rung.worstDb = std::min(rung.worstDb, db);
@@ -101,4 +99,4 @@ std::vector<RungFidelity> measureFidelity(const Subject& subject, double fieldDe
     return result;
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using Eigen::Vector3d;
 
@@ -27,39 +27,59 @@ void translated(Call&& call) {
     }
 }
 
-class OneThread {
-  public:
-    OneThread() : m_before(cv::getNumThreads()) { cv::setNumThreads(1); }
+} // namespace
 
-    ~OneThread() { cv::setNumThreads(m_before); }
+struct OpenCvViews::State {
+    /// Limits OpenCV to one thread for a lifetime.
+    class OneThread {
+      public:
+        OneThread() : m_before(cv::getNumThreads()) { cv::setNumThreads(1); }
 
-    OneThread(const OneThread&) = delete;
-    OneThread& operator=(const OneThread&) = delete;
+        ~OneThread() { cv::setNumThreads(m_before); }
 
-  private:
-    int m_before;
-};
+        OneThread(const OneThread&) = delete;
+        OneThread& operator=(const OneThread&) = delete;
 
-struct Maps {
-    cv::Mat x;
-    cv::Mat y;
-};
+      private:
+        int m_before;
+    };
 
-struct MapScale {
-    cv::Size photo;
+    struct Maps {
+        cv::Mat x;
+        cv::Mat y;
+    };
+
+    State(const RgbImage& picture, const CameraModel& model, std::optional<double> radius)
+        : photo(picture.height(), picture.width(), CV_8UC3, const_cast<std::uint8_t*>(picture.at(0, 0))),
+          camera(model.intrinsics()),
+          radiusM(radius),
+          view(camera.width, camera.height),
+          out(camera.height, camera.width, CV_8UC3, view.at(0, 0)) {}
+
+    /// Fills `maps` with one trigonometric function and one square root for each coordinate, and steps along
+    /// the row.
+    void buildMaps(const Rigid3& photoFromCamera);
+
+    OneThread oneThread;
+    const cv::Mat photo; ///< OpenCV has no constant matrices; the photo is only read.
+    const CameraIntrinsics& camera;
     std::optional<double> radiusM;
+    RgbImage view;
+    cv::Mat out; ///< Its pixels are those of `view`.
+    Maps maps;
+    std::vector<Maps> kept; ///< x holds whole pixels of both axes, y holds fractions.
 };
 
-/// One trigonometric function and one square root for each coordinate, and steps along the row.
-void buildMaps(const Rigid3& photoFromCamera, const CameraIntrinsics& k, const MapScale& scale, Maps& maps) {
+void OpenCvViews::State::buildMaps(const Rigid3& photoFromCamera) {
+    const CameraIntrinsics& k = camera;
     maps.x.create(k.height, k.width, CV_32F);
     maps.y.create(k.height, k.width, CV_32F);
     const Eigen::Matrix3d turn = photoFromCamera.rotation.toRotationMatrix();
     const Vector3d from =
-        scale.radiusM ? Vector3d(photoFromCamera.translation / *scale.radiusM) : Vector3d(Vector3d::Zero());
+        radiusM ? Vector3d(photoFromCamera.translation / *radiusM) : Vector3d(Vector3d::Zero());
     const double room = 1 - from.squaredNorm();
-    const double perRadianX = scale.photo.width / (2 * std::numbers::pi);
-    const double perRadianY = scale.photo.height / std::numbers::pi;
+    const double perRadianX = photo.cols / (2 * std::numbers::pi);
+    const double perRadianY = photo.rows / std::numbers::pi;
     const Vector3d step = turn.col(0) / k.fx;
     for (int y = 0; y < k.height; ++y) {
         const Vector3d first = turn * Vector3d(-k.cx / k.fx, (y - k.cy) / k.fy, 1);
@@ -81,28 +101,6 @@ void buildMaps(const Rigid3& photoFromCamera, const CameraIntrinsics& k, const M
     }
 }
 
-} // namespace
-
-struct OpenCvViews::State {
-    State(const RgbImage& picture, const CameraModel& model, std::optional<double> radius)
-        : photo(picture.height(), picture.width(), CV_8UC3, const_cast<std::uint8_t*>(picture.at(0, 0))),
-          camera(model.intrinsics()),
-          radiusM(radius),
-          view(camera.width, camera.height),
-          out(camera.height, camera.width, CV_8UC3, view.at(0, 0)) {}
-
-    MapScale scale() const { return {photo.size(), radiusM}; }
-
-    OneThread oneThread;
-    const cv::Mat photo; ///< OpenCV has no constant matrices; it is only read
-    const CameraIntrinsics& camera;
-    std::optional<double> radiusM;
-    RgbImage view;
-    cv::Mat out; ///< over the view
-    Maps maps;
-    std::vector<Maps> kept; ///< x: whole pixels of both axes; y: fractions
-};
-
 OpenCvViews::OpenCvViews(const RgbImage& photo, const CameraModel& camera, std::optional<double> radiusM)
     : m_state(std::make_unique<State>(photo, camera, radiusM)) {
 }
@@ -112,7 +110,7 @@ OpenCvViews::~OpenCvViews() = default;
 const RgbImage& OpenCvViews::mapsAndRemap(const Rigid3& photoFromCamera) {
     State& state = *m_state;
     translated([&] {
-        buildMaps(photoFromCamera, state.camera, state.scale(), state.maps);
+        state.buildMaps(photoFromCamera);
         cv::remap(state.photo, state.out, state.maps.x, state.maps.y, cv::INTER_LINEAR, cv::BORDER_WRAP);
     });
     return state.view;
@@ -121,15 +119,15 @@ const RgbImage& OpenCvViews::mapsAndRemap(const Rigid3& photoFromCamera) {
 void OpenCvViews::keepMaps(const Rigid3& photoFromCamera) {
     State& state = *m_state;
     translated([&] {
-        buildMaps(photoFromCamera, state.camera, state.scale(), state.maps);
-        Maps& kept = state.kept.emplace_back();
+        state.buildMaps(photoFromCamera);
+        State::Maps& kept = state.kept.emplace_back();
         cv::convertMaps(state.maps.x, state.maps.y, kept.x, kept.y, CV_16SC2);
     });
 }
 
 const RgbImage& OpenCvViews::remap(int pose) {
     State& state = *m_state;
-    const Maps& maps = state.kept[static_cast<std::size_t>(pose) % state.kept.size()];
+    const State::Maps& maps = state.kept[static_cast<std::size_t>(pose) % state.kept.size()];
     // The border that costs least: what is lost is a pixel at the seam.
     translated(
         [&] { cv::remap(state.photo, state.out, maps.x, maps.y, cv::INTER_LINEAR, cv::BORDER_CONSTANT); });
@@ -140,4 +138,4 @@ std::string OpenCvViews::version() {
     return CV_VERSION;
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

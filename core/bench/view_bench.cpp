@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view_bench.h"
-
+#include "bench_photo.h"
+#include "contest.h"
+#include "measurements.h"
 #include "opencv_views.h"
-#include "verified.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using render::Sampling;
 
@@ -32,10 +32,10 @@ std::string entryName(Sampling sampling, int threads) {
 
 class ViewBench {
   public:
-    ViewBench(const Subject& subject, const ViewSetting& setting, bool peers)
-        : m_subject(subject), m_setting(setting), m_camera(standardCamera(setting.fieldDeg)) {
+    ViewBench(const BenchPhoto& photo, const ViewSetting& setting, bool peers)
+        : m_photo(photo), m_setting(setting), m_camera(standardCamera(setting.fieldDeg)) {
         if (peers) {
-            m_openCv.emplace(subject.picture(), m_camera, subject.radiusM());
+            m_openCv.emplace(photo.picture(), m_camera, photo.radiusM());
         }
     }
 
@@ -55,10 +55,10 @@ class ViewBench {
 
     const RgbImage& ours(Sampling sampling, int threads, int run) {
         render::ViewOptions options;
-        options.scene = m_subject.scene();
+        options.scene = m_photo.scene();
         options.sampling = sampling;
         options.threads = threads;
-        m_subject.renderer().render(m_camera, m_subject.roomFromCamera(poseOf(run)), options, m_view);
+        m_photo.renderer().render(m_camera, m_photo.roomFromCamera(poseOf(run)), options, m_view);
         if (m_isTiming) {
             m_parts[entryName(sampling, threads)].add(m_view.report);
             if (m_view.report.isLate) {
@@ -84,17 +84,17 @@ class ViewBench {
     Rigid3 poseOf(int run) const {
         const int pose = run % kPoses;
         const Eigen::Vector3d aside(0.1, 0.02 * (pose % 5), 0);
-        const double share = std::min(1.0, 0.9 * m_subject.freeM() / 0.13);
+        const double share = std::min(1.0, 0.9 * m_photo.freeM() / 0.13);
         return lookingTo(7.3 * pose, m_setting.pitchDeg, share * aside);
     }
 
     void verify(const std::stop_token& stop) {
         constexpr int kRun = 3;
         render::ViewOptions exact;
-        exact.scene = m_subject.scene();
+        exact.scene = m_photo.scene();
         exact.exact = true;
         const render::View expected =
-            m_subject.renderer().render(m_camera, m_subject.roomFromCamera(poseOf(kRun)), exact);
+            m_photo.renderer().render(m_camera, m_photo.roomFromCamera(poseOf(kRun)), exact);
         const std::string where =
             text("the view at ", m_setting.fieldDeg, " degrees, pitched by ", m_setting.pitchDeg);
         requireAlike(ours(Sampling::Bilinear, 1, kRun), expected.picture, kMostToExact,
@@ -113,7 +113,7 @@ class ViewBench {
         }
     }
 
-    const Subject& m_subject;
+    const BenchPhoto& m_photo;
     ViewSetting m_setting;
     CameraModel m_camera;
     std::optional<OpenCvViews> m_openCv;
@@ -149,9 +149,9 @@ std::string viewRowName(Sampling sampling, const ViewSetting& setting) {
                 setting.pitchDeg == 0 ? "" : ".steep");
 }
 
-std::vector<BenchRow> measureViews(const Subject& subject, const ViewSetting& setting, bool peers, int rounds,
-                                   ProgressSink& progress, const std::stop_token& stop) {
-    ViewBench views(subject, setting, peers);
+std::vector<BenchRow> measureViews(const BenchPhoto& photo, const ViewSetting& setting, bool peers,
+                                   int rounds, ProgressSink& progress, const std::stop_token& stop) {
+    ViewBench views(photo, setting, peers);
     views.prepare(stop);
     Contest contest;
     const int threads = std::min(2, hardwareThreads());
@@ -183,4 +183,4 @@ std::vector<BenchRow> measureViews(const Subject& subject, const ViewSetting& se
     return rows;
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

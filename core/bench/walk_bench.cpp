@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "walk_bench.h"
-
+#include "bench_photo.h"
 #include "contest.h"
-#include "station_path.h"
-#include "subject.h"
+#include "measurements.h"
+#include "walk_path.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/text.h"
@@ -14,7 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using render::LatePolicy;
 using SteadyClock = std::chrono::steady_clock;
@@ -103,10 +102,6 @@ std::vector<WalkRow> measureWalks(const std::shared_ptr<const render::Dataset>& 
     return rows;
 }
 
-double walkLengthM(const render::Dataset& dataset) {
-    return StationPath(serpentine(dataset.info())).lengthM();
-}
-
 std::size_t lookAllRound(const std::shared_ptr<const render::Dataset>& dataset, std::size_t mostPhotos,
                          ProgressSink& progress, const std::stop_token& stop) {
     constexpr int kLooks = 4;
@@ -126,4 +121,4 @@ std::size_t lookAllRound(const std::shared_ptr<const render::Dataset>& dataset, 
     return count;
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

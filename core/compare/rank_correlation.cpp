@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/measure/rank_correlation.h"
+#include "spherewalk/compare/rank_correlation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-namespace spherewalk::measure {
+namespace spherewalk::compare {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::optional<double> rankCorrelation(std::span<const double> a, std::span<const
     return aa > 0 && bb > 0 ? std::optional(ab / std::sqrt(aa * bb)) : std::nullopt;
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::compare

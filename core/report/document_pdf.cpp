@@ -2,12 +2,12 @@
 #include "pdf_page.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/sheet/document.h"
+#include "spherewalk/report/document.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 using Eigen::Vector2d;
 
@@ -15,16 +15,16 @@ namespace {
 
 constexpr Paper kUpright{210, 297};
 constexpr double kWidthMm = 210 - 2 * kMarginMm;
-constexpr double kBottomMm = 297 - kMarginMm - 6; ///< above the page's number
+constexpr double kBottomMm = 297 - kMarginMm - 6; ///< The page's number stands below.
 constexpr double kTitleTextMm = 6;
 constexpr double kHeadingTextMm = 4.6;
 constexpr double kTextMm = 3.4;
 constexpr double kTableTextMm = 2.9;
-constexpr double kLine = 1.45;       ///< of the text's height
+constexpr double kLine = 1.45;       ///< The distance of lines, in heights of the text.
 constexpr double kMmAPixel = 0.2646; ///< 96 pixels an inch, as on screens
 constexpr double kGapMm = 3;
 
-/// A document being laid out from top to bottom.
+/// Lays a document out from top to bottom.
 class DocumentPages {
   public:
     DocumentPages() : m_pages(kUpright) {}
@@ -43,11 +43,28 @@ class DocumentPages {
     }
 
   private:
-    /// How much of a block is to stand on the page of its heading.
+    /// The height of a block that must fit on the page of its heading.
     double beginMm(const Block& block) const {
         constexpr double kOfTextMm = 40;
-        const auto* drawing = std::get_if<Drawing>(&block);
-        return drawing == nullptr ? kOfTextMm : sizeMm(*drawing).y();
+        if (const auto* drawing = std::get_if<Drawing>(&block)) {
+            return sizeMm(*drawing).y();
+        }
+        const auto* pictures = std::get_if<PictureRow>(&block);
+        return pictures == nullptr ? kOfTextMm : heightMm(*pictures) + kLine * kTableTextMm;
+    }
+
+    static double widthMm(const PictureRow& row) {
+        const auto count = static_cast<double>(row.pictures.size());
+        return (kWidthMm - (count - 1) * kGapMm) / count;
+    }
+
+    /// The height of the tallest picture.
+    static double heightMm(const PictureRow& row) {
+        double result = 0;
+        for (const RgbImage& picture : row.pictures) {
+            result = std::max(result, widthMm(row) * picture.height() / picture.width());
+        }
+        return result;
     }
 
     Vector2d sizeMm(const Drawing& drawing) const {
@@ -85,29 +102,26 @@ class DocumentPages {
     }
 
     void add(const PictureRow& row) {
-        const auto count = static_cast<double>(row.pictures.size());
-        const double widthMm = (kWidthMm - (count - 1) * kGapMm) / count;
-        double heightMm = 0;
-        for (const RgbImage& picture : row.pictures) {
-            heightMm = std::max(heightMm, widthMm * picture.height() / picture.width());
-        }
-        need(heightMm + kLine * kTableTextMm);
+        const double width = widthMm(row);
+        const double height = heightMm(row);
+        need(height + kLine * kTableTextMm);
         for (std::size_t i = 0; i < row.pictures.size(); ++i) {
-            const double x = kMarginMm + static_cast<double>(i) * (widthMm + kGapMm);
-            m_pages.picture({x, m_y}, widthMm, row.pictures[i]);
-            m_pages.words({x, m_y + heightMm + kLine * kTableTextMm}, row.captions[i], kTableTextMm);
+            const double x = kMarginMm + static_cast<double>(i) * (width + kGapMm);
+            m_pages.picture({x, m_y}, width, row.pictures[i]);
+            m_pages.words({x, m_y + height + kLine * kTableTextMm}, row.captions[i], kTableTextMm);
         }
-        m_y += heightMm + kLine * kTableTextMm + kGapMm;
+        m_y += height + kLine * kTableTextMm + kGapMm;
     }
 
-    /// How a table is set.
+    /// Measures of a table on paper.
     struct Columns {
         std::vector<double> widthsMm;
         double apartMm = 5;
         double textMm = kTableTextMm;
     };
 
-    /// Columns as wide as their words. A table that is wider than the page is set closer, and then smaller.
+    /// Columns are as wide as their words. Where a table is wider than the page, its columns move closer
+    /// together, and then its text gets smaller.
     Columns columnsOf(const Table& table) const {
         Columns columns;
         for (const std::string& title : table.titles) {
@@ -143,7 +157,18 @@ class DocumentPages {
         }
     }
 
-    /// As many lines as the words need.
+    /// How many bytes of the word fit on a line, at least one letter. Letters of UTF-8 stay whole.
+    std::size_t fitting(const std::string& word, double heightMm, bool isBold) const {
+        std::size_t fits = word.size();
+        while (fits > 1 && m_pages.widthOf(word.substr(0, fits), heightMm, isBold) > kWidthMm) {
+            do {
+                --fits;
+            } while (fits > 1 && (static_cast<unsigned char>(word[fits]) & 0xC0) == 0x80);
+        }
+        return fits;
+    }
+
+    /// Writes the words in as many lines as they need. A word that is wider than the page is broken.
     void lines(const std::string& words, double heightMm, bool isBold) {
         std::string line;
         const auto end = [&] {
@@ -154,19 +179,24 @@ class DocumentPages {
         };
         for (std::size_t begin = 0; begin < words.size();) {
             const std::size_t space = std::min(words.find(' ', begin), words.size());
-            const std::string longer =
-                text(line, line.empty() ? "" : " ", words.substr(begin, space - begin));
-            if (!line.empty() && m_pages.widthOf(longer, heightMm, isBold) > kWidthMm) {
-                end();
+            const std::string word = words.substr(begin, space - begin);
+            const std::string longer = text(line, line.empty() ? "" : " ", word);
+            if (m_pages.widthOf(longer, heightMm, isBold) <= kWidthMm) {
+                line = longer;
+                begin = space + 1;
                 continue;
             }
-            line = longer;
-            begin = space + 1;
+            if (line.empty()) {
+                const std::size_t fits = fitting(word, heightMm, isBold);
+                line = word.substr(0, fits);
+                begin += fits;
+            }
+            end();
         }
         end();
     }
 
-    /// A new page if the present one has no room for it.
+    /// Begins a new page if the present one has no room for this height.
     void need(double heightMm) {
         if (m_y + heightMm > kBottomMm && m_y > kMarginMm) {
             number();
@@ -182,7 +212,7 @@ class DocumentPages {
 
     PdfPages m_pages;
     double m_y = kMarginMm;
-    double m_nextMm = 0; ///< of the next block
+    double m_nextMm = 0; ///< The height that the next block needs beside its heading.
     int m_page = 1;
 };
 
@@ -192,4 +222,4 @@ Bytes pdf(const Document& document) {
     return DocumentPages().draw(document);
 }
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

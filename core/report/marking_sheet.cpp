@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/sheet/marking_sheet.h"
+#include "spherewalk/report/marking_sheet.h"
 
 #include "pdf_page.h"
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 using Eigen::Vector2d;
 using survey::MarkedPoint;
@@ -243,4 +243,4 @@ Bytes markingSheet(const std::string& name, const survey::Room& room, const surv
     return MarkingSheet(name, room, options, plan, words).draw();
 }
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

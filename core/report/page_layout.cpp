@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/sheet/page_layout.h"
+#include "spherewalk/report/page_layout.h"
 
 #include <array>
 #include <utility>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 using Eigen::Vector2d;
 
@@ -44,4 +44,4 @@ PageLayout layoutOf(const Polygon& outline) {
     }
 }
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

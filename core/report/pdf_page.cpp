@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 using Eigen::Vector2d;
 
@@ -217,4 +217,4 @@ void PdfPages::drawing(const Vector2d& at, double widthMm, const std::string& sv
     check();
 }
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

@@ -4,7 +4,7 @@
 #include "spherewalk/base/bytes.h"
 #include "spherewalk/base/image.h"
 #include "spherewalk/geometry/polygon.h"
-#include "spherewalk/sheet/page_layout.h"
+#include "spherewalk/report/page_layout.h"
 
 #include <Eigen/Core>
 
@@ -12,12 +12,12 @@
 #include <memory>
 #include <string>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 enum class Align { Left, Centre, Right };
 
-/// A PDF being drawn, page after page. Units: millimetres from the upper left corner, y down. Errors of all:
-/// Internal.
+/// A PDF that is drawn page after page. Units: millimetres from the upper left corner, y down. Errors of all
+/// functions: Internal.
 class PdfPages {
   public:
     explicit PdfPages(const Paper& paper);
@@ -27,16 +27,16 @@ class PdfPages {
 
     const Paper& paper() const { return m_paper; }
 
-    /// Ends the present page; the next may have another size.
+    /// Ends the present page and begins one of this size.
     void nextPage(const Paper& paper);
-    /// Ends the document.
+    /// Ends the document and returns it.
     Bytes finish();
 
     void setGrey(double lightness);
     void setLine(double widthMm);
     void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void outline(const Polygon& corners);
-    /// Hatched, with its edge.
+    /// Draws the edge of a hatched area.
     void hatched(const Polygon& corners);
     void ring(const Eigen::Vector2d& centre, double radiusMm);
     void disc(const Eigen::Vector2d& centre, double radiusMm);
@@ -44,11 +44,11 @@ class PdfPages {
     void words(const Eigen::Vector2d& at, const std::string& text, double heightMm, Align align = Align::Left,
                bool isBold = false);
     double widthOf(const std::string& text, double heightMm, bool isBold) const;
-    /// at: the upper left corner. Its height follows from its width. Kept as a JPEG.
+    /// at: the upper left corner. The height follows from the width. The PDF keeps the picture as a JPEG.
     void picture(const Eigen::Vector2d& at, double widthMm, const RgbImage& picture);
-    /// A whole SVG document, at: the upper left corner.
+    /// Draws a whole SVG document. at: the upper left corner. The height follows from the width.
     void drawing(const Eigen::Vector2d& at, double widthMm, const std::string& svg);
-    /// Of an SVG document. Units: pixels.
+    /// The size of an SVG document. Units: pixels.
     static Eigen::Vector2d sizeOf(const std::string& svg);
 
   private:
@@ -62,4 +62,4 @@ class PdfPages {
     std::unique_ptr<cairo_t, decltype(&cairo_destroy)> m_cairo;
 };
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

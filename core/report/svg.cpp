@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/measure/svg.h"
+#include "spherewalk/report/svg.h"
 
 #include "spherewalk/base/text.h"
 
 #include <array>
 
-namespace spherewalk::measure {
+namespace spherewalk::report {
 
 namespace {
 
-constexpr std::string_view kStyle = R"(<style>
+constexpr std::string_view kSvgStyle = R"(<style>
 text { font-family: "DejaVu Sans", Verdana, Arial, sans-serif; fill: #222 }
 .title { font-size: 15px; font-weight: bold }
 .label { font-size: 13px; paint-order: stroke; stroke: #fff; stroke-width: 3px }
@@ -71,7 +71,7 @@ std::string escaped(std::string_view words) {
 Svg::Svg(int width, int height, std::string_view title) {
     m_text = spherewalk::text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "\" height=\"",
                               height, "\" viewBox=\"0 0 ", width, " ", height, "\" role=\"img\">\n<title>",
-                              escaped(title), "</title>\n", kStyle,
+                              escaped(title), "</title>\n", kSvgStyle,
                               "<rect class=\"paper\" width=\"100%\" height=\"100%\" rx=\"8\"/>\n");
 }
 
@@ -120,4 +120,4 @@ SvgBox Svg::extent(const SvgPoint& at, std::string_view words, Text kind) {
     return {at.x, at.y - size, kWidthOfLetter * size * static_cast<double>(words.size()), 1.25 * size};
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::report

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/dataset/writer.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/render/dataset.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -35,6 +37,7 @@ struct MadeDataset {
     int width = 512;
     bool hasSphere = true;
     bool hasRoom = false; ///< a box about the places
+    bool isEven = false;  ///< All pixels have one colour.
 };
 
 /// Writes the dataset with restart markers and thumbnails, as an export does, into `folder`/dataset.
@@ -53,7 +56,11 @@ inline std::filesystem::path writeMadeDataset(const std::filesystem::path& folde
     }
     for (std::size_t i = 0; i < made.places.size(); ++i) {
         const auto file = folder / (std::to_string(i) + ".jpg");
-        const Bytes bytes = jpeg::encode(madePanorama(made.width, static_cast<int>(i)), 90);
+        RgbImage picture = madePanorama(made.width, static_cast<int>(i));
+        if (made.isEven) {
+            std::fill(picture.values().begin(), picture.values().end(), std::uint8_t{120});
+        }
+        const Bytes bytes = jpeg::encode(picture, 90);
         writeFile(file, bytes);
         render::DatasetPhoto entry;
         entry.roomFromPhoto = {Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ())),

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cold_cell.h"
-#include "decode_bench.h"
 #include "expect_error.h"
-#include "extras_bench.h"
-#include "fidelity.h"
-#include "machine.h"
 #include "made_dataset.h"
-#include "photo_row.h"
+#include "measurements.h"
 #include "random.h"
-#include "scene_bench.h"
+#include "sphere/exact_view.h"
 #include "temporary_folder.h"
-#include "view_bench.h"
-#include "walk_bench.h"
+#include "walk_path.h"
 
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/render/projection.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <set>
 
-namespace spherewalk::measure {
+namespace spherewalk::bench {
 
 using test::expectError;
-
-namespace {
 
 class Phases : public testing::Test {
   protected:
@@ -43,12 +34,10 @@ class Phases : public testing::Test {
     std::shared_ptr<const render::Dataset> dataset = test::openMadeDataset(folder.path());
 };
 
-} // namespace
-
 TEST_F(Phases, ViewsAreTimedAfterTheyWereCheckedAndComparedWithPeers) {
-    const Subject subject(dataset);
-    EXPECT_DOUBLE_EQ(subject.freeM(), 0.25);
-    const std::vector<BenchRow> rows = measureViews(subject, {57, 80}, true, 2, noProgress(), {});
+    const BenchPhoto photo(dataset);
+    EXPECT_DOUBLE_EQ(photo.freeM(), 0.25);
+    const std::vector<BenchRow> rows = measureViews(photo, {57, 80}, true, 2, noProgress(), {});
     EXPECT_EQ(namesOf(rows), (std::set<std::string>{"view.nearest.57.steep", "view.bilinear.57.steep",
                                                     "view.reduced.57.steep", "view.footprint.57.steep",
                                                     "view.bicubic.57.steep"}));
@@ -70,8 +59,8 @@ TEST_F(Phases, ViewsNeedNeitherPeersNorASphereNorASecondPhoto) {
     test::MadeDataset made;
     made.places = {{5, 5, 1}};
     made.hasSphere = false;
-    const Subject subject(test::openMadeDataset(other.path(), made));
-    const std::vector<BenchRow> rows = measureViews(subject, {90, 0}, false, 1, noProgress(), {});
+    const BenchPhoto photo(test::openMadeDataset(other.path(), made));
+    const std::vector<BenchRow> rows = measureViews(photo, {90, 0}, false, 1, noProgress(), {});
     EXPECT_TRUE(namesOf(rows).contains("view.footprint"));
     for (const BenchRow& row : rows) {
         EXPECT_EQ(row.peer.has_value(), row.threads > 1);
@@ -79,7 +68,7 @@ TEST_F(Phases, ViewsNeedNeitherPeersNorASphereNorASecondPhoto) {
 }
 
 TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
-    const std::vector<BenchRow> rows = measureExtras(Subject(dataset), 2, noProgress(), {});
+    const std::vector<BenchRow> rows = measureExtras(BenchPhoto(dataset), 2, noProgress(), {});
     EXPECT_EQ(namesOf(rows), (std::set<std::string>{"view.with_depth", "view.with_trust", "view.with_overlay",
                                                     "view.with_overlay.other_lens"}));
     for (const BenchRow& row : rows) {
@@ -88,17 +77,17 @@ TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
     const test::TemporaryFolder other;
     test::MadeDataset made;
     made.hasSphere = false;
-    const Subject without(test::openMadeDataset(other.path(), made));
+    const BenchPhoto without(test::openMadeDataset(other.path(), made));
     EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), std::set<std::string>{"view.with_trust"});
 }
 
 TEST_F(Phases, ScenesWithSurfacesAreComparedWithTheSphere) {
-    EXPECT_TRUE(measureScenes(Subject(dataset), 1, noProgress(), {}).empty());
+    EXPECT_TRUE(measureScenes(BenchPhoto(dataset), 1, noProgress(), {}).empty());
     const test::TemporaryFolder other;
     test::MadeDataset made;
     made.hasRoom = true;
     const std::vector<BenchRow> rows =
-        measureScenes(Subject(test::openMadeDataset(other.path(), made)), 2, noProgress(), {});
+        measureScenes(BenchPhoto(test::openMadeDataset(other.path(), made)), 2, noProgress(), {});
     EXPECT_EQ(namesOf(rows), (std::set<std::string>{"scene.room.bilinear", "scene.room.footprint"}));
     for (const BenchRow& row : rows) {
         EXPECT_EQ(row.peer->name, kSphereView);
@@ -107,7 +96,7 @@ TEST_F(Phases, ScenesWithSurfacesAreComparedWithTheSphere) {
 }
 
 TEST_F(Phases, DecodingHasPartsOnlyWhereThePhotoHasMarkers) {
-    const std::vector<BenchRow> rows = measureDecoding(Subject(dataset), true, 1, noProgress(), {});
+    const std::vector<BenchRow> rows = measureDecoding(BenchPhoto(dataset), true, 1, noProgress(), {});
     EXPECT_EQ(namesOf(rows),
               (std::set<std::string>{"decode.whole", "decode.region", "decode.reduced", "decode.thumbnail",
                                      "decode.whole.planes", "decode.region.planes"}));
@@ -120,7 +109,7 @@ TEST_F(Phases, DecodingHasPartsOnlyWhereThePhotoHasMarkers) {
         }
     }
     const auto unmarked = test::withoutMarkers(*dataset);
-    EXPECT_EQ(namesOf(measureDecoding(Subject(unmarked), true, 1, noProgress(), {})),
+    EXPECT_EQ(namesOf(measureDecoding(BenchPhoto(unmarked), true, 1, noProgress(), {})),
               (std::set<std::string>{"decode.whole", "decode.thumbnail"}));
 }
 
@@ -171,8 +160,8 @@ TEST_F(Phases, FidelityRanksTheRungs) {
     test::MadeDataset made;
     made.places = {{0, 0, 0}};
     made.width = 4096;
-    const Subject subject(test::openMadeDataset(other.path(), made));
-    const std::vector<RungFidelity> rungs = measureFidelity(subject, 120, {2, 16}, noProgress(), {});
+    const BenchPhoto photo(test::openMadeDataset(other.path(), made));
+    const std::vector<RungFidelity> rungs = measureFidelity(photo, 120, {2, 16}, noProgress(), {});
     ASSERT_EQ(rungs.size(), kRungs.size());
     const auto of = [&](render::Sampling rung) {
         return *std::find_if(rungs.begin(), rungs.end(),
@@ -201,7 +190,7 @@ TEST_F(Phases, PsnrIsThatOfTheDefinition) {
 }
 
 TEST_F(Phases, WalksHaveARowForEachSpeedAndPolicy) {
-    EXPECT_NEAR(walkLengthM(*dataset), 1, 1e-9);
+    EXPECT_NEAR(StationPath(serpentine(dataset->info())).lengthM(), 1, 1e-9);
     const std::vector<WalkRow> rows = measureWalks(dataset, {{1, 30}, 3}, noProgress(), {});
     std::set<std::string> kinds;
     for (const WalkRow& row : rows) {
@@ -236,7 +225,7 @@ TEST_F(Phases, PhotoRowHoldsCopiesAndIsRemoved) {
             EXPECT_NEAR(photos[i].roomFromPhoto.translation.x(), 0.2 * static_cast<double>(i), 1e-12);
         }
         EXPECT_EQ(row.dataset()->nearestPhoto({0.62, 0, 1.2}), 3U);
-        EXPECT_NEAR(walkLengthM(*row.dataset()), 0.8, 1e-9);
+        EXPECT_NEAR(StationPath(serpentine(row.dataset()->info())).lengthM(), 0.8, 1e-9);
     }
     EXPECT_FALSE(std::filesystem::exists(where));
 }
@@ -249,15 +238,46 @@ TEST_F(Phases, PhotoRowSaysWhereItCannotBe) {
     kept.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", kept.c_str(), 1);
 }
 
+TEST_F(Phases, FilesAreDroppedFromTheCacheOrItIsSaid) {
+    const auto file = folder / "cached";
+    writeFile(file, Bytes(100'000, 7));
+    dropFromFileCache(file); // what the answer is depends on the file system
+    EXPECT_EQ(readFile(file), Bytes(100'000, 7));
+    expectError(ErrorKind::NotFound, "none", [&] { dropFromFileCache(folder / "none"); });
+}
+
+TEST_F(Phases, RowsOfViewsAreNamedByTheirSetting) {
+    EXPECT_EQ(viewRowName(render::Sampling::Bilinear, {90, 0}), "view.bilinear");
+    EXPECT_EQ(viewRowName(render::Sampling::Bilinear, {57, 0}), "view.bilinear.57");
+    EXPECT_EQ(viewRowName(render::Sampling::Footprint, {90, 80}), "view.footprint.steep");
+    EXPECT_EQ(viewRowName(render::Sampling::Bicubic, {57, -80}), "view.bicubic.57.steep");
+}
+
+TEST_F(Phases, ThePhotoIsTheFirstAndItsRendererHoldsAllOfIt) {
+    const BenchPhoto photo(dataset);
+    EXPECT_EQ(photo.entry().file, dataset->info().photos.front().file);
+    EXPECT_EQ(photo.jpeg(), dataset->readPhoto(0));
+    EXPECT_EQ(photo.picture().width(), 512);
+    EXPECT_EQ(photo.scene(), render::SceneKind::Sphere);
+    // Looking straight ahead in the photo's frame is looking along the photo's x axis in the room.
+    const Eigen::Vector3d ahead = photo.roomFromCamera(lookingTo(0, 0)).rotation * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d expected = photo.entry().roomFromPhoto.rotation * Eigen::Vector3d::UnitX();
+    EXPECT_LT((ahead - expected).norm(), 1e-12);
+    const Eigen::Vector3d up = lookingTo(0, 90).rotation * Eigen::Vector3d::UnitZ();
+    EXPECT_LT((up - Eigen::Vector3d::UnitZ()).norm(), 1e-9);
+    const Eigen::Vector3d left = lookingTo(90, 0).rotation * Eigen::Vector3d::UnitZ();
+    EXPECT_LT((left - Eigen::Vector3d::UnitY()).norm(), 1e-9);
+}
+
 TEST_F(Phases, AllStopWhenAsked) {
-    const Subject subject(dataset);
+    const BenchPhoto photo(dataset);
     const std::stop_token stop = test::stopped();
     const auto expectStop = [](auto&& phase) { expectError(ErrorKind::Stopped, "Stopped", phase); };
     expectStop([&] { thisMachine(stop); });
-    expectStop([&] { measureViews(subject, {90, 0}, true, 1, noProgress(), stop); });
-    expectStop([&] { measureDecoding(subject, true, 1, noProgress(), stop); });
+    expectStop([&] { measureViews(photo, {90, 0}, true, 1, noProgress(), stop); });
+    expectStop([&] { measureDecoding(photo, true, 1, noProgress(), stop); });
     expectStop([&] { measureColdCells(dataset, 1, noProgress(), stop); });
-    expectStop([&] { measureFidelity(subject, 90, {1, 1}, noProgress(), stop); });
+    expectStop([&] { measureFidelity(photo, 90, {1, 1}, noProgress(), stop); });
     expectStop([&] { measureWalks(dataset, {{1}, 1}, noProgress(), stop); });
     expectStop([&] { lookAllRound(dataset, 1, noProgress(), stop); });
     expectStop([&] { PhotoRow(*dataset, 2, noProgress(), stop); });
@@ -279,4 +299,4 @@ TEST(Machine, PeakOfMemoryGrowsWithWhatIsUsed) {
     EXPECT_GE(peakResidentBytes(), before + (60 << 20)) << used.size();
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::bench

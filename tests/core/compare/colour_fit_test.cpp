@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random.h"
 
-#include "spherewalk/measure/colour_fit.h"
+#include "spherewalk/compare/colour_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace spherewalk::measure {
+namespace spherewalk::compare {
 
 namespace {
 
@@ -200,4 +200,4 @@ TEST_F(ColourSpots, CountWhatIsTooBright) {
     EXPECT_GT(spots().clipped, 0U);
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::compare

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random.h"
 
+#include "spherewalk/compare/pose_fit.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/measure/pose_fit.h"
-#include "spherewalk/measure/pose_refinement.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace spherewalk::measure {
+namespace spherewalk::compare {
 
 namespace {
 
@@ -216,4 +215,4 @@ TEST(PlaceShown, IsNothingWhereDepthJumpsOrIsNotKnown) {
     EXPECT_FALSE(placeShown(depth, kCamera, {}, {-0.5, 3}));
 }
 
-} // namespace spherewalk::measure
+} // namespace spherewalk::compare

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "spherewalk/sheet/page_layout.h"
+#include "spherewalk/report/page_layout.h"
 
 #include <gtest/gtest.h>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
 using Eigen::Vector2d;
 
@@ -50,4 +50,4 @@ TEST(PageLayout, StandsUprightForADeepRoom) {
     EXPECT_LT(paper.widthMm, paper.heightMm);
 }
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

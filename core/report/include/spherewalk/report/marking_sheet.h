@@ -6,9 +6,9 @@
 
 #include <string>
 
-namespace spherewalk::sheet {
+namespace spherewalk::report {
 
-/// The sheet's words, so that a window can give them in its own language. "%1" and so on stand for values.
+/// The words of the sheet, which a window can give in another language. "%1" and so on stand for values.
 struct SheetWords {
     std::string title = "Marking out: %1";
     std::string summary = "%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m";
@@ -23,10 +23,10 @@ struct SheetWords {
     std::string page = "Page %1";
 };
 
-/// Lays rails out on the floor: a page with the plan to scale, then a table of tape distances, as PDF (A4).
-/// name: of the survey. The same input gives the same bytes. Errors: those of Room::validate(); Internal if
-/// the PDF cannot be made.
+/// A PDF of A4 pages for marking rails on the floor: the plan to scale, then a table of tape distances.
+/// name: the survey's name. The same input gives the same bytes. Errors: those of Room::validate(); Internal
+/// if the PDF cannot be made.
 Bytes markingSheet(const std::string& name, const survey::Room& room, const survey::PlanOptions& options,
                    const survey::Plan& plan, const SheetWords& words = {});
 
-} // namespace spherewalk::sheet
+} // namespace spherewalk::report

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "pdf_reading.h"
+
+#include "spherewalk/base/text.h"
+#include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/report/page_layout.h"
+#include "spherewalk/survey/marking.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+namespace spherewalk::report {
+
+namespace {
+
+survey::Room sheetRoom() {
+    survey::Room result;
+    result.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
+    result.ceilingM = 2.6;
+    return result;
+}
+
+Bytes sheetAt(double stepM) {
+    survey::PlanOptions options;
+    options.stepM = stepM;
+    options.railStops = 3;
+    return markingSheet("lab", sheetRoom(), options, survey::plan(sheetRoom(), options));
+}
+
+int occurrences(std::string_view text, std::string_view part) {
+    int found = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string_view::npos; ++at) {
+        ++found;
+    }
+    return found;
+}
+
+int sheetPages(const Bytes& pdf) {
+    return occurrences(textOf(pdf), "/Type /Page") -
+           occurrences(textOf(pdf), "/Type /Pages"); // the latter is their list
+}
+
+constexpr double kLineMm = 0.03; ///< Coordinates in a PDF are rounded.
+
+bool isAt(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - b).norm() < kLineMm;
+}
+
+/// A sheet, and what it was made from.
+struct Sheet {
+    survey::Room room = sheetRoom();
+    survey::PlanOptions options{0.6, {1.2}, 3};
+    survey::Plan plan = survey::plan(room, options);
+    SheetWords words;
+
+    std::vector<test::PdfPage> pages() const {
+        const Bytes bytes = markingSheet("lab", room, options, plan, words);
+        return test::PdfReading(bytes).pages();
+    }
+
+    Eigen::Vector2d onPaper(const Eigen::Vector2d& inRoom) const {
+        return layoutOf(room.outline).paperFromRoom(inRoom);
+    }
+
+    bool hasLine(const test::PdfPage& page, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
+        return std::any_of(page.segments.begin(), page.segments.end(), [&](const test::PdfSegment& one) {
+            return (isAt(one.from, onPaper(a)) && isAt(one.to, onPaper(b))) ||
+                   (isAt(one.from, onPaper(b)) && isAt(one.to, onPaper(a)));
+        });
+    }
+};
+
+std::vector<test::PdfWords> allOf(const test::PdfPage& page, const std::string& words) {
+    std::vector<test::PdfWords> result;
+    std::copy_if(page.words.begin(), page.words.end(), std::back_inserter(result),
+                 [&](const test::PdfWords& one) { return one.words == words; });
+    return result;
+}
+
+} // namespace
+
+TEST(MarkingSheet, DrawsWallsAndObstaclesToScale) {
+    Sheet sheet;
+    sheet.room.outline = {{-1, 2}, {4, 2}, {4, 6}, {1, 6}, {1, 5}, {-1, 5}};
+    sheet.room.obstacles = {{{2, 3}, {3, 3}, {2.5, 4}}};
+    sheet.plan = survey::plan(sheet.room, sheet.options);
+    const std::vector<test::PdfPage> pages = sheet.pages();
+    for (const Polygon& polygon : {sheet.room.outline, sheet.room.obstacles.front()}) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            EXPECT_TRUE(sheet.hasLine(pages.front(), polygon[i], polygon[(i + 1) % polygon.size()])) << i;
+        }
+    }
+    EXPECT_FALSE(sheet.hasLine(pages.front(), {-1, 2}, {4, 6})); // no wall
+}
+
+TEST(MarkingSheet, HasAScaleBarOfTenCentimetres) {
+    const Sheet sheet;
+    const test::PdfPage page = sheet.pages().front();
+    const double y = page.heightMm - kMarginMm - 6;
+    int ticks = 0;
+    bool hasBar = false;
+    for (const test::PdfSegment& one : page.segments) {
+        if (isAt(one.from, {kMarginMm, y}) && isAt(one.to, {kMarginMm + 100, y})) {
+            hasBar = true;
+        } else if (std::abs(one.from.y() - y) < kLineMm) {
+            EXPECT_NEAR(one.from.x(), kMarginMm + 10.0 * ticks++, kLineMm);
+            EXPECT_NEAR(one.to.x(), one.from.x(), kLineMm);
+        }
+    }
+    EXPECT_TRUE(hasBar);
+    EXPECT_EQ(ticks, 11);
+    const std::string scale = "Scale 1:" + std::to_string(layoutOf(sheet.room.outline).scale) + ".";
+    EXPECT_TRUE(std::any_of(page.words.begin(), page.words.end(),
+                            [&](const test::PdfWords& one) { return one.words.starts_with(scale); }));
+}
+
+TEST(MarkingSheet, MarksEachStopWhereItIs) {
+    const Sheet sheet;
+    const test::PdfPage page = sheet.pages().front();
+    std::size_t stops = 0;
+    for (const survey::RailPlacement& rail : sheet.plan.placements) {
+        for (int k = 0; k < rail.stops; ++k, ++stops) {
+            EXPECT_EQ(std::count_if(page.rounds.begin(), page.rounds.end(),
+                                    [&](const test::PdfRound& round) {
+                                        return isAt(round.centre, sheet.onPaper(rail.stop(k))) &&
+                                               round.isFilled == (k > 0); // a ring for the first
+                                    }),
+                      1);
+        }
+    }
+    EXPECT_EQ(page.rounds.size(), stops);
+    EXPECT_GT(stops, 10U);
+}
+
+TEST(MarkingSheet, NamesCornersAndLengthsOutsideOfTheRoom) {
+    const Sheet sheet;
+    const test::PdfPage page = sheet.pages().front();
+    Polygon walls;
+    for (const Eigen::Vector2d& corner : sheet.room.outline) {
+        walls.push_back(sheet.onPaper(corner));
+    }
+    for (const auto& [words, times] :
+         {std::pair("A", 1U), {"B", 1U}, {"C", 1U}, {"D", 1U}, {"5.00 m", 2U}, {"4.00 m", 2U}}) {
+        const std::vector<test::PdfWords> found = allOf(page, words);
+        EXPECT_EQ(found.size(), times) << words;
+        for (const test::PdfWords& one : found) {
+            for (const double share : {0.0, 0.5, 1.0}) {
+                EXPECT_FALSE(contains(walls, one.at + Eigen::Vector2d(share * one.widthMm, -1))) << words;
+            }
+            EXPECT_GE(one.at.x(), 0) << words;
+            EXPECT_LE(one.rightMm(), page.widthMm) << words;
+        }
+    }
+}
+
+TEST(MarkingSheet, LeavesOutLengthsThatHaveNoRoom) {
+    Sheet sheet;
+    sheet.room.outline = {{0, 0}, {5, 0}, {5, 4}, {0.3, 4}, {0.3, 3}, {0, 3}};
+    sheet.plan = survey::plan(sheet.room, sheet.options);
+    const test::PdfPage page = sheet.pages().front();
+    EXPECT_EQ(allOf(page, "0.30 m").size(), 0U);
+    EXPECT_EQ(allOf(page, "4.70 m").size(), 1U);
+}
+
+TEST(MarkingSheet, TellsTapesThatMeetAtTheStops) {
+    const Sheet sheet;
+    const std::vector<test::PdfPage> pages = sheet.pages();
+    std::size_t tapes = 0;
+    for (std::size_t i = 0; i < sheet.plan.placements.size(); ++i) {
+        const survey::RailPlacement& rail = sheet.plan.placements[i];
+        std::vector<test::PdfWords> number = allOf(pages[1], std::to_string(i + 1));
+        std::erase_if(number, [](const test::PdfWords& one) { return one.at.x() > kMarginMm + 5; });
+        ASSERT_EQ(number.size(), 1U) << i;
+        for (const test::PdfWords& one : pages[1].words) {
+            char corner = 0;
+            double metres = 0;
+            std::istringstream text(one.words);
+            const bool isFirst = one.at.x() < kMarginMm + 60;
+            const Eigen::Vector2d stop = rail.stop(isFirst ? 0 : rail.stops - 1);
+            while (std::abs(one.at.y() - number.front().at.y()) < kLineMm && text >> corner >> metres &&
+                   corner >= 'A' && corner <= 'D') {
+                const Eigen::Vector2d from = sheet.room.outline[static_cast<std::size_t>(corner - 'A')];
+                EXPECT_NEAR((stop - from).norm(), metres, 0.0006) << one.words;
+                ++tapes;
+            }
+        }
+    }
+    EXPECT_EQ(tapes, 4 * sheet.plan.placements.size()); // two tapes for either end
+}
+
+TEST(MarkingSheet, SaysWhereAPointIsThatNoTapeReaches) {
+    Sheet sheet;
+    sheet.room.obstacles = {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}};
+    sheet.plan.placements = {{{2, 2}, Radians(0), 1, 0.6}}; // inside of the obstacle
+    sheet.plan.stations = {{0, 0, {2, 2, 1.2}}};
+    const test::PdfPage page = sheet.pages().at(1);
+    EXPECT_EQ(allOf(page, "no two corners in sight: x 2.000, y 2.000").size(), 1U); // no last stop
+}
+
+TEST(MarkingSheet, SpeaksWithTheWordsThatItIsGiven) {
+    Sheet sheet;
+    sheet.words.title = "%1: Plan";
+    sheet.words.summary = "%2 Schienen, %1 Orte";
+    sheet.words.page = "Seite %1";
+    const std::vector<test::PdfPage> pages = sheet.pages();
+    EXPECT_EQ(allOf(pages[0], "lab: Plan").size(), 1U);
+    EXPECT_EQ(allOf(pages[0],
+                    text(sheet.plan.placements.size(), " Schienen, ", sheet.plan.stations.size(), " Orte"))
+                  .size(),
+              1U);
+    EXPECT_EQ(allOf(pages[1], "Seite 2").size(), 1U);
+}
+
+TEST(MarkingSheet, HasItsPlanAsTheRoomLiesAndItsTablesUpright) {
+    Sheet sheet;
+    for (const bool isDeep : {false, true}) {
+        sheet.room.outline = isDeep ? Polygon{{0, 0}, {4, 0}, {4, 9}, {0, 9}} : sheetRoom().outline;
+        sheet.plan = survey::plan(sheet.room, sheet.options);
+        const std::vector<test::PdfPage> pages = sheet.pages();
+        EXPECT_NEAR(pages[0].widthMm, isDeep ? 210 : 297, 0.1);
+        for (std::size_t i = 1; i < pages.size(); ++i) {
+            EXPECT_NEAR(pages[i].widthMm, 210, 0.1);
+            EXPECT_NEAR(pages[i].heightMm, 297, 0.1);
+        }
+    }
+}
+
+TEST(MarkingSheet, IsAPdfWithThePlanAndATable) {
+    const Bytes pdf = sheetAt(0.6);
+    EXPECT_TRUE(textOf(pdf).starts_with("%PDF-"));
+    EXPECT_EQ(sheetPages(pdf), 2);
+}
+
+TEST(MarkingSheet, BreaksALongTableIntoPages) {
+    EXPECT_GT(sheetPages(sheetAt(0.2)), 3);
+}
+
+TEST(MarkingSheet, IsTheSameForTheSamePlan) {
+    EXPECT_EQ(sheetAt(0.6), sheetAt(0.6));
+}
+
+TEST(MarkingSheet, RefusesARoomThatCannotBe) {
+    survey::Room broken = sheetRoom();
+    broken.outline.resize(2);
+    test::expectError(ErrorKind::InvalidInput, "outline", [&] { markingSheet("lab", broken, {}, {}); });
+}
+
+} // namespace spherewalk::report
