@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/dataset/bag.h"
 
-#include "bag_formats.h"
+#include "bag_chunk.h"
 
 #include "spherewalk/base/enum_names.h"
 
 namespace spherewalk::dataset {
 
 namespace {
-constexpr EnumNames<BagFormat, 2> kFormats{{{BagFormat::Rosbag, "rosbag"}, {BagFormat::Mcap, "mcap"}}};
+constexpr EnumNames<BagFormat, 2> kBagFormats{{{BagFormat::Rosbag, "rosbag"}, {BagFormat::Mcap, "mcap"}}};
 }
 
 std::string_view name(BagFormat format) {
-    return nameOf(kFormats, format);
+    return nameOf(kBagFormats, format);
 }
 
 BagFormat bagFormat(std::string_view name) {
-    return valueOf(kFormats, "The format of a bag", name);
+    return valueOf(kBagFormats, "The format of a bag", name);
 }
 
 std::string_view extension(BagFormat format) {

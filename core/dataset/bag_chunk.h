@@ -3,17 +3,21 @@
 
 #include "byte_writer.h"
 
+#include "spherewalk/dataset/bag.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace spherewalk::dataset {
 
-constexpr std::size_t kChunkBytes = 1 << 20; ///< after which a chunk is full
+/// A chunk with so many bytes is full.
+constexpr std::size_t kChunkBytes = 1 << 20;
 
-/// The times of some messages.
+/// The first and the last time of some messages; firstNs > lastNs without messages.
 struct TimeRange {
     std::int64_t firstNs = std::numeric_limits<std::int64_t>::max();
     std::int64_t lastNs = 0;
@@ -24,22 +28,26 @@ struct TimeRange {
     }
 };
 
-/// Where a message is in its chunk.
+/// The place of a message in its chunk.
 struct ChunkEntry {
     std::int64_t timeNs = 0;
-    std::uint64_t offset = 0;
+    std::uint64_t offset = 0; ///< Bytes from the beginning of the chunk's records.
 };
 
-/// Messages that are written and found together.
+/// Messages that are written together and have one index.
 struct Chunk {
     ByteWriter records;
-    std::map<std::size_t, std::vector<ChunkEntry>> entries; ///< by topic
+    std::map<std::size_t, std::vector<ChunkEntry>> entries; ///< Key: topic.
     TimeRange times;
 
+    /// Notes that the next record is a message of this topic.
     void note(std::size_t topic, std::int64_t timeNs) {
         entries[topic].push_back({timeNs, records.size()});
         times.add(timeNs);
     }
 };
+
+std::unique_ptr<Bag> makeRosbag(const std::filesystem::path& file);
+std::unique_ptr<Bag> makeMcap(const std::filesystem::path& file);
 
 } // namespace spherewalk::dataset

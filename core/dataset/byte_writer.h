@@ -12,7 +12,7 @@
 
 namespace spherewalk::dataset {
 
-/// Bytes that are put one after the other, numbers little-endian.
+/// Collects bytes one after the other. Numbers are little-endian.
 class ByteWriter {
   public:
     template <class Number>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Source: the MCAP specification (mcap.dev/spec).
 #include "bag_chunk.h"
-#include "bag_formats.h"
 
 #include "spherewalk/base/file.h"
 
@@ -13,7 +12,7 @@ namespace {
 
 constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 
-enum class Op : std::uint8_t {
+enum class McapOp : std::uint8_t {
     Header = 1,
     Footer,
     Schema,
@@ -36,12 +35,12 @@ void putText(ByteWriter& out, std::string_view text) {
     out.put(bytesOf(text));
 }
 
-void putRecordHead(ByteWriter& out, Op op, std::uint64_t size) {
+void putRecordHead(ByteWriter& out, McapOp op, std::uint64_t size) {
     out.number(static_cast<std::uint8_t>(op));
     out.number(size);
 }
 
-void putRecord(ByteWriter& out, Op op, ByteView content) {
+void putRecord(ByteWriter& out, McapOp op, ByteView content) {
     putRecordHead(out, op, content.size());
     out.put(content);
 }
@@ -54,7 +53,7 @@ class Mcap : public Bag {
         putText(header, "spherewalk");
         ByteWriter out;
         out.put(bytesOf(kMagic));
-        putRecord(out, Op::Header, header.view());
+        putRecord(out, McapOp::Header, header.view());
         put(out.view());
     }
 
@@ -74,11 +73,11 @@ class Mcap : public Bag {
         putText(channel, "cdr");
         channel.number(std::uint32_t{0}); // no metadata
         ByteWriter both;
-        putRecord(both, Op::Schema, schema.view());
-        putRecord(both, Op::Channel, channel.view());
+        putRecord(both, McapOp::Schema, schema.view());
+        putRecord(both, McapOp::Channel, channel.view());
         put(both.view());
-        putRecord(m_schemas, Op::Schema, schema.view());
-        putRecord(m_channels, Op::Channel, channel.view());
+        putRecord(m_schemas, McapOp::Schema, schema.view());
+        putRecord(m_channels, McapOp::Channel, channel.view());
         m_messages.push_back(0);
         return m_messages.size() - 1;
     }
@@ -91,7 +90,7 @@ class Mcap : public Bag {
         head.number(static_cast<std::uint32_t>(m_messages[topic]++));
         head.number(timeNs); // when it was logged, and when published
         head.number(timeNs);
-        putRecordHead(m_chunk.records, Op::Message, head.size() + message.size());
+        putRecordHead(m_chunk.records, McapOp::Message, head.size() + message.size());
         m_chunk.records.put(head.view());
         m_chunk.records.put(message);
         if (m_chunk.records.size() >= kChunkBytes) {
@@ -106,7 +105,7 @@ class Mcap : public Bag {
         ByteWriter end;
         end.number(m_crc);
         ByteWriter dataEnd;
-        putRecord(dataEnd, Op::DataEnd, end.view());
+        putRecord(dataEnd, McapOp::DataEnd, end.view());
         put(dataEnd.view());
         writeSummary();
         m_file.commit(DurableFile::Overwrite::Yes);
@@ -130,7 +129,7 @@ class Mcap : public Bag {
         putText(head, ""); // not compressed
         head.number(std::uint64_t{records.size()});
         ByteWriter record;
-        putRecordHead(record, Op::Chunk, head.size() + records.size());
+        putRecordHead(record, McapOp::Chunk, head.size() + records.size());
         record.put(head.view());
         const std::uint64_t chunkAt = m_file.sizeBytes();
         put(record.view());
@@ -141,7 +140,7 @@ class Mcap : public Bag {
         m_chunk = {};
     }
 
-    /// Returns where each is, as a map of the format.
+    /// Returns the place of each index in the file, as a map of the format.
     ByteWriter writeMessageIndexes() {
         ByteWriter places;
         for (const auto& [topic, entries] : m_chunk.entries) {
@@ -157,7 +156,7 @@ class Mcap : public Bag {
             places.number(channelOf(topic));
             places.number(m_file.sizeBytes());
             ByteWriter record;
-            putRecord(record, Op::MessageIndex, index.view());
+            putRecord(record, McapOp::MessageIndex, index.view());
             put(record.view());
         }
         return places;
@@ -175,7 +174,7 @@ class Mcap : public Bag {
         putText(index, "");
         index.number(std::uint64_t{m_chunk.records.size()});
         index.number(std::uint64_t{m_chunk.records.size()});
-        putRecord(m_chunkIndexes, Op::ChunkIndex, index.view());
+        putRecord(m_chunkIndexes, McapOp::ChunkIndex, index.view());
     }
 
     ByteWriter statistics() const {
@@ -198,7 +197,7 @@ class Mcap : public Bag {
         content.number(static_cast<std::uint32_t>(counts.size()));
         content.put(counts.view());
         ByteWriter record;
-        putRecord(record, Op::Statistics, content.view());
+        putRecord(record, McapOp::Statistics, content.view());
         return record;
     }
 
@@ -206,32 +205,32 @@ class Mcap : public Bag {
         const std::uint64_t summaryAt = m_file.sizeBytes();
         ByteWriter summary;
         ByteWriter offsets;
-        const auto group = [&](Op op, const ByteWriter& records) {
+        const auto group = [&](McapOp op, const ByteWriter& records) {
             ByteWriter offset;
             offset.number(static_cast<std::uint8_t>(op));
             offset.number(summaryAt + summary.size());
             offset.number(std::uint64_t{records.size()});
-            putRecord(offsets, Op::SummaryOffset, offset.view());
+            putRecord(offsets, McapOp::SummaryOffset, offset.view());
             summary.put(records.view());
         };
-        group(Op::Schema, m_schemas);
-        group(Op::Channel, m_channels);
-        group(Op::Statistics, statistics());
-        group(Op::ChunkIndex, m_chunkIndexes);
+        group(McapOp::Schema, m_schemas);
+        group(McapOp::Channel, m_channels);
+        group(McapOp::Statistics, statistics());
+        group(McapOp::ChunkIndex, m_chunkIndexes);
         const std::uint64_t offsetsAt = summaryAt + summary.size();
         summary.put(offsets.view());
         constexpr std::uint64_t kFooterBytes = 8 + 8 + 4;
-        putRecordHead(summary, Op::Footer, kFooterBytes);
+        putRecordHead(summary, McapOp::Footer, kFooterBytes);
         summary.number(summaryAt);
         summary.number(offsetsAt);
-        summary.number(crcOf(summary.view())); // of all of it up to here
+        summary.number(crcOf(summary.view())); // the checksum of the summary up to here
         summary.put(bytesOf(kMagic));
         m_file.write(summary.view());
     }
 
     DurableFile m_file;
-    std::uint32_t m_crc = 0;               ///< of all that is in the file
-    std::vector<std::uint64_t> m_messages; ///< of each topic
+    std::uint32_t m_crc = 0;               ///< Checksum of all that is in the file.
+    std::vector<std::uint64_t> m_messages; ///< Number of messages of each topic.
     TimeRange m_times;
     Chunk m_chunk;
     std::uint32_t m_chunks = 0;

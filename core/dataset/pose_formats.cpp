@@ -18,11 +18,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr EnumNames<PoseFormat, 5> kFormats{{{PoseFormat::Tum, "tum"},
-                                             {PoseFormat::Kitti, "kitti"},
-                                             {PoseFormat::Euroc, "euroc"},
-                                             {PoseFormat::Colmap, "colmap"},
-                                             {PoseFormat::Nerfstudio, "nerfstudio"}}};
+constexpr EnumNames<PoseFormat, 5> kPoseFormats{{{PoseFormat::Tum, "tum"},
+                                                 {PoseFormat::Kitti, "kitti"},
+                                                 {PoseFormat::Euroc, "euroc"},
+                                                 {PoseFormat::Colmap, "colmap"},
+                                                 {PoseFormat::Nerfstudio, "nerfstudio"}}};
 constexpr double kCorner = 0.5; ///< from a pixel's centre to where COLMAP and nerfstudio count from
 
 /// One sign for the two quaternions of a rotation.
@@ -190,11 +190,11 @@ std::vector<TextFile> nerfstudio(const FrameCamera& camera, std::span<const Pose
 } // namespace
 
 std::string_view name(PoseFormat format) {
-    return nameOf(kFormats, format);
+    return nameOf(kPoseFormats, format);
 }
 
 PoseFormat poseFormat(std::string_view name) {
-    return valueOf(kFormats, "The format of poses", name);
+    return valueOf(kPoseFormats, "The format of poses", name);
 }
 
 std::vector<TextFile> poseFiles(PoseFormat format, const FrameCamera& camera,

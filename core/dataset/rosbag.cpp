@@ -2,7 +2,6 @@
 // Source: the bag format 2.0 of ROS 1 (wiki.ros.org/Bags/Format/2.0). Its own library would make the program
 // depend on half of ROS.
 #include "bag_chunk.h"
-#include "bag_formats.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -16,16 +15,16 @@ namespace {
 
 constexpr std::string_view kVersion = "#ROSBAG V2.0\n";
 constexpr std::size_t kFileHeaderBytes = 4096;
-constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kNsASecond = 1'000'000'000;
 
-enum class Op : std::uint8_t { Message = 2, FileHeader, Index, Chunk, ChunkInfo, Connection };
+enum class BagOp : std::uint8_t { Message = 2, FileHeader, Index, Chunk, ChunkInfo, Connection };
 
 /// The named values in front of a record's data.
 class Fields {
   public:
     Fields() = default;
 
-    explicit Fields(Op op) { number("op", static_cast<std::uint8_t>(op)); }
+    explicit Fields(BagOp op) { number("op", static_cast<std::uint8_t>(op)); }
 
     template <class Number>
     Fields& number(std::string_view name, Number value) {
@@ -43,8 +42,8 @@ class Fields {
     Fields& text(std::string_view name, std::string_view value) { return field(name, bytesOf(value)); }
 
     static void putTime(ByteWriter& out, std::int64_t timeNs) {
-        out.number(static_cast<std::uint32_t>(timeNs / kSecond));
-        out.number(static_cast<std::uint32_t>(timeNs % kSecond));
+        out.number(static_cast<std::uint32_t>(timeNs / kNsASecond));
+        out.number(static_cast<std::uint32_t>(timeNs % kNsASecond));
     }
 
     ByteView view() const { return m_bytes.view(); }
@@ -85,7 +84,7 @@ class Rosbag : public Bag {
             putConnection(m_chunk.records, topic);
         }
         m_chunk.note(topic, timeNs);
-        Fields fields(Op::Message);
+        Fields fields(BagOp::Message);
         fields.number("conn", static_cast<std::uint32_t>(topic)).time("time", timeNs);
         putSized(m_chunk.records, fields.view());
         putSized(m_chunk.records, message);
@@ -115,9 +114,9 @@ class Rosbag : public Bag {
         RosSchema schema;
     };
 
-    /// Padded, so that it can be written again when all is known.
+    /// The header is padded, so that finish() can write it again with the final numbers.
     Bytes fileHeader(std::uint64_t indexAt) const {
-        Fields fields(Op::FileHeader);
+        Fields fields(BagOp::FileHeader);
         fields.number("index_pos", indexAt)
             .number("conn_count", static_cast<std::uint32_t>(m_topics.size()))
             .number("chunk_count", m_chunks);
@@ -139,7 +138,7 @@ class Rosbag : public Bag {
 
     void putConnection(ByteWriter& out, std::size_t topic) const {
         const Topic& one = m_topics[topic];
-        Fields fields(Op::Connection);
+        Fields fields(BagOp::Connection);
         fields.number("conn", static_cast<std::uint32_t>(topic)).text("topic", one.name);
         Fields connection;
         connection.text("topic", one.name)
@@ -153,7 +152,7 @@ class Rosbag : public Bag {
     void writeChunk() {
         const std::uint64_t chunkAt = m_file.sizeBytes();
         ByteWriter head;
-        Fields fields(Op::Chunk);
+        Fields fields(BagOp::Chunk);
         fields.text("compression", "none").number("size", static_cast<std::uint32_t>(m_chunk.records.size()));
         putSized(head, fields.view());
         head.number(static_cast<std::uint32_t>(m_chunk.records.size()));
@@ -171,7 +170,7 @@ class Rosbag : public Bag {
                 Fields::putTime(places, entry.timeNs);
                 places.number(static_cast<std::uint32_t>(entry.offset));
             }
-            putSized(indexes, Fields(Op::Index)
+            putSized(indexes, Fields(BagOp::Index)
                                   .number("ver", std::uint32_t{1})
                                   .number("conn", connection)
                                   .number("count", count)
@@ -179,7 +178,7 @@ class Rosbag : public Bag {
             putSized(indexes, places.view());
         }
         m_file.write(indexes.view());
-        putSized(m_chunkInfos, Fields(Op::ChunkInfo)
+        putSized(m_chunkInfos, Fields(BagOp::ChunkInfo)
                                    .number("ver", std::uint32_t{1})
                                    .number("chunk_pos", chunkAt)
                                    .time("start_time", m_chunk.times.firstNs)
@@ -193,7 +192,7 @@ class Rosbag : public Bag {
 
     DurableFile m_file;
     std::vector<Topic> m_topics;
-    std::vector<bool> m_written; ///< topics that are described in a chunk
+    std::vector<bool> m_written; ///< For each topic, whether a chunk describes it.
     Chunk m_chunk;
     ByteWriter m_chunkInfos;
     std::uint32_t m_chunks = 0;

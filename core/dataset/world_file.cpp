@@ -13,7 +13,7 @@ namespace spherewalk::dataset {
 
 namespace {
 
-constexpr double kWallM = 0.1; ///< thickness, outside of the room
+constexpr double kWallM = 0.1; ///< Thickness; walls stand outside of the room.
 constexpr double kObjectM = 0.3;
 
 /// Letters, digits, - and _ only.
@@ -52,7 +52,7 @@ std::string material(double red, double green, double blue) {
     return tag("material", tag("ambient", colour) + tag("diffuse", colour));
 }
 
-/// What stops things and lasers, and what of it the camera sees.
+/// A collision, which stops things and lasers, and its visual, which cameras of this visibility see.
 std::string solid(std::string_view name, const std::string& place, const std::string& geometry,
                   unsigned visibility, const std::string& look) {
     return text("<collision name=\"", name, "\">\n", place, geometry, "</collision>\n<visual name=\"", name,
@@ -64,8 +64,8 @@ std::string surface(std::string_view name, const std::string& place, const std::
     return solid(name, place, geometry, kHiddenFromCamera, material(0.8, 0.8, 0.78));
 }
 
-/// The wall on an edge of an outline that runs counter-clockwise: outside of it, and longer by its thickness
-/// where the next one turns inwards, so that no gap stays at the corner.
+/// The wall outside of an edge of an outline that runs counter-clockwise. At a corner that turns left, the
+/// wall is longer by its thickness, so that no gap stays.
 std::string wall(const WorldRoom& room, const Polygon& outline, std::size_t i) {
     const auto corner = [&](std::size_t k) { return outline[k % outline.size()]; };
     const auto turnsLeft = [&](std::size_t k) {
@@ -170,7 +170,7 @@ std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
         "</model>\n");
 }
 
-/// Where the camera that begins sees it, if there is room before it.
+/// An object before the camera's first place, if there is room.
 std::string objectModel(const WorldRoom& room) {
     Eigen::Vector2d at = room.cameraAt.head<2>() + Eigen::Vector2d(1.5, 0);
     if (!contains(room.outline, at) || distanceToEdge(room.outline, at) < kObjectM) {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/dataset/writer.h"
 
-#include "thumbnail.h"
-
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/new_folder.h"
+#include "spherewalk/base/folder.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/region.h"
 #include "spherewalk/jpeg/restart.h"
+#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,6 +37,22 @@ Bytes sourceBytes(const SourcePhoto& photo) {
                          ": the file was changed since it was recorded; run check, or retake the photo."));
     }
     return bytes;
+}
+
+/// The equirectangular picture as a JPEG of this width, or of its own width if that is less. Each pixel is
+/// the mean of the area that it covers.
+Bytes thumbnail(ByteView jpegBytes, std::string_view source, int width) {
+    constexpr int kQuality = 85;
+    const jpeg::Info info = jpeg::readInfo(jpegBytes, source);
+    int denominator = 8;
+    while (denominator > 1 && info.width / denominator < width) {
+        denominator /= 2;
+    }
+    const RgbImage picture = jpeg::decode(jpegBytes, source, denominator);
+    if (picture.width() <= width) {
+        return jpeg::encode(picture, kQuality);
+    }
+    return jpeg::encode(photo::resized(picture, width, width / 2), kQuality);
 }
 
 /// Writes one photo with its index and thumbnail and completes its entry. Returns the bytes written besides

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plane_smoothing.h"
+#include "plane_filters.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/equirect.h"
@@ -16,10 +16,10 @@ namespace spherewalk::scene {
 
 namespace {
 
-constexpr double kShare = 0.015; ///< of 1 / distance, by which two depths may differ
-constexpr double kPixels = 0.75; ///< of parallax between the photos, likewise
-constexpr int kReach = 48;       ///< pixels; farther than that nothing is taken over
-constexpr int kAlike = 24;       ///< grey levels in a channel; what differs by more is something else
+constexpr double kShare = 0.015; ///< Share of 1 / distance by which two depths may differ.
+constexpr double kPixels = 0.75; ///< Parallax in pixels by which two depths may differ.
+constexpr int kReach = 48;       ///< In pixels; nothing is taken over from farther away.
+constexpr int kAlike = 24; ///< Grey levels in a channel; pixels that differ by more show different things.
 
 /// Whether the neighbour's depth says the same of the point.
 bool agrees(const Eigen::Vector3d& pInRoom, const PosedDepth& neighbour, double baselineM) {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/scene/depth_sweep.h"
 
-#include "guided_filter.h"
-#include "median_filter.h"
-#include "path_aggregation.h"
+#include "plane_filters.h"
 #include "sweep_cost.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/geometry/pose_check.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <algorithm>
 #include <array>
@@ -20,12 +18,12 @@ namespace spherewalk::scene {
 namespace {
 
 constexpr float kBytesPerCost = 2.5F;
-constexpr float kLeastInverseM = 1e-3F; ///< nothing is taken to be farther than a kilometre
+constexpr float kLeastInverseM = 1e-3F; ///< Nothing is taken to be farther than a kilometre.
 constexpr int kFilterRadius = 4;
 constexpr float kFilterSmoothness = 1e-3F;
-constexpr int kOffsets = 4; ///< tried to either side of a distance when it is refined
+constexpr int kOffsets = 4; ///< Number of steps tried to either side when a distance is refined.
 
-/// How far from the middle one of three costs the least of the parabola through them is, in steps.
+/// The place of the least of the parabola through three costs, in steps from the middle one.
 float leastBetween(float before, float here, float after) {
     const float bend = before + after - 2 * here;
     return bend > 0 ? 0.5F * (before - after) / bend : 0;
@@ -112,8 +110,8 @@ class Sweep {
         return {std::move(guide), kFilterRadius, kFilterSmoothness, m_options.threads};
     }
 
-    /// At each pixel the one of the coarse pixel's own, nearest and farthest distance about it that fits
-    /// best: this is where edges get their place at the finer size.
+    /// Chooses at each pixel between the coarse pixel's own distance and the nearest and farthest around it,
+    /// whichever fits best. Here edges get their place at the finer size.
     Plane chosen(const Plane& coarse, const SweepCost& cost, const GuidedFilter& filter) const {
         std::array<Plane, 3> candidates;
         candidates.fill(Plane(cost.width(), cost.height()));
@@ -163,7 +161,7 @@ class Sweep {
         const SweepCost cost = costsAt(width);
         const GuidedFilter filter = filterFor(cost);
         const Plane base = chosen(coarse, cost, filter);
-        // The least cost so far, its offset, and its neighbours' costs.
+        // The least cost so far, its offset, and the costs of the offsets before and after.
         Plane best(width, width / 2);
         std::fill(best.values().begin(), best.values().end(), HUGE_VALF);
         Plane offset(width, width / 2);
@@ -206,7 +204,7 @@ class Sweep {
     std::span<const PosedPicture> m_neighbours;
     SweepOptions m_options;
     std::stop_token m_stop;
-    float m_farthest; ///< inverse
+    float m_farthest; ///< 1 / distance.
     float m_step;
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "path_aggregation.h"
+#include "sweep_cost.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/base/worker_pool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +11,16 @@ namespace spherewalk::scene {
 
 namespace {
 
-constexpr std::int16_t kNever = 16000; ///< beside the first and the last distance
-constexpr int kChunk = 32;             ///< pixels of a row that one thread does at a time
+constexpr std::int16_t kNever = 16000; ///< Cost beside the first and the last distance.
+constexpr int kChunk = 32;             ///< Number of pixels of a row that one thread does at a time.
 
 /// The costs of a path's last pixel, with one more before and after.
 struct PathEnd {
-    std::int16_t* costs; ///< of distances -1 to count
+    std::int16_t* costs; ///< Of the distances -1 to count.
     std::int16_t* least;
 };
 
-/// One pixel farther along a path.
+/// Extends a path by one pixel.
 void extend(const std::uint8_t* costs, int count, const PathEnd& from, std::int16_t step, std::int16_t jump,
             const PathEnd& to, std::int16_t* __restrict sums) {
     const std::int16_t* __restrict before = from.costs;
@@ -48,7 +47,7 @@ class Paths {
           CostVolume<std::int16_t>& sums)
         : m_costs(costs), m_guide(guide), m_penalties(penalties), m_sums(sums) {}
 
-    /// Both ways along a row. A path begins a part of a turn ahead, so that the seam is no beginning.
+    /// Adds both paths along a row. A path begins a part of a turn ahead, so that the seam is no beginning.
     void alongRow(int y) {
         const int width = m_costs.width;
         const auto room = static_cast<std::size_t>(m_costs.distances + 2);
@@ -71,7 +70,7 @@ class Paths {
         }
     }
 
-    /// The three paths that come from the row before, downwards (step 1) or upwards (-1).
+    /// Adds the three paths that come from the row before, downwards (step 1) or upwards (-1).
     void acrossRows(int step, int threads, const std::stop_token& stop) {
         const int width = m_costs.width;
         const std::size_t ends = 3 * static_cast<std::size_t>(width);
@@ -111,7 +110,7 @@ class Paths {
 
     std::int16_t jumpCost(int x, int y, int lastX, int lastY) const {
         const float edge = std::fabs(m_guide.brightness(x, y) - m_guide.brightness(lastX, lastY));
-        constexpr float kEdge = 8; ///< grey levels at which a jump costs half
+        constexpr float kEdge = 8; ///< Grey levels at which a jump costs half.
         return static_cast<std::int16_t>(
             std::max(1.5F * m_penalties.step, m_penalties.jump / (1 + edge / kEdge)));
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -16,14 +17,74 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBinM = 0.02;
-constexpr double kPeakShare = 0.4;  ///< of the highest peak, from which another one counts
-constexpr double kNearPeakM = 0.05; ///< what is taken for the surface
-constexpr double kReachM = 0.5;     ///< of a wall from where it was drawn
-constexpr double kOutsideM = 0.3;   ///< beyond a wall's ends
-constexpr std::size_t kFewest = 200;
+/// Directions spread evenly over the sphere. Source: the spherical Fibonacci lattice (Gonzalez 2010).
+std::vector<Vector3d> evenDirections(int count) {
+    const double turn = 2 * std::numbers::pi / (std::numbers::phi * std::numbers::phi);
+    std::vector<Vector3d> result;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1 - (2 * i + 1.0) / count;
+        const double r = std::sqrt(1 - z * z);
+        result.emplace_back(r * std::cos(turn * i), r * std::sin(turn * i), z);
+    }
+    return result;
+}
 
-/// A point that was seen, and the area that its pixel covers, across the ray.
+/// 1 / distance along the ray to the first wall; 0 if it meets none.
+double inverseWallDistance(const Polygon& outline, const Vector3d& from, const Vector3d& ray) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vector2d a = outline[i] - from.head<2>();
+        const Vector2d wall = outline[(i + 1) % outline.size()] - outline[i];
+        const double across = ray.x() * wall.y() - ray.y() * wall.x();
+        const double along = (a.x() * ray.y() - a.y() * ray.x()) / across; // Place on the wall, from 0 to 1.
+        const double t = (a.x() * wall.y() - a.y() * wall.x()) / across;
+        if (across != 0 && along >= 0 && along <= 1 && t > 0) {
+            greatest = std::max(greatest, 1 / t);
+        }
+    }
+    return greatest;
+}
+
+double inverseDistance(const survey::Room& room, const Vector3d& from, const Vector3d& ray) {
+    const double flat = ray.z() < 0 ? -ray.z() / from.z() : ray.z() / (room.ceilingM - from.z());
+    return std::max(flat, inverseWallDistance(room.outline, from, ray));
+}
+
+} // namespace
+
+std::optional<double> sphereRadius(const survey::Room& room, const std::vector<Vector3d>& pInRoom) {
+    constexpr int kDirections = 500;
+    const std::vector<Vector3d> directions = evenDirections(kDirections);
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Vector3d& point : pInRoom) {
+        const bool inside = point.z() > 0 && point.z() < room.ceilingM &&
+                            contains(room.outline, point.head<2>()) &&
+                            distanceToEdge(room.outline, point.head<2>()) > 0;
+        if (!inside) {
+            continue;
+        }
+        for (const Vector3d& ray : directions) {
+            sum += inverseDistance(room, point, ray);
+        }
+        count += directions.size();
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return static_cast<double>(count) / sum;
+}
+
+namespace {
+
+constexpr double kBinM = 0.02;
+constexpr double kPeakShare = 0.4;  ///< Share of the highest peak from which another one counts.
+constexpr double kNearPeakM = 0.05; ///< Points within this distance belong to the surface.
+constexpr double kReachM = 0.5;     ///< Largest way of a wall from where it was drawn.
+constexpr double kOutsideM = 0.3;   ///< Points count up to this far beyond a wall's ends.
+constexpr std::size_t kFewestPoints = 200;
+
+/// A point that a photo sees, and the area that its pixel covers across the ray.
 struct Seen {
     Vector3d atM;
     double areaM2 = 0;
@@ -56,10 +117,10 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
     return points;
 }
 
-/// Where values heap up: of the peaks that are high enough the first one; -1 for the order looks from the
-/// greatest value down. Nothing if there are too few.
+/// The value where values heap up: the first peak that is high enough. An order of -1 looks from the
+/// greatest value down. Empty if there are too few values.
 std::optional<double> firstPeak(const std::vector<Value>& values, int order) {
-    if (values.size() < kFewest) {
+    if (values.size() < kFewestPoints) {
         return std::nullopt;
     }
     const auto [least, most] = std::minmax_element(
@@ -94,7 +155,7 @@ std::optional<double> firstPeak(const std::vector<Value>& values, int order) {
     return weight > 0 ? sum / weight : middle;
 }
 
-/// The height of floor (order 1) or ceiling (-1), below or above where the photos stand.
+/// The height of the floor (order 1) or the ceiling (order -1), below or above the photos.
 std::optional<double> level(const std::vector<Seen>& points, double standM, int order) {
     std::vector<Value> heights;
     for (const Seen& point : points) {
@@ -105,7 +166,7 @@ std::optional<double> level(const std::vector<Seen>& points, double standM, int 
     return firstPeak(heights, order);
 }
 
-/// How much what stands upright heaps up along two directions at right angles.
+/// How much the points of walls heap up along two directions at right angles.
 double heaping(const std::vector<Seen>& walls, double heading) {
     double sum = 0;
     for (const double turn : {0.0, std::numbers::pi / 2}) {
@@ -122,7 +183,7 @@ double heaping(const std::vector<Seen>& walls, double heading) {
     return sum;
 }
 
-/// A rectangle about most of what stands upright.
+/// A rectangle about most points of walls.
 Polygon rectangleAbout(const std::vector<Seen>& walls) {
     double best = 0;
     double heading = 0;
@@ -158,7 +219,7 @@ double signedArea(const Polygon& polygon) {
     return sum / 2;
 }
 
-/// How far to move a wall inwards; nothing if too little of it is seen.
+/// How far to move a wall inwards. Empty if too little of it is seen.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
                             const Vector2d& inwards) {
     const Vector2d along = (b - a).normalized();
@@ -174,7 +235,7 @@ std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, c
     return firstPeak(offsets, 1);
 }
 
-/// Where two walls meet, each given by a point and a direction; the second point if they hardly do.
+/// The point where two walls meet, each given by a point and a direction; b if they are nearly parallel.
 Vector2d meeting(const Vector2d& a, const Vector2d& alongA, const Vector2d& b, const Vector2d& alongB) {
     const double across = alongA.x() * alongB.y() - alongA.y() * alongB.x();
     if (std::abs(across) < 0.1) {
@@ -217,7 +278,7 @@ std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, 
             return point.atM.z() > *floorM + 0.3 && point.atM.z() < *ceilingM - 0.1;
         });
     }
-    if (walls.size() < kFewest) {
+    if (walls.size() < kFewestPoints) {
         return std::nullopt;
     }
     const Polygon drawn = drawnOutline.size() < 3 ? rectangleAbout(walls) : drawnOutline;

@@ -1,18 +1,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_cost.h"
 
-#include "fast_angle.h"
-#include "vector_clones.h"
+#include "vector_math.h"
 
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <numbers>
 
 namespace spherewalk::scene {
+
+namespace {
+
+/// Finds where a photo shows a row of a frame's directions.
+class TurnedRow {
+  public:
+    TurnedRow(const Eigen::Matrix3f& photoFromFrame, int width)
+        : m_turn(photoFromFrame),
+          m_cosAzimuth(static_cast<std::size_t>(width)),
+          m_sinAzimuth(m_cosAzimuth),
+          m_u(m_cosAzimuth),
+          m_v(m_cosAzimuth) {
+        for (int x = 0; x < width; ++x) {
+            const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
+            m_cosAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::cos(azimuth));
+            m_sinAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::sin(azimuth));
+        }
+    }
+
+    /// photoWidth: in pixels.
+    SPHEREWALK_VECTOR_CLONES
+    void place(int line, int photoWidth) {
+        const std::size_t width = m_u.size();
+        const double elevation =
+            std::numbers::pi / 2 - 2 * std::numbers::pi / static_cast<double>(width) * (line + 0.5);
+        const Eigen::Vector3f x = static_cast<float>(std::cos(elevation)) * m_turn.col(0);
+        const Eigen::Vector3f y = static_cast<float>(std::cos(elevation)) * m_turn.col(1);
+        const Eigen::Vector3f up = static_cast<float>(std::sin(elevation)) * m_turn.col(2);
+        for (std::size_t i = 0; i < width; ++i) {
+            const float c = m_cosAzimuth[i];
+            const float s = m_sinAzimuth[i];
+            const FastPixel at = fastPixel(x[0] * c + y[0] * s + up[0], x[1] * c + y[1] * s + up[1],
+                                           x[2] * c + y[2] * s + up[2], static_cast<float>(photoWidth));
+            m_u[i] = at.u;
+            m_v[i] = at.v;
+        }
+    }
+
+    float u(int x) const { return m_u[static_cast<std::size_t>(x)]; }
+
+    float v(int x) const { return m_v[static_cast<std::size_t>(x)]; }
+
+  private:
+    Eigen::Matrix3f m_turn;
+    std::vector<float> m_cosAzimuth;
+    std::vector<float> m_sinAzimuth;
+    std::vector<float> m_u;
+    std::vector<float> m_v;
+};
+
+/// The colour at a place, interpolated bilinearly. Range: as fastPixel() returns.
+void sample(const RgbImage& photo, float u, float v, float* rgb) {
+    const int left = std::min(static_cast<int>(u), photo.width() - 1);
+    const int right = left + 1 < photo.width() ? left + 1 : 0;
+    const int above = std::min(static_cast<int>(v), photo.height() - 1);
+    const int below = std::min(above + 1, photo.height() - 1);
+    const float across = u - static_cast<float>(left);
+    const float down = v - static_cast<float>(above);
+    const std::array<const std::uint8_t*, 4> p{photo.at(left, above), photo.at(right, above),
+                                               photo.at(left, below), photo.at(right, below)};
+    for (int c = 0; c < 3; ++c) {
+        const auto upper = static_cast<float>(p[0][c]) + across * static_cast<float>(p[1][c] - p[0][c]);
+        const auto lower = static_cast<float>(p[2][c]) + across * static_cast<float>(p[3][c] - p[2][c]);
+        rgb[c] = upper + down * (lower - upper);
+    }
+}
+
+Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads) {
+    Image<float, 3> picture(width, width / 2);
+    parallelFor(picture.height(), 32, threads, [&](int begin, int end) {
+        TurnedRow row(photoFromFrame.cast<float>(), width);
+        for (int y = begin; y < end; ++y) {
+            row.place(y, photo.width());
+            for (int x = 0; x < width; ++x) {
+                sample(photo, row.u(x), row.v(x), picture.at(x, y));
+            }
+        }
+    });
+    return picture;
+}
+
+float brightnessOf(const float* rgb) {
+    return 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
+}
+
+} // namespace
+
+SweepPicture::SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width,
+                           int threads)
+    : m_width(width),
+      m_values(4 * static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(width / 2 + 1)) {
+    // At twice the width a bilinear sample in the middle of a wanted pixel is about the mean over it.
+    const Image<float, 3> picture =
+        photo.width() >= 4 * width
+            ? turned(photo::resized(photo, 2 * width, width), photoFromFrame, width, threads)
+            : turned(photo, photoFromFrame, width, threads);
+    parallelFor(height(), 32, threads, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            differentiate(picture, y);
+        }
+    });
+    repeatEdges();
+}
+
+void SweepPicture::differentiate(const Image<float, 3>& picture, int y) {
+    const int above = std::max(0, y - 1);
+    const int below = std::min(height() - 1, y + 1);
+    for (int x = 0; x < m_width; ++x) {
+        const float* here = picture.at(x, y);
+        const float* right = picture.at((x + 1) % m_width, y);
+        const float* left = picture.at((x + m_width - 1) % m_width, y);
+        float* out = at(x, y);
+        out[0] = brightnessOf(here);
+        out[1] = 0.5F * (brightnessOf(right) - brightnessOf(left));
+        out[2] = 0.5F * (brightnessOf(picture.at(x, below)) - brightnessOf(picture.at(x, above)));
+        out[3] = 0.5F * (here[0] - here[2]);
+    }
+}
+
+void SweepPicture::repeatEdges() {
+    for (int y = 0; y < height(); ++y) {
+        std::copy_n(at(0, y), 4, at(m_width, y));
+    }
+    std::copy_n(at(0, height() - 1), stride(), at(0, height()));
+}
 
 namespace {
 
@@ -24,9 +150,9 @@ struct RowRays {
     float sinElevation;
 };
 
-/// Where a picture's values are from which a row's are interpolated.
+/// The places of the values that a row is interpolated from.
 struct RowPlaces {
-    std::int32_t* first; ///< of the upper left pixel
+    std::int32_t* first; ///< Index of the upper left pixel's values.
     float* right;
     float* down;
 };
@@ -38,7 +164,7 @@ void findPlaces(const RowRays& rays, const float* inverseM, const Eigen::Vector3
     const float ox = offset.x();
     const float oy = offset.y();
     const float oz = offset.z();
-    const RowRays r = rays; // which no store can change
+    const RowRays r = rays; // No store can change the copy.
     std::int32_t* __restrict first = places.first;
     float* __restrict right = places.right;
     float* __restrict down = places.down;
@@ -57,7 +183,7 @@ void findPlaces(const RowRays& rays, const float* inverseM, const Eigen::Vector3
 using Four = float __attribute__((vector_size(16)));
 using Eight = float __attribute__((vector_size(32)));
 
-/// Weighted differences between a pixel's values and those interpolated. They count up to a limit, since
+/// Weighted differences between a pixel's values and interpolated ones. They count up to a limit, since
 /// beyond it the neighbour shows something else.
 inline Four differences(const float* here, const float* first, int stride, float right, float down) {
     constexpr Four kLimits = {20, 12, 12, 16};
@@ -97,7 +223,7 @@ void costsAt(const RowPlaces& places, const float* here, const float* picture, i
     }
 }
 
-/// The smallest `kept` values of each column come first.
+/// Sorts each column so far that its smallest `kept` values come first.
 SPHEREWALK_VECTOR_CLONES
 void sortSmallest(std::vector<std::vector<float>>& rows, std::size_t kept, int width) {
     for (std::size_t i = 0; i < kept; ++i) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sweep_picture.h"
-
+#include "spherewalk/base/image.h"
 #include "spherewalk/scene/depth_sweep.h"
 
 #include <Eigen/Core>
@@ -14,10 +13,44 @@
 
 namespace spherewalk::scene {
 
-/// How well neighbours bear out distances of a photo's pixels, at one size. Threads: const, any number.
+/// The values that are compared between photos: brightness, its two slopes, and red minus blue. Units: grey
+/// levels. Shape: four values a pixel; one column and one row more than the picture repeat its first column
+/// and its last row, so that four neighbours can be read at any place.
+class SweepPicture {
+  public:
+    /// The photo as seen in another frame, at this width. The rotation takes the frame to the photo's frame.
+    /// Pixels are means over the area that they cover.
+    SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads);
+
+    int width() const { return m_width; }
+
+    int height() const { return m_width / 2; }
+
+    const float* at(int x, int y) const {
+        return m_values.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width + 1) +
+                                      static_cast<std::size_t>(x));
+    }
+
+    float brightness(int x, int y) const { return at(x, y)[0]; }
+
+    /// Number of values from one row to the next.
+    int stride() const { return 4 * (m_width + 1); }
+
+  private:
+    void differentiate(const Image<float, 3>& turned, int y);
+    void repeatEdges();
+
+    float* at(int x, int y) { return const_cast<float*>(static_cast<const SweepPicture*>(this)->at(x, y)); }
+
+    int m_width;
+    std::vector<float> m_values;
+};
+
+/// How well neighbours confirm distances of a photo's pixels, at one size. Low costs are good. Threads:
+/// const, any number.
 class SweepCost {
   public:
-    /// The most that a cost can be.
+    /// Upper bound of a cost.
     static constexpr float kMost = 68.8F;
 
     SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
@@ -29,30 +62,30 @@ class SweepCost {
 
     const SweepPicture& photo() const { return m_photo; }
 
-    /// Memory of one thread.
+    /// Working memory of one thread.
     class Scratch {
       public:
         explicit Scratch(const SweepCost& cost);
 
       private:
         friend class SweepCost;
-        std::vector<std::int32_t> m_first; ///< of where a row's pixels are in a neighbour
+        std::vector<std::int32_t> m_first; ///< Where a neighbour shows a row's pixels.
         std::vector<float> m_right;
         std::vector<float> m_down;
-        std::vector<std::vector<float>> m_costs; ///< of each neighbour
+        std::vector<std::vector<float>> m_costs; ///< One row of costs for each neighbour.
     };
 
-    /// The costs of a row's pixels at these inverse distances, a value a pixel. The mean over the neighbours
-    /// that fit best.
+    /// The costs of a row's pixels at these inverse distances, one value a pixel: the mean over the
+    /// neighbours that fit best.
     void row(int y, const float* inverseM, Scratch& scratch, float* costs) const;
 
-    /// The same for all pixels.
+    /// The costs of all pixels. Errors: Stopped.
     void all(const Image<float, 1>& inverseM, int threads, const std::stop_token& stop,
              Image<float, 1>& costs) const;
 
   private:
     struct Neighbour {
-        SweepPicture picture; ///< turned as the photo is
+        SweepPicture picture; ///< Turned as the photo is.
         Eigen::Vector3f fromPhotoM;
     };
 
@@ -62,10 +95,47 @@ class SweepCost {
     SweepPicture m_photo;
     std::vector<Neighbour> m_neighbours;
     std::size_t m_kept;
-    std::vector<float> m_cosAzimuth; ///< of the columns
+    std::vector<float> m_cosAzimuth; ///< One a column.
     std::vector<float> m_sinAzimuth;
-    std::vector<float> m_cosElevation; ///< of the rows
+    std::vector<float> m_cosElevation; ///< One a row.
     std::vector<float> m_sinElevation;
 };
+
+/// A cost for each pixel and each distance that is tried. Shape: [y][x][distance].
+template <class Value>
+struct CostVolume {
+    CostVolume(int widthPx, int heightPx, int distanceCount)
+        : width(widthPx),
+          height(heightPx),
+          distances(distanceCount),
+          values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                 static_cast<std::size_t>(distances)) {}
+
+    Value* at(int x, int y) {
+        return values.data() +
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                   static_cast<std::size_t>(distances);
+    }
+
+    const Value* at(int x, int y) const { return const_cast<CostVolume*>(this)->at(x, y); }
+
+    int width;
+    int height;
+    int distances;
+    std::vector<Value> values;
+};
+
+/// The cost of a change of distance from one pixel to the next.
+struct PathPenalties {
+    float step = 6;  ///< To the next distance.
+    float jump = 60; ///< To any other distance; less at edges of the picture, at least 1.5 steps.
+};
+
+/// The costs summed along eight paths to each pixel (semi-global matching). Horizontal paths cross the seam.
+/// threads: the result is the same for any number. Errors: Stopped.
+/// Source: Hirschmueller 2008.
+CostVolume<std::int16_t> aggregatedOverPaths(const CostVolume<std::uint8_t>& costs, const SweepPicture& guide,
+                                             const PathPenalties& penalties, int threads,
+                                             const std::stop_token& stop);
 
 } // namespace spherewalk::scene

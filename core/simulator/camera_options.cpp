@@ -4,6 +4,11 @@
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/geometry/rotation.h"
+
+#include <cmath>
+#include <utility>
 
 namespace spherewalk::simulator {
 
@@ -11,7 +16,23 @@ namespace {
 
 constexpr EnumNames<Pace, 2> kPaces{{{Pace::Newest, "newest"}, {Pace::Every, "every"}}};
 
+constexpr EnumNames<ObjectsBy, 3> kWaysToTellObjects{
+    {{ObjectsBy::Labels, "labels"}, {ObjectsBy::Depth, "depth"}, {ObjectsBy::Alone, "alone"}}};
+
 } // namespace
+
+Rigid3 Mounting::roomFromOptical(const Rigid3& worldFromLink) const {
+    const Rigid3 roomFromCamera = roomFromWorld * worldFromLink * linkFromCamera;
+    return axes == CameraAxes::Body ? roomFromCamera * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
+                                    : roomFromCamera;
+}
+
+void Mounting::validate() const {
+    if (!isPose(roomFromWorld) || !isPose(linkFromCamera)) {
+        throw Error(ErrorKind::InvalidInput, "The camera's place on its link and the world's in the room "
+                                             "must be finite metres and unit quaternions.");
+    }
+}
 
 std::string_view name(Pace pace) {
     return nameOf(kPaces, pace);
@@ -19,6 +40,38 @@ std::string_view name(Pace pace) {
 
 Pace pace(std::string_view name) {
     return valueOf(kPaces, "The pace", name);
+}
+
+std::string_view name(ObjectsBy by) {
+    return nameOf(kWaysToTellObjects, by);
+}
+
+ObjectsBy objectsBy(std::string_view name) {
+    return valueOf(kWaysToTellObjects, "The way to tell objects from the room,", name);
+}
+
+void OverlayOptions::validate() const {
+    if (wait < Stamp::zero() || wait > std::chrono::seconds(10)) {
+        throw Error(ErrorKind::InvalidInput, "A frame can wait 0 to 10 s for its overlay.");
+    }
+    if (!(nearerM >= 0) || !(nearerShare >= 0) || !std::isfinite(nearerM) || !std::isfinite(nearerShare)) {
+        throw Error(ErrorKind::InvalidInput,
+                    "How much nearer than the room objects are must be 0 or more, in metres and as a share.");
+    }
+    if (camera) {
+        camera->validate();
+    }
+}
+
+void OverlayParts::take(OverlayParts&& other) {
+    const auto replace = [](auto& own, auto& with) {
+        if (!with.empty()) {
+            own = std::move(with);
+        }
+    };
+    replace(colour, other.colour);
+    replace(depth, other.depth);
+    replace(labels, other.labels);
 }
 
 void CameraOptions::validate() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame_schedule.h"
 
-#include "spherewalk/geometry/interpolation.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace spherewalk::simulator {
 
 namespace {
 
-/// How many may wait: of frames more than any wait for an overlay makes at usual rates, of overlays as much
-/// memory as one wants to give, of poses a physics step each for as long as one may wait.
+// At usual rates, no wait for an overlay makes as many frames due. The overlays bound the memory. The poses
+// suffice for one at each physics step of 1 ms during the longest wait of 10 s.
 constexpr std::size_t kMostDue = 256;
 constexpr std::size_t kMostOverlays = 32;
 constexpr std::size_t kMostPoses = 16384;
@@ -147,7 +147,7 @@ std::optional<DueFrame> FrameSchedule::next() {
     return std::nullopt;
 }
 
-/// Takes the slot out, and those before it, whose turn has passed.
+/// Takes out the slot, and the slots before it, which are late.
 std::optional<DueFrame> FrameSchedule::take(Slots::iterator slot) {
     std::optional<DueFrame> frame = frameOf(*slot);
     if (frame) {

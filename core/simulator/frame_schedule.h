@@ -8,17 +8,17 @@
 
 namespace spherewalk::simulator {
 
-/// A frame that is to be rendered now.
+/// A frame that is due.
 struct DueFrame {
     Stamp stamp{};
     Rigid3 roomFromCamera;
     std::chrono::steady_clock::time_point takenAt;
-    std::optional<OverlayParts> overlay; ///< nothing: not wanted, or missing
+    std::optional<OverlayParts> overlay; ///< Nothing if no overlay is wanted or none came.
 };
 
-/// Which of the poses become frames, and with which overlay, as CameraOptions say. Simulation time is cut
-/// into slots of 1/rate, that begin at its zero; each slot gives a frame at most: at its first pose, or at
-/// the pose in it whose overlay has come. Knows no clock but the stamps. Threads: one at a time.
+/// Decides which poses become frames, and with which overlays, as CameraOptions say. Simulation time is cut
+/// into slots of 1/rate from its zero. Each slot gives at most one frame: at its first pose, or at the pose
+/// whose overlay has come. The stamps are the only clock. Threads: one at a time.
 class FrameSchedule {
   public:
     struct Counters {
@@ -27,20 +27,20 @@ class FrameSchedule {
         std::uint64_t overlaysUnused = 0;
     };
 
-    /// Owner: refers to the options.
+    /// Owner: the options must outlive the schedule.
     explicit FrameSchedule(const CameraOptions& options) : m_options(options) {}
 
-    /// Range: stamp >= 0. One that is before the last is a new start, the same again is ignored.
+    /// Range: stamp >= 0. A stamp before the last one is a new start; the same stamp again is ignored.
     void addPose(Stamp stamp, const Rigid3& roomFromCamera, std::chrono::steady_clock::time_point takenAt);
 
-    /// The parts of a stamp, to be filled before the next call; null if there is room only for those nearer
-    /// to the newest pose. Range: stamp >= 0.
+    /// The parts of a stamp, to be filled before the next call. Null if the overlays of stamps nearer to the
+    /// newest pose take all the room. Range: stamp >= 0.
     OverlayParts* partsOf(Stamp stamp);
 
-    /// The frame whose turn it is, if one can be rendered.
+    /// The next frame, if one can be rendered.
     std::optional<DueFrame> next();
 
-    /// Forgets what waits, as after a new start.
+    /// Drops all that waits, as after a new start.
     void clear();
 
     void forgetOverlays() { m_overlays.clear(); }
@@ -61,16 +61,16 @@ class FrameSchedule {
     using Slots = std::map<std::int64_t, Slot>;
 
     std::int64_t slotOf(Stamp stamp) const;
-    std::optional<Pose> poseAt(Stamp stamp) const; ///< of the recent ones
+    std::optional<Pose> poseAt(Stamp stamp) const; ///< Looks among the recent poses.
     std::optional<DueFrame> frameOf(const Slots::value_type& slot);
     std::optional<DueFrame> take(Slots::iterator slot);
     void forgetOld();
 
     const CameraOptions& m_options;
     std::optional<Stamp> m_newest;
-    std::optional<std::int64_t> m_lastSlot; ///< that was due
-    Slots m_due;                            ///< at their first poses
-    std::map<Stamp, Pose> m_recent;         ///< poses that an overlay may still come for
+    std::optional<std::int64_t> m_lastSlot; ///< The last slot that was due.
+    Slots m_due;                            ///< Slots at their first poses.
+    std::map<Stamp, Pose> m_recent;         ///< An overlay may still come for these poses.
     std::map<Stamp, OverlayParts> m_overlays;
     Counters m_counters;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "object_overlay.h"
 
-#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 
 #include <algorithm>
@@ -12,9 +11,6 @@
 namespace spherewalk::simulator {
 
 namespace {
-
-constexpr EnumNames<ObjectsBy, 3> kNames{
-    {{ObjectsBy::Labels, "labels"}, {ObjectsBy::Depth, "depth"}, {ObjectsBy::Alone, "alone"}}};
 
 render::RoomShape roomOf(const render::DatasetInfo& dataset) {
     if (dataset.roomShape) {
@@ -29,38 +25,6 @@ render::RoomShape roomOf(const render::DatasetInfo& dataset) {
 }
 
 } // namespace
-
-std::string_view name(ObjectsBy by) {
-    return nameOf(kNames, by);
-}
-
-ObjectsBy objectsBy(std::string_view name) {
-    return valueOf(kNames, "The way to tell objects from the room,", name);
-}
-
-void OverlayOptions::validate() const {
-    if (wait < Stamp::zero() || wait > std::chrono::seconds(10)) {
-        throw Error(ErrorKind::InvalidInput, "A frame can wait 0 to 10 s for its overlay.");
-    }
-    if (!(nearerM >= 0) || !(nearerShare >= 0) || !std::isfinite(nearerM) || !std::isfinite(nearerShare)) {
-        throw Error(ErrorKind::InvalidInput,
-                    "How much nearer than the room objects are must be 0 or more, in metres and as a share.");
-    }
-    if (camera) {
-        camera->validate();
-    }
-}
-
-void OverlayParts::take(OverlayParts&& other) {
-    const auto replace = [](auto& own, auto& with) {
-        if (!with.empty()) {
-            own = std::move(with);
-        }
-    };
-    replace(colour, other.colour);
-    replace(depth, other.depth);
-    replace(labels, other.labels);
-}
 
 ObjectOverlay::ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
                              const CameraIntrinsics& camera, int threads)

@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/worker_pool.h"
+#include "spherewalk/base/parallel.h"
 #include "spherewalk/render/dataset_format.h"
 #include "spherewalk/render/overlay.h"
 #include "spherewalk/render/pixel_rays.h"
-#include "spherewalk/simulator/overlay_options.h"
+#include "spherewalk/simulator/camera_options.h"
 
 #include <array>
 #include <optional>
 
 namespace spherewalk::simulator {
 
-/// Makes of a simulator's pictures an overlay that shows its objects and nothing else. Threads: one at a
-/// time.
+/// Makes an overlay from a simulator's pictures that shows nothing but the objects. Threads: one at a time.
 class ObjectOverlay {
   public:
-    /// camera: that took the pictures. Errors: InvalidInput for ObjectsBy::Depth with a dataset that has no
-    /// outline or no ceiling.
+    /// camera: the camera that took the pictures. Errors: InvalidInput for ObjectsBy::Depth with a dataset
+    /// that has no outline or no ceiling.
     ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
                   const CameraIntrinsics& camera, int threads);
 
     const CameraIntrinsics& camera() const { return m_camera; }
 
-    /// What hides the objects is the simulator's model of the room, and, of a scene model with surfaces or
-    /// where the simulator models no room (ObjectsBy::Alone), that of the view too. Range: parts that are
-    /// whole, of the camera's size.
+    /// The overlay of these pictures. The simulator's model of the room hides objects. The view's scene model
+    /// hides them too if it has surfaces, or with ObjectsBy::Alone. Range: whole parts of the camera's size.
     render::Overlay overlay(OverlayParts parts, const Rigid3& roomFromCamera, render::SceneKind scene);
 
   private:
@@ -37,9 +35,9 @@ class ObjectOverlay {
     CameraIntrinsics m_camera;
     int m_threads;
     WorkerPool m_pool;
-    std::array<bool, 256> m_isRoom{}; ///< of each label
-    DepthImage m_nothing;             ///< a room that hides nothing
-    render::RoomShape m_room;         ///< ObjectsBy::Depth
+    std::array<bool, 256> m_isRoom{}; ///< Index: label.
+    DepthImage m_nothing;             ///< The depth of a room that hides nothing.
+    render::RoomShape m_room;         ///< Set with ObjectsBy::Depth.
     std::optional<render::PixelRays> m_rays;
 };
 

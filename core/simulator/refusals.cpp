@@ -10,13 +10,13 @@ namespace spherewalk::simulator {
 
 namespace {
 
-constexpr EnumNames<Refusal, kRefusalKinds> kNames{{{Refusal::Place, "place"},
-                                                    {Refusal::Rotation, "rotation"},
-                                                    {Refusal::Time, "time"},
-                                                    {Refusal::FrameId, "frame_id"},
-                                                    {Refusal::Size, "size"},
-                                                    {Refusal::Encoding, "encoding"},
-                                                    {Refusal::Rendering, "rendering"}}};
+constexpr EnumNames<Refusal, kRefusalKinds> kRefusalNames{{{Refusal::Place, "place"},
+                                                           {Refusal::Rotation, "rotation"},
+                                                           {Refusal::Time, "time"},
+                                                           {Refusal::FrameId, "frame_id"},
+                                                           {Refusal::Size, "size"},
+                                                           {Refusal::Encoding, "encoding"},
+                                                           {Refusal::Rendering, "rendering"}}};
 
 bool isPowerOfTen(std::uint64_t number) {
     while (number % 10 == 0) {
@@ -28,7 +28,7 @@ bool isPowerOfTen(std::uint64_t number) {
 } // namespace
 
 std::string_view name(Refusal kind) {
-    return nameOf(kNames, kind);
+    return nameOf(kRefusalNames, kind);
 }
 
 Refusals::Refusals(Tell tell) : m_tell(std::move(tell)) {

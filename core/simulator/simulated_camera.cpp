@@ -6,7 +6,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/pose_check.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <array>
 #include <atomic>

@@ -2,7 +2,7 @@
 #include "expect_error.h"
 
 #include "spherewalk/dataset/world_file.h"
-#include "spherewalk/render/room_shape.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,8 @@ TEST_F(WorldFile, ItsCamerasAreTheRobotsAndStandWhereThePhotosWereTaken) {
         EXPECT_EQ(camera->LensIntrinsicsCx(), 318.75); // from the corner of the first pixel
         EXPECT_EQ(camera->LensIntrinsicsCy(), 241);
         EXPECT_NEAR(std::tan(camera->HorizontalFov().Radian() / 2), 320 / 465.5, 1e-9);
-        EXPECT_GE(std::count(sensor->Topic().begin(), sensor->Topic().end(), '/'), 1) << sensor->Topic();
+        const std::string topic = sensor->Topic(); // a copy, so that both iterators are of one string
+        EXPECT_GE(std::count(topic.begin(), topic.end(), '/'), 1) << topic;
     }
     const im::Vector3d at = world->ModelByName("robot")->RawPose().Pos() + cameraLink()->RawPose().Pos();
     EXPECT_EQ(at, im::Vector3d(1, 1, 1.2));

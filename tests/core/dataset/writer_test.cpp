@@ -3,13 +3,15 @@
 #include "random.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/dataset/writer.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/restart.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/dataset.h"
+
+#include <algorithm>
 
 namespace spherewalk::dataset {
 
@@ -90,6 +92,47 @@ TEST_F(WriterTest, WritesADatasetThatOpensAndKeepsEveryPixel) {
         EXPECT_EQ(photo::readPicture(out / photo.file).width(), 320);
         EXPECT_GT(photo::readPicture(out / photo.thumbnail).width(), 100);
     }
+}
+
+TEST_F(WriterTest, ThumbnailsAreMeansOfTheAreasThatTheyShow) {
+    RgbImage bright(1280, 640);
+    std::fill(bright.values().begin(), bright.values().end(), std::uint8_t{40});
+    for (int y = 0; y < 640; ++y) { // a fine pattern in the right half, whose mean is 140
+        for (int x = 640; x < 1280; ++x) {
+            std::fill_n(bright.at(x, y), 3, static_cast<std::uint8_t>(x % 2 == 0 ? 40 : 240));
+        }
+    }
+    addPhoto("fine.JPG", jpeg::encode(bright, 95));
+    WriteOptions options;
+    options.thumbnailWidth = 200;
+    writeDataset(contents, out, options, noProgress(), {});
+    const render::Dataset dataset = render::Dataset::open(out);
+    const RgbImage thumbnail = photo::readPicture(out / dataset.info().photos[3].thumbnail);
+    ASSERT_EQ(thumbnail.width(), 200);
+    ASSERT_EQ(thumbnail.height(), 100);
+    for (int y = 10; y < 90; y += 10) {
+        EXPECT_NEAR(*thumbnail.at(50, y), 40, 4) << y;
+        EXPECT_NEAR(*thumbnail.at(150, y), 140, 6) << y;
+    }
+    // A photo that is smaller than a thumbnail keeps its size.
+    EXPECT_EQ(photo::readPicture(out / dataset.info().photos[0].thumbnail).width(), 200);
+    addPhoto("small.JPG", jpeg::encode(noise(64, 32, 9), 90));
+    out = folder / "second";
+    writeDataset(contents, out, options, noProgress(), {});
+    EXPECT_EQ(photo::readPicture(out / "thumbnails/small.jpg").width(), 64);
+}
+
+TEST_F(WriterTest, CopiesDepthAndCountsEveryByte) {
+    writeFile(folder / "depth.JPG", bytesOf("a depth map"));
+    contents.photos[1].depthFile = folder / "depth.JPG";
+    const WriteReport report = write();
+    EXPECT_EQ(textOf(readFile(out / "depth" / "R0010001.pgm")), "a depth map");
+    std::uint64_t all = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(out)) {
+        all += entry.is_regular_file() ? entry.file_size() : 0;
+    }
+    EXPECT_EQ(report.totalBytes, all);
+    EXPECT_GT(report.photoBytes, report.sourceBytes); // restart markers take room
 }
 
 TEST_F(WriterTest, ReplacesNothing) {

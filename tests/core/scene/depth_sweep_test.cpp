@@ -13,11 +13,11 @@ namespace spherewalk::scene {
 
 namespace {
 
-constexpr int kWidth = 256;
+constexpr int kSweepWidth = 256;
 
 SweepOptions quick() {
     SweepOptions options;
-    options.width = kWidth;
+    options.width = kSweepWidth;
     options.coarseWidth = 128;
     options.distances = 64;
     options.neighbours = 4;
@@ -38,10 +38,10 @@ struct Survey {
             for (const auto& [x, y] : {std::pair{2.5, 2.0}, {2.7, 2.0}, {2.3, 2.0}, {2.5, 2.2}, {2.5, 1.8}}) {
                 made.poses.push_back(
                     {Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {x, y, 1.2}});
-                made.pictures.push_back(room.spherical(made.poses.back(), {2 * kWidth, kWidth}));
+                made.pictures.push_back(room.spherical(made.poses.back(), {2 * kSweepWidth, kSweepWidth}));
                 yaw += 0.9;
             }
-            made.range = room.sphericalRange(made.poses[0], {kWidth, kWidth / 2});
+            made.range = room.sphericalRange(made.poses[0], {kSweepWidth, kSweepWidth / 2});
             return made;
         }();
         return survey;
@@ -96,7 +96,7 @@ TEST(DepthSweep, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(DepthSweep, GivesADepthWhereNothingHasTexture) {
-    RgbImage grey(2 * kWidth, kWidth);
+    RgbImage grey(2 * kSweepWidth, kSweepWidth);
     std::fill(grey.values().begin(), grey.values().end(), std::uint8_t{128});
     const std::vector<PosedPicture> other{{&grey, {Eigen::Quaterniond::Identity(), {0.2, 0, 0}}}};
     EXPECT_TRUE(isUsable(sweptDepth({&grey, {}}, other, quick())));
@@ -139,9 +139,9 @@ namespace {
 
 /// Two photos of the inside of a sphere about the first.
 struct TwoDepths {
-    PhotoDepth first{Image<float, 1>(kWidth, kWidth / 2), MaskImage(kWidth, kWidth / 2)};
+    PhotoDepth first{Image<float, 1>(kSweepWidth, kSweepWidth / 2), MaskImage(kSweepWidth, kSweepWidth / 2)};
     PhotoDepth second = first;
-    RgbImage picture{kWidth, kWidth / 2};
+    RgbImage picture{kSweepWidth, kSweepWidth / 2};
 
     TwoDepths() {
         std::fill(first.inverseM.values().begin(), first.inverseM.values().end(), 0.5F);

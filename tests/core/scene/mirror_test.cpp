@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kWidth = 256;
+constexpr int kMirrorWidth = 256;
 constexpr double kHalfM = 2;       ///< of the room, a cube about the origin
 constexpr double kMirrorHalfM = 1; ///< of a mirror in the middle of the wall at x = 2
 
@@ -37,12 +37,12 @@ double texture(const Vector3d& p) {
            0.1 * std::sin(17.3 * p.x() - 13.1 * p.z() + 21.7 * p.y());
 }
 
-struct Seen {
+struct Look {
     double brightness = 0;
     double distanceM = 0; ///< of what stereo sees: what a mirror shows lies behind it
 };
 
-Seen look(const Vector3d& from, const Vector3d& ray) {
+Look look(const Vector3d& from, const Vector3d& ray) {
     const Vector3d hit = wallHit(from, ray);
     const double distance = (hit - from).norm();
     if (!isMirror(hit)) {
@@ -54,7 +54,7 @@ Seen look(const Vector3d& from, const Vector3d& ray) {
 }
 
 RgbImage photoFrom(const Vector3d& place) {
-    const EquirectSize size{2 * kWidth, kWidth};
+    const EquirectSize size{2 * kMirrorWidth, kMirrorWidth};
     RgbImage picture(size.width, size.height);
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
@@ -75,13 +75,13 @@ TEST(DepthSweep, SeesIntoMirrorsAndAllElseAsItIs) {
     const RgbImage aside = photoFrom(second);
     const RgbImage above = photoFrom(third);
     SweepOptions options;
-    options.width = kWidth;
-    options.coarseWidth = kWidth / 2;
+    options.width = kMirrorWidth;
+    options.coarseWidth = kMirrorWidth / 2;
     options.distances = 64;
     const std::vector<PosedPicture> others{{&aside, {Eigen::Quaterniond::Identity(), second}},
                                            {&above, {Eigen::Quaterniond::Identity(), third}}};
     const PhotoDepth depth = sweptDepth({&first, {}}, others, options);
-    const EquirectSize size{kWidth, kWidth / 2};
+    const EquirectSize size{kMirrorWidth, kMirrorWidth / 2};
     int right = 0;
     int all = 0;
     int deep = 0;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "random.h"
+
 #include "spherewalk/scene/room_fit.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace spherewalk::scene {
 
@@ -64,6 +69,110 @@ TEST(SphereRadius, OfDepthsIsThatOfTheSphereTheyLieOn) {
     std::fill(depth.inverseM.values().begin(), depth.inverseM.values().end(), 0.4F);
     const std::vector<PosedDepth> posed{{&depth, {}}};
     EXPECT_NEAR(sphereRadius(posed).value_or(0), 2.5, 1e-6);
+}
+
+namespace {
+
+survey::Room square(double halfM, const Eigen::Vector2d& centre) {
+    survey::Room room;
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+        room.outline.push_back(centre + halfM * Eigen::Vector2d(x, y));
+    }
+    room.ceilingM = 2 * halfM;
+    return room;
+}
+
+} // namespace
+
+// Seen from a cube's centre, 1 / distance is max |d_i| / half, whose mean over the sphere is
+// (6 sqrt(2) / pi) atan(1 / sqrt(2)) / half (integrate over one face).
+TEST(SphereRadius, IsTheHarmonicMeanDistanceInACube) {
+    const double expected =
+        1.5 / (6 * std::numbers::sqrt2 / std::numbers::pi * std::atan(1 / std::numbers::sqrt2) / 2);
+    for (const Eigen::Vector2d& centre : {Eigen::Vector2d(0, 0), Eigen::Vector2d(1e6, -1e6)}) {
+        const auto radius = sphereRadius(square(1.5, centre), {{centre.x(), centre.y(), 1.5}});
+        ASSERT_TRUE(radius);
+        EXPECT_NEAR(*radius, expected, 0.02 * expected);
+    }
+}
+
+TEST(SphereRadius, GrowsWithTheRoom) {
+    const auto small = sphereRadius(square(1, {0, 0}), {{0.3, 0.1, 1}});
+    const auto large = sphereRadius(square(10, {0, 0}), {{3, 1, 10}});
+    EXPECT_NEAR(*large / *small, 10, 1e-9);
+}
+
+TEST(SphereRadius, LeavesOutPointsThatAreNotInTheRoom) {
+    const survey::Room room = square(1, {0, 0});
+    EXPECT_FALSE(sphereRadius(room, {{5, 0, 1}, {0, 0, -1}, {0, 0, 2}, {1, 0, 1}}));
+    EXPECT_EQ(sphereRadius(room, {{5, 0, 1}, {0, 0, 1}}), sphereRadius(room, {{0, 0, 1}}));
+}
+
+TEST(SphereRadius, BetweenFloorAndCeilingAloneIsTheirDistance) {
+    // 1 / distance is |z| / half, and the mean of |z| over the sphere is 1/2.
+    survey::Room hall = square(900, {0, 0});
+    hall.ceilingM = 3;
+    EXPECT_NEAR(sphereRadius(hall, {{0, 0, 1.5}}).value_or(0), 3, 0.02);
+}
+
+TEST(SphereRadius, OfSeveralPointsIsTheHarmonicMeanOfTheirRadii) {
+    const survey::Room room = square(2, {0, 0});
+    test::Random random(3);
+    for (int example = 0; example < 20; ++example) {
+        const Eigen::Vector3d p(random.uniform(-1.9, 1.9), random.uniform(-1.9, 1.9),
+                                random.uniform(0.1, 3.9));
+        const Eigen::Vector3d q(random.uniform(-1.9, 1.9), random.uniform(-1.9, 1.9),
+                                random.uniform(0.1, 3.9));
+        const double both = sphereRadius(room, {p, q}).value_or(0);
+        EXPECT_NEAR(2 / both, 1 / *sphereRadius(room, {p}) + 1 / *sphereRadius(room, {q}), 1e-9);
+    }
+}
+
+TEST(SphereRadius, OfARoomIsAboutThatOfItsDepths) {
+    // Near the horizon walls alone are seen; the sphere of a cube is smaller than that of its walls.
+    const Photos photos(kRoom);
+    const double ofDepths = sphereRadius(photos.posed).value_or(0);
+    EXPECT_GT(ofDepths, 1.2);
+    EXPECT_LT(ofDepths, 2.5);
+}
+
+TEST(RoomFit, FindsRoomsOfAnySizeAndTurnThoughDepthsAreNoisy) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        test::Random random(seed);
+        const double heading = random.uniform(0, 1.5);
+        const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
+        const Eigen::Vector2d across(-along.y(), along.x());
+        const Eigen::Vector2d origin(random.uniform(-50, 50), random.uniform(-50, 50));
+        const double length = random.uniform(3.2, 6);
+        const double width = random.uniform(2.6, 4);
+        const render::RoomShape room{{origin, origin + length * along,
+                                      origin + length * along + width * across, origin + width * across},
+                                     random.uniform(-1, 1),
+                                     random.uniform(3.4, 4)};
+        std::vector<Rigid3> poses;
+        std::vector<PhotoDepth> depths;
+        for (const double share : {0.4, 0.6}) {
+            const Eigen::Vector2d at = origin + share * length * along + 0.5 * width * across;
+            poses.push_back({Eigen::Quaterniond::Identity(), {at.x(), at.y(), room.floorM + 1.2}});
+            const render::DepthMap map = roomDepth(room, poses.back(), 256);
+            depths.push_back({map.inverseM(), map.sure()});
+            for (float& inverse : depths.back().inverseM.values()) {
+                inverse *= 1 + static_cast<float>(random.normal(0.005));
+            }
+        }
+        const std::vector<PosedDepth> posed{{&depths[0], poses[0]}, {&depths[1], poses[1]}};
+        const auto found = fittedRoom(posed, {});
+        ASSERT_TRUE(found) << "seed " << seed;
+        EXPECT_NEAR(found->floorM, room.floorM, 0.03) << "seed " << seed;
+        EXPECT_NEAR(found->ceilingM, room.ceilingM, 0.04) << "seed " << seed;
+        for (const Eigen::Vector2d& corner : room.outline) {
+            double nearest = 100;
+            for (const Eigen::Vector2d& other : found->outline) {
+                nearest = std::min(nearest, (other - corner).norm());
+            }
+            EXPECT_LT(nearest, 0.08) << "seed " << seed;
+        }
+    }
 }
 
 } // namespace spherewalk::scene

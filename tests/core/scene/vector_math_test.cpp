@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast_angle.h"
 #include "random.h"
+#include "vector_math.h"
 
 #include "spherewalk/geometry/equirect.h"
 

@@ -13,25 +13,26 @@
 
 namespace spherewalk::dataset {
 
-/// How other programs read pictures with poses.
+/// Text formats in which other programs read pictures with poses.
 enum class PoseFormat {
-    Tum,        ///< groundtruth.txt: time, position, quaternion
-    Kitti,      ///< poses.txt, a 3 x 4 matrix a line relative to the first picture, and times.txt
+    Tum,        ///< groundtruth.txt: time, position, quaternion.
+    Kitti,      ///< times.txt; poses.txt with a 3 x 4 matrix a line, relative to the first picture.
     Euroc,      ///< mav0/state_groundtruth_estimate0/data.csv
     Colmap,     ///< sparse/0/cameras.txt, images.txt, points3D.txt (without points)
     Nerfstudio, ///< transforms.json
 };
 
-/// "tum", "kitti", "euroc", "colmap", "nerfstudio". Errors of the latter: InvalidInput.
+/// The words "tum", "kitti", "euroc", "colmap", "nerfstudio". Errors: poseFormat() throws InvalidInput for
+/// another word.
 std::string_view name(PoseFormat format);
 PoseFormat poseFormat(std::string_view name);
 
-/// A picture, by its path relative to the folder that the files are written to.
+/// A picture with its pose.
 struct PosedFrame {
-    std::string file;
+    std::string file; ///< Path relative to the folder of the format's files.
     double timeS = 0;
-    /// Of the optical frame; of a spherical picture, the frame whose z axis goes through the picture's
-    /// middle.
+    /// The pose of the optical frame. For a spherical picture, the z axis of this frame goes through the
+    /// picture's middle.
     Rigid3 roomFromCamera;
 };
 
@@ -39,7 +40,7 @@ struct PosedFrame {
 using FrameCamera = std::variant<CameraIntrinsics, EquirectSize>;
 
 struct TextFile {
-    std::string path; ///< relative
+    std::string path; ///< Relative to the folder that is exported to.
     std::string text;
 };
 

@@ -14,28 +14,28 @@
 
 namespace spherewalk::dataset {
 
-/// One photo to be written: its file, and what dataset.json is to say of it. Of `entry` the caller fills
-/// station, pose, their standard deviations and the rotation's source; the writer fills the rest.
+/// One photo to be written. The caller fills in `entry` the station, the pose, its standard deviations and
+/// the rotation's source; the writer fills in the rest.
 struct SourcePhoto {
     std::filesystem::path file;
-    std::string sha256; ///< that the file must have
+    std::string sha256; ///< The hash that the file must have.
     render::DatasetPhoto entry;
-    /// For the XMP of the dataset's copy, in place of an earlier one.
+    /// A tag for the XMP of the dataset's copy, in place of an earlier one.
     std::optional<photo::PositionTag> tag = {};
-    std::filesystem::path depthFile = {}; ///< its depth, to be copied; empty for none
+    std::filesystem::path depthFile = {}; ///< The photo's depth map, which is copied; empty for none.
 };
 
 struct Contents {
-    render::DatasetInfo info; ///< all but the photos
+    render::DatasetInfo info; ///< Everything but the photos.
     std::vector<SourcePhoto> photos;
 };
 
 struct WriteOptions {
-    /// Between restart markers; the nearest number that divides a row of the photo is taken. See
-    /// resources/docs/formats.md for what others cost.
+    /// MCUs between restart markers; the writer takes the nearest number that divides a row of the photo.
+    /// resources/docs/formats.md tells what other numbers cost.
     int mcusPerInterval = 8;
     int thumbnailWidth = 512;
-    int threads = 0; ///< 0: all that the machine has
+    int threads = 0; ///< 0 stands for all that the machine has.
 
     /// Errors: InvalidInput.
     void validate() const;
@@ -43,15 +43,15 @@ struct WriteOptions {
 
 struct WriteReport {
     std::size_t photos = 0;
-    std::uint64_t sourceBytes = 0; ///< of the photos as they were
-    std::uint64_t photoBytes = 0;  ///< of the photos as written, with restart markers
-    std::uint64_t totalBytes = 0;  ///< of the whole dataset
+    std::uint64_t sourceBytes = 0; ///< Size of the photos before.
+    std::uint64_t photoBytes = 0;  ///< Size of the photos as written, with restart markers.
+    std::uint64_t totalBytes = 0;  ///< Size of the whole dataset.
     double seconds = 0;
 };
 
-/// Writes a dataset, version 1, beside its final place, and renames it into place when it is complete and
-/// synced. Errors: Exists if the folder is there already; Corrupt if a photo's bytes have not their hash or
-/// are no 2:1 JPEG; Full, Io, Stopped. After an error nothing is left.
+/// Writes a dataset of version 1 beside its final place, and renames it when it is complete and synced.
+/// Errors: InvalidInput without photos; Exists if the folder exists; Corrupt if a photo differs from its hash
+/// or is not a JPEG of 2:1; Full, Io, Stopped. After an error nothing is left. Stop: before each photo.
 WriteReport writeDataset(const Contents& contents, const std::filesystem::path& folder,
                          const WriteOptions& options, ProgressSink& progress, const std::stop_token& stop);
 

@@ -11,56 +11,59 @@
 
 namespace spherewalk::scene {
 
-/// A photo whose depth is wanted, or that helps to find a neighbour's. Owner: the picture must outlive it.
+/// A photo with its pose: one whose depth is wanted, or a neighbour of it. Owner: the picture must outlive
+/// it.
 struct PosedPicture {
-    const RgbImage* picture = nullptr; ///< equirectangular
+    const RgbImage* picture = nullptr; ///< Equirectangular.
     Rigid3 roomFromPhoto;
 };
 
-/// How far away what each pixel of a photo shows is. Frames: the photo's own. Shape: width x width / 2.
+/// The distance of the thing that each pixel of a photo shows. Frames: the photo's own. Shape: width x width
+/// / 2.
 struct PhotoDepth {
-    Image<float, 1> inverseM; ///< 1 / distance along the pixel's ray, above 0
-    MaskImage sure;           ///< 255 where the neighbours bear it out, 0 where it is filled in from beside
+    Image<float, 1> inverseM; ///< 1 / distance along the pixel's ray, above 0; 1 / metres.
+    MaskImage sure;           ///< 255 where a neighbour confirms it, 0 where it is filled in from beside.
 };
 
 struct SweepOptions {
-    int width = 1024;       ///< of the depth, a power of two times coarseWidth
-    int coarseWidth = 512;  ///< at which all distances are tried, a multiple of 64
-    int distances = 128;    ///< tried, evenly spread in 1 / distance
-    double nearestM = 0.45; ///< of the distances tried
-    double farthestM = 20;
-    int neighbours = 6;           ///< at most
-    double leastBaselineM = 0.05; ///< a photo nearer than that says nothing about distance
-    double keptShare = 0.5; ///< of the neighbours, those that fit best: the others may not see the thing
-    int threads = 0;        ///< 0: all that the machine has; the result is the same for any number
+    int width = 1024;             ///< Of the depth: a power of two times coarseWidth.
+    int coarseWidth = 512;        ///< Width at which all distances are tried, a multiple of 64.
+    int distances = 128;          ///< Number of distances tried, evenly spread in 1 / distance.
+    double nearestM = 0.45;       ///< Nearest distance tried.
+    double farthestM = 20;        ///< Farthest distance tried.
+    int neighbours = 6;           ///< Largest number of neighbours used.
+    double leastBaselineM = 0.05; ///< A nearer photo says nothing about distance.
+    double keptShare =
+        0.5;         ///< Share of the neighbours that counts, the best; the others may not see the thing.
+    int threads = 0; ///< 0 means all that the machine has. The result is the same for any number.
 
     /// Errors: InvalidInput with a sentence.
     void validate() const;
 };
 
-/// The photos, by index, that a photo's depth is found with: the nearest ones that are far enough away.
+/// Indices of the photos that a photo's depth is found with: the nearest ones that are far enough away.
 std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos, std::size_t photo,
                                          const SweepOptions& options);
 
-/// The depth of a photo from neighbours whose poses are known: a sphere about the photo is swept from far to
-/// near, and at each pixel the distance is taken at which the neighbours show the same there (mean difference
-/// of those that fit best), together with what the pixels around say (semi-global, then, at finer sizes,
-/// edge-aware). Nothing in it is `sure` yet; see agreeingDepth(). Cost: with the usual options about 2.5 s of
-/// one core and 150 MB. Errors: InvalidInput for no neighbours, empty pictures, poses that are not finite;
-/// Stopped. Source: Collins 1996 (sweep), Hirschmueller 2008 (semi-global), He 2010 (guided filter).
+/// The depth of a photo from neighbours whose poses are known. A sphere about the photo is swept from far to
+/// near. Each pixel gets the distance at which the neighbours that fit best show the same there. Pixels
+/// around count too: semi-globally at the coarse width, with an edge-aware filter at finer ones. No pixel is
+/// `sure` yet; see agreeingDepth(). Cost: with the usual options about 2.5 s of one core and 150 MB. Errors:
+/// InvalidInput for no neighbours, empty pictures, poses that are not finite; Stopped. Source: Collins 1996
+/// (sweep), Hirschmueller 2008 (semi-global), He 2010 (guided filter).
 PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> neighbours,
                       const SweepOptions& options = {}, const std::stop_token& stop = {});
 
-/// A depth and where it was found.
+/// A depth and the pose of its photo. Owner: the depth must outlive it.
 struct PosedDepth {
     const PhotoDepth* depth = nullptr;
     Rigid3 roomFromPhoto;
 };
 
-/// The depth with `sure` set where at least one neighbour's depth says the same within a tolerance (a share
-/// of 1 / distance, plus what a pixel of parallax is), and with the other pixels taken over from sure ones
-/// beside them that look alike; of two candidates the farther, since what one photo alone sees lies behind.
-/// Surfaces are smoothed at the end.
+/// The depth with `sure` set where at least one neighbour's depth says the same. The tolerance is 1.5 % of
+/// 1 / distance plus 0.75 pixels of parallax. The other pixels take over the depth of sure pixels beside them
+/// that look alike; of several the farthest, since a thing that only one photo sees lies behind. Surfaces are
+/// smoothed at the end.
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads = 0);
 

@@ -16,19 +16,19 @@ using Stamp = std::chrono::nanoseconds;
 enum class OverlayUse {
     NotWanted,
     Laid,
-    Missing, ///< none came for this frame in time
+    Missing, ///< No overlay came in time for this frame.
 };
 
-/// What the camera saw at one pose.
+/// The camera's view from one pose.
 struct Frame {
-    Stamp stamp{};         ///< of the pose that was rendered, unchanged
-    Rigid3 roomFromCamera; ///< of the optical frame
+    Stamp stamp{};         ///< The stamp of the rendered pose, unchanged.
+    Rigid3 roomFromCamera; ///< Pose of the optical frame.
     CameraIntrinsics camera;
     render::View view;
     OverlayUse overlay = OverlayUse::NotWanted;
-    bool isOutside = false; ///< of the dataset's outline, or below its floor or above its ceiling
-    double trust = 0;       ///< ViewReport::trust; 0 where isOutside
-    std::chrono::steady_clock::time_point poseTakenAt; ///< when the pose was handed over
+    bool isOutside = false; ///< The camera is outside of the dataset's outline, floor and ceiling.
+    double trust = 0;       ///< ViewReport::trust; 0 if isOutside.
+    std::chrono::steady_clock::time_point poseTakenAt; ///< When the pose was handed over.
 };
 
 } // namespace spherewalk::simulator

@@ -10,35 +10,35 @@
 
 namespace spherewalk::simulator {
 
-/// Why something that came from outside was not used.
+/// Why some input was not used.
 enum class Refusal {
-    Place,     ///< a position that is not finite, or farther than 10^7 m
-    Rotation,  ///< a quaternion that is not finite or not of unit length
-    Time,      ///< a time before zero, or none
-    FrameId,   ///< a pose of another frame than the one that was asked for, or one that leads nowhere
-    Size,      ///< a picture of another size than the camera, or with too few bytes
-    Encoding,  ///< pixels of a kind that this picture cannot have
-    Rendering, ///< a frame that could not be made: a photo is missing or damaged
+    Place,     ///< The position is not finite, or farther than 10^7 m.
+    Rotation,  ///< The quaternion is not finite or has not unit length.
+    Time,      ///< The time is missing or before zero.
+    FrameId,   ///< The pose is of another frame than the wanted one, or of an unknown one.
+    Size,      ///< The picture has another size than the camera, or too few bytes.
+    Encoding,  ///< This picture cannot have pixels of this kind.
+    Rendering, ///< A frame could not be made, because a photo is missing or damaged.
 };
 
 inline constexpr std::size_t kRefusalKinds = 7;
 
-/// As reports spell it: "place", "rotation", ...
+/// The kind as reports spell it: "place", "rotation", ...
 std::string_view name(Refusal kind);
 
-/// Counts what was refused, and tells people of the first of each kind and then of the 10th, 100th, ... so
-/// that a publisher of garbage cannot fill a log. Threads: any.
+/// Counts refusals. Of each kind, people are told of the first, the 10th, the 100th and so on, so that a
+/// publisher of garbage cannot fill a log. Threads: any.
 class Refusals {
   public:
     using Tell = std::function<void(const std::string& sentence)>;
     using Counts = std::array<std::uint64_t, kRefusalKinds>;
 
-    /// tell: called from whichever thread refuses, one at a time.
+    /// tell: is called by the thread that refuses, one thread at a time.
     explicit Refusals(Tell tell);
 
     void add(Refusal kind, const std::string& sentence);
 
-    /// Index: the kinds in their order.
+    /// The count of each kind, in the order of Refusal.
     Counts counts() const;
 
   private:

@@ -14,71 +14,72 @@
 
 namespace spherewalk::simulator {
 
-/// What a camera has taken and given since it was made.
+/// Counts since the camera was made.
 struct CameraCounters {
-    std::uint64_t poses = 0; ///< that were taken, while somebody listened or not
+    std::uint64_t poses = 0; ///< Poses that were taken, whether or not somebody listened.
     std::uint64_t frames = 0;
-    std::uint64_t dropped = 0;  ///< frames that were due, and left out since a newer one was
-    std::uint64_t restarts = 0; ///< simulation time went back
-    std::uint64_t outside = 0;  ///< frames from outside of the dataset's room
+    std::uint64_t dropped = 0;  ///< Due frames that were left out for a newer one.
+    std::uint64_t restarts = 0; ///< How often simulation time went back.
+    std::uint64_t outside = 0;  ///< Frames from outside of the dataset's room.
     std::uint64_t overlaysLaid = 0;
-    std::uint64_t overlaysMissing = 0; ///< frames rendered without the overlay that they should have
-    std::uint64_t overlaysUnused = 0;  ///< that fitted no frame, or came in part
-    render::StreamCounters stream;     ///< of the current camera model: photos that were late
+    std::uint64_t overlaysMissing = 0; ///< Frames rendered without the overlay that they wanted.
+    std::uint64_t overlaysUnused = 0;  ///< Overlays that fitted no frame, or were not whole.
+    render::StreamCounters stream;     ///< Photos that were late for the current camera model.
     Refusals::Counts refused{};
 };
 
-/// A robot's camera in a simulator, whatever the middleware: poses and pictures of objects come in with
-/// simulation stamps, frames go out with the stamps of the poses that they show.
+/// A robot's camera in a simulator, for any middleware. Poses and pictures of objects come in with simulation
+/// stamps; frames go out with the stamps of the poses that they show.
 ///
-/// What comes in is not believed: poses that are none and pictures that do not fit are counted, told of as
-/// Refusals says, and change nothing. A pose far from the room is rendered, with trust 0.
+/// Input is not trusted: invalid poses and pictures that do not fit are counted and reported as Refusals
+/// says, and change nothing. A pose far from the room is rendered, with trust 0.
 ///
 /// An overlay is laid into the frame of exactly its stamp, whose pose may be one between two that came
 /// (OverlayOptions::interpolatesPoses). A frame waits for it until a pose comes that is
-/// OverlayOptions::wait later; then it is rendered without, and counted. So in lock-step nothing is rendered
-/// without an overlay while the simulation stands still.
+/// OverlayOptions::wait later. Then the frame is rendered without an overlay, and counted. In lock-step, no
+/// frame is rendered without its overlay while the simulation stands still.
 ///
-/// Threads: all functions may be called from any thread. Frames are rendered in a thread of its own, one
-/// after the other, and handed over in it.
+/// Threads: all functions may be called from any thread. The camera's own thread renders the frames
+/// one after the other, and hands them over.
 class SimulatedCamera {
   public:
     /// Called for each frame; the frame is valid during the call. An Error that it throws is counted as a
     /// frame that could not be rendered.
     using GiveFrame = std::function<void(const Frame&)>;
 
-    /// tell: where sentences about refused input go. Owner: the camera shares what the renderer has. Errors:
-    /// InvalidInput for options out of range, and for telling objects by depth in a dataset without outline.
+    /// tell: receives sentences about refused input. Owner: the camera shares the renderer's dataset and
+    /// cache. Errors: InvalidInput for options out of range, and for ObjectsBy::Depth in a dataset without
+    /// outline.
     SimulatedCamera(const render::Renderer& renderer, const CameraModel& camera, const CameraOptions& options,
                     GiveFrame giveFrame, Refusals::Tell tell);
-    /// Ends after the frame that is being rendered.
+    /// Waits for the frame that is being rendered.
     ~SimulatedCamera();
     SimulatedCamera(const SimulatedCamera&) = delete;
     SimulatedCamera& operator=(const SimulatedCamera&) = delete;
 
-    /// Whether somebody wants frames; false to begin with. Without, nothing is rendered and what waits is
-    /// forgotten. Costs next to nothing if it does not change.
+    /// Tells whether somebody wants frames; at first, nobody does. While nobody listens, nothing is rendered,
+    /// and waiting frames are dropped. Cost: next to nothing without a change.
     void setListening(bool isListening);
 
-    /// Whether this is a time and a pose; if not, it is refused.
+    /// Whether stamp and pose are valid; if not, they are refused.
     bool accepts(Stamp stamp, const Rigid3& pose);
 
-    /// The link's pose, of which CameraOptions::mounting makes the camera's. Range: quaternions within 1 % of
-    /// unit length are normalised.
+    /// Takes the pose of the link; CameraOptions::mounting gives the camera's pose. Range: quaternions within
+    /// 1 % of unit length are normalised.
     void takePose(Stamp stamp, const Rigid3& worldFromLink);
 
-    /// A picture of the simulator's objects. Ignored without CameraOptions::overlay, and while nobody
-    /// listens.
+    /// Takes a picture of the simulator's objects. It is ignored without CameraOptions::overlay, and while
+    /// nobody listens.
     void takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture);
 
-    /// Another camera for the frames from now on; overlays that wait are forgotten, for they are of the one
-    /// before.
+    /// Sets the camera of the frames from now on. Waiting overlays are dropped, since the former camera took
+    /// them.
     void setCamera(const CameraModel& camera);
 
-    /// Counts what only the middleware's side can see, and tells of it.
+    /// Counts and reports a refusal that only the middleware's side can see.
     void refuse(Refusal kind, const std::string& sentence);
 
-    /// Returns when all that can be rendered of what has come is rendered and handed over.
+    /// Returns when every frame that can be rendered by now has been handed over.
     void waitUntilIdle();
 
     CameraCounters counters() const;

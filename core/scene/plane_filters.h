@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/image.h"
+
+namespace spherewalk::scene {
+
+/// One value a pixel of an equirectangular picture.
+using Plane = Image<float, 1>;
+
+/// Replaces each value by the mean over (2 radius + 1) x (2 radius + 1) pixels. The plane is equirectangular:
+/// it wraps at the seam and repeats its first and last rows. Range: radius less than half of the width.
+void blur(Plane& plane, int radius, int threads);
+
+/// Blurs planes, though not across the edges of a guide. Source: He, Sun, Tang 2010. Threads: const, any
+/// number.
+class GuidedFilter {
+  public:
+    /// guide: values in [0, 1]. Its edges that are higher than about the square root of `smoothness` are
+    /// kept.
+    GuidedFilter(Plane guide, int radius, float smoothness, int threads);
+
+    void apply(Plane& plane) const;
+
+  private:
+    Plane m_guide;
+    Plane m_mean;
+    Plane m_inverseVariance;
+    int m_radius;
+    int m_threads;
+};
+
+/// The median of the 3 x 3 pixels around each pixel of an equirectangular plane.
+Plane median3x3(const Plane& plane, int threads);
+
+/// Replaces each value by the value of a plane fitted to the pixels around that belong to the same surface.
+/// Where a surface is flat, 1 / distance is about linear in the picture. Values that differ by more than two
+/// percent (more at farther pixels) lie on another surface. threads: the result is the same for any number.
+Plane smoothedSurfaces(const Plane& inverseM, int threads);
+
+} // namespace spherewalk::scene

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+
+#include "spherewalk/dataset/world_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace spherewalk::dataset {
+
+using Eigen::Vector2d;
+using test::expectError;
+
+namespace {
+
+WorldRoom angularRoom() {
+    return {
+        "Anna's <kitchen> & hall", {{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}, -0.5, 2.5, {1, 1, 1.2}};
+}
+
+const CameraIntrinsics kWorldCamera{640, 480, 465.5, 466, 318.25, 240.5, LensModel::Pinhole, {}};
+
+/// The first defect of a text as XML: "" if every element is closed in its turn.
+std::string xmlDefect(const std::string& xml) {
+    std::vector<std::string> open;
+    for (std::size_t at = 0; (at = xml.find('<', at)) != std::string::npos;) {
+        if (xml.compare(at, 4, "<!--") == 0) {
+            at = xml.find("-->", at);
+            if (at == std::string::npos) {
+                return "a comment is open";
+            }
+            continue;
+        }
+        const std::size_t end = xml.find('>', at);
+        const std::string tag = xml.substr(at + 1, end - at - 1);
+        at = end;
+        if (tag.starts_with('?')) {
+            continue;
+        }
+        if (std::count(tag.begin(), tag.end(), '"') % 2 != 0 || tag.find('<') != std::string::npos) {
+            return "an attribute is open: " + tag;
+        }
+        if (tag.starts_with('/')) {
+            if (open.empty() || open.back() != tag.substr(1)) {
+                return "closed out of turn: " + tag;
+            }
+            open.pop_back();
+        } else if (!tag.ends_with('/')) {
+            open.push_back(tag.substr(0, tag.find(' ')));
+        }
+    }
+    return open.empty() ? "" : "left open: " + open.back();
+}
+
+/// The numbers of the first element of this name after a place in the text.
+std::vector<double> numbersOf(const std::string& xml, const std::string& element, std::size_t after) {
+    const std::size_t begin = xml.find("<" + element + ">", after) + element.size() + 2;
+    std::istringstream words(xml.substr(begin, xml.find('<', begin) - begin));
+    std::vector<double> numbers;
+    for (double number = 0; words >> number;) {
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+} // namespace
+
+TEST(WorldText, IsWellFormedWhateverTheRoomIsCalled) {
+    for (const char* name : {"Anna's <kitchen> & hall", "", "\"", "Küche"}) {
+        WorldRoom room = angularRoom();
+        room.name = name;
+        const std::string world = sdfWorld(room, kWorldCamera);
+        EXPECT_EQ(xmlDefect(world), "") << name;
+        EXPECT_EQ(world.find('&'), std::string::npos);
+    }
+    EXPECT_NE(xmlDefect("<a><b></a></b>"), ""); // the check itself can fail
+}
+
+TEST(WorldText, WallsCloseTheOutlineWhicheverWayItRuns) {
+    WorldRoom room = angularRoom();
+    WorldRoom backwards = room;
+    std::reverse(backwards.outline.begin(), backwards.outline.end());
+    for (const WorldRoom& one : {room, backwards}) {
+        const std::string world = sdfWorld(one, kWorldCamera);
+        for (std::size_t i = 0; i < one.outline.size(); ++i) {
+            const std::size_t at = world.find("<collision name=\"wall_" + std::to_string(i) + "\">");
+            ASSERT_NE(at, std::string::npos);
+            const std::vector<double> pose = numbersOf(world, "pose", at);
+            const std::vector<double> size = numbersOf(world, "size", at);
+            EXPECT_NEAR(pose[2], 1, 1e-6); // from the floor to the ceiling
+            EXPECT_NEAR(size[2], 3, 1e-6);
+            // The inner face holds both ends of one edge of the outline.
+            const Vector2d along(std::cos(pose[5]), std::sin(pose[5]));
+            const Vector2d inwards(-along.y(), along.x());
+            const Vector2d face = Vector2d(pose[0], pose[1]) + size[1] / 2 * inwards;
+            int ends = 0;
+            for (const Vector2d& corner : one.outline) {
+                const Vector2d from = corner - face;
+                ends += std::abs(from.dot(inwards)) < 1e-4 && std::abs(from.dot(along)) < size[0] / 2 + 1e-4;
+            }
+            EXPECT_GE(ends, 2) << i;
+        }
+        EXPECT_EQ(world.find("wall_6"), std::string::npos);
+    }
+}
+
+TEST(WorldText, CamerasHaveTheIntrinsicsCountedFromThePixelsCorner) {
+    const std::string world = sdfWorld(angularRoom(), kWorldCamera);
+    for (const char* sensor : {"overlay_colour", "overlay_depth", "overlay_labels"}) {
+        const std::size_t at = world.find(std::string("<sensor name=\"") + sensor);
+        ASSERT_NE(at, std::string::npos) << sensor;
+        EXPECT_EQ(numbersOf(world, "width", at), std::vector<double>{640});
+        EXPECT_EQ(numbersOf(world, "fx", at), std::vector<double>{465.5});
+        EXPECT_EQ(numbersOf(world, "cx", at), std::vector<double>{318.75});
+        EXPECT_EQ(numbersOf(world, "cy", at), std::vector<double>{241});
+    }
+}
+
+TEST(WorldText, TheRoomIsHiddenFromTheCameraAndTheObjectIsNot) {
+    const std::string world = sdfWorld(angularRoom(), kWorldCamera);
+    const auto flags = [&](const char* visual) {
+        return numbersOf(world, "visibility_flags", world.find(std::string("<visual name=\"") + visual));
+    };
+    for (const char* surface : {"floor", "ceiling", "wall_0", "body"}) {
+        EXPECT_EQ(flags(surface), std::vector<double>{kHiddenFromCamera}) << surface;
+    }
+    EXPECT_EQ(flags("box"), std::vector<double>{kSeenByCamera});
+}
+
+TEST(WorldText, RefusesRoomsThatCannotBe) {
+    WorldRoom crossed = angularRoom();
+    std::swap(crossed.outline[1], crossed.outline[2]);
+    expectError(ErrorKind::InvalidInput, "outline", [&] { crossed.validate(); });
+    WorldRoom flat = angularRoom();
+    flat.ceilingM = flat.floorM;
+    expectError(ErrorKind::InvalidInput, "above its floor", [&] { flat.validate(); });
+    for (const Eigen::Vector3d& at :
+         {Eigen::Vector3d(4, 3, 1), Eigen::Vector3d(1, 1, 3), Eigen::Vector3d(1, 1, HUGE_VAL)}) {
+        WorldRoom room = angularRoom();
+        room.cameraAt = at;
+        expectError(ErrorKind::InvalidInput, "not inside", [&] { room.validate(); });
+    }
+}
+
+TEST(WorldText, RefusesALensThatGazeboDoesNotHave) {
+    CameraIntrinsics camera = kWorldCamera;
+    camera.lens = LensModel::PlumbBob;
+    camera.distortion = {-0.05, 0.01, 0, 0, 0};
+    expectError(ErrorKind::Unsupported, "distort", [&] { sdfWorld(angularRoom(), camera); });
+}
+
+} // namespace spherewalk::dataset

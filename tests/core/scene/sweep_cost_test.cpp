@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "random.h"
+#include "sweep_cost.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kHeight = 32;
+constexpr int kDistances = 16;
+
+using Costs = CostVolume<std::uint8_t>;
+using Sums = CostVolume<std::int16_t>;
+
+RgbImage evenPicture() {
+    RgbImage picture(kWidth, kHeight);
+    std::fill(picture.values().begin(), picture.values().end(), std::uint8_t{100});
+    return picture;
+}
+
+RgbImage randomPicture(test::Random& random) {
+    RgbImage picture(2 * kWidth, kWidth);
+    for (std::uint8_t& value : picture.values()) {
+        value = static_cast<std::uint8_t>(random.integer(0, 255));
+    }
+    return picture;
+}
+
+Costs randomCosts(test::Random& random) {
+    Costs costs(kWidth, kHeight, kDistances);
+    for (std::uint8_t& cost : costs.values) {
+        cost = static_cast<std::uint8_t>(random.integer(0, 170));
+    }
+    return costs;
+}
+
+/// The volume with pixel (x, y) taken from where the place function says.
+template <class Value>
+CostVolume<Value> rearranged(const CostVolume<Value>& volume, auto place) {
+    CostVolume<Value> result(kWidth, kHeight, kDistances);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const auto [fromX, fromY] = place(x, y);
+            std::copy_n(volume.at(fromX, fromY), kDistances, result.at(x, y));
+        }
+    }
+    return result;
+}
+
+Sums aggregated(const Costs& costs, int threads = 2) {
+    const RgbImage even = evenPicture();
+    const SweepPicture guide(even, Eigen::Matrix3d::Identity(), kWidth, 1);
+    return aggregatedOverPaths(costs, guide, {}, threads, {});
+}
+
+std::ptrdiff_t best(const Sums& sums, int x, int y) {
+    return std::min_element(sums.at(x, y), sums.at(x, y) + kDistances) - sums.at(x, y);
+}
+
+/// Whether aggregation and this rearrangement may change places.
+void expectSymmetric(auto place) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        test::Random random(seed);
+        const Costs costs = randomCosts(random);
+        EXPECT_EQ(aggregated(rearranged(costs, place)).values, rearranged(aggregated(costs), place).values)
+            << "seed " << seed;
+    }
+}
+
+} // namespace
+
+TEST(PathAggregation, IsSymmetricUnderMirroring) {
+    expectSymmetric([](int x, int y) { return std::pair(kWidth - 1 - x, y); });
+    expectSymmetric([](int x, int y) { return std::pair(x, kHeight - 1 - y); });
+}
+
+TEST(PathAggregation, IsTheSameForAnyNumberOfThreads) {
+    test::Random random(4);
+    const Costs costs = randomCosts(random);
+    EXPECT_EQ(aggregated(costs, 1).values, aggregated(costs, 3).values);
+}
+
+TEST(PathAggregation, LeavesTheBestDistanceWhereAllPixelsAgree) {
+    test::Random random(5);
+    Costs costs(kWidth, kHeight, kDistances);
+    std::vector<std::uint8_t> one(kDistances);
+    std::ranges::generate(one, [&] { return static_cast<std::uint8_t>(random.integer(20, 170)); });
+    one[5] = 3;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+        std::ranges::copy(one, costs.values.begin() + i * kDistances);
+    }
+    const Sums sums = aggregated(costs);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            ASSERT_EQ(best(sums, x, y), 5) << x << ", " << y;
+        }
+    }
+}
+
+TEST(PathAggregation, DrawsAPixelThatSaysLittleToItsNeighbours) {
+    Costs costs(kWidth, kHeight, kDistances);
+    std::ranges::fill(costs.values, std::uint8_t{100});
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            costs.at(x, y)[7] = 10;
+        }
+    }
+    for (const auto& [x, y] : {std::pair(0, 16), {30, 10}, {63, 20}}) { // at the seam too
+        std::fill_n(costs.at(x, y), kDistances, std::uint8_t{50});
+        costs.at(x, y)[12] = 40;
+        EXPECT_EQ(best(aggregated(costs), x, y), 7) << x << ", " << y;
+    }
+}
+
+TEST(PathAggregation, StopsWhenAsked) {
+    std::stop_source stop;
+    stop.request_stop();
+    const RgbImage even = evenPicture();
+    const SweepPicture guide(even, Eigen::Matrix3d::Identity(), kWidth, 1);
+    test::expectError(ErrorKind::Stopped, "", [&] {
+        aggregatedOverPaths(Costs(kWidth, kHeight, kDistances), guide, {}, 2, stop.get_token());
+    });
+}
+
+TEST(SweepPicture, HasNoSlopesWhereThePictureIsEven) {
+    test::Random random(6);
+    const RgbImage even = evenPicture();
+    const SweepPicture picture(even, random.rotation().toRotationMatrix(), kWidth, 2);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            ASSERT_NEAR(picture.brightness(x, y), 100, 1e-3);
+            for (int value = 1; value < 4; ++value) {
+                ASSERT_NEAR(picture.at(x, y)[value], 0, 1e-3);
+            }
+        }
+    }
+}
+
+TEST(SweepPicture, RepeatsItsFirstColumnAndItsLastRow) {
+    test::Random random(7);
+    const RgbImage photo = randomPicture(random);
+    const SweepPicture picture(photo, Eigen::Matrix3d::Identity(), kWidth, 2);
+    for (int y = 0; y < kHeight; ++y) {
+        EXPECT_TRUE(std::equal(picture.at(0, y), picture.at(0, y) + 4, picture.at(kWidth, y))) << y;
+    }
+    EXPECT_TRUE(std::equal(picture.at(0, kHeight - 1), picture.at(0, kHeight - 1) + picture.stride(),
+                           picture.at(0, kHeight)));
+}
+
+TEST(SweepCost, IsNothingForAPhotoOfTheSamePlaceAtAnyDistance) {
+    test::Random random(8);
+    const RgbImage photo = randomPicture(random);
+    const std::vector<PosedPicture> same{{&photo, {}}};
+    const SweepCost cost({&photo, {}}, same, 1, kWidth, 2);
+    for (const float inverseM : {0.01F, 0.3F, 2.0F}) {
+        Image<float, 1> costs(kWidth, kHeight);
+        Image<float, 1> inverse(kWidth, kHeight);
+        std::ranges::fill(inverse.values(), inverseM);
+        cost.all(inverse, 2, {}, costs);
+        // Directions are known to a thousandth of a pixel, where neighbouring pixels differ by 255.
+        EXPECT_LT(*std::ranges::max_element(costs.values()), 2) << inverseM;
+    }
+}
+
+TEST(SweepCost, LiesBetweenNothingAndItsBound) {
+    test::Random random(9);
+    const RgbImage photo = randomPicture(random);
+    const RgbImage other = randomPicture(random);
+    const std::vector<PosedPicture> neighbours{{&other, {random.rotation(), {0.2, 0.1, 0}}},
+                                               {&photo, {random.rotation(), {0, 0.3, 0.1}}}};
+    const SweepCost cost({&photo, {}}, neighbours, 0.5, kWidth, 2);
+    Image<float, 1> costs(kWidth, kHeight);
+    Image<float, 1> inverse(kWidth, kHeight);
+    std::ranges::generate(inverse.values(), [&] { return static_cast<float>(random.uniform(0.05, 3)); });
+    cost.all(inverse, 2, {}, costs);
+    EXPECT_GE(*std::ranges::min_element(costs.values()), 0);
+    EXPECT_LE(*std::ranges::max_element(costs.values()), SweepCost::kMost);
+}
+
+} // namespace spherewalk::scene
