@@ -3,13 +3,15 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/jobs/operators.h"
+#include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/store/survey_store.h"
 #include "spherewalk/survey/plan_report.h"
 
 #include <cmath>

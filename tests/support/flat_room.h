@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/dataset/writer.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "capture_run.h"
+#include "capture/capture_run.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/camera/new_files.h"
+#include "spherewalk/camera/shot_settler.h"
 #include "spherewalk/jobs/judge_survey.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
       m_begin(clock.now()),
       m_judge(store),
       m_fetchersClient(client.another()) {
-    const std::vector<store::ShotRecord> open =
+    const std::vector<survey::Shot> open =
         store.use([](const store::SurveyStore& survey) { return survey.openShots(); });
     m_lastEarlierShot = open.empty() ? 0 : open.back().id;
     PhotoFetcher::Events events;
@@ -53,8 +53,8 @@ void CaptureRun::begin() {
 bool CaptureRun::isOnItsWay(std::int64_t station) const {
     const std::scoped_lock lock(m_mutex);
     return m_store.use([&](const store::SurveyStore& survey) {
-        return std::ranges::any_of(survey.openShots(), [&](const store::ShotRecord& shot) {
-            return shot.station == station && shot.step == store::ShotStep::Taken &&
+        return std::ranges::any_of(survey.openShots(), [&](const survey::Shot& shot) {
+            return shot.station == station && shot.step == survey::ShotStep::Taken &&
                    !m_unfetched.contains(shot.id);
         });
     });
@@ -79,7 +79,8 @@ void CaptureRun::take(Route& route) {
 /// However it ends, the camera may sleep again.
 void CaptureRun::prepareAndTake(Route& route) {
     try {
-        const camera::CameraReadiness readiness = m_capture.prepare(m_stop);
+        camera::CameraReadiness readiness = m_capture.prepare(m_stop);
+        readiness.warnings = sentences(readiness);
         warn(readiness.warnings);
         m_people.cameraReady(m_camera, readiness);
         takeAndFetch(route);
@@ -123,13 +124,13 @@ void CaptureRun::takeAlong(Route& route) {
             m_report.secondsMoving += seconds(there - before);
             m_report.secondsExposing += seconds(outcome.exposing);
             m_report.secondsAtStations = seconds(m_clock.now() - first);
-            m_report.exposed += outcome.shot.step == camera::ShotStep::Taken ? 1 : 0;
+            m_report.exposed += outcome.shot.step == survey::ShotStep::Taken ? 1 : 0;
         }
-        if (outcome.shot.step == camera::ShotStep::Taken) {
+        if (outcome.shot.step == survey::ShotStep::Taken) {
             m_people.exposed(*station);
             fetchNow(outcome);
         } else {
-            account(outcome, outcome.shot.step == camera::ShotStep::NotTaken);
+            account(outcome, outcome.shot.step == survey::ShotStep::NotTaken);
         }
     }
 }
@@ -146,12 +147,13 @@ void CaptureRun::fetchNow(const camera::ShotOutcome& exposed) {
 camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
     for (int tries = 1;; ++tries) {
         camera::ShotOutcome outcome = m_capture.expose(station.id, m_stop);
+        outcome.warnings = sentences(outcome);
         warn(outcome.warnings);
         {
             const std::scoped_lock lock(m_mutex);
             m_warningsOf[outcome.shot.id] = outcome.warnings;
         }
-        if (outcome.shot.step != camera::ShotStep::NotTaken) {
+        if (outcome.shot.step != survey::ShotStep::NotTaken) {
             return outcome;
         }
         warn({text(station.name, ": ", outcome.sentence)}); // a second trigger is never passed over
@@ -159,6 +161,18 @@ camera::ShotOutcome CaptureRun::expose(const store::StationRecord& station) {
             return outcome;
         }
     }
+}
+
+/// What the notes say, with the names of the stations that earlier shots belong to.
+std::vector<std::string> CaptureRun::sentences(const camera::CaptureNotes& notes) const {
+    std::vector<std::string> result;
+    for (const camera::EarlierShot& earlier : notes.earlier) {
+        const store::StationRecord station =
+            m_store.use([&](const store::SurveyStore& survey) { return survey.station(earlier.station); });
+        result.push_back(text(station.name, ": ", earlier.sentence));
+    }
+    result.insert(result.end(), notes.warnings.begin(), notes.warnings.end());
+    return result;
 }
 
 void CaptureRun::warn(const std::vector<std::string>& sentences) {
@@ -171,7 +185,7 @@ void CaptureRun::warn(const std::vector<std::string>& sentences) {
 
 /// Of a photo that has come in.
 std::optional<photo::Verdict> CaptureRun::judged(const camera::ShotOutcome& outcome) {
-    if (outcome.shot.step != camera::ShotStep::Downloaded) {
+    if (outcome.shot.step != survey::ShotStep::Downloaded) {
         return std::nullopt;
     }
     const Clock::TimePoint start = m_clock.now();
@@ -196,7 +210,7 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     m_people.shotEnded(station, outcome, verdict ? &*verdict : nullptr);
     m_report.secondsFetching += seconds(outcome.fetching);
     std::erase_if(m_report.missed, [&](const MissedStation& other) { return other.station == station.name; });
-    if (outcome.shot.step == camera::ShotStep::Taken) {
+    if (outcome.shot.step == survey::ShotStep::Taken) {
         m_unfetched.insert(outcome.shot.id);
     }
     if (!verdict) {
@@ -208,7 +222,7 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     }
     ++m_report.taken;
     m_report.resumed += outcome.shot.id <= m_lastEarlierShot ? 1 : 0;
-    if (verdict->quality() != photo::Quality::Good) {
+    if (verdict->quality() != survey::Quality::Good) {
         m_progress.warning(text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));
         m_report.flawed.push_back({station.name, *verdict});
     }

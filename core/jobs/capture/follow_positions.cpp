@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/follow_positions.h"
 
-#include "capture_run.h"
+#include "capture/capture_run.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 4096;
 
-[[noreturn]] void refuse(std::string_view line) {
+[[noreturn]] void refuseLine(std::string_view line) {
     throw Error(ErrorKind::InvalidInput, text("\"", printable(line),
                                               "\" is no position; send \"x y z\" in metres, or a JSON object "
                                               "with x, y and z."));
@@ -38,14 +39,14 @@ ReachedPosition fromWords(std::string_view line) {
         words >> word;
         const auto number = words ? parseNumber(word) : std::nullopt;
         if (!number) {
-            refuse(line);
+            refuseLine(line);
         }
         coordinate = *number;
     }
     if (words >> word) {
         reached.again = word == "again";
         if (!reached.again || words >> word) {
-            refuse(line);
+            refuseLine(line);
         }
     }
     return reached;
@@ -178,13 +179,13 @@ constexpr EnumNames<FollowEvent::Kind, 4> kKinds{{{FollowEvent::Kind::Refused, "
 ReachedPosition parseReachedPosition(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string_view::npos || line.size() > kLongestLine) {
-        refuse(line);
+        refuseLine(line);
     }
     try {
         const ReachedPosition reached = line[first] == '{' ? fromJson(line) : fromWords(line);
         constexpr double kFarthestM = 1e8;
         if (reached.positionM.cwiseAbs().maxCoeff() > kFarthestM) {
-            refuse(line);
+            refuseLine(line);
         }
         return reached;
     } catch (const Error& error) {

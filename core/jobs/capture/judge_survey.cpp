@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/jobs/retakes.h"
 
 #include "spherewalk/jobs/judge_survey.h"
+
+#include "capture/photo_judge.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace spherewalk::jobs {
 
@@ -25,7 +31,7 @@ struct Standing {
 
     bool isGood() const {
         return !isRejected() && (review.decision == store::Decision::Accepted || !verdict ||
-                                 verdict->result == store::CheckResult::Good);
+                                 verdict->quality == survey::Quality::Good);
     }
 };
 
@@ -74,6 +80,58 @@ bool isSurrounded(const Standing& of, const std::vector<Standing>& all, double r
 
 } // namespace
 
+photo::Verdict verdictOf(const store::PhotoVerdict& record) {
+    const std::string source = text("the findings on photo ", static_cast<long long>(record.photo));
+    const Json json = parseJson(record.findings, source);
+    const JsonReader reader(json, source);
+    photo::Verdict verdict;
+    for (std::size_t i = 0; i < reader.arraySize(); ++i) {
+        const JsonReader one = reader.element(i);
+        try {
+            verdict.findings.push_back({photo::flawNamed(one.string("flaw")),
+                                        survey::qualityNamed(one.string("quality")), one.string("sentence")});
+        } catch (const Error& error) {
+            one.fail(error.sentence());
+        }
+    }
+    return verdict;
+}
+
+JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progress,
+                        const std::stop_token& stop) {
+    std::vector<std::int64_t> photos;
+    std::set<std::int64_t> judged;
+    for (const store::PhotoVerdict& verdict : store.verdicts()) {
+        judged.insert(verdict.photo);
+    }
+    for (const store::PhotoRecord& photo : store.photos()) {
+        if (all || !judged.contains(photo.id)) {
+            photos.push_back(photo.id);
+        }
+    }
+    SharedStore shared(store);
+    PhotoJudge judge(shared);
+    JudgeReport report;
+    for (const std::int64_t photo : photos) {
+        throwIfStopped(stop);
+        progress.progress(static_cast<double>(report.judged) / static_cast<double>(photos.size()),
+                          text("Judging photo ", report.judged + 1, " of ", photos.size()));
+        const survey::Quality quality = judge.judge(photo, stop).quality();
+        ++report.judged;
+        ++(quality == survey::Quality::Good       ? report.good
+           : quality == survey::Quality::Doubtful ? report.doubtful
+                                                  : report.failed);
+    }
+    return report;
+}
+
+Json toJson(const JudgeReport& report) {
+    return {{"judged", report.judged},
+            {"good", report.good},
+            {"doubtful", report.doubtful},
+            {"failed", report.failed}};
+}
+
 std::vector<Retake> retakes(const store::SurveyStore& store) {
     const std::vector<Standing> all = standings(store);
     const double reachM = kReachSteps * store.planOptions().stepM;
@@ -82,7 +140,7 @@ std::vector<Retake> retakes(const store::SurveyStore& store) {
         if (standing.isGood()) {
             continue;
         }
-        const bool isFailed = standing.isRejected() || standing.verdict->result == store::CheckResult::Failed;
+        const bool isFailed = standing.isRejected() || standing.verdict->quality == survey::Quality::Failed;
         result.push_back({store.station(standing.photo.station), isFailed,
                           isSurrounded(standing, all, reachM), reason(standing)});
     }

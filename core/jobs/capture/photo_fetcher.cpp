@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photo_fetcher.h"
+#include "capture/capture_run.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/progress.h"
@@ -86,8 +86,8 @@ bool PhotoFetcher::isRoundDue(const std::stop_token& stop) {
 
 void PhotoFetcher::round(bool isLast, const std::stop_token& stop) {
     std::set<std::int64_t> tried;
-    const auto next = [&]() -> std::optional<camera::Shot> { // anew each time: more may have been taken
-        for (const camera::Shot& shot : m_journal.openShots()) {
+    const auto next = [&]() -> std::optional<survey::Shot> { // anew each time: more may have been taken
+        for (const survey::Shot& shot : m_journal.openShots()) {
             if (!tried.contains(shot.id)) {
                 return shot;
             }
@@ -110,7 +110,7 @@ void PhotoFetcher::round(bool isLast, const std::stop_token& stop) {
     }
 }
 
-camera::ShotOutcome PhotoFetcher::fetch(const camera::Shot& shot, const std::stop_token& stop) {
+camera::ShotOutcome PhotoFetcher::fetch(const survey::Shot& shot, const std::stop_token& stop) {
     try {
         m_capture.connect(stop); // it may be another camera by now
         return m_capture.fetch(shot, stop);
@@ -128,7 +128,7 @@ camera::ShotOutcome PhotoFetcher::fetch(const camera::Shot& shot, const std::sto
 
 /// Once for each photo that is there, and once for each that is not.
 void PhotoFetcher::tell(const camera::ShotOutcome& outcome) {
-    if (outcome.shot.step == camera::ShotStep::Downloaded) {
+    if (outcome.shot.step == survey::ShotStep::Downloaded) {
         m_failed.erase(outcome.shot.id);
         m_events.ended(outcome);
     } else if (m_failed.insert(outcome.shot.id).second) {

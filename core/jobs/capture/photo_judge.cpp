@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photo_judge.h"
+#include "capture/photo_judge.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/judge_survey.h"
 
 #include <algorithm>
-#include <set>
 
 namespace spherewalk::jobs {
 
@@ -31,7 +29,7 @@ photo::ExpectedSettings expectedBy(const std::optional<survey::CaptureProfile>& 
 
 bool isUsable(const store::SurveyStore& store, std::int64_t photo) {
     const auto verdict = store.verdict(photo);
-    return !verdict || verdict->result != store::CheckResult::Failed ||
+    return !verdict || verdict->quality != survey::Quality::Failed ||
            store.review(photo).decision == store::Decision::Accepted;
 }
 
@@ -44,28 +42,7 @@ store::PhotoVerdict recordOf(std::int64_t photo, const photo::Verdict& verdict) 
                             {"quality", name(finding.quality)},
                             {"sentence", finding.sentence}});
     }
-    const store::CheckResult result = verdict.quality() == photo::Quality::Good ? store::CheckResult::Good
-                                      : verdict.quality() == photo::Quality::Doubtful
-                                          ? store::CheckResult::Doubtful
-                                          : store::CheckResult::Failed;
-    return {photo, result, findings.dump()};
-}
-
-photo::Verdict verdictOf(const store::PhotoVerdict& record) {
-    const std::string source = text("the findings on photo ", static_cast<long long>(record.photo));
-    const Json json = parseJson(record.findings, source);
-    const JsonReader reader(json, source);
-    photo::Verdict verdict;
-    for (std::size_t i = 0; i < reader.arraySize(); ++i) {
-        const JsonReader one = reader.element(i);
-        try {
-            verdict.findings.push_back({photo::flawNamed(one.string("flaw")),
-                                        photo::qualityNamed(one.string("quality")), one.string("sentence")});
-        } catch (const Error& error) {
-            one.fail(error.sentence());
-        }
-    }
-    return verdict;
+    return {photo, verdict.quality(), findings.dump()};
 }
 
 PhotoJudge::PhotoJudge(SharedStore& store) : m_store(store) {
@@ -120,7 +97,7 @@ photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
         if (error.kind() != ErrorKind::NotFound) {
             throw;
         }
-        return {{{{photo::Flaw::Damaged, photo::Quality::Failed, error.sentence()}}}, std::nullopt};
+        return {{{{photo::Flaw::Damaged, survey::Quality::Failed, error.sentence()}}}, std::nullopt};
     }
 }
 
@@ -144,41 +121,6 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
     }
     m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(id, result.verdict)); });
     return result.verdict;
-}
-
-JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progress,
-                        const std::stop_token& stop) {
-    std::vector<std::int64_t> photos;
-    std::set<std::int64_t> judged;
-    for (const store::PhotoVerdict& verdict : store.verdicts()) {
-        judged.insert(verdict.photo);
-    }
-    for (const store::PhotoRecord& photo : store.photos()) {
-        if (all || !judged.contains(photo.id)) {
-            photos.push_back(photo.id);
-        }
-    }
-    SharedStore shared(store);
-    PhotoJudge judge(shared);
-    JudgeReport report;
-    for (const std::int64_t photo : photos) {
-        throwIfStopped(stop);
-        progress.progress(static_cast<double>(report.judged) / static_cast<double>(photos.size()),
-                          text("Judging photo ", report.judged + 1, " of ", photos.size()));
-        const photo::Quality quality = judge.judge(photo, stop).quality();
-        ++report.judged;
-        ++(quality == photo::Quality::Good       ? report.good
-           : quality == photo::Quality::Doubtful ? report.doubtful
-                                                 : report.failed);
-    }
-    return report;
-}
-
-Json toJson(const JudgeReport& report) {
-    return {{"judged", report.judged},
-            {"good", report.good},
-            {"doubtful", report.doubtful},
-            {"failed", report.failed}};
 }
 
 } // namespace spherewalk::jobs

@@ -1,56 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "store_journal.h"
+#include "capture/store_journal.h"
 
-#include "photo_intake.h"
+#include "parts/photo_intake.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/camera/new_files.h"
+#include "spherewalk/camera/shot_settler.h"
 
 namespace spherewalk::jobs {
 
-namespace {
-
-camera::ShotStep stepOf(store::ShotStep step) {
-    switch (step) {
-    case store::ShotStep::Intended:
-        return camera::ShotStep::Intended;
-    case store::ShotStep::Started:
-        return camera::ShotStep::Started;
-    case store::ShotStep::Taken:
-        return camera::ShotStep::Taken;
-    case store::ShotStep::Downloaded:
-        return camera::ShotStep::Downloaded;
-    case store::ShotStep::NotTaken:
-        return camera::ShotStep::NotTaken;
-    case store::ShotStep::Unclear:
-        break;
-    }
-    return camera::ShotStep::Unclear;
-}
-
-camera::Shot shotOf(const store::ShotRecord& record) {
-    camera::Shot shot;
-    shot.id = record.id;
-    shot.station = record.station;
-    shot.step = stepOf(record.step);
-    shot.intendedAt = record.intendedAt;
-    shot.cameraSerial = record.cameraSerial;
-    shot.baseline = {record.latestFileUrl, record.totalEntries};
-    shot.commandId = record.commandId;
-    shot.fileUrl = record.fileUrl;
-    shot.note = record.note;
-    return shot;
-}
-
-} // namespace
-
-camera::Shot StoreJournal::begin(std::int64_t station, const std::string& cameraSerial,
-                                 const camera::Baseline& baseline) {
-    return m_store.use([&](store::SurveyStore& store) {
-        return shotOf(store.beginShot(station, cameraSerial, baseline.latestFileUrl, baseline.totalEntries));
-    });
+survey::Shot StoreJournal::begin(std::int64_t station, const std::string& cameraSerial,
+                                 const survey::Baseline& baseline) {
+    return m_store.use(
+        [&](store::SurveyStore& store) { return store.beginShot(station, cameraSerial, baseline); });
 }
 
 void StoreJournal::started(std::int64_t shot, const std::string& commandId) {
@@ -74,7 +37,7 @@ void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& 
     std::string surveyId;
     std::string stationName;
     m_store.use([&](const store::SurveyStore& store) {
-        const store::ShotRecord record = store.shot(shot);
+        const survey::Shot record = store.shot(shot);
         const store::StationRecord station = store.station(record.station);
         surveyId = store.info().uuid;
         stationName = station.name;
@@ -94,7 +57,7 @@ void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& 
     }
     m_store.use([&](store::SurveyStore& store) {
         if (store.shot(shot).step !=
-            store::ShotStep::Taken) { // given up meanwhile: its name is another's now
+            survey::ShotStep::Taken) { // given up meanwhile: its name is another's now
             throw Error(ErrorKind::NotFound, text("The photo of ", stationName,
                                                   " is not known to be its own any more; take it again."));
         }
@@ -104,14 +67,13 @@ void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& 
     std::filesystem::remove(photo.temporaryFile, ignored);
 }
 
-std::vector<camera::Shot> StoreJournal::openShots() const {
-    std::vector<camera::Shot> shots;
-    for (const store::ShotRecord& record :
-         m_store.use([](const store::SurveyStore& store) { return store.openShots(); })) {
-        const bool isFetchable = record.step == store::ShotStep::Taken && camera::isMarked(record.fileUrl);
-        if (m_view == View::All || isFetchable) {
-            shots.push_back(shotOf(record));
-        }
+std::vector<survey::Shot> StoreJournal::openShots() const {
+    std::vector<survey::Shot> shots =
+        m_store.use([](const store::SurveyStore& store) { return store.openShots(); });
+    if (m_view == View::Fetching) {
+        std::erase_if(shots, [](const survey::Shot& shot) {
+            return shot.step != survey::ShotStep::Taken || !camera::isMarked(shot.fileUrl);
+        });
     }
     return shots;
 }

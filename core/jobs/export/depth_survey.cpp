@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/jobs/depth_survey.h"
+#include "parts/cache_key.h"
 
-#include "cache_key.h"
-
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/recently_used.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/render/depth_map.h"
+#include "spherewalk/render/scene_depth.h"
 #include "spherewalk/scene/room_fit.h"
 
 #include <algorithm>
@@ -21,8 +20,8 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 2; ///< grows when the same photos and options give another depth
-constexpr std::uint64_t kLargestFile = 128ULL << 20;
+constexpr int kDepthMethod = 2; ///< grows when the same photos and options give another depth
+constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;
 constexpr double kWithAgreement = 1.15;     ///< a depth's time with the neighbours' agreement, of the sweep's
@@ -38,7 +37,7 @@ void keep(const std::filesystem::path& file, const scene::PhotoDepth& depth) {
 }
 
 scene::PhotoDepth kept(const std::filesystem::path& file) {
-    const auto map = render::DepthMap::parse(readFile(file, kLargestFile), file.string());
+    const auto map = render::DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
     return {map.inverseM(), map.sure()};
 }
 
@@ -134,9 +133,9 @@ class DepthJob {
     /// All that a photo's own depth depends on.
     std::string sweptKey(std::size_t photo) const {
         const scene::SweepOptions& o = m_options.sweep;
-        std::string key = text("sweep ", kMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances, " ",
-                               o.nearestM, " ", o.farthestM, " ", o.keptShare, "\n", m_photos[photo].sha256,
-                               " ", keyOf(m_poses[photo]), "\n");
+        std::string key = text("sweep ", kDepthMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances,
+                               " ", o.nearestM, " ", o.farthestM, " ", o.keptShare, "\n",
+                               m_photos[photo].sha256, " ", keyOf(m_poses[photo]), "\n");
         for (const std::size_t other : m_neighbours[photo]) {
             key += text(m_photos[other].sha256, " ", keyOf(m_poses[other]), "\n");
         }

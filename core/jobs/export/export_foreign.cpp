@@ -3,27 +3,30 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/new_folder.h"
-#include "spherewalk/base/temporary_folder.h"
+#include "spherewalk/base/folder.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/dataset.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/store/survey_store.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
+#include <vector>
 
 namespace spherewalk::jobs {
 
 namespace fs = std::filesystem;
-
 using dataset::PosedFrame;
 
 namespace {
 
-constexpr const char* kPictures = "images";
-constexpr int kJpegQuality = 95;
+constexpr const char* kPicturesFolder = "images";
+constexpr int kPictureQuality = 95;
 
 /// A face of the cube about a photo, as a camera turned about the photo's axes.
 struct Face {
@@ -61,7 +64,7 @@ class ForeignExport {
     }
 
     ForeignReport write(const fs::path& folder, ProgressSink& progress) {
-        ensureFolder(folder / kPictures);
+        ensureFolder(folder / kPicturesFolder);
         const bool isCut = m_options.withFaces || m_options.format == dataset::PoseFormat::Colmap;
         ForeignReport report;
         for (std::size_t i = 0; i < photos().size(); ++i) {
@@ -98,7 +101,7 @@ class ForeignExport {
     std::string stem(std::size_t photo) const { return fs::path(photos()[photo].file).stem().string(); }
 
     void writeWhole(std::size_t photo, const fs::path& folder) {
-        const std::string file = text(kPictures, "/", stem(photo), ".jpg");
+        const std::string file = text(kPicturesFolder, "/", stem(photo), ".jpg");
         fs::copy_file(m_renderer.dataset().folder() / photos()[photo].file, folder / file);
         add(photo, file, bodyFromOptical());
     }
@@ -108,10 +111,10 @@ class ForeignExport {
         view.scene = render::SceneKind::None; // from its own place a photo is right however far things are
         view.sampling = render::Sampling::Footprint;
         for (const Face& one : kFaces) {
-            const std::string file = text(kPictures, "/", stem(photo), "_", one.name, ".jpg");
+            const std::string file = text(kPicturesFolder, "/", stem(photo), "_", one.name, ".jpg");
             add(photo, file, photoFromOptical(one));
             const RgbImage picture = m_renderer.render(face(), m_frames.back().roomFromCamera, view).picture;
-            writeFile(folder / file, jpeg::encode(picture, kJpegQuality));
+            writeFile(folder / file, jpeg::encode(picture, kPictureQuality));
         }
     }
 
@@ -144,6 +147,68 @@ ForeignReport exportForeign(const store::SurveyStore& store, const fs::path& fol
         report = ForeignExport(temporary.path() / "dataset", options, stop).write(unfinished, writing);
     });
     return report;
+}
+
+namespace {
+
+Eigen::Vector3d mostCentral(const std::vector<Eigen::Vector3d>& places, const std::filesystem::path& folder) {
+    if (places.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("No place for the robot's camera is known: ", folder.string(), " has no stations."));
+    }
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& place : places) {
+        middle += place / static_cast<double>(places.size());
+    }
+    return *std::min_element(places.begin(), places.end(),
+                             [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                                 return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+                             });
+}
+
+dataset::WorldRoom roomOfDataset(const std::filesystem::path& folder) {
+    const render::Dataset opened = render::Dataset::open(folder);
+    const render::DatasetInfo& info = opened.info();
+    std::vector<Eigen::Vector3d> places;
+    for (const render::DatasetPhoto& photo : info.photos) {
+        places.push_back(photo.roomFromPhoto.translation);
+    }
+    const Eigen::Vector3d start = mostCentral(places, folder);
+    if (info.roomShape) {
+        return {info.name, info.roomShape->outline, info.roomShape->floorM, info.roomShape->ceilingM, start};
+    }
+    return {info.name, info.outline, 0, info.ceilingM, start};
+}
+
+dataset::WorldRoom roomOfSurvey(const std::filesystem::path& folder) {
+    const auto store = store::SurveyStore::open(folder, store::Access::Read);
+    const survey::Room room = store.room();
+    std::vector<Eigen::Vector3d> places;
+    for (const store::PhotoRecord& photo : store.keptPhotos()) {
+        places.push_back(photo.positionM);
+    }
+    if (places.empty()) {
+        for (const store::StationRecord& station : store.stations()) {
+            places.push_back(station.station.positionM);
+        }
+    }
+    return {store.info().name, room.outline, 0, room.ceilingM, mostCentral(places, folder)};
+}
+
+} // namespace
+
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder) {
+    return std::filesystem::exists(folder / render::kDatasetFile) ? roomOfDataset(folder)
+                                                                  : roomOfSurvey(folder);
+}
+
+void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
+                 const std::filesystem::path& folder) {
+    const std::string world = dataset::sdfWorld(room, camera);
+    makeFolder(folder, "the world", [&](const std::filesystem::path& unfinished) {
+        writeFile(unfinished / "world.sdf", bytesOf(world));
+        writeFile(unfinished / "camera.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
+    });
 }
 
 } // namespace spherewalk::jobs

@@ -1,28 +1,151 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
-#include "cache_key.h"
-#include "walk_journal.h"
+#include "parts/cache_key.h"
 
+#include "spherewalk/base/digest.h"
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/median.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace spherewalk::jobs {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+constexpr char kBetween = '\t'; ///< in no file name that a dataset has
+constexpr std::string_view kEnd = "end";
+
+/// What is known of a frame that was rendered, as lines of CSV without its name.
+struct FrameLines {
+    std::string what;  ///< the same in every run
+    std::string times; ///< how long it took, and what it was made of meanwhile
+};
+
+/// Frames of a walk that are there, told by files beside them, one of each part: so that a run that was
+/// stopped goes on, and parts that were rendered by other processes count. Files of other walks, and lines
+/// that were cut off, are left out.
+class WalkJournal {
+  public:
+    /// key: of all that the frames depend on. Errors: those of reading files and of making the folder.
+    WalkJournal(const std::filesystem::path& folder, const std::string& key, const Shard& shard);
+
+    const std::map<std::size_t, FrameLines>& frames() const { return m_frames; }
+
+    /// Reads what other processes have added since.
+    void refresh();
+
+    /// Errors: Io, Full.
+    void add(std::size_t frame, const FrameLines& lines);
+
+  private:
+    void read(const std::filesystem::path& file);
+
+    std::string m_prefix; ///< of the names of this walk's files
+    std::filesystem::path m_file;
+    std::ofstream m_out;
+    std::map<std::size_t, FrameLines> m_frames;
+};
+
+WalkJournal::WalkJournal(const fs::path& folder, const std::string& key, const Shard& shard)
+    : m_prefix(key.substr(0, 16)),
+      m_file(folder / "parts" / text(m_prefix, ".", shard.index + 1, "-of-", shard.count, ".tsv")) {
+    ensureFolder(m_file.parent_path());
+    refresh();
+    m_out.open(m_file, std::ios::app);
+    m_out << '\n'; // after a line that was cut off
+}
+
+void WalkJournal::refresh() {
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_file.parent_path())) {
+        if (entry.path().filename().string().starts_with(m_prefix)) {
+            read(entry.path());
+        }
+    }
+}
+
+void WalkJournal::read(const fs::path& file) {
+    std::istringstream all(readTextFile(file));
+    for (std::string line; std::getline(all, line);) {
+        std::vector<std::string> fields;
+        std::istringstream rest(line);
+        for (std::string field; std::getline(rest, field, kBetween);) {
+            fields.push_back(field);
+        }
+        const auto frame = fields.size() == 4 && fields[3] == kEnd ? parseNumber(fields[0]) : std::nullopt;
+        if (frame && *frame >= 0 && *frame < 1e15) {
+            m_frames[static_cast<std::size_t>(*frame)] = {fields[1], fields[2]};
+        }
+    }
+}
+
+void WalkJournal::add(std::size_t frame, const FrameLines& lines) {
+    m_out << frame << kBetween << lines.what << kBetween << lines.times << kBetween << kEnd << std::endl;
+    if (!m_out) {
+        throw Error(ErrorKind::Io, text("Could not write ", m_file.string(), "; is the disk full?"));
+    }
+    m_frames[frame] = lines;
+}
+
+constexpr EnumNames<BagPictures, 2> kBagPictures{{{BagPictures::Raw, "raw"}, {BagPictures::Png, "png"}}};
+constexpr const char* kRoomFrame = "map"; // REP 105
+constexpr const char* kCameraFrame = "camera_optical";
+
+void requireRosTimes(const std::vector<TimedPose>& path) {
+    for (const TimedPose& pose : path) {
+        dataset::rosStampNs(pose.timeS);
+    }
+}
+
+void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
+                  const std::vector<TimedPose>& path, const std::vector<std::filesystem::path>& frames,
+                  const std::filesystem::path& file) {
+    using dataset::RosType;
+    const dataset::Ros ros = messagesOf(format);
+    const bool isRaw = pictures == BagPictures::Raw;
+    const Calibration calibrated = calibration(camera);
+    const std::unique_ptr<dataset::Bag> bag = makeBag(format, file);
+    const std::size_t picture = isRaw
+                                    ? bag->addTopic("/camera/image_raw", RosType::Image)
+                                    : bag->addTopic("/camera/image_raw/compressed", RosType::CompressedImage);
+    const std::size_t cameraInfo = bag->addTopic("/camera/camera_info", RosType::CameraInfo);
+    const std::size_t pose = bag->addTopic("/camera/pose", RosType::PoseStamped);
+    const std::size_t tf = bag->addTopic("/tf", RosType::TfMessage);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const std::int64_t stampNs = dataset::rosStampNs(path[i].timeS);
+        const dataset::RosHeader inCamera{static_cast<std::uint32_t>(i), stampNs, kCameraFrame};
+        const dataset::RosHeader inRoom{static_cast<std::uint32_t>(i), stampNs, kRoomFrame};
+        const Rigid3& roomFromCamera = path[i].roomFromCamera;
+        bag->write(tf, stampNs, tfMessage(ros, inRoom, kCameraFrame, roomFromCamera));
+        bag->write(pose, stampNs, poseMessage(ros, inRoom, roomFromCamera));
+        bag->write(cameraInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
+        bag->write(picture, stampNs,
+                   isRaw ? imageMessage(ros, inCamera, photo::readPicture(frames[i]))
+                         : pngMessage(ros, inCamera, readFile(frames[i])));
+    }
+    bag->finish();
+}
 
 constexpr std::size_t kSheetCells = 24;
 constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
-constexpr int kMethod = 2; ///< grows when the same walk gives other frames
+constexpr int kWalkMethod = 2; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
     const std::string number = std::to_string(frame);
@@ -55,7 +178,7 @@ FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report) {
 std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
                     const std::vector<TimedPose>& path, const WalkOptions& options) {
     std::string key =
-        text("walk ", kMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
+        text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
                 name(options.view.sampling), " ", name(options.stream.late));
     if (options.ball) {
@@ -101,6 +224,10 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
 }
 
 } // namespace
+
+BagPictures bagPictures(std::string_view name) {
+    return valueOf(kBagPictures, "The kind of a bag's pictures", name);
+}
 
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,

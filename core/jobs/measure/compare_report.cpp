@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare_words.h"
-
-#include "csv.h"
+#include "parts/csv.h"
+#include "parts/report_parts.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/compare_robot.h"
+#include "spherewalk/report/document.h"
 
 namespace spherewalk::jobs {
+
+using report::Document;
+using report::Paragraph;
 
 namespace {
 
@@ -31,7 +35,7 @@ std::vector<std::string> poseCells(const ComparedPicture& picture) {
     if (!picture.refined) {
         return {"-", "-", "-", "-", "-"};
     }
-    const measure::PoseFit& fit = *picture.refined;
+    const compare::PoseFit& fit = *picture.refined;
     if (!fit.isFitted) {
         return {text(fit.inliers, " of ", fit.points), "refused", "-", "-", "-"};
     }
@@ -66,7 +70,7 @@ Json poseJson(const Rigid3& pose) {
             {"room_from_camera", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}}};
 }
 
-Json refinementJson(const measure::PoseFit& fit) {
+Json refinementJson(const compare::PoseFit& fit) {
     return {{"refined", fit.isFitted},
             {"why", fit.isFitted ? Json() : Json(fit.why)},
             {"matches", fit.points},
@@ -99,10 +103,8 @@ Json fitJson(const CompareReport& report) {
             {"error_held_out", orNull(report.heldOutColourError)}};
 }
 
-} // namespace
-
-sheet::Table compareTable(const CompareReport& report) {
-    sheet::Table table{kTitles, {}, 1};
+report::Table compareTable(const CompareReport& report) {
+    report::Table table{kTitles, {}, 1};
     for (const ComparedPicture& picture : report.pictures) {
         table.rows.push_back(joined(joined({picture.file.filename().string()}, poseCells(picture)),
                                     likenessCells(picture.before, picture.after)));
@@ -133,8 +135,30 @@ std::vector<std::string> compareSentences(const CompareReport& report) {
     return result;
 }
 
+Document comparisonDocument(const CompareReport& report) {
+    Document document{"Views and the robot's pictures", {}};
+    document.blocks.emplace_back(Paragraph{
+        text(report.pictures.size(), " pictures",
+             report.refined > 0 ? text(", ", report.refined, " with refined poses") : "",
+             ". Pairs are before and after: from the given pose in the photos' colours, and from the refined "
+             "pose in "
+             "corrected colours. Colour is the mean distance of even spots' colours, in grey levels.")});
+    document.blocks.emplace_back(compareTable(report));
+    for (const std::string& sentence : compareSentences(report)) {
+        document.blocks.emplace_back(Paragraph{sentence});
+    }
+    for (const ShownPicture& shown : report.shown) {
+        document.blocks.emplace_back(
+            report::PictureRow{{shown.picture, shown.before, shown.after, shown.difference},
+                               {shown.name, "view before", "view after", "difference x 4"}});
+    }
+    return document;
+}
+
+} // namespace
+
 std::string compareText(const CompareReport& report) {
-    std::string result = tableText(compareTable(report));
+    std::string result = compareTable(report).text();
     for (const std::string& sentence : compareSentences(report)) {
         result += sentence + "\n";
     }
@@ -170,6 +194,10 @@ void writePoses(const CompareReport& report, const std::filesystem::path& file) 
         csv += "\n";
     }
     writeFile(file, bytesOf(csv));
+}
+
+void writeComparison(const CompareReport& report, const std::filesystem::path& folder) {
+    report::writeReportFolder(comparisonDocument(report), toJson(report), folder);
 }
 
 } // namespace spherewalk::jobs

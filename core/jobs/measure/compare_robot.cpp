@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/compare_robot.h"
 
-#include "description_change.h"
-#include "report_parts.h"
+#include "parts/report_parts.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/measure/displacement.h"
-#include "spherewalk/measure/pose_refinement.h"
+#include "spherewalk/compare/picture_matches.h"
+#include "spherewalk/compare/pose_fit.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
@@ -57,28 +57,29 @@ CompareSummary summary(const std::vector<ComparedPicture>& pictures,
 }
 
 /// The error of each half's colours after the correction that the other half tells.
-std::optional<double> heldOutError(const std::vector<measure::ColourSamples>& samples) {
+std::optional<double> heldOutError(const std::vector<compare::ColourSamples>& samples) {
     if (samples.size() < kFewestOfTwoHalves) {
         return std::nullopt;
     }
-    std::array<measure::ColourSamples, 2> halves;
+    std::array<compare::ColourSamples, 2> halves;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         halves[i % 2].add(samples[i]);
     }
     Mean mean;
     for (std::size_t half = 0; half < 2; ++half) {
-        const measure::ColourFit fit = measure::fittedColour(halves[1 - half]);
+        const compare::ColourFit fit = compare::fittedColour(halves[1 - half]);
         if (!fit.correction) {
             return std::nullopt;
         }
-        mean.add(measure::colourError(halves[half].samples, *fit.correction));
+        mean.add(compare::colourError(halves[half].samples, *fit.correction));
     }
     return mean.value();
 }
 
-class Comparison {
+class RobotComparison {
   public:
-    Comparison(const render::Renderer& renderer, const CameraModel& camera, const CompareOptions& options)
+    RobotComparison(const render::Renderer& renderer, const CameraModel& camera,
+                    const CompareOptions& options)
         : m_renderer(renderer),
           m_camera(camera),
           m_options(options),
@@ -117,9 +118,9 @@ class Comparison {
 
     static PictureLikeness likeness(const RgbImage& picture, const RgbImage& view,
                                     const std::optional<double>& colourError) {
-        const std::vector<measure::Displacement> moved = measure::matchedDisplacements(picture, view);
-        return {photo::psnr(picture, view), measure::quantile(moved, 0.5), measure::quantile(moved, 0.95),
-                moved.size(), colourError};
+        const std::vector<compare::Displacement> moved = compare::matchedDisplacements(picture, view);
+        return {photo::psnr(picture, view), quantile(moved, 0.5), quantile(moved, 0.95), moved.size(),
+                colourError};
     }
 
     /// From the given pose; and its refined pose, and its colours.
@@ -130,19 +131,19 @@ class Comparison {
         compared.given = picture.roomFromCamera;
         const render::View view = viewFrom(compared.given);
         compared.photo = view.report.file;
-        measure::ColourSamples colours = measure::colourSamples(view.picture, view.trust, taken);
-        compared.before = likeness(taken, view.picture, measure::colourError(colours.samples));
+        compare::ColourSamples colours = compare::colourSamples(view.picture, view.trust, taken);
+        compared.before = likeness(taken, view.picture, compare::colourError(colours.samples));
         if (m_options.refinesPoses) {
-            measure::PoseRefinementOptions refinement;
+            compare::PoseRefinementOptions refinement;
             refinement.view = m_options.view;
             compared.refined =
-                measure::refinedPose(m_renderer, m_camera, taken, compared.given, refinement, stop);
+                compare::refinedPose(m_renderer, m_camera, taken, compared.given, refinement, stop);
             m_report.refined += compared.refined->isFitted ? 1 : 0;
         }
         if (m_options.fitsColour) {
             if (compared.refined && compared.refined->isFitted) {
                 const render::View better = viewFrom(compared.used());
-                colours = measure::colourSamples(better.picture, better.trust, taken);
+                colours = compare::colourSamples(better.picture, better.trust, taken);
             }
             if (!compared.refined || compared.refined->isFitted) {
                 m_colours.push_back(std::move(colours));
@@ -154,11 +155,11 @@ class Comparison {
     void fitColour() {
         m_report.colour = m_renderer.dataset().info().colour;
         if (m_options.fitsColour) {
-            measure::ColourSamples all;
-            for (const measure::ColourSamples& samples : m_colours) {
+            compare::ColourSamples all;
+            for (const compare::ColourSamples& samples : m_colours) {
                 all.add(samples);
             }
-            m_report.fit = measure::fittedColour(all);
+            m_report.fit = compare::fittedColour(all);
             m_report.colour = m_report.fit->correction;
             m_report.heldOutColourError = heldOutError(m_colours);
         }
@@ -177,13 +178,13 @@ class Comparison {
         }
         const RgbImage taken = readRobotPicture(m_options.pictures[index], m_camera);
         render::View view = viewFrom(compared.used());
-        const measure::ColourSamples colours = measure::colourSamples(view.picture, view.trust, taken);
+        const compare::ColourSamples colours = compare::colourSamples(view.picture, view.trust, taken);
         if (m_tables) {
             m_tables->apply(view.picture, m_rays, m_pool);
         }
         compared.after = likeness(taken, view.picture,
-                                  m_report.colour ? measure::colourError(colours.samples, *m_report.colour)
-                                                  : measure::colourError(colours.samples));
+                                  m_report.colour ? compare::colourError(colours.samples, *m_report.colour)
+                                                  : compare::colourError(colours.samples));
         if (isShown(index)) {
             show(taken, view.picture, compared);
         }
@@ -212,7 +213,7 @@ class Comparison {
     const CompareOptions& m_options;
     WorkerPool m_pool;
     render::PixelRays m_rays;
-    std::vector<measure::ColourSamples> m_colours; ///< of pictures whose pose is good
+    std::vector<compare::ColourSamples> m_colours; ///< of pictures whose pose is good
     std::optional<render::ColourTables> m_tables;
     CompareReport m_report;
 };
@@ -226,15 +227,9 @@ CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& 
         throw Error(ErrorKind::InvalidInput, "There are no robot's pictures to compare with.");
     }
     const auto begin = std::chrono::steady_clock::now();
-    CompareReport report = Comparison(renderer, camera, options).run(progress, stop);
+    CompareReport report = RobotComparison(renderer, camera, options).run(progress, stop);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
-}
-
-void storeColour(const std::filesystem::path& dataset, const render::ColourCorrection& correction) {
-    correction.validate();
-    changeDescription(
-        dataset, [&](Json& description) { description["colour_correction"] = render::toJson(correction); });
 }
 
 } // namespace spherewalk::jobs

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/grid_study.h"
 
-#include "grid_lattice.h"
-#include "grid_study_words.h"
-#include "measure_summary.h"
-#include "subset_dataset.h"
+#include "measure/measure_summary.h"
+#include "measure/photo_grid.h"
+#include "parts/report_parts.h"
 
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/folder.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/render/renderer.h"
 #include "spherewalk/survey/plan_report.h"
 
 #include <algorithm>
@@ -16,14 +21,81 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <span>
 
 namespace spherewalk::jobs {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+/// The same file under another name where the file system can, else a copy.
+void place(const fs::path& from, const fs::path& to) {
+    std::error_code failure;
+    fs::create_directories(to.parent_path(), failure);
+    fs::create_hard_link(from, to, failure);
+    if (failure) {
+        failure.clear();
+        fs::copy_file(from, to, failure);
+    }
+    if (failure) {
+        throw Error(
+            failure == std::errc::no_space_on_device ? ErrorKind::Full : ErrorKind::Io,
+            text("Could not copy ", from.string(), " to ", to.string(), ": ", failure.message(), "."));
+    }
+}
+
+/// A dataset of some photos of another one, as if no others had been taken. Removed at the end.
+class SubsetDataset {
+  public:
+    /// depth: of these photos, in their order; its radius and room replace those of the whole dataset; null:
+    /// none. Errors: Io, Full; those of Dataset::open().
+    SubsetDataset(const render::Dataset& whole, std::span<const std::size_t> photos,
+                  const SurveyDepth* depth);
+
+    const render::Renderer& renderer() const { return *m_renderer; }
+
+  private:
+    TemporaryFolder m_folder{"spherewalk-subset"};
+    std::optional<render::Renderer> m_renderer;
+};
+
+SubsetDataset::SubsetDataset(const render::Dataset& whole, std::span<const std::size_t> photos,
+                             const SurveyDepth* depth) {
+    render::DatasetInfo info = whole.info();
+    info.choice.reset();
+    info.measuredErrorPx.clear();
+    info.photos.clear();
+    if (depth != nullptr) {
+        info.sphereRadiusM = depth->radiusM ? depth->radiusM : info.sphereRadiusM;
+        info.roomShape = depth->room;
+    }
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        render::DatasetPhoto photo = whole.info().photos[photos[i]];
+        photo.scene.reset();
+        photo.depth.clear();
+        if (depth != nullptr && !depth->files[i].empty()) {
+            photo.depth = text("depth/", depth->files[i].filename().string()); // says what it depends on
+            place(depth->files[i], m_folder.path() / photo.depth);
+        }
+        for (const std::string& name : {photo.file, photo.restartIndex, photo.thumbnail}) {
+            if (!name.empty()) {
+                place(whole.folder() / name, m_folder.path() / name);
+            }
+        }
+        info.photos.push_back(std::move(photo));
+    }
+    writeFile(m_folder.path() / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
+    m_renderer.emplace(std::make_shared<const render::Dataset>(render::Dataset::open(m_folder.path())));
+}
 
 using render::SceneKind;
 
 constexpr double kDepthShare = 0.7; ///< of a step's time, where depth is estimated
+
+std::string cm(double metres) {
+    return text(fixed(100 * metres, 0), " cm");
+}
 
 /// What is compared of one split.
 struct HeldOutView {
@@ -31,7 +103,7 @@ struct HeldOutView {
     Radians turn;
 };
 
-std::vector<HeldOutView> viewsOf(const GridSplit& split, std::size_t most, int directions) {
+std::vector<HeldOutView> heldOutViews(const GridSplit& split, std::size_t most, int directions) {
     std::vector<HeldOutView> views;
     for (const SpreadView& view : spreadViews(split.heldOut.size(), directions, most)) {
         const double share = static_cast<double>(view.direction) / directions;
@@ -51,10 +123,10 @@ class Study {
     }
 
     GridStudy run(ProgressSink& progress) {
-        const GridLattice lattice(m_places);
+        const PhotoGrid grid(m_places);
         std::vector<std::vector<GridSplit>> steps;
         for (int every = 1; every <= m_options.largest; ++every) {
-            steps.push_back(bestSplits(lattice, every, m_options.mostOffsets));
+            steps.push_back(bestSplits(grid, every, m_options.mostOffsets));
         }
         std::erase_if(steps, [](const auto& splits) { return splits.empty(); });
         if (steps.empty()) {
@@ -63,13 +135,13 @@ class Study {
                         "5 x 5 best, at the finest step that you would scan with.");
         }
         GridStudy study;
-        study.gridStepM = lattice.stepM();
+        study.gridStepM = grid.stepM();
         study.photos = m_places.size();
         study.tolerancePx = m_options.tolerancePx;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const auto all = static_cast<double>(steps.size());
             ProgressStep step(progress, static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
-            studyStep(steps[i], lattice.stepM(), step, study);
+            studyStep(steps[i], grid.stepM(), step, study);
         }
         return study;
     }
@@ -86,7 +158,7 @@ class Study {
             ProgressStep part(progress, static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
             kept += splits[i].kept.size();
             studySplit(splits[i], static_cast<std::size_t>(m_options.mostViews) / splits.size() + 1,
-                       text(fixed(100 * splits[i].grid.stepM(gridStepM), 0), " cm"), part, summaries);
+                       cm(splits[i].grid.stepM(gridStepM)), part, summaries);
         }
         for (const auto& [scene, summary] : summaries) {
             const SceneLikeness found = summary.result();
@@ -103,7 +175,7 @@ class Study {
         const SubsetDataset subset(m_renderer.dataset(), split.kept, depth ? &*depth : nullptr);
         const render::DatasetInfo& info = subset.renderer().dataset().info();
         const ComparisonCache cache(m_options.cacheFolder, info, m_camera.intrinsics());
-        const std::vector<HeldOutView> views = viewsOf(split, mostViews, m_options.directions);
+        const std::vector<HeldOutView> views = heldOutViews(split, mostViews, m_options.directions);
         std::vector<Comparisons> results(views.size());
         ProgressStep comparing(progress, shareOfDepth, 1);
         std::mutex mutex;
@@ -146,10 +218,10 @@ class Study {
             text("held out ", photos()[view.photo].sha256, " ", view.photo, " ", view.turn.value());
         Comparisons known = cache.read(key);
         const Rigid3 pose = levelPose(photos()[view.photo], view.turn);
-        const auto subject = [&] {
-            return Subject{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
+        const auto truth = [&] {
+            return TruePicture{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
         };
-        if (compareMissing(scenes, m_options.sampling, subject, from, m_camera, m_stop, known)) {
+        if (compareMissing(scenes, m_options.sampling, truth, from, m_camera, m_stop, known)) {
             cache.write(key, known);
         }
         return known;
@@ -204,6 +276,34 @@ GridAnswer answerOf(const GridStudy& study, SceneKind scene, const GridStudyOpti
         answer.cost = costOf(options, *answer.stepM);
     }
     return answer;
+}
+
+std::string costWords(const GridCost& cost) {
+    return text(cost.photos, " photos, about ",
+                humanDuration(std::chrono::duration<double>(60 * cost.minutes)));
+}
+
+std::string gridStudyReason(const GridStudy& study) {
+    const GridAnswer* best = nullptr;
+    for (const GridAnswer& answer : study.answers) {
+        if (answer.stepM && (best == nullptr || *answer.stepM > *best->stepM)) {
+            best = &answer;
+        }
+    }
+    const std::string wanted = text(fixed(study.tolerancePx, study.tolerancePx < 10 ? 1 : 0), " px");
+    if (best == nullptr) {
+        const auto least =
+            std::min_element(study.rows.begin(), study.rows.end(), [](const GridRow& a, const GridRow& b) {
+                return a.p95Px.value_or(1e9) < b.p95Px.value_or(1e9);
+            });
+        return text("None of the steps studied holds ", wanted, " in 95 of 100 places; the best, ",
+                    cm(least->stepM), " with the scene model ", name(least->scene), ", reaches ",
+                    orDash(least->p95Px), " px. Study a denser block, or allow more.");
+    }
+    return text("For ", wanted, " in 95 of 100 places a grid of ", cm(*best->stepM),
+                " is enough with the scene model ", name(best->scene),
+                best->isLargest ? " (no coarser one was studied)" : "",
+                best->cost ? text(": ", costWords(*best->cost)) : "", ".");
 }
 
 } // namespace

@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure_comparison.h"
+#include "measure/measure_comparison.h"
 
-#include "cache_key.h"
+#include "parts/cache_key.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/renderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 
 namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 5; ///< grows when the same dataset and subject give other comparisons
+constexpr int kComparisonMethod = 5; ///< grows when the same dataset and picture give other comparisons
 constexpr double kMostDb = 99;
-constexpr std::uint64_t kLargestFile = 64ULL << 20;
+constexpr std::uint64_t kLargestCacheFile = 64ULL << 20;
 constexpr int kMostHundredths = 10'000'000;
 constexpr int kMostMillimetres = 10'000'000;
 constexpr std::size_t kMostValues = 10'000'000;
 
-std::vector<int> hundredths(const std::vector<measure::Displacement>& displacements) {
+std::vector<int> hundredths(const std::vector<compare::Displacement>& displacements) {
     std::vector<int> result;
     result.reserve(displacements.size());
-    for (const measure::Displacement& displacement : displacements) {
+    for (const compare::Displacement& displacement : displacements) {
         result.push_back(
             static_cast<int>(std::lround(std::min(100 * displacement.errorPx, double{kMostHundredths}))));
     }
@@ -117,20 +122,20 @@ std::string contextOf(render::DatasetInfo info, const CameraIntrinsics& camera) 
         photo.scene.reset();
     }
     return sha256Hex(
-        bytesOf(text("measure ", kMethod, "\n", keyOf(camera), "\n", render::toJson(info).dump())));
+        bytesOf(text("measure ", kComparisonMethod, "\n", keyOf(camera), "\n", render::toJson(info).dump())));
 }
 
 } // namespace
 
-render::View viewOf(const Subject& subject, const render::Renderer& renderer, const CameraModel& camera,
+render::View viewOf(const TruePicture& truth, const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with) {
     render::ViewOptions wanted;
     wanted.scene = with.first;
     wanted.sampling = with.second;
-    wanted.threads = 1; // subjects are compared beside each other
-    wanted.without = subject.without;
-    wanted.wantsDepth = !subject.depth.empty();
-    return renderer.render(camera, subject.roomFromCamera, wanted);
+    wanted.threads = 1; // pictures are compared beside each other
+    wanted.without = truth.without;
+    wanted.wantsDepth = !truth.depth.empty();
+    return renderer.render(camera, truth.roomFromCamera, wanted);
 }
 
 namespace {
@@ -138,38 +143,38 @@ namespace {
 /// Every so many pixels of a row and rows. Things farther than 10 km count as none.
 constexpr int kThingEvery = 32;
 
-std::vector<SeenThing> thingsAt(const std::vector<measure::Displacement>& displacements,
-                                const Subject& subject, const CameraModel& camera) {
+std::vector<SeenThing> thingsAt(const std::vector<compare::Displacement>& displacements,
+                                const TruePicture& truth, const CameraModel& camera) {
     std::vector<SeenThing> things;
-    for (const measure::Displacement& displacement : displacements) {
+    for (const compare::Displacement& displacement : displacements) {
         const Eigen::Vector2i pixel = displacement.pixel.cast<int>();
         const auto ray = camera.ray(displacement.pixel);
-        const double z = *subject.depth.at(pixel.x(), pixel.y());
+        const double z = *truth.depth.at(pixel.x(), pixel.y());
         if (pixel.x() % kThingEvery == 0 && pixel.y() % kThingEvery == 0 && ray &&
             z < 1e-3 * kMostMillimetres) {
-            things.push_back({subject.roomFromCamera.rotation * (z / ray->z() * *ray), displacement.errorPx});
+            things.push_back({truth.roomFromCamera.rotation * (z / ray->z() * *ray), displacement.errorPx});
         }
     }
     return things;
 }
 
-Comparison compared(const Subject& subject, const measure::PictureFeatures& features,
+Comparison compared(const TruePicture& truth, const compare::PictureFeatures& features,
                     const render::Renderer& renderer, const CameraModel& camera,
                     const SceneAndSampling& with) {
-    const render::View view = viewOf(subject, renderer, camera, with);
+    const render::View view = viewOf(truth, renderer, camera, with);
     Comparison result;
     result.photo = view.report.photo;
-    result.psnrDb = std::min(kMostDb, photo::psnr(subject.picture, view.picture));
-    result.ssim = photo::structuralSimilarity(subject.picture, view.picture);
+    result.psnrDb = std::min(kMostDb, photo::psnr(truth.picture, view.picture));
+    result.ssim = photo::structuralSimilarity(truth.picture, view.picture);
     result.matched =
-        hundredths(measure::matchedDisplacements(features, measure::PictureFeatures(view.picture)));
-    if (!subject.depth.empty()) {
+        hundredths(compare::matchedDisplacements(features, compare::PictureFeatures(view.picture)));
+    if (!truth.depth.empty()) {
         const Eigen::Vector3d photoAt =
             renderer.dataset().info().photos[result.photo].roomFromPhoto.translation;
-        const std::vector<measure::Displacement> exact =
-            measure::exactDisplacements(camera, subject.roomFromCamera, photoAt, subject.depth, view.depth);
+        const std::vector<compare::Displacement> exact =
+            compare::exactDisplacements(camera, truth.roomFromCamera, photoAt, truth.depth, view.depth);
         result.exact = hundredths(exact);
-        result.things = thingsAt(exact, subject, camera);
+        result.things = thingsAt(exact, truth, camera);
     }
     return result;
 }
@@ -177,7 +182,7 @@ Comparison compared(const Subject& subject, const measure::PictureFeatures& feat
 } // namespace
 
 bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampling sampling,
-                    const std::function<Subject()>& subject, const render::Renderer& renderer,
+                    const std::function<TruePicture()>& picture, const render::Renderer& renderer,
                     const CameraModel& camera, const std::stop_token& stop, Comparisons& known) {
     std::vector<SceneAndSampling> missing;
     for (const render::SceneKind scene : scenes) {
@@ -189,8 +194,8 @@ bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampli
     if (missing.empty()) {
         return false;
     }
-    const Subject truth = subject();
-    const measure::PictureFeatures features(truth.picture);
+    const TruePicture truth = picture();
+    const compare::PictureFeatures features(truth.picture);
     for (const SceneAndSampling& rung : missing) {
         throwIfStopped(stop);
         known.views[rung] = compared(truth, features, renderer, camera, rung);
@@ -198,7 +203,7 @@ bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampli
     return true;
 }
 
-SamplingErrors samplingErrors(const Subjects::Place& place, const render::Renderer& renderer,
+SamplingErrors samplingErrors(const TruePictures::Place& place, const render::Renderer& renderer,
                               const CameraModel& camera) {
     render::ViewOptions wanted;
     wanted.scene = render::SceneKind::None; // the pixels of one photo, wherever they should be
@@ -206,14 +211,14 @@ SamplingErrors samplingErrors(const Subjects::Place& place, const render::Render
     wanted.without = place.without;
     const auto features = [&](render::Sampling sampling) {
         wanted.sampling = sampling;
-        return measure::PictureFeatures(renderer.render(camera, place.roomFromCamera, wanted).picture);
+        return compare::PictureFeatures(renderer.render(camera, place.roomFromCamera, wanted).picture);
     };
     const std::size_t photo =
         renderer.dataset().nearestPhoto(place.roomFromCamera.translation, place.without);
-    const measure::PictureFeatures best = features(bestSampling(renderer, photo, camera));
+    const compare::PictureFeatures best = features(bestSampling(renderer, photo, camera));
     SamplingErrors errors;
     for (const render::Sampling sampling : kSamplings) {
-        errors[sampling] = hundredths(measure::matchedDisplacements(best, features(sampling)));
+        errors[sampling] = hundredths(compare::matchedDisplacements(best, features(sampling)));
     }
     return errors;
 }
@@ -228,16 +233,16 @@ ComparisonCache::ComparisonCache(std::filesystem::path folder, const render::Dat
     ensureFolder(m_folder);
 }
 
-std::filesystem::path ComparisonCache::fileOf(const std::string& subjectKey) const {
-    return m_folder / (sha256Hex(bytesOf(m_context + "\n" + subjectKey)).substr(0, 32) + ".cbor");
+std::filesystem::path ComparisonCache::fileOf(const std::string& pictureKey) const {
+    return m_folder / (sha256Hex(bytesOf(m_context + "\n" + pictureKey)).substr(0, 32) + ".cbor");
 }
 
-Comparisons ComparisonCache::read(const std::string& subjectKey) const {
-    if (m_folder.empty() || !std::filesystem::is_regular_file(fileOf(subjectKey))) {
+Comparisons ComparisonCache::read(const std::string& pictureKey) const {
+    if (m_folder.empty() || !std::filesystem::is_regular_file(fileOf(pictureKey))) {
         return {};
     }
-    const std::filesystem::path file = fileOf(subjectKey);
-    const Bytes bytes = readFile(file, kLargestFile);
+    const std::filesystem::path file = fileOf(pictureKey);
+    const Bytes bytes = readFile(file, kLargestCacheFile);
     try {
         const Json json = Json::from_cbor(bytes);
         return comparisonsOf(JsonReader(json, file.string()), m_photos);
@@ -248,10 +253,112 @@ Comparisons ComparisonCache::read(const std::string& subjectKey) const {
     }
 }
 
-void ComparisonCache::write(const std::string& subjectKey, const Comparisons& comparisons) const {
+void ComparisonCache::write(const std::string& pictureKey, const Comparisons& comparisons) const {
     if (!m_folder.empty()) {
-        writeFile(fileOf(subjectKey), Json::to_cbor(jsonOf(comparisons)));
+        writeFile(fileOf(pictureKey), Json::to_cbor(jsonOf(comparisons)));
     }
+}
+
+namespace {
+
+TruePicture robotTruePicture(const RobotPicture& picture, const CameraModel& camera) {
+    TruePicture truth{picture.roomFromCamera, readRobotPicture(picture, camera), {}, {}};
+    if (!picture.depthFile.empty()) {
+        truth.depth = photo::readDepthPng(picture.depthFile);
+    }
+    return truth;
+}
+
+std::string fileKey(const std::filesystem::path& file) {
+    return file.empty() ? "-" : sha256HexOfFile(file);
+}
+
+/// How far away the photo says things are, along the camera's axis; empty if it says nothing.
+DepthImage depthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+                          const Rigid3& roomFromCamera) {
+    if (renderer.dataset().info().photos[photo].depth.empty()) {
+        return {};
+    }
+    render::ViewOptions view;
+    view.scene = render::SceneKind::Depth;
+    view.sampling = render::Sampling::Nearest; // its pixels are not looked at
+    view.threads = 1;
+    view.wantsDepth = true;
+    return renderer.render(camera, roomFromCamera, view).depth;
+}
+
+} // namespace
+
+std::vector<SpreadView> spreadViews(std::size_t photos, int directions, std::size_t most) {
+    const auto turns = static_cast<std::size_t>(directions);
+    const std::size_t count = std::min(photos * turns, most);
+    const std::size_t spread = std::min(photos, count);
+    std::set<SpreadView> views;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = k % spread;
+        views.insert({i * photos / spread, (i + k / spread) % turns});
+    }
+    return {views.begin(), views.end()};
+}
+
+TruePictures robotTruePictures(const MeasureOptions& options, const CameraModel& camera) {
+    return {options.pictures.size(),
+            [&](std::size_t i) {
+                const RobotPicture& picture = options.pictures[i];
+                return TruePictures::Place{picture.file.filename().string(), picture.roomFromCamera, {}};
+            },
+            [&](std::size_t i) { return robotTruePicture(options.pictures[i], camera); },
+            [&](std::size_t i) {
+                const RobotPicture& picture = options.pictures[i];
+                return text(fileKey(picture.file), " ", fileKey(picture.depthFile), " ",
+                            keyOf(picture.roomFromCamera));
+            }};
+}
+
+Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn) {
+    return {(yawRotation(turn) * bodyFromOptical()).normalized(), photo.roomFromPhoto.translation};
+}
+
+render::Sampling bestSampling(const render::Renderer& renderer, std::size_t photo,
+                              const CameraModel& camera) {
+    const double photoPxPerRad = renderer.dataset().info().photos[photo].width / (2 * std::numbers::pi);
+    return photoPxPerRad < camera.intrinsics().fx ? render::Sampling::Bicubic : render::Sampling::Footprint;
+}
+
+RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+                        const Rigid3& roomFromCamera) {
+    render::ViewOptions view;
+    view.scene = render::SceneKind::None; // from its own place a photo is the truth
+    view.sampling = bestSampling(renderer, photo, camera);
+    view.threads = 1;
+    return renderer.render(camera, roomFromCamera, view).picture;
+}
+
+TruePictures leftOutTruePictures(const MeasureOptions& options, const render::Renderer& renderer,
+                                 const CameraModel& camera) {
+    const std::vector<render::DatasetPhoto>& photos = renderer.dataset().info().photos;
+    if (photos.size() < 2) {
+        return {};
+    }
+    const std::vector<SpreadView> views =
+        spreadViews(photos.size(), options.directions, static_cast<std::size_t>(options.mostViews));
+    const double step = 2 * std::numbers::pi / options.directions;
+    const auto place = [=, &photos](std::size_t i) {
+        const std::size_t photo = views[i].photo;
+        const Radians turn(step * static_cast<double>(views[i].direction));
+        return TruePictures::Place{text(photos[photo].file, " ", std::lround(Degrees(turn).value()), " deg"),
+                                   levelPose(photos[photo], turn), photo};
+    };
+    const auto get = [=, &renderer, &camera](std::size_t i) {
+        const TruePictures::Place at = place(i);
+        return TruePicture{at.roomFromCamera,
+                           truthFromPhoto(renderer, *at.without, camera, at.roomFromCamera),
+                           depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without};
+    };
+    const auto key = [=](std::size_t i) {
+        return text("left out ", views[i].photo, " ", step * static_cast<double>(views[i].direction));
+    };
+    return {views.size(), place, get, key};
 }
 
 } // namespace spherewalk::jobs

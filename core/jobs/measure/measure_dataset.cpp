@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
-#include "description_change.h"
-#include "measure_comparison.h"
-#include "measure_prediction.h"
-#include "measure_summary.h"
+#include "measure/measure_comparison.h"
+#include "measure/measure_summary.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/median.h"
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/render/renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -40,19 +39,21 @@ std::vector<SceneKind> wantedScenes(const MeasureOptions& options, const render:
     return {*options.scene};
 }
 
-/// One set of subjects being compared.
+/// Compares the views with photos that are left out, or with the robot's pictures.
 class Measurement {
   public:
     Measurement(const render::Renderer& renderer, const CameraModel& camera, const MeasureOptions& options,
-                Subjects subjects)
+                bool isLeaveOneOut)
         : m_renderer(renderer),
           m_camera(camera),
           m_options(options),
-          m_subjects(std::move(subjects)),
+          m_isLeaveOneOut(isLeaveOneOut),
+          m_pictures(isLeaveOneOut ? leftOutTruePictures(options, renderer, camera)
+                                   : robotTruePictures(options, camera)),
           m_cache(options.cacheFolder, renderer.dataset().info(), camera.intrinsics()),
           m_scenes(wantedScenes(options, renderer.dataset().info())),
-          m_results(m_subjects.count) {
-        if (m_subjects.count == 0) {
+          m_results(m_pictures.count) {
+        if (m_pictures.count == 0) {
             throw Error(ErrorKind::InvalidInput,
                         "Could not measure: with a single photo there is nothing to compare it with.");
         }
@@ -61,24 +62,28 @@ class Measurement {
     /// Only the views of this part, into the cache.
     MeasuredPart runPart(const Shard& shard, ProgressSink& progress, const std::stop_token& stop) {
         std::vector<std::size_t> part;
-        for (std::size_t i = shard.index; i < m_subjects.count; i += shard.count) { // alike in what they cost
+        for (std::size_t i = shard.index; i < m_pictures.count; i += shard.count) { // alike in what they cost
             part.push_back(i);
         }
         compare(part, progress, stop);
-        return {part.size(), m_reused, m_subjects.count};
+        return {part.size(), m_reused, m_pictures.count};
     }
 
     MeasureReport run(ProgressSink& progress, const std::stop_token& stop) {
+        const auto begin = std::chrono::steady_clock::now();
         ProgressStep comparing(progress, 0, 0.95);
-        std::vector<std::size_t> all(m_subjects.count);
+        std::vector<std::size_t> all(m_pictures.count);
         std::iota(all.begin(), all.end(), 0);
         compare(all, comparing, stop);
         ProgressStep timing(progress, 0.95, 1);
         MeasureReport report = summarised();
         timeAll(report, timing, stop);
+        choose(report);
+        report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return report;
     }
 
+  private:
     /// The views of a scene model that are farthest from the truth.
     std::vector<ShownView> worstViews(const SceneLikeness& scene) const {
         std::vector<const ViewLikeness*> views;
@@ -93,48 +98,59 @@ class Measurement {
         views.resize(count);
         std::vector<ShownView> result;
         for (const ViewLikeness* likeness : views) {
-            const Subject subject = m_subjects.get(likeness->index);
+            const TruePicture truth = m_pictures.get(likeness->index);
             result.push_back(
-                shownView(*likeness, m_options.places, subject.picture,
-                          viewOf(subject, m_renderer, m_camera, {scene.scene, scene.sampling}).picture));
+                shownView(*likeness, m_options.places, truth.picture,
+                          viewOf(truth, m_renderer, m_camera, {scene.scene, scene.sampling}).picture));
         }
         return result;
     }
 
-  private:
-    /// Whether the samplings are compared on this subject; evenly spread.
-    bool comparesSamplings(std::size_t subject) const {
-        return (subject * samplingViews()) % m_subjects.count < samplingViews();
+    void choose(MeasureReport& report) const {
+        report.choice = chosen(report, m_options.tolerancePx);
+        for (const double tolerancePx : kTolerancesPx) {
+            report.choices.push_back(chosen(report, tolerancePx));
+        }
+        for (const SceneLikeness& scene : report.scenes) {
+            if (report.choice.rung && scene.scene == report.rungs[*report.choice.rung].scene) {
+                report.worst = worstViews(scene);
+            }
+        }
+    }
+
+    /// Whether the samplings are compared on this picture; evenly spread.
+    bool comparesSamplings(std::size_t picture) const {
+        return (picture * samplingViews()) % m_pictures.count < samplingViews();
     }
 
     std::size_t samplingViews() const {
-        return std::min(m_subjects.count, static_cast<std::size_t>(m_options.samplingViews));
+        return std::min(m_pictures.count, static_cast<std::size_t>(m_options.samplingViews));
     }
 
-    void compare(const std::vector<std::size_t>& subjects, ProgressSink& progress,
+    void compare(const std::vector<std::size_t>& pictures, ProgressSink& progress,
                  const std::stop_token& stop) {
         std::mutex mutex;
         std::size_t done = 0;
-        parallelFor(static_cast<int>(subjects.size()), 1, m_options.threads, [&](int i, int /*end*/) {
-            const bool isReused = compareOne(subjects[static_cast<std::size_t>(i)], stop);
+        parallelFor(static_cast<int>(pictures.size()), 1, m_options.threads, [&](int i, int /*end*/) {
+            const bool isReused = compareOne(pictures[static_cast<std::size_t>(i)], stop);
             const std::scoped_lock lock(mutex);
             m_reused += isReused ? 1 : 0;
             ++done;
-            progress.progress(static_cast<double>(done) / static_cast<double>(subjects.size()),
-                              text("Comparing view ", done, " of ", subjects.size()));
+            progress.progress(static_cast<double>(done) / static_cast<double>(pictures.size()),
+                              text("Comparing view ", done, " of ", pictures.size()));
         });
     }
 
     /// Whether all was known from an earlier run.
     bool compareOne(std::size_t i, const std::stop_token& stop) {
-        const std::string key = m_subjects.key(i);
+        const std::string key = m_pictures.key(i);
         Comparisons known = m_cache.read(key);
         const bool lacksSamplings = comparesSamplings(i) && known.samplings.empty();
         const bool lackedScenes = compareMissing(
-            m_scenes, m_options.sampling, [&] { return m_subjects.get(i); }, m_renderer, m_camera, stop,
+            m_scenes, m_options.sampling, [&] { return m_pictures.get(i); }, m_renderer, m_camera, stop,
             known);
         if (lacksSamplings) {
-            known.samplings = samplingErrors(m_subjects.place(i), m_renderer, m_camera);
+            known.samplings = samplingErrors(m_pictures.place(i), m_renderer, m_camera);
         }
         const bool isReused = !lackedScenes && !lacksSamplings;
         if (!isReused) {
@@ -148,6 +164,7 @@ class Measurement {
         const render::DatasetInfo& info = m_renderer.dataset().info();
         MeasureReport report;
         report.dataset = info.name;
+        report.isLeaveOneOut = m_isLeaveOneOut;
         report.photos = info.photos.size();
         report.places = m_options.places;
         report.directions = m_options.directions;
@@ -156,14 +173,14 @@ class Measurement {
         report.focalPx = std::max(m_camera.intrinsics().fx, m_camera.intrinsics().fy);
         report.samplingViews = samplingViews();
         SamplingSummary samplings;
-        for (std::size_t i = 0; i < m_subjects.count; ++i) {
+        for (std::size_t i = 0; i < m_pictures.count; ++i) {
             if (comparesSamplings(i)) {
                 samplings.add(m_results[i].samplings);
             }
         }
         for (const SceneKind scene : m_scenes) {
             SceneSummary summary(scene, m_options.sampling, m_options.places);
-            for (std::size_t i = 0; i < m_subjects.count; ++i) {
+            for (std::size_t i = 0; i < m_pictures.count; ++i) {
                 const Comparison& comparison = m_results[i].views.at({scene, m_options.sampling});
                 summary.add(comparison, likenessOf(i, comparison));
             }
@@ -180,7 +197,7 @@ class Measurement {
 
     /// What is known of a view before it was compared.
     ViewLikeness likenessOf(std::size_t i, const Comparison& comparison) const {
-        const Subjects::Place place = m_subjects.place(i);
+        const TruePictures::Place place = m_pictures.place(i);
         const render::DatasetPhoto& from = m_renderer.dataset().info().photos[comparison.photo];
         ViewLikeness view;
         view.subject = place.name;
@@ -206,9 +223,9 @@ class Measurement {
     /// One after the other, all rungs in turns, so that what else the machine does meets all alike.
     void timeAll(MeasureReport& report, ProgressSink& progress, const std::stop_token& stop) const {
         std::vector<std::vector<double>> ms(report.rungs.size());
-        const std::size_t count = std::min(m_subjects.count, kTimedViews);
+        const std::size_t count = std::min(m_pictures.count, kTimedViews);
         for (std::size_t k = 0; k < count; ++k) {
-            const Subjects::Place place = m_subjects.place(k * m_subjects.count / count);
+            const TruePictures::Place place = m_pictures.place(k * m_pictures.count / count);
             for (int round = -1; round < kTimedRounds; ++round) { // the first decodes
                 for (std::size_t r = 0; r < report.rungs.size(); ++r) {
                     throwIfStopped(stop);
@@ -234,40 +251,13 @@ class Measurement {
     const render::Renderer& m_renderer;
     const CameraModel& m_camera;
     const MeasureOptions& m_options;
-    Subjects m_subjects;
+    bool m_isLeaveOneOut;
+    TruePictures m_pictures;
     ComparisonCache m_cache;
     std::vector<SceneKind> m_scenes;
     std::vector<Comparisons> m_results;
     std::size_t m_reused = 0;
 };
-
-Subjects subjectsOf(const render::Renderer& renderer, const CameraModel& camera,
-                    const MeasureOptions& options, bool isLeaveOneOut) {
-    return isLeaveOneOut ? leftOutSubjects(options, renderer, camera) : robotSubjects(options, camera);
-}
-
-MeasureReport measured(const render::Renderer& renderer, const CameraModel& camera,
-                       const MeasureOptions& options, bool isLeaveOneOut, ProgressSink& progress,
-                       const std::stop_token& stop) {
-    const auto begin = std::chrono::steady_clock::now();
-    Measurement measurement(renderer, camera, options, subjectsOf(renderer, camera, options, isLeaveOneOut));
-    MeasureReport report = measurement.run(progress, stop);
-    report.isLeaveOneOut = isLeaveOneOut;
-    report.choice = chosen(report, options.tolerancePx);
-    for (const double tolerancePx : kTolerancesPx) {
-        report.choices.push_back(chosen(report, tolerancePx));
-    }
-    if (report.choice.rung) {
-        const SceneKind scene = report.rungs[*report.choice.rung].scene;
-        for (const SceneLikeness& of : report.scenes) {
-            if (of.scene == scene) {
-                report.worst = measurement.worstViews(of);
-            }
-        }
-    }
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return report;
-}
 
 } // namespace
 
@@ -285,16 +275,16 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
                              const std::stop_token& stop) {
     options.validate();
     if (options.pictures.empty()) {
-        return measured(renderer, camera, options, true, progress, stop);
+        return Measurement(renderer, camera, options, true).run(progress, stop);
     }
     ProgressStep comparing(progress, 0, 0.4);
-    MeasureReport report = measured(renderer, camera, options, false, comparing, stop);
+    MeasureReport report = Measurement(renderer, camera, options, false).run(comparing, stop);
     if (renderer.dataset().info().photos.size() > 1) {
         ProgressStep leaving(progress, 0.4, 1);
         MeasureOptions leftOut = options;
         leftOut.worst = 0;
         auto foretold =
-            std::make_shared<MeasureReport>(measured(renderer, camera, leftOut, true, leaving, stop));
+            std::make_shared<MeasureReport>(Measurement(renderer, camera, leftOut, true).run(leaving, stop));
         report.predictions = predictions(*foretold, report, camera);
         report.leaveOneOut = std::move(foretold);
     }
@@ -314,29 +304,11 @@ MeasuredPart measurePart(const render::Renderer& renderer, const CameraModel& ca
             ProgressStep step(progress, isLeaveOneOut && !options.pictures.empty() ? 0.5 : 0,
                               isLeaveOneOut ? 1 : 0.5);
             const MeasuredPart part =
-                Measurement(renderer, camera, options, subjectsOf(renderer, camera, options, isLeaveOneOut))
-                    .runPart(shard, step, stop);
+                Measurement(renderer, camera, options, isLeaveOneOut).runPart(shard, step, stop);
             all = {all.views + part.views, all.reused + part.reused, all.ofViews + part.ofViews};
         }
     }
     return all;
-}
-
-void storeChoice(const std::filesystem::path& dataset, const MeasureReport& report) {
-    const std::optional<render::ViewChoice> choice = viewChoice(report);
-    if (!choice) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("There is no choice to store in ", dataset.string(), ": ", report.choice.reason));
-    }
-    std::map<SceneKind, double> errors;
-    for (const SceneLikeness& scene : report.scenes) {
-        if (const auto errorPx = scene.errorPx(report.places)) {
-            errors[scene.scene] = *errorPx;
-        }
-    }
-    changeDescription(dataset, [&](Json& description) {
-        render::putMeasured(description, *choice, errors, report.choice.photoScenes);
-    });
 }
 
 } // namespace spherewalk::jobs

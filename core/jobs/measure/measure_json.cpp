@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report_parts.h"
+#include "parts/report_parts.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/grid_study.h"
+#include "spherewalk/jobs/measure_page.h"
 #include "spherewalk/jobs/measure_report.h"
+#include "spherewalk/render/ladder.h"
 
 namespace spherewalk::jobs {
 
@@ -110,6 +117,98 @@ Json toJson(const MeasureReport& report) {
             {"left_out", report.leaveOneOut ? toJson(*report.leaveOneOut) : Json()},
             {"predictions", predictions},
             {"seconds", report.seconds}};
+}
+
+namespace {
+
+[[noreturn]] void failUnmeasured(const std::filesystem::path& file) {
+    throw Error(ErrorKind::InvalidInput, text("The report ", file.string(),
+                                              " says nothing about single photos: measure a dataset of two "
+                                              "photos or more, and take that report."));
+}
+
+/// The entry of the scene model in "scenes".
+JsonReader sceneOf(const JsonReader& measured, render::SceneKind scene) {
+    const JsonReader scenes = measured.member("scenes");
+    for (std::size_t i = 0; i < scenes.arraySize(); ++i) {
+        if (render::sceneKind(scenes.element(i), "scene") == scene) {
+            return scenes.element(i);
+        }
+    }
+    scenes.fail("the scene model that was chosen is missing");
+}
+
+Json costJson(const GridCost& cost) {
+    return {{"step_m", cost.stepM}, {"photos", cost.photos}, {"minutes", cost.minutes}};
+}
+
+} // namespace
+
+MeasuredPhotos readMeasuredPhotos(const std::filesystem::path& reportFile) {
+    const Json json = parseJson(readTextFile(reportFile), reportFile.string());
+    const JsonReader report(json, reportFile.string());
+    JsonReader measured = report.member("measured");
+    if (measured.value().is_object() && !measured.isAbsent("left_out")) {
+        measured = measured.member("left_out"); // beside pictures of a robot
+    }
+    if (!measured.value().is_object() || !measured.boolean("leave_one_out") ||
+        measured.member("choice").isAbsent("rung")) {
+        failUnmeasured(reportFile);
+    }
+    MeasuredPhotos result;
+    const JsonReader dataset = report.member("dataset");
+    result.surveyId = dataset.string("survey_id");
+    result.dataset = dataset.string("name");
+    const JsonReader files = dataset.member("photos");
+    for (std::size_t i = 0; i < files.arraySize(); ++i) {
+        result.photos.push_back({files.element(i).asString(), {}});
+    }
+    const JsonReader choice = measured.member("choice");
+    result.tolerancePx = choice.number("tolerance_px");
+    result.focalPx = measured.number("camera_focal_px");
+    result.scene = render::sceneKind(choice.member("rung"), "scene");
+    const JsonReader errors = sceneOf(measured, result.scene).member("photos");
+    for (std::size_t i = 0; i < errors.arraySize(); ++i) {
+        const JsonReader error = errors.element(i);
+        const auto photo = static_cast<std::size_t>(
+            error.integer("photo", 0, static_cast<std::int64_t>(result.photos.size()) - 1));
+        if (!error.isAbsent("p95_px")) {
+            result.photos[photo].p95Px = error.number("p95_px");
+        }
+    }
+    return result;
+}
+
+Json toJson(const GridStudy& study) {
+    Json rows = Json::array();
+    for (const GridRow& row : study.rows) {
+        rows.push_back({{"step_m", row.stepM},
+                        {"scene", name(row.scene)},
+                        {"kept_photos", row.keptPhotos},
+                        {"views", row.views},
+                        {"mean_psnr_db", row.meanPsnrDb},
+                        {"median_px", orNull(row.medianPx)},
+                        {"p95_px", orNull(row.p95Px)}});
+    }
+    Json costs = Json::array();
+    for (const GridCost& cost : study.costs) {
+        costs.push_back(costJson(cost));
+    }
+    Json answers = Json::array();
+    for (const GridAnswer& answer : study.answers) {
+        answers.push_back({{"scene", name(answer.scene)},
+                           {"step_m", orNull(answer.stepM)},
+                           {"is_largest_studied", answer.isLargest},
+                           {"cost", answer.cost ? costJson(*answer.cost) : Json()}});
+    }
+    return {{"grid_step_m", study.gridStepM},
+            {"photos", study.photos},
+            {"tolerance_px", study.tolerancePx},
+            {"rows", rows},
+            {"costs", costs},
+            {"answers", answers},
+            {"reason", study.reason},
+            {"seconds", study.seconds}};
 }
 
 } // namespace spherewalk::jobs

@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure_plots.h"
+#include "measure/measure_plots.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/measure/chart.h"
-#include "spherewalk/measure/plot_axis.h"
+#include "spherewalk/report/chart.h"
 
 #include <algorithm>
 #include <map>
 
 namespace spherewalk::jobs {
 
-using measure::Chart;
-using measure::Scale;
-using measure::Svg;
-using measure::SvgBox;
-using measure::SvgPoint;
+using report::Chart;
+using report::Scale;
+using report::Svg;
+using report::SvgBox;
+using report::SvgPoint;
 
 namespace {
 
-constexpr int kWidth = 760;
-constexpr int kHeight = 440;
-constexpr SvgBox kFrame{80, 80, 480, 290};
+constexpr int kPlotWidth = 760;
+constexpr int kPlotHeight = 440;
+constexpr SvgBox kPlotFrame{80, 80, 480, 290};
 constexpr double kLeastPx = 0.05; ///< what is shown is not less
 constexpr double kLeastMs = 0.05;
 
@@ -34,7 +33,7 @@ struct Extent {
         greatest = std::max(greatest, value);
     }
 
-    std::vector<double> ticks() const { return measure::logarithmicTicks(0.85 * least, 1.15 * greatest); }
+    std::vector<double> ticks() const { return report::logarithmicTicks(0.85 * least, 1.15 * greatest); }
 };
 
 struct Point {
@@ -56,7 +55,7 @@ void label(Svg& svg, const SvgPoint& point, const std::string& words, std::vecto
           SvgPoint{point.x - width - 2, point.y + kBelowPx}, SvgPoint{point.x + 6, point.y - 2.5 * kAbovePx},
           SvgPoint{point.x + 6, point.y + 1.8 * kBelowPx}}) {
         const SvgBox box = Svg::extent(at, words, Svg::Text::Small);
-        if (!words.empty() && box.x > kFrame.x &&
+        if (!words.empty() && box.x > kPlotFrame.x &&
             std::none_of(taken.begin(), taken.end(), [&](const SvgBox& t) { return t.overlaps(box); })) {
             svg.text(at, words, Svg::Text::Small);
             taken.push_back(box);
@@ -68,7 +67,7 @@ void label(Svg& svg, const SvgPoint& point, const std::string& words, std::vecto
 /// A line for each scene model on logarithmic axes, with the tolerance and a legend.
 std::string linesPlot(const std::string& title, const std::string& below, const std::string& xCaption,
                       const Lines& lines, double tolerancePx) {
-    Svg svg(kWidth, kHeight, title);
+    Svg svg(kPlotWidth, kPlotHeight, title);
     svg.text({24, 30}, title, Svg::Text::Title);
     svg.text({24, 52}, below, Svg::Text::Small);
     Extent x;
@@ -80,17 +79,17 @@ std::string linesPlot(const std::string& title, const std::string& below, const 
             y.add(point.y);
         }
     }
-    Chart chart(svg, kFrame);
+    Chart chart(svg, kPlotFrame);
     chart.xAxis(x.ticks(), Scale::Logarithmic, xCaption);
     chart.yAxis(y.ticks(), Scale::Logarithmic, "95th percentile, px");
     chart.axisLines();
-    const double right = kFrame.x + kFrame.width;
-    svg.line({kFrame.x, chart.y(tolerancePx)}, {right, chart.y(tolerancePx)}, Svg::Line::Dashed);
+    const double right = kPlotFrame.x + kPlotFrame.width;
+    svg.line({kPlotFrame.x, chart.y(tolerancePx)}, {right, chart.y(tolerancePx)}, Svg::Line::Dashed);
     svg.text({right + 8, chart.y(tolerancePx) + 4}, text("tolerance ", tolerancePx, " px"), Svg::Text::Small);
-    double legend = kFrame.y + 4;
+    double legend = kPlotFrame.y + 4;
     std::vector<SvgBox> taken;
     for (const auto& [scene, points] : lines) {
-        const auto colour = measure::seriesColour(static_cast<std::size_t>(scene));
+        const auto colour = report::seriesColour(static_cast<std::size_t>(scene));
         std::vector<SvgPoint> at;
         for (const Point& point : points) {
             at.push_back({chart.x(point.x), chart.y(point.y)});
@@ -137,7 +136,7 @@ std::string gridPlot(const GridStudy& study) {
 }
 
 std::string predictionPlot(const MeasureReport& report) {
-    Svg svg(kWidth, kHeight, "Foretold and found");
+    Svg svg(kPlotWidth, kPlotHeight, "Foretold and found");
     svg.text({24, 30}, "Foretold and found", Svg::Text::Title);
     svg.text({24, 52},
              "Median error of each of the robot's pictures against what leaving photos out foretold",
@@ -152,15 +151,15 @@ std::string predictionPlot(const MeasureReport& report) {
     if (both.greatest <= 0) {
         return svg.str();
     }
-    Chart chart(svg, kFrame);
+    Chart chart(svg, kPlotFrame);
     chart.xAxis(both.ticks(), Scale::Logarithmic, "foretold, px");
     chart.yAxis(both.ticks(), Scale::Logarithmic, "found, px");
     chart.axisLines();
-    const double right = kFrame.x + kFrame.width;
-    svg.line({kFrame.x, chart.bottom()}, {right, kFrame.y}, Svg::Line::Dashed);
-    double legend = kFrame.y + 4;
+    const double right = kPlotFrame.x + kPlotFrame.width;
+    svg.line({kPlotFrame.x, chart.bottom()}, {right, kPlotFrame.y}, Svg::Line::Dashed);
+    double legend = kPlotFrame.y + 4;
     for (const Prediction& prediction : report.predictions) {
-        const auto colour = measure::seriesColour(static_cast<std::size_t>(prediction.scene));
+        const auto colour = report::seriesColour(static_cast<std::size_t>(prediction.scene));
         for (std::size_t i = 0; i < prediction.foundPx.size(); ++i) {
             svg.circle({chart.x(std::max(kLeastPx, prediction.foretoldPx[i])),
                         chart.y(std::max(kLeastPx, prediction.foundPx[i]))},

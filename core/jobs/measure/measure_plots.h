@@ -8,24 +8,24 @@
 
 namespace spherewalk::jobs {
 
-/// The room, and where photos stand in it and reach. Shape: SVG, as all below.
+/// The room, the photos in it, and the floor within their reach. Shape: SVG, as all functions below.
 std::string coveragePlot(const render::DatasetInfo& info);
 
-/// The plan in the colours of the errors about each photo that was left out, with a margin beyond the
-/// outermost ones. Range: a report of photos that were left out.
+/// The plan with the error about each photo that was left out, as a colour. Range: a report of photos that
+/// were left out.
 std::string errorMap(const render::DatasetInfo& info, const SceneLikeness& scene, double tolerancePx);
 
-/// The same, each photo as a disc with a sector a direction.
+/// The plan with a disc for each photo that was left out, and in it a sector for each direction.
 std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& scene,
                          const MeasureReport& report);
 
-/// Error against time: a line a scene model, a point a sampling.
+/// Error against time, with a line for each scene model and a point for each sampling.
 std::string tradePlot(const MeasureReport& report);
 
-/// Error against the grid's step: a line a scene model.
+/// Error against the grid's step, with a line for each scene model.
 std::string gridPlot(const GridStudy& study);
 
-/// Errors that were found on a robot's pictures against those that were foretold: a point a picture.
+/// The error found on each picture of a robot against the foretold one.
 std::string predictionPlot(const MeasureReport& report);
 
 } // namespace spherewalk::jobs

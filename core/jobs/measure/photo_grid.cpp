@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid_lattice.h"
+#include "measure/photo_grid.h"
 
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +44,16 @@ std::vector<Vector2d> toNeighbours(std::span<const Vector3d> photos) {
     return result;
 }
 
-GridSplit split(const GridLattice& lattice, const KeptGrid& grid) {
+GridSplit split(const PhotoGrid& photos, const KeptGrid& grid) {
     GridSplit result{grid, {}, {}};
-    for (const auto& [point, photo] : lattice.photos()) {
+    for (const auto& [point, photo] : photos.photos()) {
         if (grid.isKept(point)) {
             result.kept.push_back(photo);
             continue;
         }
-        const std::vector<GridLattice::Point> corners = grid.corners(point);
+        const std::vector<PhotoGrid::Point> corners = grid.corners(point);
         if (std::all_of(corners.begin(), corners.end(),
-                        [&](const auto& corner) { return lattice.photos().contains(corner); })) {
+                        [&](const auto& corner) { return photos.photos().contains(corner); })) {
             result.heldOut.push_back(photo);
         }
     }
@@ -62,7 +62,7 @@ GridSplit split(const GridLattice& lattice, const KeptGrid& grid) {
 
 } // namespace
 
-GridLattice::GridLattice(std::span<const Vector3d> photosInRoom) {
+PhotoGrid::PhotoGrid(std::span<const Vector3d> photosInRoom) {
     const std::vector<Vector2d> ways = toNeighbours(photosInRoom);
     if (ways.empty()) {
         return;
@@ -98,19 +98,19 @@ double KeptGrid::stepM(double gridStepM) const {
     return gridStepM * (every == 1 ? std::sqrt(2.0) : every);
 }
 
-bool KeptGrid::isKept(const GridLattice::Point& point) const {
+bool KeptGrid::isKept(const PhotoGrid::Point& point) const {
     return every == 1 ? modulo(point[0] - column + point[1] - row, 2) == 0
                       : modulo(point[0] - column, every) == 0 && modulo(point[1] - row, every) == 0;
 }
 
-std::vector<GridLattice::Point> KeptGrid::corners(const GridLattice::Point& point) const {
+std::vector<PhotoGrid::Point> KeptGrid::corners(const PhotoGrid::Point& point) const {
     const auto [x, y, z] = point;
     if (every == 1) {
         return {{x - 1, y, z}, {x + 1, y, z}, {x, y - 1, z}, {x, y + 1, z}};
     }
     const int left = x - modulo(x - column, every);
     const int below = y - modulo(y - row, every);
-    std::set<GridLattice::Point> result;
+    std::set<PhotoGrid::Point> result;
     for (const int cornerX : {left, left == x ? x : left + every}) {
         for (const int cornerY : {below, below == y ? y : below + every}) {
             result.insert({cornerX, cornerY, z});
@@ -119,13 +119,13 @@ std::vector<GridLattice::Point> KeptGrid::corners(const GridLattice::Point& poin
     return {result.begin(), result.end()};
 }
 
-std::vector<GridSplit> bestSplits(const GridLattice& lattice, int every, int most) {
+std::vector<GridSplit> bestSplits(const PhotoGrid& photos, int every, int most) {
     std::vector<GridSplit> splits;
     const int rows = every == 1 ? 1 : every;
     const int columns = every == 1 ? 2 : every;
     for (int column = 0; column < columns; ++column) {
         for (int row = 0; row < rows; ++row) {
-            GridSplit one = split(lattice, {every, column, row});
+            GridSplit one = split(photos, {every, column, row});
             if (!one.heldOut.empty() && one.kept.size() > 1) {
                 splits.push_back(std::move(one));
             }

@@ -9,14 +9,14 @@
 
 namespace spherewalk::jobs {
 
-/// A pose's part of the key of what is kept in a cache.
+/// The pose as a part of a cache key. Two poses have the same key only if all their numbers are equal.
 inline std::string keyOf(const Rigid3& pose) {
     const Eigen::Quaterniond& q = pose.rotation;
     const Eigen::Vector3d& t = pose.translation;
     return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
 }
 
-/// A camera's part.
+/// The camera as a part of a cache key.
 inline std::string keyOf(const CameraIntrinsics& camera) {
     std::string key = text(camera.width, " ", camera.height, " ", camera.fx, " ", camera.fy, " ", camera.cx,
                            " ", camera.cy, " ", name(camera.lens));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "csv.h"
+#include "parts/csv.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

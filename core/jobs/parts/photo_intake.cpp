@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photo_intake.h"
+#include "parts/photo_intake.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/photo/integrity.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/position_tag.h"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/positions_csv.h"
 
-#include "csv.h"
+#include "parts/csv.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +20,7 @@ namespace {
 
 constexpr int kAbsent = -1;
 
-[[noreturn]] void refuse(const std::string& source, const std::string& what) {
+[[noreturn]] void refusePositions(const std::string& source, const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("Could not read the positions ", source, ": ", what, "."));
 }
 
@@ -35,8 +37,8 @@ Columns columnsOf(const CsvLine& header, const std::string& source) {
     const auto need = [&](std::string_view name) {
         const int column = find(name);
         if (column == kAbsent) {
-            refuse(source,
-                   text("the column ", name, " is missing; the first line should name file,x_m,y_m,z_m"));
+            refusePositions(source, text("the column ", name,
+                                         " is missing; the first line should name file,x_m,y_m,z_m"));
         }
         return column;
     };
@@ -49,10 +51,10 @@ Columns columnsOf(const CsvLine& header, const std::string& source) {
                           {find("qw"), find("qx"), find("qy"), find("qz")}};
     const auto absent = std::count(columns.quaternion.begin(), columns.quaternion.end(), kAbsent);
     if (absent != 0 && absent != 4) {
-        refuse(source, "of the columns qw,qx,qy,qz some are missing");
+        refusePositions(source, "of the columns qw,qx,qy,qz some are missing");
     }
     if (absent == 0 && columns.yaw != kAbsent) {
-        refuse(source, "it has both yaw_deg and qw,qx,qy,qz; leave one out");
+        refusePositions(source, "it has both yaw_deg and qw,qx,qy,qz; leave one out");
     }
     return columns;
 }
@@ -70,8 +72,8 @@ class Record {
     double number(int column, std::string_view what) const {
         const auto value = parseNumber(field(column));
         if (!value || std::abs(*value) > 1e8) {
-            refuse(m_source, text("line ", m_line.number, ": ", what, " is \"", printable(field(column)),
-                                  "\", not a number"));
+            refusePositions(m_source, text("line ", m_line.number, ": ", what, " is \"",
+                                           printable(field(column)), "\", not a number"));
         }
         return *value;
     }
@@ -101,7 +103,7 @@ std::optional<Eigen::Quaterniond> rotationOf(const Record& record, const Columns
 std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::string& source) {
     const std::vector<CsvLine> lines = parseCsv(csv, source);
     if (lines.empty()) {
-        refuse(source, "it is empty");
+        refusePositions(source, "it is empty");
     }
     const Columns columns = columnsOf(lines.front(), source);
     std::vector<PhotoPosition> result;
@@ -112,16 +114,16 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
         position.line = lines[i].number;
         position.file = record.field(columns.file);
         if (!isSafeRelativePath(position.file)) {
-            refuse(source, text("line ", position.line, ": \"", printable(position.file),
-                                "\" is not the name of a file in the photos' folder"));
+            refusePositions(source, text("line ", position.line, ": \"", printable(position.file),
+                                         "\" is not the name of a file in the photos' folder"));
         }
         position.depthFile = record.field(columns.depth);
         if (!position.depthFile.empty() && !isSafeRelativePath(position.depthFile)) {
-            refuse(source, text("line ", position.line, ": \"", printable(position.depthFile),
-                                "\" is not the name of a file in the photos' folder"));
+            refusePositions(source, text("line ", position.line, ": \"", printable(position.depthFile),
+                                         "\" is not the name of a file in the photos' folder"));
         }
         if (!files.insert(position.file).second) {
-            refuse(source, text("line ", position.line, ": ", position.file, " is listed twice"));
+            refusePositions(source, text("line ", position.line, ": ", position.file, " is listed twice"));
         }
         position.positionM = {record.number(columns.x, "x_m"), record.number(columns.y, "y_m"),
                               record.number(columns.z, "z_m")};
@@ -129,7 +131,7 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
         result.push_back(std::move(position));
     }
     if (result.empty()) {
-        refuse(source, "it lists no photos");
+        refusePositions(source, "it lists no photos");
     }
     return result;
 }
@@ -137,6 +139,34 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
 std::vector<PhotoPosition> readPositions(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = 256ULL << 20;
     return parsePositions(readTextFile(file, kLargest), file.string());
+}
+
+std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
+    std::vector<RobotPicture> pictures;
+    for (const PhotoPosition& line : readPositions(csv)) {
+        if (!line.roomFromPhoto) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("Could not use the robot's pictures ", csv.string(), ": line ", line.line,
+                             " states no rotation; give qw,qx,qy,qz of the optical frame."));
+        }
+        RobotPicture picture;
+        picture.file = csv.parent_path() / line.file;
+        picture.depthFile = line.depthFile.empty() ? "" : csv.parent_path() / line.depthFile;
+        picture.roomFromCamera = {*line.roomFromPhoto, line.positionM};
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
+RgbImage readRobotPicture(const RobotPicture& picture, const CameraModel& camera) {
+    RgbImage result = photo::readPicture(picture.file);
+    if (result.width() != camera.width() || result.height() != camera.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The picture ", picture.file.string(), " has ", result.width(), " x ",
+                         result.height(), " pixels, not the camera's ", camera.width(), " x ",
+                         camera.height(), "."));
+    }
+    return result;
 }
 
 } // namespace spherewalk::jobs

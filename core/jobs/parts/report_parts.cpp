@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report_parts.h"
+#include "parts/report_parts.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/measure/text_table.h"
 
 #include <algorithm>
 
 namespace spherewalk::jobs {
-
-std::string tableText(const sheet::Table& table) {
-    measure::TextTable lines(table.leftColumns);
-    lines.add(table.titles);
-    for (const std::vector<std::string>& row : table.rows) {
-        lines.add(row);
-    }
-    return lines.text();
-}
 
 std::string orDash(const std::optional<double>& value, int digits) {
     return value ? fixed(*value, digits) : "-";

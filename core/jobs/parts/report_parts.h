@@ -2,25 +2,20 @@
 #pragma once
 
 #include "spherewalk/base/image.h"
-#include "spherewalk/base/json.h"
-#include "spherewalk/sheet/document.h"
+#include "spherewalk/base/json_fwd.h"
 
 #include <optional>
 #include <string>
 
-/// What reports have in common.
 namespace spherewalk::jobs {
 
-/// For a screen.
-std::string tableText(const sheet::Table& table);
-
-/// "-" if it is not known.
+/// The value, or "-" if it is not known.
 std::string orDash(const std::optional<double>& value, int digits = 2);
 
-/// null if it is not known.
+/// The value, or null if it is not known.
 Json orNull(const std::optional<double>& value);
 
-/// What differs, so many times as much, on grey. Range: pictures of one size.
+/// The difference a - b, times a factor, on a grey of 128. Range: pictures of one size.
 RgbImage difference(const RgbImage& a, const RgbImage& b, int times);
 
 } // namespace spherewalk::jobs

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "align_verdict.h"
-
 #include "spherewalk/base/enum_names.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_survey.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace spherewalk::jobs {
 
 namespace {
 
-/// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
-constexpr double kMostOutliers = 0.5;
-
 constexpr EnumNames<Cure, 4> kCures{
     {{Cure::None, "none"}, {Cure::Retag, "retag"}, {Cure::Retake, "retake"}, {Cure::Mask, "mask"}}};
-
-std::string degreesText(Radians angle) {
-    return text(fixed(Degrees(angle).value(), 3), " deg");
-}
 
 Json sigmaJson(const align::SolvedPose& pose) {
     return {{"yaw", Degrees(pose.sigmaYaw).value()},
@@ -30,9 +22,9 @@ Json sigmaJson(const align::SolvedPose& pose) {
 }
 
 Json toJson(const AlignedPhoto& photo) {
-    Json json = {{"photo", photo.photo},   {"file", photo.file},      {"station", photo.station},
-                 {"status", photo.status}, {"roomFromPhoto", Json()}, {"position_m", Json()},
-                 {"sigma_deg", Json()},    {"flags", photo.flags},    {"cure", name(photo.cure)}};
+    Json json = {{"photo", photo.photo},          {"file", photo.file},      {"station", photo.station},
+                 {"status", name(photo.quality)}, {"roomFromPhoto", Json()}, {"position_m", Json()},
+                 {"sigma_deg", Json()},           {"flags", photo.flags},    {"cure", name(photo.cure)}};
     if (photo.pose.isSolved) {
         const Eigen::Quaterniond& q = photo.pose.roomFromPhoto.rotation;
         const Eigen::Vector3d& p = photo.pose.roomFromPhoto.translation;
@@ -60,12 +52,8 @@ Json trialsJson(const align::Alignment& alignment) {
     return trials;
 }
 
-std::map<std::string, int> countsByStatus(const AlignReport& report) {
-    std::map<std::string, int> counts{{"good", 0}, {"doubtful", 0}, {"failed", 0}};
-    for (const AlignedPhoto& photo : report.photos) {
-        ++counts[photo.status];
-    }
-    return counts;
+std::ptrdiff_t countOf(survey::Quality quality, const AlignReport& report) {
+    return std::ranges::count(report.photos, quality, &AlignedPhoto::quality);
 }
 
 Radians worstSigma(const AlignReport& report) {
@@ -80,6 +68,10 @@ std::string secondsText(double seconds) {
     return text(fixed(seconds, 1), " s");
 }
 
+std::string degreesText(Radians angle) {
+    return text(fixed(Degrees(angle).value(), 3), " deg");
+}
+
 } // namespace
 
 std::string_view name(Cure cure) {
@@ -90,12 +82,6 @@ Cure cureNamed(std::string_view name) {
     return valueOf(kCures, "The cure", name);
 }
 
-void propose(Cure cure, AlignedPhoto& photo) {
-    if (photo.cure == Cure::None || cure < photo.cure) { // in the order of the list
-        photo.cure = cure;
-    }
-}
-
 Radians commonLeanSigma(const align::Alignment& alignment) {
     // What is common to all cannot be more than the best known photo has.
     Radians least(std::numeric_limits<double>::infinity());
@@ -103,39 +89,6 @@ Radians commonLeanSigma(const align::Alignment& alignment) {
         least = pose.isSolved ? std::min(least, std::min(pose.sigmaPitch, pose.sigmaRoll)) : least;
     }
     return std::isfinite(least.value()) ? least : Radians(0);
-}
-
-void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo) {
-    photo.pose = pose;
-    if (!pose.isSolved) {
-        photo.status = "failed";
-        photo.flags.push_back(pose.why);
-        propose(Cure::Retake, photo);
-        return;
-    }
-    const double lean = commonLeanSigma(alignment).value();
-    const double tilt = std::max(pose.sigmaPitch, pose.sigmaRoll).value();
-    const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
-    const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
-    if (sigma > kDoubtfulSigma) {
-        propose(Cure::Retake, photo);
-        photo.flags.push_back(text("Its rotation is known to ", degreesText(sigma),
-                                   " only: it shares too little with its neighbours; retake it with more "
-                                   "light, or with more to see."));
-    }
-    if (pose.outlierShare > kMostOutliers) {
-        propose(Cure::Mask, photo);
-        photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
-                                   " % of what it shows; look at the picture, and retake it if it is not of "
-                                   "this place."));
-    }
-    if (pose.component > 0) {
-        photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
-                                   alignment.components,
-                                   " parts): headings are right within the part, and the part's own rests on "
-                                   "its positions alone; take photos between the parts."));
-    }
-    photo.status = photo.flags.empty() ? "good" : "doubtful";
 }
 
 Json toJson(const AlignReport& report) {
@@ -166,16 +119,17 @@ Json toJson(const AlignReport& report) {
 }
 
 std::string alignText(const AlignReport& report) {
-    const std::map<std::string, int> counts = countsByStatus(report);
-    std::string words = text(
-        "Aligned ", counts.at("good") + counts.at("doubtful"), " of ", report.photos.size(), " photos in ",
-        secondsText(report.seconds), " (features ", secondsText(report.featureSeconds), ", matching ",
-        secondsText(report.matchSeconds), ", solving ", secondsText(report.solveSeconds),
-        "): ", counts.at("good"), " good, ", counts.at("doubtful"), " doubtful, ", counts.at("failed"),
-        " failed.\n", "Model ", name(report.alignment.model), ". ", report.alignment.reason,
-        "\nYaw is known to ", degreesText(worstSigma(report)), " at worst (one standard deviation); the ",
-        "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ", its lean to ",
-        degreesText(commonLeanSigma(report.alignment)), ".");
+    const auto good = countOf(survey::Quality::Good, report);
+    const auto doubtful = countOf(survey::Quality::Doubtful, report);
+    std::string words =
+        text("Aligned ", good + doubtful, " of ", report.photos.size(), " photos in ",
+             secondsText(report.seconds), " (features ", secondsText(report.featureSeconds), ", matching ",
+             secondsText(report.matchSeconds), ", solving ", secondsText(report.solveSeconds), "): ", good,
+             " good, ", doubtful, " doubtful, ", countOf(survey::Quality::Failed, report), " failed.\n",
+             "Model ", name(report.alignment.model), ". ", report.alignment.reason, "\nYaw is known to ",
+             degreesText(worstSigma(report)), " at worst (one standard deviation); the ",
+             "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ", its lean to ",
+             degreesText(commonLeanSigma(report.alignment)), ".");
     for (const std::string& warning : report.alignment.warnings) {
         words += "\n" + warning;
     }

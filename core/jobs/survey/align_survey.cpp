@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/align_survey.h"
 
-#include "align_verdict.h"
-
 #include "spherewalk/align/content_check.h"
-#include "spherewalk/align/fitting_matches.h"
-#include "spherewalk/align/neighbours.h"
-#include "spherewalk/align/photo_matching.h"
+#include "spherewalk/align/find_features.h"
+#include "spherewalk/align/match_pairs.h"
+#include "spherewalk/align/position_check.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/photo/levelling.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -26,6 +26,10 @@ using SteadyClock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* kCacheFolder = "align-cache";
+/// A rotation worse than this is told: three of it are about what a robot's camera of 640 pixels can see.
+constexpr Radians kDoubtfulSigma = Degrees(0.15);
+/// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
+constexpr double kMostOutliers = 0.5;
 /// What cameras say of their own tilt agrees with their pictures to about a degree.
 constexpr Degrees kStatedTiltSigma{1};
 constexpr Degrees kLevelledTiltSigma{0.5};
@@ -54,6 +58,47 @@ MaskImage readMask(const std::filesystem::path& file) {
         }
     }
     return mask;
+}
+
+/// Notes what helps the photo, unless something that should be tried first is noted already.
+void propose(Cure cure, AlignedPhoto& photo) {
+    if (photo.cure == Cure::None || cure < photo.cure) { // in the order of the list
+        photo.cure = cure;
+    }
+}
+
+/// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
+void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo) {
+    photo.pose = pose;
+    if (!pose.isSolved) {
+        photo.quality = survey::Quality::Failed;
+        photo.flags.push_back(pose.why);
+        propose(Cure::Retake, photo);
+        return;
+    }
+    const double lean = commonLeanSigma(alignment).value();
+    const double tilt = std::max(pose.sigmaPitch, pose.sigmaRoll).value();
+    const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
+    const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
+    if (sigma > kDoubtfulSigma) {
+        propose(Cure::Retake, photo);
+        photo.flags.push_back(text("Its rotation is known to ", fixed(Degrees(sigma).value(), 3), " deg",
+                                   " only: it shares too little with its neighbours; retake it with more "
+                                   "light, or with more to see."));
+    }
+    if (pose.outlierShare > kMostOutliers) {
+        propose(Cure::Mask, photo);
+        photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
+                                   " % of what it shows; look at the picture, and retake it if it is not of "
+                                   "this place."));
+    }
+    if (pose.component > 0) {
+        photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
+                                   alignment.components,
+                                   " parts): headings are right within the part, and the part's own rests on "
+                                   "its positions alone; take photos between the parts."));
+    }
+    photo.quality = photo.flags.empty() ? survey::Quality::Good : survey::Quality::Doubtful;
 }
 
 /// One run, step by step.
@@ -226,7 +271,7 @@ class AlignRun {
         }
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
-            damaged.status = "failed";
+            damaged.quality = survey::Quality::Failed;
             damaged.cure = Cure::Retake;
             damaged.flags = {text("The file ", damaged.file, " cannot be read; retake the photo.")};
         }
@@ -249,7 +294,7 @@ class AlignRun {
             solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
             solved.sigmaRollRad = photo.pose.sigmaRoll.value();
             solved.sigmaPositionM = photo.pose.sigmaPositionM;
-            solved.status = photo.status;
+            solved.quality = photo.quality;
             solved.flags = Json(photo.flags).dump();
             solution.photos.push_back(std::move(solved));
         }

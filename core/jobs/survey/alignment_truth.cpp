@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/jobs/alignment_truth.h"
-
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/practice/truth.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 #include <cmath>

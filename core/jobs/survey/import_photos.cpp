@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/import_photos.h"
 
-#include "photo_intake.h"
+#include "parts/photo_intake.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/jobs/positions_csv.h"
@@ -94,7 +95,6 @@ class Import {
         solved.photo = photo;
         solved.roomFromPhoto = *position.roomFromPhoto;
         solved.positionM = position.positionM;
-        solved.status = "good";
         m_solution.photos.push_back(solved);
         ++m_report.withRotation;
     }

@@ -2,17 +2,18 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/camera/capture.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/jobs/alignment_truth.h"
+#include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/export_dataset.h"
-#include "spherewalk/jobs/operators.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/practice/truth.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,6 @@ class PracticeEndToEnd : public testing::Test {
             solved.photo = photo;
             solved.roomFromPhoto = pose.rotation;
             solved.positionM = pose.translation;
-            solved.status = "good";
             solution.photos.push_back(solved);
         }
         store->addSolution(solution, true);

@@ -2,11 +2,12 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/camera/capture.h"
 #include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/follow_positions.h"
-#include "spherewalk/jobs/operators.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/practice/truth.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -231,22 +232,6 @@ TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
     EXPECT_THAT(line(events[0]), testing::HasSubstr("has a photo already"));
     EXPECT_EQ(events[1].kind, FollowEvent::Kind::Exposed);
     EXPECT_EQ(m_store->photosAt(m_stations[0].id).size(), 2U);
-}
-
-TEST(ReachedPosition, IsReadFromWordsOrJson) {
-    EXPECT_EQ(parseReachedPosition(" 1 -2.5 1.2e0\r"), (ReachedPosition{{1, -2.5, 1.2}, false}));
-    EXPECT_EQ(parseReachedPosition("1 2 3 again"), (ReachedPosition{{1, 2, 3}, true}));
-    EXPECT_EQ(parseReachedPosition(R"({"x":1,"y":2,"z":3,"again":true})"),
-              (ReachedPosition{{1, 2, 3}, true}));
-    for (const char* line : {"", " ", "1 2", "1 2 3 4", "1 2 nan", "1 2 inf", "a b c", "1 2 3 again 4", "{",
-                             "{}", R"({"x":1,"y":2})", R"({"x":1,"y":2,"z":"3"})", "1e300 0 0"}) {
-        try {
-            parseReachedPosition(line);
-            FAIL() << line;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::InvalidInput) << line;
-        }
-    }
 }
 
 } // namespace spherewalk::jobs

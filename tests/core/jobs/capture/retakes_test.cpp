@@ -3,7 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/jobs/judge_survey.h"
-#include "spherewalk/jobs/retakes.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,13 +51,13 @@ class Retakes : public testing::Test {
 
 TEST_F(Retakes, AreNoneAsLongAsAllIsWell) {
     EXPECT_TRUE(retakes(m_store).empty());
-    m_store.setVerdict({m_photos[0].id, store::CheckResult::Good, "[]"});
+    m_store.setVerdict({m_photos[0].id, survey::Quality::Good, "[]"});
     EXPECT_TRUE(retakes(m_store).empty());
 }
 
 TEST_F(Retakes, TellPhotosThatLeaveAHoleFromThoseThatNeighboursStandInFor) {
-    m_store.setVerdict({photoWith(true), store::CheckResult::Failed, kBlurred});
-    m_store.setVerdict({photoWith(false), store::CheckResult::Failed, kBlurred});
+    m_store.setVerdict({photoWith(true), survey::Quality::Failed, kBlurred});
+    m_store.setVerdict({photoWith(false), survey::Quality::Failed, kBlurred});
     const std::vector<Retake> found = retakes(m_store);
     ASSERT_EQ(found.size(), 2U);
     for (const Retake& retake : found) {
@@ -71,7 +71,7 @@ TEST_F(Retakes, TellPhotosThatLeaveAHoleFromThoseThatNeighboursStandInFor) {
 
 TEST_F(Retakes, APersonsWordGoesBeforeTheChecks) {
     const std::int64_t photo = photoWith(true);
-    m_store.setVerdict({photo, store::CheckResult::Failed, kBlurred});
+    m_store.setVerdict({photo, survey::Quality::Failed, kBlurred});
     m_store.setReview({photo, store::Decision::Accepted, ""});
     EXPECT_TRUE(retakes(m_store).empty());
     m_store.setReview({photo, store::Decision::Rejected, "A cat"});
@@ -80,10 +80,10 @@ TEST_F(Retakes, APersonsWordGoesBeforeTheChecks) {
 
 TEST_F(Retakes, AFlawedNeighbourStandsInForNothing) {
     const store::PhotoRecord middle = m_store.photo(photoWith(true));
-    m_store.setVerdict({middle.id, store::CheckResult::Failed, kBlurred});
+    m_store.setVerdict({middle.id, survey::Quality::Failed, kBlurred});
     for (const store::PhotoRecord& other : m_photos) {
         if (other.id != middle.id && other.positionM.x() > middle.positionM.x() - 0.01) {
-            m_store.setVerdict({other.id, store::CheckResult::Doubtful, kBlurred});
+            m_store.setVerdict({other.id, survey::Quality::Doubtful, kBlurred});
         }
     }
     for (const Retake& retake : retakes(m_store)) {
@@ -104,12 +104,12 @@ TEST_F(Retakes, VerdictsAreGivenToPhotosThatCameOtherwise) {
 TEST_F(Retakes, APhotoThatIsGoneIsFailed) {
     std::filesystem::remove(m_store.photoFolder() / m_photos[0].fileName);
     judgeSurvey(m_store, false, noProgress(), {});
-    EXPECT_EQ(m_store.verdict(m_photos[0].id)->result, store::CheckResult::Failed);
+    EXPECT_EQ(m_store.verdict(m_photos[0].id)->quality, survey::Quality::Failed);
     EXPECT_EQ(verdictOf(*m_store.verdict(m_photos[0].id)).findings.at(0).flaw, photo::Flaw::Damaged);
 }
 
 TEST_F(Retakes, DamagedFindingsAreRefused) {
-    EXPECT_THROW(verdictOf({1, store::CheckResult::Failed, R"([{"flaw":"cat"}])"}), Error);
+    EXPECT_THROW(verdictOf({1, survey::Quality::Failed, R"([{"flaw":"cat"}])"}), Error);
 }
 
 } // namespace spherewalk::jobs

@@ -2,6 +2,7 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,6 +10,7 @@
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset.h"
+#include "spherewalk/store/survey_store.h"
 
 namespace spherewalk::jobs {
 

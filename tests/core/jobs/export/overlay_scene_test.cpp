@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "layers/view_geometry.h"
+
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/render/overlay.h"
-#include "spherewalk/render/view_depth.h"
-#include "spherewalk/scene/sphere.h"
+#include "spherewalk/scene/room_fit.h"
 
 #include <gtest/gtest.h>
 

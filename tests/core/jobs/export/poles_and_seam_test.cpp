@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast_view.h"
-#include "reference_sampling.h"
+#include "sphere/exact_view.h"
+#include "sphere/sphere_view.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/practice/practice_room.h"
-#include "spherewalk/render/projection.h"
 
 #include <gtest/gtest.h>
 

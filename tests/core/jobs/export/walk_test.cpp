@@ -2,8 +2,9 @@
 #include "expect_error.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/picture_file.h"
@@ -156,22 +157,63 @@ TEST_F(WalkTest, RendersAgainWhatItsJournalTellsOnlyHalf) {
     EXPECT_EQ(run().reused, 5U);
 }
 
-TEST(Shard, PutsEveryItemInOnePart) {
-    for (const std::size_t items : {std::size_t{0}, std::size_t{3}, std::size_t{10}}) {
-        std::size_t next = 0;
-        for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) {
-            const auto [begin, end] = Shard::parse(part).range(items);
-            EXPECT_EQ(begin, next);
-            next = end;
-        }
-        EXPECT_EQ(next, items);
+TEST_F(WalkTest, ReadsItsJournalWhateverElseStandsInIt) {
+    run();
+    for (const auto& part : std::filesystem::directory_iterator(folder / "out/walk/parts")) {
+        using namespace std::string_view_literals;
+        const std::string lines = readTextFile(part.path());
+        const std::string noise(
+            "\n\n7\n-1\ta\tb\tend\nx\ta\tb\tend\n1e99\ta\tb\tend\n\0\xff\t\n\t\t\tend\n9\ta\tend\n"sv);
+        writeFile(part.path(), bytesOf(noise + lines + noise));
+    }
+    const WalkReport again = run();
+    EXPECT_EQ(again.reused, 5U);
+    EXPECT_TRUE(again.isComplete);
+    const std::string index = readTextFile(folder / "out/walk/index.csv");
+    EXPECT_EQ(std::count(index.begin(), index.end(), '\n'), 6) << index;
+}
+
+TEST_F(WalkTest, GoesOnWithoutItsJournal) {
+    run();
+    const auto first = filesOf("out/walk");
+    std::filesystem::remove_all(folder / "out/walk/parts");
+    EXPECT_EQ(run().reused, 0U) << "a picture alone does not tell what it shows";
+    EXPECT_EQ(filesOf("out/walk"), first);
+}
+
+TEST_F(WalkTest, LeavesTheJournalOfAnotherWalkAlone) {
+    run();
+    std::map<std::string, std::string> journals;
+    for (const auto& part : std::filesystem::directory_iterator(folder / "out/walk/parts")) {
+        journals[part.path()] = readTextFile(part.path());
+    }
+    path.pop_back();
+    run();
+    for (const auto& [file, lines] : journals) {
+        EXPECT_EQ(readTextFile(file), lines);
     }
 }
 
-TEST(Shard, RefusesWhatIsNoPart) {
-    for (const char* text : {"", "1", "0/4", "5/4", "1.5/4", "-1/4", "1/0", "a/b", "1/2/3", "1/"}) {
-        expectError(ErrorKind::InvalidInput, "no part of a job", [&] { Shard::parse(text); });
+TEST_F(WalkTest, MayHaveMorePartsThanFrames) {
+    for (int part = 1; part <= 8; ++part) {
+        EXPECT_EQ(runPart("parts", std::to_string(part) + "/8").isComplete, part == 8) << part;
     }
+    run("whole", {});
+    EXPECT_EQ(filesOf("parts"), filesOf("whole"));
+}
+
+TEST_F(WalkTest, RendersNothingForABagThatCannotHoldItsTimes) {
+    path.front().timeS = -1;
+    WalkOptions options;
+    options.bags = {dataset::BagFormat::Rosbag};
+    expectError(ErrorKind::InvalidInput, "", [&] { run("out", options); });
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(WalkTest, NamesTheKindsOfABagsPictures) {
+    EXPECT_EQ(bagPictures("raw"), BagPictures::Raw);
+    EXPECT_EQ(bagPictures("png"), BagPictures::Png);
+    expectError(ErrorKind::InvalidInput, "raw", [] { bagPictures("jpeg"); });
 }
 
 TEST_F(WalkTest, KeepsTheFramesSoFarWhenStopped) {

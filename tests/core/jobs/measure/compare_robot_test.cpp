@@ -4,9 +4,13 @@
 #include "random.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/bytes.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/compare_robot.h"
+#include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/renderer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "grid_lattice.h"
-#include "practice_dataset.h"
+#include "measure/photo_grid.h"
+#include "parts/practice_dataset.h"
 #include "random.h"
 
 #include "spherewalk/jobs/grid_study.h"
@@ -28,45 +28,45 @@ std::vector<Vector3d> block(int columns, int rows, double turn, double off) {
 
 } // namespace
 
-TEST(GridLattice, FindsStepAndPointsOfATurnedAndUnevenBlock) {
-    const GridLattice lattice(block(5, 4, 0.3, 0.005));
-    EXPECT_NEAR(lattice.stepM(), 0.2, 0.01);
-    EXPECT_EQ(lattice.photos().size(), 20U);
+TEST(PhotoGrid, FindsStepAndPointsOfATurnedAndUnevenBlock) {
+    const PhotoGrid grid(block(5, 4, 0.3, 0.005));
+    EXPECT_NEAR(grid.stepM(), 0.2, 0.01);
+    EXPECT_EQ(grid.photos().size(), 20U);
     std::set<int> columns;
-    for (const auto& [point, photo] : lattice.photos()) {
+    for (const auto& [point, photo] : grid.photos()) {
         columns.insert(point[0]);
     }
     EXPECT_TRUE(columns.size() == 5 || columns.size() == 4); // an axis may be the other one
 }
 
-TEST(GridLattice, OfPhotosAtOnePlaceHasNoStep) {
-    const GridLattice lattice(std::vector<Vector3d>{{1, 1, 1}, {1, 1, 1}});
-    EXPECT_EQ(lattice.stepM(), 0);
-    EXPECT_TRUE(lattice.photos().empty());
+TEST(PhotoGrid, OfPhotosAtOnePlaceHasNoStep) {
+    const PhotoGrid grid(std::vector<Vector3d>{{1, 1, 1}, {1, 1, 1}});
+    EXPECT_EQ(grid.stepM(), 0);
+    EXPECT_TRUE(grid.photos().empty());
 }
 
 TEST(GridSplit, HoldsOutOnlyWhatStandsBetweenKeptPhotos) {
     const std::vector<Vector3d> places = block(5, 5, 0, 0);
-    const GridLattice lattice(places);
-    const GridSplit second = bestSplits(lattice, 2, 1).at(0);
+    const PhotoGrid grid(places);
+    const GridSplit second = bestSplits(grid, 2, 1).at(0);
     EXPECT_EQ(second.kept.size(), 9U);
     EXPECT_EQ(second.heldOut.size(), 16U);
-    const GridSplit fourth = bestSplits(lattice, 4, 1).at(0);
+    const GridSplit fourth = bestSplits(grid, 4, 1).at(0);
     EXPECT_EQ(fourth.kept.size(), 4U);
     EXPECT_EQ(fourth.heldOut.size(), 21U);
-    const GridSplit chess = bestSplits(lattice, 1, 1).at(0);
+    const GridSplit chess = bestSplits(grid, 1, 1).at(0);
     EXPECT_NEAR(chess.grid.stepM(0.2), 0.283, 1e-3);
     for (const std::size_t photo : chess.heldOut) { // none at the edge, which would have too few about it
         EXPECT_GT(places[photo].x() - 1e5, 0.1);
         EXPECT_LT(places[photo].x() - 1e5, 0.7);
     }
-    EXPECT_TRUE(bestSplits(lattice, 5, 3).empty());
+    EXPECT_TRUE(bestSplits(grid, 5, 3).empty());
 }
 
 TEST(GridSplit, NeedsAllCornersOfACell) {
     std::vector<Vector3d> places = block(3, 3, 0, 0);
     places.erase(places.begin() + 8); // a corner
-    const GridSplit split = bestSplits(GridLattice(places), 2, 1).at(0);
+    const GridSplit split = bestSplits(PhotoGrid(places), 2, 1).at(0);
     EXPECT_EQ(split.kept.size(), 3U);
     EXPECT_EQ(split.heldOut.size(), 2U); // on the two edges that have both ends, not the one in the middle
 }

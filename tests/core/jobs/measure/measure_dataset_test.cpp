@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "practice_dataset.h"
+#include "parts/practice_dataset.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/jobs/measure_dataset.h"
 #include "spherewalk/jobs/measure_page.h"
+#include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>

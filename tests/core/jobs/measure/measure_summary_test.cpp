@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure_summary.h"
+#include "measure/measure_summary.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,8 @@
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/jobs/measure_page.h"
-#include "spherewalk/jobs/measured_photos.h"
+#include "spherewalk/jobs/measure_report.h"
+#include "spherewalk/render/dataset_format.h"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,13 @@
 
 #include "temporary_folder.h"
 
-#include "spherewalk/base/sha256.h"
+#include "spherewalk/base/digest.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_room.h"
-#include "spherewalk/render/depth_map.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <filesystem>
 #include <fstream>

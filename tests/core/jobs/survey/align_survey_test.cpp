@@ -9,10 +9,11 @@
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/practice/photo_errors.h"
+#include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/practice/theta_jpeg.h"
 #include "spherewalk/render/dataset.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,7 +129,8 @@ TEST_F(AlignSurvey, FindsHowEveryPhotoIsTurnedAndTellsTheDataset) {
     EXPECT_LT(error.commonLeanDeg, 0.5);        // six photos, 40 cm apart at most, with heights off by 3 mm
     EXPECT_LT(std::abs(error.commonYawDeg), 2); // positions are off by 3 mm
     for (const AlignedPhoto& photo : report.photos) {
-        EXPECT_EQ(photo.status, "good") << photo.file << ": " << testing::PrintToString(photo.flags);
+        EXPECT_EQ(photo.quality, survey::Quality::Good)
+            << photo.file << ": " << testing::PrintToString(photo.flags);
     }
     ASSERT_TRUE(store.activeSolution());
     EXPECT_EQ(store.activeSolution()->source, "align");
@@ -155,7 +157,7 @@ TEST_F(AlignSurvey, NamesPhotosThatShowNothingOrAreMirrored) {
     const AlignReport report = alignSurvey(store, {}, noProgress(), {});
     for (const char* file : {"R1.JPG", "R5.JPG"}) {
         const AlignedPhoto& photo = photoOf(report, file);
-        EXPECT_EQ(photo.status, "failed") << file;
+        EXPECT_EQ(photo.quality, survey::Quality::Failed) << file;
         EXPECT_FALSE(photo.pose.isSolved);
         ASSERT_FALSE(photo.flags.empty());
         EXPECT_THAT(photo.flags.front(), testing::EndsWith("."));
@@ -205,7 +207,7 @@ TEST_F(AlignSurvey, SaysWhatToDoWithoutPhotosAndWithOne) {
                 [&] { alignSurvey(empty, {}, noProgress(), {}); });
     const AlignReport report = alignSurvey(store, {}, noProgress(), {});
     ASSERT_EQ(report.photos.size(), 1U);
-    EXPECT_EQ(report.photos.front().status, "failed");
+    EXPECT_EQ(report.photos.front().quality, survey::Quality::Failed);
     EXPECT_THAT(report.photos.front().flags.front(), testing::EndsWith("."));
     EXPECT_EQ(report.solution, 0);
 }

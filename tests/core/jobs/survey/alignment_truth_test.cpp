@@ -2,7 +2,7 @@
 #include "random.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/jobs/alignment_truth.h"
+#include "spherewalk/jobs/align_trade.h"
 
 #include <gtest/gtest.h>
 

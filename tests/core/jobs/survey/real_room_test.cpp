@@ -7,6 +7,7 @@
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,9 @@
 #include "expect_error.h"
 #include "photographed_survey.h"
 
-#include "spherewalk/jobs/retag_photos.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/position_tag.h"
+#include "spherewalk/store/survey_store.h"
 
 namespace spherewalk::jobs {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photographed_survey.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/jobs/solution_findings.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ class SolutionFindingsTest : public testing::Test {
             AlignedPhoto aligned;
             aligned.photo = photo.id;
             aligned.file = photo.fileName;
-            aligned.status = i == 2 ? "failed" : "good";
+            aligned.quality = i == 2 ? survey::Quality::Failed : survey::Quality::Good;
             aligned.pose.isSolved = i != 2;
             aligned.pose.residualRad = 0.01;
             aligned.pose.constraints = 5;
@@ -33,7 +35,6 @@ class SolutionFindingsTest : public testing::Test {
                 store::SolvedPhoto solved;
                 solved.photo = photo.id;
                 solved.sigmaYawRad = 0.002;
-                solved.status = "good";
                 solution.photos.push_back(solved);
             }
         }
@@ -66,7 +67,7 @@ TEST_F(SolutionFindingsTest, SayWhatTheSolutionSaysOfEachPhoto) {
     EXPECT_EQ(first.fits, stations[1].id);
     EXPECT_EQ(first.cure, Cure::Retag);
     EXPECT_EQ(first.flags, std::vector<std::string>{"It fits elsewhere."});
-    EXPECT_EQ(findings.photos[2].status, "failed");
+    EXPECT_EQ(findings.photos[2].quality, survey::Quality::Failed);
     EXPECT_FALSE(findings.photos[2].roomFromPhoto.has_value());
     EXPECT_EQ(findings.photos[2].cure, Cure::Retake);
 }

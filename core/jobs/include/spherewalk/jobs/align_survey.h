@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/align/effort.h"
-#include "spherewalk/align/position_check.h"
+#include "spherewalk/align/match_pairs.h"
 #include "spherewalk/align/solve.h"
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/store/survey_store.h"
+#include "spherewalk/survey/shot.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -15,75 +14,88 @@
 #include <string_view>
 #include <vector>
 
+namespace spherewalk::store {
+class SurveyStore;
+}
+
 namespace spherewalk::jobs {
 
 struct AlignOptions {
     align::Effort effort = align::Effort::Normal;
     align::Model model = align::Model::Auto;
-    /// Grey picture of any size, 2:1, black where photos are not to be looked at; empty: none.
+    /// A grey picture of any size, twice as wide as high. Photos are not looked at where it is black. Empty
+    /// means that photos are looked at everywhere.
     std::filesystem::path mask;
-    /// How far photos stand from where their tags say, one standard deviation along x and along y; above 0.
+    /// Standard deviation of the photos' places about their position tags, along x and along y. Range: above
+    /// 0.
     double positionSigmaM = 0.005;
-    bool checksPositions = true; ///< look for wrong position tags; the positions that fit are solved with
-    /// Where what was found in the pictures is kept; empty: in the survey's `align-cache`.
+    /// Whether to look for wrong position tags. The solution then uses the positions that fit.
+    bool checksPositions = true;
+    /// Folder that keeps features and matches for later runs. Empty means `align-cache` in the survey.
     std::filesystem::path cacheFolder;
-    bool isRecorded = true;  ///< as a solution of the store
-    bool isActivated = true; ///< the solution takes the place of the active one
-    int threads = 0;         ///< 0: all that the machine has
+    bool isRecorded = true;  ///< Whether the store gets the solution.
+    bool isActivated = true; ///< Whether the recorded solution becomes the active one.
+    int threads = 0;         ///< Range: 0 or above; 0 means all that the machine has.
 };
 
-/// What helps a photo that is doubtful or failed.
+/// What a person can do about a photo that is doubtful or failed.
 enum class Cure {
     None,
-    Retag,  ///< it belongs to another station, AlignedPhoto::fits
-    Retake, ///< another photo at its station
-    Mask,   ///< leave out what misleads: mirrors, screens, what moves
+    Retag,  ///< Move the photo to another station, which AlignedPhoto::fits names.
+    Retake, ///< Take another photo at the same station.
+    Mask,   ///< Mask what misleads: mirrors, screens, moving things.
 };
 
-/// As reports spell it: "none", "retag", "retake", "mask".
+/// The word for the cure in reports: "none", "retag", "retake" or "mask".
 std::string_view name(Cure cure);
 
-/// Errors: InvalidInput, listing the names.
+/// Errors: InvalidInput, whose sentence lists the names.
 Cure cureNamed(std::string_view name);
 
-/// What people read of a photo.
+/// The result for one photo.
 struct AlignedPhoto {
-    std::int64_t photo = 0;
+    std::int64_t photo = 0; ///< Number of the photo in the store.
     std::string file;
     std::string station;
-    std::string status; ///< "good", "doubtful", "failed"
+    survey::Quality quality = survey::Quality::Good;
     align::SolvedPose pose;
-    std::vector<std::string> flags; ///< sentences
-    std::string fits;               ///< the station that its position tag should name; "" for its own
+    std::vector<std::string> flags; ///< Sentences that say why the photo is not good.
+    std::string fits;               ///< Station that the position tag should name; empty if the tag is right.
     Cure cure = Cure::None;
 };
 
 struct AlignReport {
-    std::int64_t solution = 0; ///< in the store; 0: not recorded
+    std::int64_t solution = 0; ///< Number of the solution in the store; 0 if it was not recorded.
     align::Effort effort = align::Effort::Normal;
-    align::Alignment alignment; ///< of `photos`, in the same order
+    align::Alignment alignment; ///< Its photos have the order of `photos`.
     std::vector<AlignedPhoto> photos;
-    std::size_t features = 0; ///< of all photos
-    int fromCache = 0;        ///< photos whose features were found by an earlier run
-    std::size_t pairs = 0;    ///< of photos that were compared
-    std::size_t holdingPairs = 0;
+    std::size_t features = 0;     ///< Sum over all photos.
+    int fromCache = 0;            ///< Number of photos whose features an earlier run has found.
+    std::size_t pairs = 0;        ///< Number of pairs that were compared.
+    std::size_t holdingPairs = 0; ///< Number of pairs that constrain the solution.
     double featureSeconds = 0;
-    double matchSeconds = 0; ///< and estimating each pair
-    double solveSeconds = 0; ///< and checking
+    double matchSeconds = 0; ///< Time for matching, and for the estimate of each pair.
+    double solveSeconds = 0; ///< Time for the solver, and for the checks.
     double seconds = 0;
 };
 
-/// Solves the rotations of all chosen photos, and records them. What was found in
-/// the pictures is kept, so that a run that was stopped, or another
-/// model, does not begin anew. Errors: InvalidInput for a survey without photos; those of reading photos,
-/// named; Stopped, with the survey unchanged but for that folder.
+/// Solves the rotations of all chosen photos, and records them. The cache folder keeps features and matches:
+/// a run after a stop, or with another model, does not find them again.
+///
+/// Errors: InvalidInput for a survey without photos; those of reading the mask. Photos that cannot be read
+/// fail by themselves, with a flag that names the file.
+/// Stop: Stopped, with the survey unchanged; the cache keeps what was found.
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
 
-/// model, effort, seconds, reason, photos: as resources/docs/formats.md says.
+/// How far the photos may all lean together: the smallest standard deviation of a tilt. 0 if no photo is
+/// solved.
+Radians commonLeanSigma(const align::Alignment& alignment);
+
+/// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);
 
-/// For people: what was solved, what is doubtful and what to do about it.
+/// The report for people: what was solved, what is doubtful, and what to do about it.
 std::string alignText(const AlignReport& report);
 
 } // namespace spherewalk::jobs

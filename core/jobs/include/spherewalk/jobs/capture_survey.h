@@ -2,57 +2,69 @@
 #pragma once
 
 #include "spherewalk/base/clock.h"
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/camera/capture.h"
+#include "spherewalk/camera/capture_options.h"
+#include "spherewalk/camera/http.h"
 #include "spherewalk/photo/verdict.h"
-#include "spherewalk/store/survey_store.h"
 
-#include <chrono>
 #include <cstdint>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+namespace spherewalk::camera {
+class OscClient;
+struct CameraInfo;
+struct CameraReadiness;
+struct ShotOutcome;
+} // namespace spherewalk::camera
+
+namespace spherewalk::store {
+class SurveyStore;
+struct StationRecord;
+} // namespace spherewalk::store
+
 namespace spherewalk::jobs {
 
 /// Who brings the camera from station to station: a person at a terminal, a window, a robot, a practice cart.
-/// Threads: the capturing one, but for shotEnded().
+/// Threads: calls come from the capturing thread, except for shotEnded().
 class Operator {
   public:
     virtual ~Operator() = default;
 
-    /// Once, when the camera can take pictures.
+    /// Called once, when the camera can take pictures.
     virtual void cameraReady(const camera::CameraInfo& /*camera*/,
                              const camera::CameraReadiness& /*readiness*/) {}
 
     /// Returns when the camera stands at the station. Errors: Stopped.
     virtual void moveTo(const store::StationRecord& station, const std::stop_token& stop) = 0;
 
-    /// After a shot of which it is certain that no picture was taken: true to trigger again, once.
+    /// Called after a shot that certainly took no picture. Returns true to trigger once more. tries: shots at
+    /// this station so far, counted from 1.
     virtual bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
                           const std::stop_token& stop) = 0;
 
-    /// The exposure is over and the picture is on the camera: the cart may move.
+    /// The exposure is over and the camera holds the picture: the cart may move.
     virtual void exposed(const store::StationRecord& /*station*/) {}
 
-    /// After each shot, and each that an earlier run had left open: its photo is in the survey, with what the
-    /// checks say of it, or the outcome says why not (then `verdict` is null). Threads: any, one at a time,
-    /// also while moveTo() waits.
+    /// Called after each shot, and for each shot that an earlier run left open. With a verdict, the photo is
+    /// in the survey. If `verdict` is null, the outcome says why the photo is not.
+    /// Threads: any, one at a time, also while moveTo() waits.
     virtual void shotEnded(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
                            const photo::Verdict* /*verdict*/) {}
 };
 
 struct CaptureSurveyOptions {
-    camera::CaptureOptions camera;        ///< its download check and profile are set by the job
-    int most = 0;                         ///< photos to take at most; 0: all that are missing
-    std::vector<std::int64_t> again = {}; ///< stations to take besides, although they have a photo
+    camera::CaptureOptions camera;        ///< The job itself sets the download check and the profile.
+    int most = 0;                         ///< Largest number of photos to take; 0 means all that are missing.
+    std::vector<std::int64_t> again = {}; ///< Stations to photograph although they have a photo.
 };
 
-/// A station whose photo is not in the survey after all, and why.
+/// A station whose photo is not in the survey after all.
 struct MissedStation {
     std::string station;
-    std::string sentence;
+    std::string sentence; ///< Says why.
 };
 
 /// A photo that the checks do not find good.
@@ -62,34 +74,60 @@ struct FlawedPhoto {
 };
 
 struct CaptureSurveyReport {
-    int taken = 0;     ///< photos that came into the survey in this run
-    int resumed = 0;   ///< of them, from shots that an earlier run had left open
-    int exposed = 0;   ///< pictures that the camera took in this run
-    int stations = 0;  ///< of the survey
-    int remaining = 0; ///< still without a photo
+    int taken = 0;     ///< Photos that came into the survey in this run.
+    int resumed = 0;   ///< Photos among `taken` whose shots an earlier run left open.
+    int exposed = 0;   ///< Pictures that the camera took in this run.
+    int stations = 0;  ///< Stations of the survey.
+    int remaining = 0; ///< Stations that still have no photo.
     std::vector<MissedStation> missed;
     std::vector<FlawedPhoto> flawed;
     std::vector<std::string> warnings;
-    double seconds = 0;           ///< of all
-    double secondsAtStations = 0; ///< from the way to the first station to the end of the last exposure
-    double secondsMoving = 0;     ///< of these, waiting for the operator
-    double secondsExposing = 0;   ///< of these, from the triggers to the known files
-    double secondsFetching = 0;   ///< downloads with their checks, beside all this
-    double secondsJudging = 0;    ///< verdicts, likewise
+    double seconds = 0;
+    double secondsAtStations = 0; ///< From the start towards the first station to the last exposure's end.
+    double secondsMoving = 0;     ///< Part of secondsAtStations in which the operator moved the camera.
+    double secondsExposing = 0;   ///< Part of secondsAtStations from the triggers to the known files.
+    double secondsFetching = 0;   ///< Downloads with their checks; they run beside the exposures.
+    double secondsJudging = 0;    ///< Verdicts; they run beside the exposures.
 };
 
-/// Takes the missing photos of the survey, with the camera set by the survey's capture profile, and those
-/// asked for again, in walking order. Each photo is downloaded and judged in the background while the cart
-/// moves on; what could not be downloaded stays queued in the survey, and a later run fetches it. It can be
-/// killed at any instant and called again. Errors: NotFound for an unknown station to take again; those of
-/// camera::Capture and of the store; Stopped, with all that is complete kept.
+/// Takes the missing photos of the survey, and those of `options.again`, in walking order. The survey's
+/// capture profile sets the camera. Downloads and verdicts run in the background while the cart moves on.
+/// The survey queues photos that could not be downloaded, and a later run fetches them. The program may be
+/// killed at any instant; the next call goes on.
+///
+/// Errors: NotFound for an unknown station in `options.again`; those of camera::Capture and of the store.
+/// Stop: Stopped, with all complete photos kept.
 CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& client, Operator& people,
                                   Clock& clock, CaptureSurveyOptions options, ProgressSink& progress,
                                   const std::stop_token& stop);
 
-/// The check that downloads need: decodes the whole picture.
+/// The check that downloads need: it decodes the whole picture.
 camera::PhotoCheck photoCheck();
 
 Json toJson(const CaptureSurveyReport& report);
+
+/// Moves a practice camera to each station, over HTTP. Triggers a shot that took no picture up to three
+/// times.
+class PracticeOperator : public Operator {
+  public:
+    /// moveTime: how long the cart takes from one station to the next.
+    explicit PracticeOperator(camera::Endpoint endpoint, Clock::Duration moveTime = {},
+                              Clock& clock = systemClock())
+        : m_http(std::move(endpoint)), m_moveTime(moveTime), m_clock(clock) {}
+
+    /// Errors: Stopped; Unsupported if the camera is no practice camera.
+    void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
+    bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
+                  const std::stop_token& stop) override;
+
+  private:
+    camera::HttpClient m_http;
+    Clock::Duration m_moveTime;
+    Clock& m_clock;
+};
+
+/// Options for a practice camera whose waiting times are `timeScale` times those of a real camera. Time
+/// limits stay long enough for the practice camera to draw its pictures. Range: 0 < timeScale <= 100.
+CaptureSurveyOptions practiceCaptureOptions(double timeScale);
 
 } // namespace spherewalk::jobs

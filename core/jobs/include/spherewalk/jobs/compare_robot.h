@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/jobs/measure_dataset.h"
-#include "spherewalk/measure/colour_fit.h"
-#include "spherewalk/measure/pose_fit.h"
-#include "spherewalk/render/renderer.h"
+#include "spherewalk/compare/colour_fit.h"
+#include "spherewalk/compare/pose_fit.h"
+#include "spherewalk/jobs/positions_csv.h"
+#include "spherewalk/render/view.h"
 
 #include <filesystem>
 #include <optional>
@@ -14,33 +14,37 @@
 #include <string>
 #include <vector>
 
+namespace spherewalk::render {
+class Renderer;
+}
+
 namespace spherewalk::jobs {
 
 struct CompareOptions {
-    std::vector<RobotPicture> pictures; ///< with poses that may be approximate
+    std::vector<RobotPicture> pictures; ///< Their poses may be approximate.
     bool refinesPoses = false;
     bool fitsColour = false;
-    render::ViewOptions view; ///< scene model, sampling and threads of the views
-    std::size_t shown = 0;    ///< pictures that are kept beside their views, spread evenly
+    render::ViewOptions view; ///< Scene model, sampling and threads of the views.
+    std::size_t shown = 0;    ///< Number of pictures that the report keeps, spread evenly.
 };
 
 /// How like a robot's picture one view is.
 struct PictureLikeness {
     double psnrDb = 0;
-    std::optional<double> medianPx; ///< of matched features' displacements; nothing without matches
+    std::optional<double> medianPx; ///< Median displacement of matched features; nothing without matches.
     std::optional<double> p95Px;
     std::size_t matches = 0;
-    std::optional<double> colourError; ///< measure::colourError(); nothing where nothing is even
+    std::optional<double> colourError; ///< As compare::colourError(); nothing if no spot is even.
 };
 
 struct ComparedPicture {
     std::filesystem::path file;
-    std::string photo; ///< that the view from the given pose is made from
+    std::string photo; ///< The photo that the view from the given pose is made from.
     Rigid3 given;
-    std::optional<measure::PoseFit> refined; ///< if poses are refined
-    PictureLikeness before;                  ///< from the given pose, in the photos' colours
-    PictureLikeness
-        after; ///< from the refined pose, if there is one, in corrected colours, if there is a correction
+    std::optional<compare::PoseFit> refined; ///< Nothing unless poses are refined.
+    PictureLikeness before;                  ///< The view from the given pose, in the photos' colours.
+    /// The view from the refined pose and in corrected colours, as far as these are known.
+    PictureLikeness after;
 
     Rigid3 used() const { return refined ? refined->roomFromCamera : given; }
 };
@@ -51,7 +55,7 @@ struct ShownPicture {
     RgbImage picture;
     RgbImage before;
     RgbImage after;
-    RgbImage difference; ///< of after, four times, on grey
+    RgbImage difference; ///< Four times the difference of `after` and `picture`, on grey.
 };
 
 /// Means over the pictures that have a value.
@@ -64,42 +68,38 @@ struct CompareSummary {
 
 struct CompareReport {
     std::vector<ComparedPicture> pictures;
-    std::size_t refined = 0; ///< pictures whose pose could be
+    std::size_t refined = 0; ///< Number of pictures whose pose was refined.
     CompareSummary before;
     CompareSummary after;
-    std::optional<measure::ColourFit> fit; ///< if a correction was to be fitted
-    /// What the fit comes to on pictures that it was not made from, each half of them by the other half; from
-    /// four pictures on.
+    std::optional<compare::ColourFit> fit; ///< Nothing unless colours are fitted.
+    /// Error of the fit on pictures that it was not made from: each half of the pictures by the other half.
+    /// Nothing below four pictures.
     std::optional<double> heldOutColourError;
-    std::optional<render::ColourCorrection> colour; ///< of "after": fitted, or the dataset's own
+    std::optional<render::ColourCorrection> colour; ///< Correction of `after`: fitted, or the dataset's own.
     std::vector<ShownPicture> shown;
     double seconds = 0;
 };
 
-/// Compares the dataset's views with the pictures of a robot's camera. A picture whose pose cannot be
-/// refined is compared from the given one, and no colours are taken from it. Errors: InvalidInput for no
-/// pictures, and pictures that have not the camera's size; those of rendering, reading and writing pictures;
-/// Stopped.
+/// Compares the dataset's views with the pictures of a robot's camera. If a pose cannot be refined, the
+/// comparison keeps the given one and takes no colours from that picture.
+///
+/// Errors: InvalidInput for no pictures, and for pictures that have not the camera's size; those of
+/// rendering, and of reading pictures. Stop: Stopped, between two pictures.
 CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& camera,
                            const CompareOptions& options, ProgressSink& progress,
                            const std::stop_token& stop);
 
-/// A line a picture, the means, and what was fitted.
+/// A table with a line for each picture and the means, and sentences about what was fitted.
 std::string compareText(const CompareReport& report);
 
 Json toJson(const CompareReport& report);
 
-/// Writes report.html (which needs no network), its pictures beside, the same as report.pdf, and report.json
-/// into the folder, which is made if need be. Errors: Io, Full; Internal.
+/// Writes report.html with its pictures beside it, the same as report.pdf, and report.json. The page needs no
+/// network. The folder is made if need be. Errors: Io, Full; Internal.
 void writeComparison(const CompareReport& report, const std::filesystem::path& folder);
 
-/// The poses that were used, as readRobotPictures() takes them; files are named from where it stands. Errors:
-/// Io, Full.
+/// Writes the poses that were used as a positions file that readRobotPictures() reads. Its names of pictures
+/// are relative to the file's folder. Errors: Io, Full.
 void writePoses(const CompareReport& report, const std::filesystem::path& file);
-
-/// Puts a colour correction into a dataset's description, in place of an earlier one; all else stays.
-/// Datasets that are open keep what they have read. Errors: those of ColourCorrection::validate(); NotFound,
-/// Io, Full, Corrupt.
-void storeColour(const std::filesystem::path& dataset, const render::ColourCorrection& correction);
 
 } // namespace spherewalk::jobs

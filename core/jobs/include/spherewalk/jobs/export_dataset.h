@@ -1,64 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/dataset/writer.h"
-#include "spherewalk/jobs/depth_survey.h"
-#include "spherewalk/render/scene_model.h"
-#include "spherewalk/store/survey_store.h"
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/ladder.h"
+#include "spherewalk/render/scene_depth.h"
+#include "spherewalk/scene/depth_sweep.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+namespace spherewalk::store {
+class SurveyStore;
+}
+
 namespace spherewalk::jobs {
+
+/// Name of the folder in a survey that keeps depths, unless the options name another one.
+constexpr const char* kDepthCacheFolder = "depth-cache";
+
+struct DepthOptions {
+    scene::SweepOptions sweep;
+    int agreeing = 4; ///< Number of neighbours whose depths a photo's depth is compared with.
+    /// Folder that keeps depths for later runs. exportDataset() takes kDepthCacheFolder if it is empty.
+    std::filesystem::path cacheFolder = {};
+    Polygon drawnOutline = {}; ///< Outline of the room as a person drew it; may be empty.
+    /// Estimates the depths of a dozen photos only, spread evenly. That is enough for the same radius and
+    /// room.
+    bool onlyForScene = false;
+};
+
+/// A photo whose depth is to be estimated.
+struct DepthInput {
+    std::filesystem::path file; ///< A JPEG file.
+    std::string sha256;         ///< Hash of the file.
+    Rigid3 roomFromPhoto;
+};
+
+struct DepthReport {
+    std::size_t photos = 0; ///< Photos that have a depth.
+    std::size_t reused = 0; ///< Photos among them whose depth an earlier run kept.
+    double seconds = 0;
+};
+
+/// Depths of photos, as files in the cache that render::DepthMap reads.
+struct SurveyDepth {
+    /// One path a photo. It is empty where no other photo is near enough, or where no depth was wanted.
+    std::vector<std::filesystem::path> files;
+    std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
+    std::optional<render::RoomShape> room; ///< The room that scene::fittedRoom() finds in the depths.
+    DepthReport report;
+};
+
+/// Estimates the depth of each photo from its neighbours, and has neighbours agree on it.
+///
+/// Cost: about two seconds a photo on two cores, and 600 MB.
+/// Errors: those of reading and decoding the photos, and of scene::sweptDepth().
+/// Stop: Stopped; the cache keeps the depths so far.
+SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,
+                        ProgressSink& progress, const std::stop_token& stop);
+
+/// What surveyDepth() would take.
+struct DepthForecast {
+    std::size_t photos = 0;  ///< Photos whose depth is wanted.
+    std::size_t missing = 0; ///< Photos among them whose depth the cache does not have.
+    std::uint64_t bytes = 0; ///< Size of the files.
+    /// Time on this machine for one photo that is missing; nothing if none was tried.
+    std::optional<double> secondsAPhoto;
+
+    double seconds() const { return secondsAPhoto.value_or(0) * static_cast<double>(missing); }
+};
+
+/// With a trial, estimates the depth of one photo that is missing, times it, and keeps it in the cache.
+/// Errors: those of surveyDepth().
+DepthForecast depthForecast(std::span<const DepthInput> photos, const DepthOptions& options, bool withTrial,
+                            const std::stop_token& stop);
 
 struct ExportOptions {
     dataset::WriteOptions write;
-    /// The richest scene model of the dataset; the cheaper ones come with it. Room takes a
-    /// minute or two, Depth some seconds a photo.
+    /// The richest scene model of the dataset; the cheaper ones come with it. Room takes a minute or two,
+    /// Depth some seconds a photo.
     render::SceneKind scene = render::SceneKind::Sphere;
     DepthOptions depth;
 };
 
 struct ExportReport {
     dataset::WriteReport written;
-    int withoutPhoto = 0;     ///< stations that the dataset lacks
-    int rejected = 0;         ///< photos that a person rejected, and that are left out
-    int withoutRotation = 0;  ///< photos whose heading is not known
-    double sphereRadiusM = 0; ///< 0 if no photo stands inside of the outline
+    int withoutPhoto = 0;     ///< Stations that the dataset lacks.
+    int rejected = 0;         ///< Photos that a person rejected. The dataset leaves them out.
+    int withoutRotation = 0;  ///< Photos whose heading is not known.
+    double sphereRadiusM = 0; ///< 0 if no photo stands inside of the outline.
     std::optional<render::RoomShape> roomShape;
     DepthReport depth;
 };
 
-/// Exports the chosen photo of every station, unless it was rejected, with the active solution's poses. A
-/// photo that the solution lacks gets the tilt that it states itself and the heading 0, and says so. Errors:
-/// those of dataset::writeDataset().
+/// Exports the chosen photo of every station, unless a person rejected it, with the poses of the active
+/// solution. A photo that the solution lacks gets the tilt that the photo itself states, and the heading 0;
+/// the dataset says so. Errors: those of dataset::writeDataset() and of surveyDepth().
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
-/// The richest scene model that an export makes without estimating depths: Depth if all are known from an
-/// earlier one with these options, or else Sphere.
+/// The richest scene model that an export makes without estimating depths: Depth if the cache has all of them
+/// for these options, else Sphere.
 render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& options);
 
-/// What an export would make, and what is to be known before.
+/// What an export would make, and what a person should know before.
 struct ExportCheck {
     std::size_t photos = 0;
-    std::uint64_t totalBytes = 0; ///< about; those of the photos and what one of them was found to grow by
-    std::uint64_t freeBytes = 0;  ///< where it is to be written
-    double seconds = 0;           ///< about; what one photo took, on all threads, and depths
-    std::vector<std::string> obstacles; ///< sentences: why it cannot be done
-    std::vector<std::string> doubts;    ///< sentences: what the dataset would lack
+    std::uint64_t totalBytes = 0;       ///< Estimate from the photos and from what one of them grew by.
+    std::uint64_t freeBytes = 0;        ///< Free space where the dataset is to be written.
+    double seconds = 0;                 ///< Estimate from one photo, with all threads, and one depth.
+    std::vector<std::string> obstacles; ///< Sentences that say why the export cannot be done.
+    std::vector<std::string> doubts;    ///< Sentences that say what the dataset would lack.
 
     bool isPossible() const { return obstacles.empty(); }
 };
 
-/// Looks before an export. Exports one photo to a temporary folder, and estimates the depth of one where
-/// depths are wanted, to know what the photos of this survey cost on this machine. Errors: those of reading
-/// photos; Stopped.
+/// Looks before an export. Exports one photo to a temporary folder, and estimates one depth if depths are
+/// wanted, to know what the photos of this survey cost on this machine.
+/// Errors: those of reading photos; Stopped.
 ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
                         const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 

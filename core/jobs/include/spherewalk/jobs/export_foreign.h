@@ -3,36 +3,52 @@
 
 #include "spherewalk/base/progress.h"
 #include "spherewalk/dataset/pose_formats.h"
-#include "spherewalk/store/survey_store.h"
+#include "spherewalk/dataset/world_file.h"
 
 #include <filesystem>
 #include <span>
 #include <stop_token>
 
+namespace spherewalk::store {
+class SurveyStore;
+}
+
 namespace spherewalk::jobs {
 
 struct ForeignOptions {
     dataset::PoseFormat format = dataset::PoseFormat::Nerfstudio;
-    /// The six faces of a cube, pinhole pictures of 90 degrees a quarter of the photo wide, instead of the
-    /// photo. COLMAP gets them in any case.
+    /// Writes the six faces of a cube in place of the photo: pinhole pictures of 90 degrees, a quarter of the
+    /// photo wide. COLMAP gets faces in any case.
     bool withFaces = false;
 };
 
 struct ForeignReport {
     std::size_t photos = 0;
-    std::size_t pictures = 0;
+    std::size_t pictures = 0; ///< Photos, or six faces for each of them.
 };
 
-/// Writes the files of a format into a folder.
+/// Writes the pose files of a format into a folder. Errors: those of dataset::poseFiles() and of writing.
 void writePoseFiles(dataset::PoseFormat format, const dataset::FrameCamera& camera,
                     std::span<const dataset::PosedFrame> frames, const std::filesystem::path& folder);
 
-/// Exports the photos that exportDataset() would for programs that read other formats: pictures in images/,
-/// and the format's files beside it. Photos have no times in these; they are a second apart, in their order.
-/// Errors: those of exportDataset() and dataset::poseFiles(); Unsupported for photos of different sizes, of
-/// which a format describes one. After an error nothing is left.
+/// Exports the photos that exportDataset() would export, for programs that read other formats: pictures in
+/// images/, and the format's files beside it. Photos have no times in these formats; they get a second each,
+/// in their order.
+///
+/// Errors: those of exportDataset() and dataset::poseFiles(); Unsupported for photos of different sizes.
+/// After an error nothing is left.
 ForeignReport exportForeign(const store::SurveyStore& store, const std::filesystem::path& folder,
                             const ForeignOptions& options, ProgressSink& progress,
                             const std::stop_token& stop);
+
+/// The room of the survey or of the dataset in this folder. The robot's camera begins at the photo nearest to
+/// the middle of all photos; a survey without photos takes its stations instead.
+/// Errors: those of opening the folder; InvalidInput for a folder without photos and stations.
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder);
+
+/// Writes world.sdf, and camera.yaml for the camera in it, into a new folder.
+/// Errors: Exists, Full, Io; those of dataset::sdfWorld(). After an error nothing is left.
+void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
+                 const std::filesystem::path& folder);
 
 } // namespace spherewalk::jobs

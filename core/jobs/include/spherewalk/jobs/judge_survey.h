@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/photo/verdict.h"
-#include "spherewalk/store/survey_store.h"
+#include "spherewalk/store/records.h"
 
 #include <stop_token>
+#include <string>
+#include <vector>
+
+namespace spherewalk::store {
+class SurveyStore;
+}
 
 namespace spherewalk::jobs {
 
+/// How many photos were judged, and how many of them have each quality.
 struct JudgeReport {
     int judged = 0;
     int good = 0;
@@ -17,15 +24,34 @@ struct JudgeReport {
     int failed = 0;
 };
 
-/// Judges photos of the survey, each against all that stand near it, and keeps the verdicts. all: also those
-/// that have a verdict, which may have been given when fewer neighbours were there. Errors: those of the
-/// store; Stopped, with what is done kept.
+/// Judges photos of the survey, each against the photos that stand near it, and keeps the verdicts in the
+/// store. With `all`, photos that have a verdict are judged again: more neighbours may be there now.
+///
+/// Errors: those of the store.
+/// Stop: Stopped before the next photo; the verdicts so far are kept.
 JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progress,
                         const std::stop_token& stop);
 
 Json toJson(const JudgeReport& report);
 
-/// A verdict as the store keeps it, read back. Errors: Corrupt.
+/// The verdict that a record of the store holds. Errors: Corrupt.
 photo::Verdict verdictOf(const store::PhotoVerdict& record);
+
+/// A station whose photo should be taken again.
+struct Retake {
+    store::StationRecord station;
+    bool isFailed = true; ///< The checks failed the photo, or a person rejected it. Otherwise it is doubtful.
+    /// Good photos stand around the photo and can stand in for it. Otherwise it leaves a hole.
+    bool isSurrounded = false;
+    std::string sentence; ///< Says why.
+};
+
+/// Stations in walking order whose chosen photo a person rejected, or whose verdict is not good and no person
+/// accepted it. Stations that never had a photo are not listed. A photo counts as surrounded by good photos
+/// at its height, one and a half steps away at most, that leave no half of the directions around it empty.
+/// Errors: those of the store.
+std::vector<Retake> retakes(const store::SurveyStore& store);
+
+Json toJson(const std::vector<Retake>& retakes);
 
 } // namespace spherewalk::jobs

@@ -7,17 +7,18 @@
 
 namespace spherewalk::jobs {
 
-/// One of several parts of a job, each done by a process of its own.
+/// One of several parts of a job. A process of its own does each part.
 struct Shard {
-    std::size_t index = 0; ///< from 0
-    std::size_t count = 1;
+    std::size_t index = 0; ///< Counted from 0.
+    std::size_t count = 1; ///< Number of parts.
 
-    /// From "i/n", i from 1 to n. Errors: InvalidInput.
+    /// Reads "i/n", the i-th of n parts. Range: i from 1 to n, n up to a million. Errors: InvalidInput.
     static Shard parse(std::string_view text);
 
     bool isWhole() const { return count == 1; }
 
-    /// The part's first item, and one beyond its last: parts of about the same size, one after the other.
+    /// The part's first item, and one beyond its last. The parts follow each other without gaps; their sizes
+    /// differ by one item at most.
     std::pair<std::size_t, std::size_t> range(std::size_t items) const {
         return {index * items / count, (index + 1) * items / count};
     }

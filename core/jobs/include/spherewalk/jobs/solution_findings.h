@@ -2,44 +2,66 @@
 #pragma once
 
 #include "spherewalk/jobs/align_survey.h"
-#include "spherewalk/jobs/retag_photos.h"
-#include "spherewalk/store/survey_store.h"
+#include "spherewalk/store/records.h"
+
+#include <Eigen/Core>
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace spherewalk::jobs {
 
+/// Where a photo was really taken.
+struct PhotoPlace {
+    std::int64_t photo = 0;
+    std::int64_t station = 0;
+    std::optional<Eigen::Vector3d> positionM = {}; ///< Place of the lens; nothing means the station's.
+    bool choose = true; ///< Whether the photo replaces the one that the station has chosen.
+
+    bool operator==(const PhotoPlace&) const = default;
+};
+
+/// Moves photos to other stations, all at once: in the survey, and in the position tags of the files, which
+/// are written anew. Returns the earlier places of all photos of these stations; moving the photos there
+/// undoes the call. Killed at any instant, it leaves the survey as it was or as it shall be, and at worst
+/// files that belong to no photo.
+///
+/// Errors: NotFound; InvalidInput for a photo that is named twice; those of reading, tagging and writing.
+/// Stop: Stopped, with nothing changed.
+std::vector<PhotoPlace> retagPhotos(store::SurveyStore& store, const std::vector<PhotoPlace>& places,
+                                    ProgressSink& progress, const std::stop_token& stop);
+
 /// What a recorded solution says of one photo.
 struct PhotoFinding {
     std::int64_t photo = 0;
-    std::int64_t station = 0; ///< that it belongs to now
-    std::string file;         ///< as it is called now
+    std::int64_t station = 0; ///< Station that the photo belongs to now.
+    std::string file;         ///< Present name of the file.
     std::string stationName;
-    std::string status; ///< "good", "doubtful", "failed"
+    std::optional<survey::Quality> quality; ///< Nothing for a photo that the solution lacks.
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
-    std::optional<Radians> sigmaTilt; ///< the larger of pitch and roll
-    std::optional<Radians> residual;  ///< root mean square over the matches that hold it
-    int neighbours = 0;               ///< pairs that hold it
-    std::vector<std::string> flags;   ///< sentences
-    std::optional<std::int64_t> fits; ///< the station that it should belong to, where it belongs to another
+    std::optional<Radians> sigmaTilt; ///< The larger one of pitch and roll.
+    std::optional<Radians> residual;  ///< Root mean square over the matches that hold the photo.
+    int neighbours = 0;               ///< Number of pairs that hold the photo.
+    std::vector<std::string> flags;   ///< Sentences.
+    std::optional<std::int64_t> fits; ///< Station that the photo should belong to, if it is another one.
     Cure cure = Cure::None;
 };
 
 struct SolutionFindings {
     store::SolutionRecord solution;
-    std::string reason;                ///< why this model, in a sentence; "" if not known
-    std::vector<std::string> warnings; ///< of the solution as a whole
-    std::vector<PhotoFinding> photos;  ///< that the survey still has, in walking order
+    std::string reason;                ///< Sentence that says why this model; empty if not known.
+    std::vector<std::string> warnings; ///< Sentences about the solution as a whole.
+    std::vector<PhotoFinding> photos;  ///< In walking order; photos that the survey lost are left out.
 
-    /// The moves that would put every photo that fits another station there.
+    /// The moves that put every photo that fits another station there.
     std::vector<PhotoPlace> retags() const;
 };
 
-/// Of the active solution; nothing without one. Errors: Corrupt for a report that is none.
+/// What the active solution says; nothing if there is none. Errors: Corrupt if the solution's report is none.
 std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
 
 } // namespace spherewalk::jobs

@@ -1,53 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/dataset/bag.h"
 #include "spherewalk/dataset/pose_formats.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/jobs/shard.h"
-#include "spherewalk/jobs/walk_bag.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
 #include <optional>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::jobs {
 
-struct WalkOptions {
-    render::ViewOptions view;
-    render::StreamOptions
-        stream; ///< the poses' times tell how the camera moves; frames are not paced by them
-    std::optional<Ball> ball = {};                 ///< laid into each frame
-    std::vector<dataset::PoseFormat> formats = {}; ///< whose files are written besides
-    std::vector<dataset::BagFormat> bags = {};     ///< walk.bag and walk.mcap
-    BagPictures bagPictures = BagPictures::Raw;
-    Shard shard = {}; ///< this part of the frames only
+/// How a bag holds the frames.
+enum class BagPictures {
+    Raw, ///< Topic /camera/image_raw, sensor_msgs/Image.
+    Png, ///< Topic /camera/image_raw/compressed, sensor_msgs/CompressedImage with the frames' own files.
 };
 
+/// The kind that "raw" or "png" names. Errors: InvalidInput, whose sentence lists the names.
+BagPictures bagPictures(std::string_view name);
+
+struct WalkOptions {
+    render::ViewOptions view;
+    /// How frames arrive. The poses' times tell how the camera moves; nothing waits for them.
+    render::StreamOptions stream;
+    std::optional<Ball> ball = {};                 ///< A ball that is laid into each frame.
+    std::vector<dataset::PoseFormat> formats = {}; ///< Pose files to write besides.
+    std::vector<dataset::BagFormat> bags = {};     ///< Bags to write besides: walk.bag, walk.mcap.
+    BagPictures bagPictures = BagPictures::Raw;
+    Shard shard = {}; ///< The part of the frames to render.
+};
+
+/// Counts and times are those of this part, and of the frames that were not there before.
 struct WalkReport {
-    std::size_t frames = 0;     ///< of this part
-    std::size_t reused = 0;     ///< of them, that were there; what follows is of the others
-    bool isComplete = false;    ///< all parts are there
-    std::size_t photosUsed = 0; ///< different ones
+    std::size_t frames = 0;     ///< Frames of this part.
+    std::size_t reused = 0;     ///< Frames of this part that were there before.
+    bool isComplete = false;    ///< Whether the frames of all parts are there.
+    std::size_t photosUsed = 0; ///< Number of different photos.
     double medianRenderMs = 0;
-    double medianDecodeMs = 0; ///< of the frames that had to wait for a photo; 0 if none had
+    double medianDecodeMs = 0; ///< Over the frames that waited for a photo; 0 if none did.
     render::StreamCounters stream;
     render::LoadCounters load;
     double worstOffsetM = 0;
     double leastTrust = 1;
 };
 
-/// Renders a view at each pose and writes 000000.png ... into the folder, which is made if need be. Frames of
-/// the same walk that are there are kept: a walk that was stopped goes on, and parts may be rendered by
-/// several processes at once. Once all are there, also index.csv (a line a frame, with its pose and what it
-/// was made from), times.csv, contact-sheet.png, the bags, and the files of the formats, for which the room
-/// is the world. Files of these names are replaced. With LatePolicy::Wait all but times.csv is the same in
-/// every run, whatever the parts. Frames: the poses are of the optical frame. Errors: those of rendering and
-/// writing, of bags before anything is rendered; Stopped, with the frames so far kept.
+/// Renders a view at each pose and writes 000000.png, 000001.png, ... into the folder, which is made if need
+/// be. Frames of the same walk that are there are kept: a walk that was stopped goes on, and several
+/// processes may render parts at once.
+///
+/// The last part also writes index.csv (a line for each frame), times.csv, contact-sheet.png, the bags, and
+/// the pose files, for which the room is the world. Files of these names are replaced. With LatePolicy::Wait
+/// all files but times.csv are the same in every run, whatever the parts.
+///
+/// A bag holds the picture and /camera/camera_info in the frame camera_optical, and the true pose of
+/// camera_optical in the frame map, which is the room: /camera/pose (geometry_msgs/PoseStamped) and /tf. The
+/// four messages of a frame have its time.
+///
+/// Frames: the poses are those of the optical frame.
+/// Errors: those of rendering and writing; InvalidInput before anything is rendered, if a bag is wanted and
+/// ROS cannot hold a pose's time.
+/// Stop: Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
