@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command.h"
+#include "options/command.h"
+#include "options/terminal.h"
 #include "program/program.h"
-#include "program/stop_on_signal.h"
-#include "terminal.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace spherewalk::cli {
 
@@ -34,7 +35,7 @@ void declareCommands(Commands& commands) {
     addDemo(commands);
 }
 
-int run(const Commands& commands, const std::stop_token& stop) {
+int runChosen(const Commands& commands, const std::stop_token& stop) {
     return program::guarded(
         [&] {
             TerminalProgress progress;
@@ -53,19 +54,15 @@ int run(const Commands& commands, const std::stop_token& stop) {
 }
 
 int runProgram(int argc, char** argv) {
-    CLI::App app("Turns a room, scanned with a spherical camera, into a camera simulator.", "spherewalk-cli");
-    app.set_version_flag("--version", "spherewalk-cli " SPHEREWALK_VERSION);
-    app.require_subcommand(1);
-    Commands commands(app);
+    program::CommandLine line("Turns a room, scanned with a spherical camera, into a camera simulator.",
+                              "spherewalk-cli", "spherewalk-cli " SPHEREWALK_VERSION);
+    Commands commands(line.program());
     declareCommands(commands);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        const int status = app.exit(error);
-        return status == 0 ? program::kDone : program::kUsage;
+    if (const std::optional<int> status = line.parse(argc, argv)) {
+        return *status;
     }
     const program::StopOnSignal signals;
-    return run(commands, signals.token());
+    return runChosen(commands, signals.token());
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
@@ -55,6 +57,59 @@ void Topics::validate() const {
                          "\" has one level, so that its camera_info would be that of all such cameras; give "
                          "it two, like /robot/image."));
     }
+}
+
+void Latencies::add(std::chrono::duration<double, std::milli> latency) {
+    if (m_latest.size() < kKept) {
+        m_latest.push_back(latency.count());
+    } else {
+        m_latest[m_next] = latency.count();
+        m_next = (m_next + 1) % kKept;
+    }
+}
+
+double Latencies::quantile(double share) const {
+    return m_latest.empty() ? 0 : spherewalk::quantile(m_latest, share);
+}
+
+std::string summary(const simulator::CameraCounters& counters, const Latencies& latencies) {
+    std::string words = text("Gave ", counters.frames, " frames from ", counters.poses, " poses, in ",
+                             fixed(latencies.quantile(0.5), 1), " ms from pose to picture (99 of 100 in ",
+                             fixed(latencies.quantile(0.99), 1), " ms).");
+    const auto add = [&](std::uint64_t count, const char* what) {
+        words += count == 0 ? "" : text("\n", count, " ", what);
+    };
+    add(counters.dropped, "frames were left out since newer ones were due.");
+    add(counters.stream.late, "photos were not decoded in time.");
+    add(counters.overlaysMissing,
+        "frames went without the simulator's objects, whose pictures did not come.");
+    add(counters.overlaysUnused, "pictures of objects fitted no frame.");
+    add(counters.outside, "frames were from outside of the room.");
+    add(counters.restarts, "times the simulation's time went back.");
+    for (std::size_t i = 0; i < counters.refused.size(); ++i) {
+        const std::string kind = text("inputs were refused: ", name(static_cast<simulator::Refusal>(i)), ".");
+        add(counters.refused[i], kind.c_str());
+    }
+    return words;
+}
+
+Json toJson(const simulator::CameraCounters& counters, const Latencies& latencies) {
+    Json refused = Json::object();
+    for (std::size_t i = 0; i < counters.refused.size(); ++i) {
+        refused[std::string(name(static_cast<simulator::Refusal>(i)))] = counters.refused[i];
+    }
+    return {{"poses", counters.poses},
+            {"frames", counters.frames},
+            {"dropped", counters.dropped},
+            {"restarts", counters.restarts},
+            {"outside", counters.outside},
+            {"overlays_laid", counters.overlaysLaid},
+            {"overlays_missing", counters.overlaysMissing},
+            {"overlays_unused", counters.overlaysUnused},
+            {"late", counters.stream.late},
+            {"refused", refused},
+            {"latency_median_ms", latencies.quantile(0.5)},
+            {"latency_99_ms", latencies.quantile(0.99)}};
 }
 
 Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,

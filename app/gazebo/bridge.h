@@ -2,10 +2,11 @@
 #pragma once
 
 #include "messages.h"
-#include "program/camera_summary.h"
 
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/simulator/simulated_camera.h"
 
+#include <chrono>
 #include <mutex>
 #include <stop_token>
 #include <string>
@@ -15,41 +16,63 @@ namespace spherewalk::gazebo {
 
 struct Topics {
     std::vector<std::string> poses;
-    std::string image; ///< of two levels: camera_info and report go beside it
+    std::string image; ///< Topic of two levels or more; camera_info and report go beside it.
     std::string overlayColour;
     std::string overlayDepth;
     std::string overlayLabels;
 
-    /// Of the level above the image.
+    /// The topic of this name on the level of the image.
     std::string beside(const std::string& name) const;
 
-    /// Errors: InvalidInput for topics that cannot be, and an image's that has one level only.
+    /// Errors: InvalidInput for impossible topics, and for an image's topic of one level.
     void validate() const;
 };
 
 struct BridgeOptions {
     Topics topics;
-    std::string frame;   ///< whose poses are the camera's: "robot::base::camera"
-    std::string frameId; ///< what the pictures' headers say: the optical frame's name
+    std::string frame;   ///< Name of the frame whose poses are the camera's: "robot::base::camera".
+    std::string frameId; ///< Name of the optical frame, for the headers of pictures.
 };
 
-/// A camera beside Gazebo: takes poses and pictures of objects from topics, and publishes what it sees.
-/// Threads: made, run and destroyed in one; messages come in others.
+/// The times that the latest frames took from the arrival of their poses to the transport. Threads: one at a
+/// time.
+class Latencies {
+  public:
+    void add(std::chrono::duration<double, std::milli> latency);
+
+    /// This share of the frames took so many milliseconds at most. Returns 0 without frames. Range: share in
+    /// [0, 1].
+    double quantile(double share) const;
+
+  private:
+    static constexpr std::size_t kKept = 65536;
+
+    std::vector<double> m_latest;
+    std::size_t m_next = 0;
+};
+
+/// What a camera in a simulator did, in sentences for the end of a program.
+std::string summary(const simulator::CameraCounters& counters, const Latencies& latencies);
+
+Json toJson(const simulator::CameraCounters& counters, const Latencies& latencies);
+
+/// A camera beside Gazebo. It takes poses and pictures of objects from topics, and publishes its views.
+/// Threads: one thread makes, runs and destroys it.
 class Bridge {
   public:
-    /// Errors: those of Topics::validate() and of SimulatedCamera; Network for topics that cannot be
-    /// subscribed or advertised.
+    /// Errors: those of Topics::validate() and of SimulatedCamera; Network where a topic cannot be subscribed
+    /// or advertised.
     Bridge(const render::Renderer& renderer, const CameraModel& camera,
            const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
            simulator::Refusals::Tell tell);
 
-    /// Returns when it is to stop.
+    /// Carries messages until the stop. Stop: returns within 20 ms and the rendering of one frame.
     void run(const std::stop_token& stop);
 
     simulator::CameraCounters counters() const { return m_camera.counters(); }
 
-    /// Until the picture is handed to the transport. Range: after run() only.
-    const program::Latencies& latencies() const { return m_latencies; }
+    /// Range: after run() only.
+    const Latencies& latencies() const { return m_latencies; }
 
   private:
     template <class Message>
@@ -68,7 +91,7 @@ class Bridge {
     PoseTree m_tree;
     bool m_isRunning = true; ///< false: what still comes is not used
     std::uint64_t m_sequence = 0;
-    program::Latencies m_latencies;
+    Latencies m_latencies;
     msgs::Image m_image;
     msgs::CameraInfo m_info;
     msgs::Param m_report;

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge.h"
-#include "middleware.h"
 #include "program/program.h"
-#include "program/simulator_options.h"
-#include "program/stop_on_signal.h"
+#include "program/render_options.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/render/camera_info.h"
+#include "spherewalk/simulator/camera_options.h"
 
-#include <CLI/CLI.hpp>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace spherewalk::gazebo {
 
@@ -15,33 +20,120 @@ namespace {
 
 using program::printLine;
 
+/// The options of a camera in a simulator.
+class SimulatorOptions {
+  public:
+    /// Declares --rate, --pace, --late, --prefetch, --mount, --room-from-world, and the overlay's
+    /// --objects-by,
+    /// --room-labels, --overlay-wait, --overlay-camera.
+    void declare(const program::Command& command);
+
+    /// hasOverlay: pictures of objects will come. Errors: InvalidInput with a sentence.
+    simulator::CameraOptions options(const render::ViewOptions& view, bool hasOverlay) const;
+
+  private:
+    program::StreamOptions m_stream;
+    double m_rateHz = simulator::CameraOptions().rateHz;
+    std::string m_pace = "newest";
+    std::string m_mount = "0 0 0 0 0 0 1";
+    std::string m_roomFromWorld = "0 0 0 0 0 0 1";
+    std::string m_objectsBy = "labels";
+    std::vector<int> m_roomLabels = {0, 1};
+    double m_overlayWaitS = 0.5;
+    std::string m_overlayCamera;
+};
+
+void SimulatorOptions::declare(const program::Command& command) {
+    command
+        .option("--rate", m_rateHz,
+                "Frames a second of simulation time, each at the first pose at or after a multiple of "
+                "1/rate; 0: one for each pose")
+        .range(0.0, 1000.0)
+        .showDefault();
+    command
+        .option("--pace", m_pace,
+                "When the simulation is faster than the rendering: newest leaves frames out and counts "
+                "them, every renders all in turn")
+        .among({"newest", "every"})
+        .showDefault();
+    m_stream.declare(command);
+    command
+        .option("--mount", m_mount,
+                "Pose of the camera (x forward) on the link whose poses come: \"x y z qx qy qz qw\"")
+        .showDefault();
+    command
+        .option("--room-from-world", m_roomFromWorld,
+                "Pose of the simulator's world in the dataset's room: \"x y z qx qy qz qw\"")
+        .showDefault();
+    command
+        .option("--objects-by", m_objectsBy,
+                "How the simulator's objects are told from its model of the room: by labels of a "
+                "segmentation camera, by depth, or alone if the depth camera sees nothing else")
+        .among({"labels", "depth", "alone"})
+        .showDefault();
+    command
+        .option("--room-labels", m_roomLabels, "Labels of the simulator's model of the room, and of nothing")
+        .range(0, 255)
+        .separatedBy(',')
+        .showDefault();
+    command
+        .option("--overlay-wait", m_overlayWaitS,
+                "Seconds of simulation time that a frame waits for pictures of the objects")
+        .range(0.0, 10.0)
+        .showDefault();
+    command.option("--overlay-camera", m_overlayCamera,
+                   "Camera that takes the pictures of the objects, if it is not the same: a ROS "
+                   "camera-info YAML");
+}
+
+simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& view, bool hasOverlay) const {
+    simulator::CameraOptions options;
+    options.view = view;
+    options.stream = m_stream.options();
+    options.mounting = {parsePose(m_roomFromWorld), parsePose(m_mount)};
+    options.rateHz = m_rateHz;
+    options.pace = simulator::pace(m_pace);
+    if (hasOverlay) {
+        simulator::OverlayOptions& overlay = options.overlay.emplace();
+        overlay.by = simulator::objectsBy(m_objectsBy);
+        overlay.roomLabels.assign(m_roomLabels.begin(), m_roomLabels.end());
+        overlay.wait =
+            std::chrono::duration_cast<simulator::Stamp>(std::chrono::duration<double>(m_overlayWaitS));
+        if (!m_overlayCamera.empty()) {
+            overlay.camera = render::readCameraInfo(m_overlayCamera);
+        }
+    }
+    options.validate();
+    return options;
+}
+
 struct Options {
     program::RenderOptions render;
-    program::SimulatorOptions simulator;
+    SimulatorOptions simulator;
     BridgeOptions bridge;
     bool isJson = false;
 };
 
-void declareTopics(CLI::App& app, Options& options) {
+void declareTopics(const program::Command& app, Options& options) {
     Topics& topics = options.bridge.topics;
-    app.add_option("--poses", topics.poses,
-                   "Topic of poses: of a model's pose publisher (/model/NAME/pose), or of the scene "
-                   "(/world/NAME/dynamic_pose/info); can be repeated")
-        ->required();
-    app.add_option("--frame", options.bridge.frame,
-                   "Frame of these poses in which the camera sits, with its scopes: robot::base::camera")
-        ->required();
-    app.add_option("--image", topics.image,
-                   "Topic of two levels or more for the pictures; camera_info and report go beside it")
-        ->required();
-    app.add_option("--frame-id", options.bridge.frameId,
-                   "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "
-                   "and _optical");
-    app.add_option("--overlay-colour", topics.overlayColour,
-                   "Topic of a camera at the same place that sees the simulator's objects alone");
-    app.add_option("--overlay-depth", topics.overlayDepth, "Topic of a depth camera at the same place");
-    app.add_option("--overlay-labels", topics.overlayLabels,
-                   "Topic of the label map of a segmentation camera at the same place");
+    app.option("--poses", topics.poses,
+               "Topic of poses: of a model's pose publisher (/model/NAME/pose), or of the scene "
+               "(/world/NAME/dynamic_pose/info); can be repeated")
+        .required();
+    app.option("--frame", options.bridge.frame,
+               "Frame of these poses in which the camera sits, with its scopes: robot::base::camera")
+        .required();
+    app.option("--image", topics.image,
+               "Topic of two levels or more for the pictures; camera_info and report go beside it")
+        .required();
+    app.option("--frame-id", options.bridge.frameId,
+               "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "
+               "and _optical");
+    app.option("--overlay-colour", topics.overlayColour,
+               "Topic of a camera at the same place that sees the simulator's objects alone");
+    app.option("--overlay-depth", topics.overlayDepth, "Topic of a depth camera at the same place");
+    app.option("--overlay-labels", topics.overlayLabels,
+               "Topic of the label map of a segmentation camera at the same place");
 }
 
 /// Whether pictures of objects are to come. Errors: InvalidInput if some of the topics are missing.
@@ -72,7 +164,7 @@ int run(Options& options, const std::stop_token& stop) {
     wanted.topics.validate();
     const simulator::CameraOptions camera = cameraOptions(options);
     const CameraModel model = options.render.cameraModel();
-    const render::Renderer renderer = options.render.renderer(options.render.folder(), noProgress(), stop);
+    const render::Renderer renderer = options.render.renderer(noProgress(), stop);
     Bridge bridge(renderer, model, camera, wanted,
                   [](const std::string& sentence) { printLine(stderr, sentence); });
     printLine(stderr, text("Waits for poses of ", wanted.frame, "; pictures go to ", wanted.topics.image,
@@ -84,17 +176,16 @@ int run(Options& options, const std::stop_token& stop) {
 }
 
 int runProgram(int argc, char** argv) {
-    CLI::App app("A camera beside Gazebo that sees a room that was scanned.", "spherewalk-gz");
-    app.set_version_flag("--version", "spherewalk-gz " SPHEREWALK_VERSION);
+    program::CommandLine line("A camera beside Gazebo that sees a room that was scanned.", "spherewalk-gz",
+                              "spherewalk-gz " SPHEREWALK_VERSION);
+    const program::Command command = line.program();
     Options options;
-    options.render.declare(app);
-    declareTopics(app, options);
-    options.simulator.declare(app);
-    app.add_flag("--json", options.isJson, "Print the summary at the end as one JSON object");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? program::kDone : program::kUsage;
+    options.render.declare(command);
+    declareTopics(command, options);
+    options.simulator.declare(command);
+    command.flag("--json", options.isJson, "Print the summary at the end as one JSON object");
+    if (const std::optional<int> status = line.parse(argc, argv)) {
+        return *status;
     }
     const program::StopOnSignal signals;
     return program::guarded([&] { return run(options, signals.token()); });

@@ -13,35 +13,34 @@
 
 namespace spherewalk::gazebo {
 
-/// A pose as Gazebo says it.
+/// A pose as a message of Gazebo gives it.
 struct NamedPose {
-    std::string child;  ///< what it is of: scoped ("robot::base") or bare ("base")
-    std::string parent; ///< what it is relative to; "" if the message does not say, as on scene topics
+    std::string child;  ///< Name of the posed frame, scoped ("robot::base") or bare ("base").
+    std::string parent; ///< Name of the frame of reference; "" on scene topics, which do not tell it.
     simulator::Stamp stamp{};
     Rigid3 parentFromChild;
 };
 
-/// The world's pose of one frame, put together from poses of it, its link, its model, each relative to the
-/// one above.
+/// Composes the pose of one frame in the world from the poses of its model, its links and itself.
 ///
-/// Frames are named with their scopes, "robot::base::camera". Poses that name their parents (the
-/// pose-publisher system) are followed upwards until a parent of which no pose comes, which is the world.
-/// Poses that do not (the scene's topics) are told by the bare names of the scopes in turn.
+/// Frames have scoped names, "robot::base::camera". Poses of the pose-publisher system name their parents:
+/// the tree follows them up to a parent without a pose, which is the world. Poses of scene topics name no
+/// parents: the tree takes the bare name of each scope in turn.
 class PoseTree {
   public:
     explicit PoseTree(std::string frame);
 
     const std::string& frame() const { return m_frame; }
 
-    /// Adds the poses of a message. What comes back is the frame's pose, if this message completes it for its
-    /// stamp: all that moved at the stamp before have come. What stood still at the stamp before keeps its
-    /// pose.
+    /// Adds the poses of a message. Returns the frame's pose if this message completes a stamp, and nothing
+    /// otherwise. A stamp is complete when each link that moved at the stamp before has its pose. Other links
+    /// keep their last pose.
     std::optional<Rigid3> add(const std::vector<NamedPose>& poses);
 
-    /// How many stamps in a row, up to the last whole one, gave no pose.
+    /// Number of stamps in a row, up to the last whole one, without a pose of the frame.
     std::uint64_t missedSteps() const { return m_missedSteps; }
 
-    /// Why they did not, as a sentence.
+    /// A sentence that says why those stamps gave no pose.
     std::string trouble() const;
 
   private:

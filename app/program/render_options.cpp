@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/render_options.h"
 
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/camera_info.h"
 
 #include <memory>
 
 namespace spherewalk::program {
 
-void RenderOptions::declare(CLI::App& command) {
-    command.add_option("dataset", m_dataset, "Folder of the dataset")->required();
-    command.add_option("--camera", m_camera, "Camera: a ROS camera-info YAML")->required();
+void RenderOptions::declare(const Command& command, const std::string& datasetHelp) {
+    command.option("dataset", m_dataset, datasetHelp).required();
+    command.option("--camera", m_camera, "Camera: a ROS camera-info YAML").required();
     command
-        .add_option("--scene", m_scene,
-                    "Scene model for places between photos: none, sphere, room, depth, or auto")
-        ->check(CLI::IsMember({"none", "sphere", "room", "depth", "auto"}))
-        ->capture_default_str();
+        .option("--scene", m_scene,
+                "Scene model for places between photos: none, sphere, room, depth, or auto")
+        .among({"none", "sphere", "room", "depth", "auto"})
+        .showDefault();
     command
-        .add_option(
+        .option(
             "--sampling", m_sampling,
             "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic, or auto")
-        ->check(CLI::IsMember({"nearest", "bilinear", "reduced", "footprint", "bicubic", "auto"}))
-        ->capture_default_str();
-    command.add_option("--threads", m_threads, "Threads to render with; 0: all")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    command.add_flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");
+        .among({"nearest", "bilinear", "reduced", "footprint", "bicubic", "auto"})
+        .showDefault();
+    command.option("--threads", m_threads, "Threads to render with; 0: all").range(0, 1024).showDefault();
+    command.flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");
+}
+
+void RenderOptions::declareFrame(const Command& command) {
+    command.option("--frame", m_frame, "Frame that the poses are of: optical (z forward) or body (x forward)")
+        .among({"optical", "body"})
+        .showDefault();
 }
 
 render::Renderer RenderOptions::renderer(const std::filesystem::path& dataset, ProgressSink& progress,
@@ -51,16 +56,21 @@ render::ViewOptions RenderOptions::viewOptions() const {
     return options;
 }
 
-void StreamOptions::declare(CLI::App& command) {
+Rigid3 RenderOptions::opticalPose(const Rigid3& roomFromGiven) const {
+    return m_frame == "body" ? roomFromGiven * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
+                             : roomFromGiven;
+}
+
+void StreamOptions::declare(const Command& command) {
     command
-        .add_option("--late", m_late,
-                    "What a view is made from when its photo is not decoded yet: wait for it, coarse (the "
-                    "thumbnail), or previous (the photo before)")
-        ->check(CLI::IsMember({"wait", "coarse", "previous"}))
-        ->capture_default_str();
-    command.add_option("--prefetch", m_prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+        .option("--late", m_late,
+                "What a view is made from when its photo is not decoded yet: wait for it, coarse (the "
+                "thumbnail), or previous (the photo before)")
+        .among({"wait", "coarse", "previous"})
+        .showDefault();
+    command.option("--prefetch", m_prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
+        .range(0.0, 10.0)
+        .showDefault();
 }
 
 render::StreamOptions StreamOptions::options() const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "program/command_line.h"
+
 #include "spherewalk/base/progress.h"
 #include "spherewalk/render/view_stream.h"
-
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <stop_token>
@@ -12,36 +12,51 @@
 
 namespace spherewalk::program {
 
-/// What all programs that render have in common: the dataset, the camera, and how to render.
+/// The options of every command that renders: a dataset, a camera, the frame of given poses, and how views
+/// are made.
 class RenderOptions {
   public:
-    /// The dataset, --camera, --scene, --sampling, --threads, --no-verify.
-    void declare(CLI::App& command);
+    /// Declares the dataset, --camera, --scene, --sampling, --threads and --no-verify.
+    void declare(const Command& command, const std::string& datasetHelp = "Folder of the dataset");
+    /// Declares --frame, for commands that take poses from the user.
+    void declareFrame(const Command& command);
 
-    /// As it was given.
+    /// The dataset's folder, as the user gave it.
     const std::string& folder() const { return m_dataset; }
 
+    /// Errors: those of render::readCameraInfo().
     CameraModel cameraModel() const;
     render::ViewOptions viewOptions() const;
 
-    /// With hashes compared when the dataset is opened, or photo by photo.
+    /// Opens the dataset and makes its renderer. The hashes of all photos are compared now, or with
+    /// --no-verify those of each photo before its first use. Errors: those of render::Dataset::open(). Stop:
+    /// throws Error{Stopped}.
+    render::Renderer renderer(ProgressSink& progress, const std::stop_token& stop) const {
+        return renderer(folder(), progress, stop);
+    }
+
+    /// The same for another dataset than the given one.
     render::Renderer renderer(const std::filesystem::path& dataset, ProgressSink& progress,
                               const std::stop_token& stop) const;
+
+    /// The pose of the optical frame (z forward). roomFromGiven: the pose of the frame that --frame names.
+    Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
 
   private:
     std::string m_dataset;
     std::string m_camera;
+    std::string m_frame = "optical";
     std::string m_scene = "auto";
     std::string m_sampling = "footprint";
     int m_threads = 0;
     bool m_noVerify = false;
 };
 
-/// For cameras that move.
+/// The options of commands whose camera moves.
 class StreamOptions {
   public:
-    /// --late, --prefetch.
-    void declare(CLI::App& command);
+    /// Declares --late and --prefetch.
+    void declare(const Command& command);
 
     render::StreamOptions options() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "arrays.h"
+#include "bindings.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cameras.h"
-
-#include "arrays.h"
+#include "bindings.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/geometry/camera_model.h"
@@ -42,7 +40,7 @@ CameraModel fromMatrix(int width, int height, const py::object& matrix, const py
                         std::vector<double>(d.data(), d.data() + d.size())});
 }
 
-py::array_t<double> matrixOf(const CameraModel& camera) {
+py::array_t<double> cameraMatrixOf(const CameraModel& camera) {
     const CameraIntrinsics& c = camera.intrinsics();
     const std::array<double, 9> values{c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1};
     return py::array_t<double>({3, 3}, values.data());
@@ -78,7 +76,8 @@ std::string described(const CameraModel& camera) {
 void bindProperties(py::class_<CameraModel>& camera) {
     camera.def_property_readonly("width", &CameraModel::width, "Pixels.")
         .def_property_readonly("height", &CameraModel::height, "Pixels.")
-        .def_property_readonly("K", &matrixOf, "fx 0 cx, 0 fy cy, 0 0 1, pixels. Shape: (3, 3), a copy.")
+        .def_property_readonly("K", &cameraMatrixOf,
+                               "fx 0 cx, 0 fy cy, 0 0 1, pixels. Shape: (3, 3), a copy.")
         .def_property_readonly(
             "distortion",
             [](const CameraModel& self) {

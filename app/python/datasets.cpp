@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "datasets.h"
-
-#include "poses.h"
+#include "bindings.h"
 
 #include "spherewalk/base/enum_names.h"
 

@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cameras.h"
-#include "datasets.h"
-#include "errors.h"
-#include "poses.h"
-#include "renderers.h"
-#include "view_options.h"
-#include "views.h"
+#include "bindings.h"
 
-#include "spherewalk/render/simd_target.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/render/renderer.h"
+
+namespace spherewalk::python {
+
+namespace {
+
+void raise(const Error& error) {
+    const py::object ofKind = py::module_::import("spherewalk._errors").attr("of_kind");
+    const py::object raised = ofKind(py::str(std::string(name(error.kind()))), error.sentence());
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
+}
+
+/// From here on, a spherewalk::Error that leaves a function of the module becomes the exception that
+/// spherewalk/_errors.py has for its kind, with the same sentence.
+void translateErrors() {
+    py::register_local_exception_translator([](std::exception_ptr pointer) {
+        try {
+            std::rethrow_exception(pointer);
+        } catch (const Error& error) {
+            raise(error);
+        }
+    });
+}
+
+} // namespace
+
+} // namespace spherewalk::python
 
 PYBIND11_MODULE(_core, module) {
     using namespace spherewalk::python;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "poses.h"
+#include "bindings.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/geometry/rotation.h"

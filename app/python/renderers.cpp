@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers.h"
-
-#include "datasets.h"
-#include "poses.h"
-#include "view_options.h"
+#include "bindings.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/parallel.h"
@@ -22,7 +18,7 @@ using render::View;
 using render::ViewOptions;
 using render::ViewStream;
 
-constexpr EnumNames<VerifyPhotos, 2> kVerifications{
+constexpr EnumNames<VerifyPhotos, 2> kPhotoVerifications{
     {{VerifyPhotos::BeforeUse, "before_use"}, {VerifyPhotos::InBackground, "in_background"}}};
 
 /// Of a process: threads do not come along into a process that is forked, as multiprocessing does by default.
@@ -68,7 +64,7 @@ struct OwnStream {
 
 OwnRenderer makeRenderer(const OpenDataset& dataset, std::uint64_t cacheBytes,
                          const std::string& verifyPhotos) {
-    VerifyPhotos verify = valueOf(kVerifications, "The verification of photos", verifyPhotos);
+    VerifyPhotos verify = valueOf(kPhotoVerifications, "The verification of photos", verifyPhotos);
     verify = dataset.isVerified ? VerifyPhotos::AtOpen : verify;
     return {Renderer(dataset.dataset, {cacheBytes, verify})};
 }

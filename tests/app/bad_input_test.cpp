@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_run.h"
-#include "scripted_server.h"
+#include "http/scripted_server.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/jpeg/jpeg.h"
 
 #include <gmock/gmock.h>

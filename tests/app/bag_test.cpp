@@ -4,6 +4,7 @@
 #include "cli_run.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/photo/picture_file.h"
 

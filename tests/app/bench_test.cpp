@@ -3,6 +3,8 @@
 #include "made_dataset.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/json.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +19,7 @@ using testing::HasSubstr;
 
 namespace {
 
-void expectRefused(const std::vector<std::string>& arguments, const std::string& part) {
+void expectBenchRefused(const std::vector<std::string>& arguments, const std::string& part) {
     const CliResult result = runCli(arguments);
     EXPECT_EQ(result.status, 1) << result.errors;
     EXPECT_THAT(result.errors, HasSubstr(part));
@@ -72,14 +74,14 @@ TEST(BenchCommand, MeasuresAllThatIsPromisedAndDrawsIt) {
 TEST(BenchCommand, RefusesBadInputBeforeItMeasures) {
     const test::TemporaryFolder folder;
     const std::string dataset = test::writeMadeDataset(folder.path());
-    expectRefused({"bench", folder / "nowhere"}, "nowhere");
-    expectRefused({"bench", dataset, "--plot", folder / "plot.png"}, "ends in .svg");
-    expectRefused({"bench", dataset, "--plot", folder / "no/plot.svg"}, "there is no folder");
-    expectRefused({"bench", dataset, "--fields", "0"}, "1 to 170");
+    expectBenchRefused({"bench", folder / "nowhere"}, "nowhere");
+    expectBenchRefused({"bench", dataset, "--plot", folder / "plot.png"}, "ends in .svg");
+    expectBenchRefused({"bench", dataset, "--plot", folder / "no/plot.svg"}, "there is no folder");
+    expectBenchRefused({"bench", dataset, "--fields", "0"}, "1 to 170");
     Json json = parseJson(readTextFile(folder / "dataset/dataset.json"), "dataset.json");
     json["photos"] = Json::array();
     writeFile(folder / "dataset/dataset.json", bytesOf(json.dump()));
-    expectRefused({"bench", dataset}, "no photos");
+    expectBenchRefused({"bench", dataset}, "no photos");
 }
 
 TEST(BenchCommand, CtrlCStopsItWithStatusThree) {

@@ -3,6 +3,7 @@
 #include "flat_room.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <gmock/gmock.h>

@@ -2,6 +2,7 @@
 #include "cli_run.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 
 #include <gmock/gmock.h>

@@ -2,6 +2,8 @@
 #include "cli_run.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/base/json.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

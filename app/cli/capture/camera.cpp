@@ -1,28 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_options.h"
-#include "command.h"
-#include "single_shot.h"
+#include "capture/camera_options.h"
+#include "options/command.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/capture.h"
+#include "spherewalk/camera/capture_journal.h"
 #include "spherewalk/camera/discovery.h"
 #include "spherewalk/jobs/capture_survey.h"
 
+#include <filesystem>
 #include <memory>
 
 namespace spherewalk::cli {
 
 namespace {
 
-struct Options {
+/// The journal of one picture that belongs to no survey: the steps are kept in memory only, and the picture
+/// is put where the user wants it.
+class SingleShot : public camera::CaptureJournal {
+  public:
+    explicit SingleShot(std::filesystem::path out) : m_out(std::move(out)) {}
+
+    survey::Shot begin(std::int64_t station, const std::string& cameraSerial,
+                       const survey::Baseline& baseline) override;
+    void started(std::int64_t shot, const std::string& commandId) override;
+    void taken(std::int64_t shot, const std::string& fileUrl) override;
+    void notTaken(std::int64_t shot) override;
+    void unclear(std::int64_t shot, const std::string& why) override;
+    void downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
+    std::vector<survey::Shot> openShots() const override;
+    std::filesystem::path downloadFolder() const override;
+
+  private:
+    std::filesystem::path m_out;
+    survey::Shot m_shot;
+};
+
+using survey::ShotStep;
+
+survey::Shot SingleShot::begin(std::int64_t station, const std::string& cameraSerial,
+                               const survey::Baseline& baseline) {
+    m_shot = {};
+    m_shot.id = 1;
+    m_shot.station = station;
+    m_shot.intendedAt = std::chrono::system_clock::now();
+    m_shot.cameraSerial = cameraSerial;
+    m_shot.baseline = baseline;
+    return m_shot;
+}
+
+void SingleShot::started(std::int64_t /*shot*/, const std::string& commandId) {
+    m_shot.step = ShotStep::Started;
+    m_shot.commandId = commandId;
+}
+
+void SingleShot::taken(std::int64_t /*shot*/, const std::string& fileUrl) {
+    m_shot.step = ShotStep::Taken;
+    m_shot.fileUrl = fileUrl;
+}
+
+void SingleShot::notTaken(std::int64_t /*shot*/) {
+    m_shot.step = ShotStep::NotTaken;
+}
+
+void SingleShot::unclear(std::int64_t /*shot*/, const std::string& why) {
+    m_shot.step = ShotStep::Unclear;
+    m_shot.note = why;
+}
+
+void SingleShot::downloaded(std::int64_t /*shot*/, const camera::DownloadedPhoto& photo) {
+    std::filesystem::rename(photo.temporaryFile, m_out);
+    m_shot.step = ShotStep::Downloaded;
+}
+
+std::vector<survey::Shot> SingleShot::openShots() const {
+    const bool isOpen = m_shot.id != 0 && m_shot.step <= ShotStep::Taken;
+    return isOpen ? std::vector<survey::Shot>{m_shot} : std::vector<survey::Shot>{};
+}
+
+std::filesystem::path SingleShot::downloadFolder() const {
+    return m_out.has_parent_path() ? m_out.parent_path() : std::filesystem::path(".");
+}
+
+struct CameraArguments {
     CameraOptions camera;
     int count = 20;
     std::string out;
 };
 
-Result info(const Options& options, Context& context) {
+Result cameraInfo(const CameraArguments& options, Context& context) {
     const camera::CameraInfo info = options.camera.client(context.stop)->info(context.stop);
     const std::string levels = Json(info.apiLevels).dump();
     return {{{"manufacturer", info.manufacturer},
@@ -35,7 +104,7 @@ Result info(const Options& options, Context& context) {
                  ", API levels ", levels)};
 }
 
-Result state(const Options& options, Context& context) {
+Result cameraState(const CameraArguments& options, Context& context) {
     const camera::CameraState state = options.camera.client(context.stop)->state(context.stop);
     const std::string battery =
         state.batteryFraction ? text(fixed(100 * *state.batteryFraction, 0), " %") : "unknown";
@@ -50,7 +119,7 @@ Result state(const Options& options, Context& context) {
             words};
 }
 
-Result list(const Options& options, Context& context) {
+Result photosOnCamera(const CameraArguments& options, Context& context) {
     camera::FileQuery query;
     query.entryCount = options.count;
     const camera::FileList files = options.camera.client(context.stop)->listFiles(query, context.stop);
@@ -67,7 +136,7 @@ Result list(const Options& options, Context& context) {
     return {{{"total", files.totalEntries}, {"files", entries}}, lines};
 }
 
-Result shoot(const Options& options, Context& context) {
+Result shootOnce(const CameraArguments& options, Context& context) {
     const auto client = options.camera.client(context.stop);
     camera::CaptureOptions capture = options.camera.captureOptions();
     capture.download.check = jobs::photoCheck();
@@ -75,7 +144,7 @@ Result shoot(const Options& options, Context& context) {
     camera::Capture workflow(*client, journal, systemClock(), capture);
     const camera::ShotOutcome outcome = workflow.shoot(0, context.stop);
     workflow.disconnect(context.stop);
-    if (outcome.shot.step != camera::ShotStep::Downloaded) {
+    if (outcome.shot.step != survey::ShotStep::Downloaded) {
         throw Error(outcome.problem.value_or(ErrorKind::Io), outcome.sentence);
     }
     const camera::DownloadedPhoto& photo = outcome.photo.value();
@@ -84,7 +153,7 @@ Result shoot(const Options& options, Context& context) {
                  humanBytes(photo.sizeBytes), ".")};
 }
 
-Result find(Context& context) {
+Result findCameras(Context& context) {
     const camera::FindReport report = camera::findCameras({}, context.stop);
     Json cameras = Json::array();
     std::string words;
@@ -113,23 +182,24 @@ Result find(Context& context) {
 } // namespace
 
 void addCamera(Commands& commands) {
-    CLI::App& group = commands.addGroup("camera", "Find or ask a camera, or take one picture with it");
+    const program::Command group =
+        commands.addGroup("camera", "Find or ask a camera, or take one picture with it");
     commands.addFlag(group, "--find",
-                     "Look where cameras usually are, and for those that announce themselves", find);
-    const auto options = std::make_shared<Options>();
-    const auto add = [&](const std::string& name, const std::string& description, auto run) -> CLI::App& {
-        CLI::App& command = commands.add(
-            name, description, [options, run](Context& context) { return run(*options, context); }, &group);
+                     "Look where cameras usually are, and for those that announce themselves", findCameras);
+    const auto options = std::make_shared<CameraArguments>();
+    const auto add = [&](const std::string& name, const std::string& help, auto run) {
+        const program::Command command = commands.add(
+            group, name, help, [options, run](Context& context) { return run(*options, context); });
         options->camera.declare(command);
         return command;
     };
-    add("info", "Who the camera is", info);
-    add("state", "How the camera is", state);
-    add("list", "The newest photos on the camera", list)
-        .add_option("--count", options->count, "How many")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    add("shoot", "Take one picture", shoot).add_option("--out", options->out, "File to write")->required();
+    add("info", "Who the camera is", cameraInfo);
+    add("state", "How the camera is", cameraState);
+    add("list", "The newest photos on the camera", photosOnCamera)
+        .option("--count", options->count, "How many")
+        .range(1, 1000)
+        .showDefault();
+    add("shoot", "Take one picture", shootOnce).option("--out", options->out, "File to write").required();
 }
 
 } // namespace spherewalk::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_options.h"
+#include "capture/camera_options.h"
 
-#include "terminal.h"
+#include "options/terminal.h"
 
 #include "spherewalk/base/clock.h"
 
@@ -27,20 +27,20 @@ std::optional<camera::Credentials> credentials(const std::stop_token& stop) {
 
 } // namespace
 
-void CameraOptions::declare(CLI::App& command) {
+void CameraOptions::declare(const program::Command& command) {
     command
-        .add_option(
+        .option(
             "--camera", m_address,
             "Address of the camera, with :PORT if it is not 80. One in client mode wants the user name and "
             "the password that stand in SPHEREWALK_CAMERA_USER and SPHEREWALK_CAMERA_PASSWORD, or asks for "
             "them")
-        ->capture_default_str();
+        .showDefault();
     command
-        .add_option("--time-scale", m_timeScale,
-                    "Of a practice camera that is started with the same: 0.1 makes the camera's time ten "
-                    "times as fast")
-        ->check(CLI::Range(0.001, 1.0))
-        ->capture_default_str();
+        .option("--time-scale", m_timeScale,
+                "Of a practice camera that is started with the same: 0.1 makes the camera's time ten "
+                "times as fast")
+        .range(0.001, 1.0)
+        .showDefault();
 }
 
 std::unique_ptr<camera::OscClient> CameraOptions::client(const std::stop_token& stop) const {

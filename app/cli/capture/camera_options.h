@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "command.h"
+#include "options/command.h"
 
 #include "spherewalk/camera/capture_options.h"
 #include "spherewalk/camera/osc_client.h"
@@ -12,14 +12,14 @@
 
 namespace spherewalk::cli {
 
-/// How to reach a camera, for the commands that talk to one.
+/// The options of commands that talk to a camera: its address, and the time scale of a practice camera.
 class CameraOptions {
   public:
-    void declare(CLI::App& command);
+    void declare(const program::Command& command);
 
-    /// Errors: InvalidInput.
-    /// A camera that wants a password gets it from the environment, or asks for it at the terminal until the
-    /// stop.
+    /// A client of the camera. Where the camera wants a password, the client takes it from the environment,
+    /// or asks for it at the terminal. Errors: InvalidInput for a bad address. Stop: ends the wait for an
+    /// answer.
     std::unique_ptr<camera::OscClient> client(const std::stop_token& stop) const;
     camera::CaptureOptions captureOptions() const;
 

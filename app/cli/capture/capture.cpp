@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "camera_options.h"
-#include "command.h"
-#include "profile_help.h"
-#include "terminal.h"
+#include "spherewalk/camera/capture.h"
 
+#include "capture/camera_options.h"
+#include "options/command.h"
+#include "options/terminal.h"
+
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/follow_positions.h"
-#include "spherewalk/jobs/operators.h"
-#include "spherewalk/jobs/retakes.h"
+#include "spherewalk/jobs/judge_survey.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,7 +25,7 @@ namespace spherewalk::cli {
 
 namespace {
 
-struct Options {
+struct CaptureArguments {
     std::string survey;
     CameraOptions camera;
     bool practice = false;
@@ -66,7 +69,7 @@ class PersonAtTerminal : public jobs::Operator {
     ProgressSink& m_progress;
 };
 
-std::unique_ptr<jobs::Operator> operatorFor(const Options& options, Context& context) {
+std::unique_ptr<jobs::Operator> operatorFor(const CaptureArguments& options, Context& context) {
     if (options.practice) {
         const std::chrono::duration<double> moveTime(options.moveSeconds);
         return std::make_unique<jobs::PracticeOperator>(
@@ -98,7 +101,7 @@ Result resultOf(const jobs::CaptureSurveyReport& report) {
 }
 
 /// A robot sends positions on standard input and is answered on standard output, a line each.
-Result follow(const Options& options, store::SurveyStore& store, camera::OscClient& client,
+Result follow(const CaptureArguments& options, store::SurveyStore& store, camera::OscClient& client,
               Context& context) {
     jobs::FollowOptions followOptions{options.camera.captureOptions(), options.toleranceM};
     if (options.practice) {
@@ -142,7 +145,7 @@ std::vector<std::int64_t> stationsNamed(const store::SurveyStore& store,
     return ids;
 }
 
-Result capture(const Options& options, Context& context) {
+Result capture(const CaptureArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     const auto client = options.camera.client(context.stop);
     if (options.profile) {
@@ -168,38 +171,38 @@ Result capture(const Options& options, Context& context) {
 } // namespace
 
 void addCapture(Commands& commands) {
-    const auto options = std::make_shared<Options>();
-    CLI::App& command = commands.add("capture", "Take the photos that a survey still lacks",
-                                     [options](Context& context) { return capture(*options, context); });
-    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    const auto options = std::make_shared<CaptureArguments>();
+    const program::Command command =
+        commands.add("capture", "Take the photos that a survey still lacks",
+                     [options](Context& context) { return capture(*options, context); });
+    command.option("survey", options->survey, "Folder of the survey").required();
     options->camera.declare(command);
-    command.add_flag("--practice", options->practice,
-                     "The camera is a practice camera: bring it to each station by itself, without asking");
-    command.add_option("--most", options->most, "Photos to take at most; 0: all that are missing")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command.add_option(
-        "--again", options->again,
-        "Station to take besides, although it has a photo: \"rail 3, stop 5\"; can be repeated");
+    command.flag("--practice", options->practice,
+                 "The camera is a practice camera: bring it to each station by itself, without asking");
+    command.option("--most", options->most, "Photos to take at most; 0: all that are missing")
+        .notNegative()
+        .showDefault();
+    command.option("--again", options->again,
+                   "Station to take besides, although it has a photo: \"rail 3, stop 5\"; can be repeated");
     command
-        .add_option("--retakes", options->retakes,
-                    "Take flawed photos again besides: holes are failed ones that no neighbours stand in "
-                    "for, failed all that failed or were rejected, all the doubtful ones too")
-        ->check(CLI::IsMember({"none", "holes", "failed", "all"}))
-        ->capture_default_str();
+        .option("--retakes", options->retakes,
+                "Take flawed photos again besides: holes are failed ones that no neighbours stand in "
+                "for, failed all that failed or were rejected, all the doubtful ones too")
+        .among({"none", "holes", "failed", "all"})
+        .showDefault();
     command
-        .add_option("--move-time", options->moveSeconds,
-                    "Seconds that a practice cart takes from station to station")
-        ->check(CLI::Range(0.0, 600.0));
-    command.add_flag("--follow", options->follow,
-                     "Take the photo of each station whose position arrives on standard input, as \"x y z\" "
-                     "in metres or a JSON object with x, y and z, and answer on standard output");
+        .option("--move-time", options->moveSeconds,
+                "Seconds that a practice cart takes from station to station")
+        .range(0.0, 600.0);
+    command.flag("--follow", options->follow,
+                 "Take the photo of each station whose position arrives on standard input, as \"x y z\" "
+                 "in metres or a JSON object with x, y and z, and answer on standard output");
     command
-        .add_option("--tolerance", options->toleranceM,
-                    "With --follow: how far from its station a position may lie, metres")
-        ->capture_default_str();
-    command.add_option("--profile", options->profile,
-                       text("Change how the camera is set for this survey. ", kProfileHelp));
+        .option("--tolerance", options->toleranceM,
+                "With --follow: how far from its station a position may lie, metres")
+        .showDefault();
+    command.option("--profile", options->profile,
+                   text("Change how the camera is set for this survey. ", kProfileHelp));
 }
 
 } // namespace spherewalk::cli

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command.h"
-#include "dataset_options.h"
+#include "options/command.h"
+#include "options/measured_dataset.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/jobs/compare_robot.h"
+#include "spherewalk/jobs/measured_dataset.h"
 
 #include <memory>
 
@@ -12,8 +14,8 @@ namespace {
 
 constexpr std::size_t kShown = 12;
 
-struct Options {
-    DatasetOptions dataset;
+struct CompareArguments {
+    program::RenderOptions dataset;
     std::string pictures;
     std::string report;
     std::string poses;
@@ -23,18 +25,18 @@ struct Options {
 };
 
 /// What was asked for and could not be had is a failure, though the report tells the rest.
-bool succeeded(const jobs::CompareReport& report, const Options& options) {
+bool succeeded(const jobs::CompareReport& report, const CompareArguments& options) {
     return (!options.refinesPoses || report.refined > 0) && (!options.fitsColour || report.fit->correction);
 }
 
-Result compare(const Options& options, Context& context) {
+Result compareViews(const CompareArguments& options, Context& context) {
     jobs::CompareOptions wanted;
-    wanted.pictures = options.dataset.robotPictures(options.pictures);
+    wanted.pictures = robotPictures(options.dataset, options.pictures);
     wanted.refinesPoses = options.refinesPoses;
     wanted.fitsColour = options.fitsColour;
     wanted.view = options.dataset.viewOptions();
     wanted.shown = options.report.empty() ? 0 : kShown;
-    const render::Renderer renderer = options.dataset.renderer(context);
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
     const jobs::CompareReport report =
         compareRobot(renderer, options.dataset.cameraModel(), wanted, context.progress, context.stop);
     if (!options.report.empty()) {
@@ -56,26 +58,27 @@ Result compare(const Options& options, Context& context) {
 } // namespace
 
 void addCompare(Commands& commands) {
-    const auto options = std::make_shared<Options>();
-    CLI::App& command =
+    const auto options = std::make_shared<CompareArguments>();
+    const program::Command command =
         commands.add("compare", "Compare a dataset's views with a robot camera's own pictures",
-                     [options](Context& context) { return compare(*options, context); });
+                     [options](Context& context) { return compareViews(*options, context); });
     options->dataset.declare(command);
+    options->dataset.declareFrame(command);
     command
-        .add_option("--pictures", options->pictures,
-                    "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz")
-        ->required();
-    command.add_flag("--refine-poses", options->refinesPoses,
-                     "The poses are approximate (some 10 cm and 5 degrees): find out the true ones");
-    CLI::Option* fit = command.add_flag("--fit-colour", options->fitsColour,
-                                        "Fit what makes the photos' colours those of the robot's camera");
-    command.add_flag("--store", options->stores, "Keep the fitted correction in the dataset, for all views")
-        ->needs(fit);
-    command.add_option("--poses", options->poses,
-                       "CSV to write the refined poses to, in the form of --pictures, beside the pictures");
-    command.add_option(
-        "--report", options->report,
-        "Folder to write a page into, with pictures and views side by side (HTML, PDF and JSON)");
+        .option("--pictures", options->pictures,
+                "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz")
+        .required();
+    command.flag("--refine-poses", options->refinesPoses,
+                 "The poses are approximate (some 10 cm and 5 degrees): find out the true ones");
+    const program::Option fit =
+        command.flag("--fit-colour", options->fitsColour,
+                     "Fit what makes the photos' colours those of the robot's camera");
+    command.flag("--store", options->stores, "Keep the fitted correction in the dataset, for all views")
+        .needs(fit);
+    command.option("--poses", options->poses,
+                   "CSV to write the refined poses to, in the form of --pictures, beside the pictures");
+    command.option("--report", options->report,
+                   "Folder to write a page into, with pictures and views side by side (HTML, PDF and JSON)");
 }
 
 } // namespace spherewalk::cli

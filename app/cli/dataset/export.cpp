@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command.h"
-#include "measured_dataset.h"
+#include "options/command.h"
+#include "options/measured_dataset.h"
 
-#include "spherewalk/base/counted.h"
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/export_chosen.h"
 #include "spherewalk/jobs/export_foreign.h"
-#include "spherewalk/jobs/export_world.h"
+#include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <memory>
 
@@ -16,7 +17,7 @@ namespace spherewalk::cli {
 
 namespace {
 
-struct Options {
+struct ExportArguments {
     std::string survey;
     std::string dataset;
     jobs::ExportOptions write;
@@ -30,13 +31,13 @@ struct Options {
     bool isChosen() const { return scene == "auto"; }
 };
 
-jobs::ExportOptions exportOptions(const Options& options) {
+jobs::ExportOptions exportOptions(const ExportArguments& options) {
     jobs::ExportOptions wanted = options.write;
     wanted.scene = options.isChosen() ? render::SceneKind::Depth : render::sceneKind(options.scene);
     return wanted;
 }
 
-Result check(const Options& options, Context& context) {
+Result checkedExport(const ExportArguments& options, Context& context) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     const jobs::ExportCheck check =
         jobs::checkExport(store, options.dataset, exportOptions(options), context.progress, context.stop);
@@ -76,7 +77,7 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
 }
 
 /// With the scene model that measuring finds to be enough for the camera.
-Result exportChosen(const Options& options, const store::SurveyStore& store, Context& context) {
+Result exportChosen(const ExportArguments& options, const store::SurveyStore& store, Context& context) {
     if (options.camera.empty()) {
         throw Error(ErrorKind::InvalidInput,
                     "A scene model can be chosen for a camera only: name the robot's "
@@ -92,7 +93,7 @@ Result exportChosen(const Options& options, const store::SurveyStore& store, Con
     return result;
 }
 
-Result exportForeign(const Options& options, const store::SurveyStore& store, Context& context) {
+Result exportForeign(const ExportArguments& options, const store::SurveyStore& store, Context& context) {
     const jobs::ForeignReport report =
         jobs::exportForeign(store, options.dataset, {dataset::poseFormat(options.format), options.withFaces},
                             context.progress, context.stop);
@@ -102,7 +103,7 @@ Result exportForeign(const Options& options, const store::SurveyStore& store, Co
 }
 
 /// Of a VGA camera, if none is named.
-Result exportWorld(const Options& options) {
+Result exportWorld(const ExportArguments& options) {
     const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
                                                            : render::readCameraInfo(options.camera);
     const dataset::WorldRoom room = jobs::worldRoomOf(options.survey);
@@ -112,7 +113,7 @@ Result exportWorld(const Options& options) {
                  " walls with a robot in it, and camera.yaml.")};
 }
 
-Result exportSurvey(const Options& options, Context& context) {
+Result exportSurvey(const ExportArguments& options, Context& context) {
     if (options.format == "sdf") {
         return exportWorld(options);
     }
@@ -131,38 +132,38 @@ Result exportSurvey(const Options& options, Context& context) {
 } // namespace
 
 void addExport(Commands& commands) {
-    const auto options = std::make_shared<Options>();
-    CLI::App& command =
+    const auto options = std::make_shared<ExportArguments>();
+    const program::Command command =
         commands.add("export", "Export a survey as a dataset for simulators", [options](Context& context) {
-            return options->isCheck ? check(*options, context) : exportSurvey(*options, context);
+            return options->isCheck ? checkedExport(*options, context) : exportSurvey(*options, context);
         });
-    command.add_option("survey", options->survey, "Folder of the survey; with --format sdf, or of a dataset")
-        ->required();
-    command.add_option("dataset", options->dataset, "Folder to make")->required();
+    command.option("survey", options->survey, "Folder of the survey; with --format sdf, or of a dataset")
+        .required();
+    command.option("dataset", options->dataset, "Folder to make").required();
     command
-        .add_option("--restart-every", options->write.write.mcusPerInterval,
-                    "JPEG blocks (MCUs) between restart markers; the nearest number that divides a row is "
-                    "taken")
-        ->check(CLI::Range(1, 65535))
-        ->capture_default_str();
+        .option("--restart-every", options->write.write.mcusPerInterval,
+                "JPEG blocks (MCUs) between restart markers; the nearest number that divides a row is "
+                "taken")
+        .range(1, 65535)
+        .showDefault();
     command
-        .add_option(
+        .option(
             "--format", options->format,
             "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
             "euroc read them, or the room as a world for Gazebo (sdf)")
-        ->check(CLI::IsMember({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf"}))
-        ->capture_default_str();
-    command.add_flag("--faces", options->withFaces,
-                     "With another format, the six faces of a cube instead of each photo");
-    command.add_flag("--check", options->isCheck,
-                     "Only say how large it would become, how long it would take, and what it would lack");
+        .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf"})
+        .showDefault();
+    command.flag("--faces", options->withFaces,
+                 "With another format, the six faces of a cube instead of each photo");
+    command.flag("--check", options->isCheck,
+                 "Only say how large it would become, how long it would take, and what it would lack");
     command
-        .add_option("--scene", options->scene,
-                    "Richest scene model to export: sphere, room, depth, or auto for the cheapest that holds "
-                    "the tolerance; the cheaper ones come with it")
-        ->check(CLI::IsMember({"sphere", "room", "depth", "auto"}))
-        ->capture_default_str();
-    command.add_option(
+        .option("--scene", options->scene,
+                "Richest scene model to export: sphere, room, depth, or auto for the cheapest that holds "
+                "the tolerance; the cheaper ones come with it")
+        .among({"sphere", "room", "depth", "auto"})
+        .showDefault();
+    command.option(
         "--camera", options->camera,
         "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML");
     declareTolerance(command, options->measure.tolerancePx);

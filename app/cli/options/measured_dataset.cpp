@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measured_dataset.h"
+#include "options/measured_dataset.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/jobs/measure_survey.h"
+#include "spherewalk/jobs/measured_dataset.h"
+#include "spherewalk/store/survey_store.h"
 
 namespace spherewalk::cli {
 
 namespace fs = std::filesystem;
 
-void declareTolerance(CLI::App& command, double& tolerancePx) {
-    command
-        .add_option("--tolerance", tolerancePx,
-                    "Pixels of the robot's camera that 95 of 100 places may be displaced by")
-        ->check(CLI::Range(0.01, 1000.0))
-        ->capture_default_str();
+std::vector<jobs::RobotPicture> robotPictures(const program::RenderOptions& options, const fs::path& csv) {
+    std::vector<jobs::RobotPicture> pictures = jobs::readRobotPictures(csv);
+    for (jobs::RobotPicture& picture : pictures) {
+        picture.roomFromCamera = options.opticalPose(picture.roomFromCamera);
+    }
+    return pictures;
 }
 
-void MeasuredDataset::declare(CLI::App& command) {
-    m_options.declare(command);
-    command.get_option("dataset")->description(
-        "Folder of the dataset, or of a survey, which is exported first");
-    command.add_option("--cache", m_cache,
-                       "Folder to keep results in, so that a run that was stopped goes on where it was; by "
-                       "default beside the dataset, or in the survey");
+void MeasuredDataset::declare(const program::Command& command) {
+    m_options.declare(command, "Folder of the dataset, or of a survey, which is exported first");
+    m_options.declareFrame(command);
+    command.option("--cache", m_cache,
+                   "Folder to keep results in, so that a run that was stopped goes on where it was; by "
+                   "default beside the dataset, or in the survey");
 }
 
 bool MeasuredDataset::isSurvey() const {
@@ -35,11 +35,12 @@ fs::path MeasuredDataset::cacheFolder() const {
 
 render::Renderer MeasuredDataset::renderer(render::SceneKind richest, Context& context) const {
     if (!isSurvey()) {
-        return m_options.renderer(context);
+        return m_options.renderer(context.progress, context.stop);
     }
     const auto store = store::SurveyStore::open(m_options.folder(), store::Access::Read);
     return m_options.renderer(
-        context, jobs::surveyDataset(store, richest, cacheFolder(), context.progress, context.stop));
+        jobs::surveyDataset(store, richest, cacheFolder(), context.progress, context.stop), context.progress,
+        context.stop);
 }
 
 fs::path MeasuredDataset::resultFolder(Context& context) const {

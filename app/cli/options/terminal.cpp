@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "terminal.h"
+#include "options/terminal.h"
 
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 

@@ -32,13 +32,14 @@ class TerminalProgress : public ProgressSink {
     bool m_lineIsShown = false;
 };
 
-/// The next line of standard input, without its end; nothing at the end of input. Errors: Stopped.
+/// The next line of standard input, without its line feed. Returns nothing at the end of the input. Stop:
+/// throws Error{Stopped} within 100 ms.
 std::optional<std::string> readLine(const std::stop_token& stop);
 
 enum class Echo { Off, On };
 
-/// What a person answers; nothing if standard input or standard error is no terminal, or has ended. Errors:
-/// Stopped.
+/// The answer of a person to the question. Returns nothing if standard input or standard error is no
+/// terminal, or at the end of the input. Stop: throws Error{Stopped}.
 std::optional<std::string> askAtTerminal(std::string_view question, Echo echo, const std::stop_token& stop);
 
 } // namespace spherewalk::cli

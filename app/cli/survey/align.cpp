@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command.h"
-#include "plot_option.h"
+#include "options/command.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_trade.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <memory>
 
@@ -12,7 +13,7 @@ namespace spherewalk::cli {
 
 namespace {
 
-struct Options {
+struct AlignArguments {
     std::string survey;
     std::string effort{align::name(jobs::AlignOptions().effort)};
     std::string model = "auto";
@@ -26,10 +27,8 @@ struct Options {
     int threads = 0;
 };
 
-Result trade(const Options& options, Context& context) {
-    if (!options.plot.empty()) {
-        checkPlot(options.plot);
-    }
+Result measureTrade(const AlignArguments& options, Context& context) {
+    checkPlot(options.plot);
     auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     jobs::AlignTradeOptions tradeOptions;
     tradeOptions.mask = options.mask;
@@ -40,9 +39,7 @@ Result trade(const Options& options, Context& context) {
     const jobs::AlignTrade trade = jobs::alignTrade(store, tradeOptions, context.progress, context.stop);
     Result result{jobs::toJson(trade), jobs::tradeTable(trade)};
     if (!options.plot.empty()) {
-        writeFile(options.plot, bytesOf(jobs::tradePlot(trade, text("Alignment of ", store.info().name))));
-        result.json["plot"] = options.plot;
-        result.text += text("\nWrote ", options.plot, ".");
+        writePlot(options.plot, jobs::tradePlot(trade, text("Alignment of ", store.info().name)), result);
     }
     return result;
 }
@@ -58,7 +55,7 @@ std::string errorText(const jobs::AlignmentError& error) {
                 fixed(100 * error.within3Sigma, 1), " % within three sigma.");
 }
 
-Result align(const Options& options, Context& context) {
+Result align(const AlignArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     jobs::AlignOptions alignOptions;
     alignOptions.effort = align::effortNamed(options.effort);
@@ -83,40 +80,40 @@ Result align(const Options& options, Context& context) {
 } // namespace
 
 void addAlign(Commands& commands) {
-    const auto options = std::make_shared<Options>();
-    CLI::App& command =
+    const auto options = std::make_shared<AlignArguments>();
+    const program::Command command =
         commands.add("align", "Solve how each photo is turned, from what neighbours see in common",
                      [options](Context& context) {
-                         return options->isTrade ? trade(*options, context) : align(*options, context);
+                         return options->isTrade ? measureTrade(*options, context) : align(*options, context);
                      });
-    command.add_option("survey", options->survey, "Folder of the survey")->required();
+    command.option("survey", options->survey, "Folder of the survey").required();
     command
-        .add_option("--effort", options->effort,
-                    "How much work goes into the pictures: draft, normal, fine or exact")
-        ->capture_default_str();
+        .option("--effort", options->effort,
+                "How much work goes into the pictures: draft, normal, fine or exact")
+        .showDefault();
     command
-        .add_option("--model", options->model,
-                    "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")
-        ->capture_default_str();
-    command.add_option("--mask", options->mask,
-                       "Picture, twice as wide as high, black where photos are not to be looked at");
+        .option("--model", options->model,
+                "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")
+        .showDefault();
+    command.option("--mask", options->mask,
+                   "Picture, twice as wide as high, black where photos are not to be looked at");
     command
-        .add_option("--position-sigma", options->positionSigmaM,
-                    "How far photos stand from where they are tagged, metres, one standard deviation")
-        ->check(CLI::Range(0.0001, 1.0))
-        ->capture_default_str();
-    command.add_option("--threads", options->threads, "Threads at most; 0: all that the machine has")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    command.add_flag("--keep-active", options->keepsActive,
-                     "Record the solution without putting it in place of the active one");
-    command.add_flag("--no-position-check", options->ignoresPositions, "Take all position tags as they are");
-    command.add_option("--truth", options->truth,
-                       "True poses to compare with: a practice camera's truth (.jsonl), or a positions file "
-                       "with rotations (.csv)");
-    command.add_flag("--trade", options->isTrade,
-                     "Measure every effort and model, and print what each costs and gains; records nothing");
-    command.add_option("--plot", options->plot, "With --trade: SVG file to draw the figures into");
+        .option("--position-sigma", options->positionSigmaM,
+                "How far photos stand from where they are tagged, metres, one standard deviation")
+        .range(0.0001, 1.0)
+        .showDefault();
+    command.option("--threads", options->threads, "Threads at most; 0: all that the machine has")
+        .range(0, 1024)
+        .showDefault();
+    command.flag("--keep-active", options->keepsActive,
+                 "Record the solution without putting it in place of the active one");
+    command.flag("--no-position-check", options->ignoresPositions, "Take all position tags as they are");
+    command.option("--truth", options->truth,
+                   "True poses to compare with: a practice camera's truth (.jsonl), or a positions file "
+                   "with rotations (.csv)");
+    command.flag("--trade", options->isTrade,
+                 "Measure every effort and model, and print what each costs and gains; records nothing");
+    command.option("--plot", options->plot, "With --trade: SVG file to draw the figures into");
 }
 
 } // namespace spherewalk::cli

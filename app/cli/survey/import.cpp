@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command.h"
+#include "options/command.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <memory>
 
@@ -10,12 +12,12 @@ namespace spherewalk::cli {
 
 namespace {
 
-struct Options {
+struct ImportArguments {
     std::string survey;
     jobs::ImportOptions import;
 };
 
-Result import(const Options& options, Context& context) {
+Result importPictures(const ImportArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     const jobs::ImportReport report =
         jobs::importPhotos(store, options.import, context.progress, context.stop);
@@ -28,21 +30,22 @@ Result import(const Options& options, Context& context) {
 } // namespace
 
 void addImport(Commands& commands) {
-    const auto options = std::make_shared<Options>();
-    CLI::App& command = commands.add("import", "Take photos from elsewhere into a survey",
-                                     [options](Context& context) { return import(*options, context); });
-    command.add_option("survey", options->survey, "Folder of the survey")->required();
-    command.add_option("--photos", options->import.photos, "Folder of the photos")->required();
+    const auto options = std::make_shared<ImportArguments>();
+    const program::Command command =
+        commands.add("import", "Take photos from elsewhere into a survey",
+                     [options](Context& context) { return importPictures(*options, context); });
+    command.option("survey", options->survey, "Folder of the survey").required();
+    command.option("--photos", options->import.photos, "Folder of the photos").required();
     command
-        .add_option(
+        .option(
             "--positions", options->import.positions,
             "CSV with the columns file,x_m,y_m,z_m and optionally yaw_deg, or qw,qx,qy,qz (room from photo)")
-        ->required();
+        .required();
     command
-        .add_option("--tolerance", options->import.stationToleranceM,
-                    "Distance within which a photo belongs to a planned station, metres")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+        .option("--tolerance", options->import.stationToleranceM,
+                "Distance within which a photo belongs to a planned station, metres")
+        .range(0.0, 10.0)
+        .showDefault();
 }
 
 } // namespace spherewalk::cli

@@ -2,7 +2,7 @@
 // What adapters see, in C++17: ROS 1's messages do not compile as C++20.
 #pragma once
 
-#include "spherewalk/geometry/calibration.h"
+#include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <chrono>
@@ -19,25 +19,25 @@ namespace spherewalk::ros {
 /// Time since ROS's zero.
 using Stamp = std::chrono::nanoseconds;
 
-/// What a node is told, whatever the middleware. Parameters are called like the fields.
+/// The parameters of a node in every middleware. ROS spells their names with underscores: room_frame.
 struct NodeOptions {
-    std::string dataset;                        ///< folder
-    std::string cameraInfoUrl;                  ///< camera-info YAML; a "file://" in front is left out
-    std::string roomFrame = "map";              ///< the dataset's room
-    std::string cameraFrame = "camera_optical"; ///< z forward, x right, y down
-    double rate = 30;                           ///< frames a second; 0: one for each pose
+    std::string dataset;                        ///< Folder of the dataset.
+    std::string cameraInfoUrl;                  ///< ROS camera-info YAML; "file://" in front is dropped.
+    std::string roomFrame = "map";              ///< Frame of the dataset's room.
+    std::string cameraFrame = "camera_optical"; ///< Optical frame: z forward, x right, y down.
+    double rate = 30;                           ///< Frames a second; 0: one for each pose.
     std::string scene = "auto";
     std::string sampling = "footprint";
-    std::string late = "wait";            ///< wait, coarse or previous
-    std::string pace = "newest";          ///< newest or every
-    std::string overlay = "none";         ///< none, or how objects are told: labels, depth or alone
-    std::vector<int> roomLabels = {0, 1}; ///< with labels: what shows the photo
-    double overlayWait = 0.5;             ///< seconds
-    int threads = 0;                      ///< 0: all
-    int cacheMb = 512;                    ///< of decoded photos
+    std::string late = "wait";            ///< "wait", "coarse" or "previous".
+    std::string pace = "newest";          ///< "newest" or "every".
+    std::string overlay = "none";         ///< "none", or what tells objects: "labels", "depth" or "alone".
+    std::vector<int> roomLabels = {0, 1}; ///< With "labels": the labels of the room.
+    double overlayWait = 0.5;             ///< Seconds that a frame waits for its overlay, [0, 10].
+    int threads = 0;                      ///< Threads to render with; 0: all.
+    int cacheMb = 512;                    ///< Megabytes of decoded photos.
 };
 
-/// A transform as it came in a message.
+/// A transform of a message, unchecked.
 struct Transform {
     std::string parent;
     std::string child;
@@ -45,7 +45,7 @@ struct Transform {
     Rigid3 parentFromChild;
 };
 
-/// A picture as it came in a message. Owner: refers to the message.
+/// A picture of a message, unchecked. Owner: refers to the message.
 struct Picture {
     std::int64_t width = 0;
     std::int64_t height = 0;
@@ -58,63 +58,65 @@ struct Picture {
 
 /// A frame to be published. Shape: width * height * 3 bytes, rgb8, rows without padding.
 struct PublishedFrame {
-    Stamp stamp{}; ///< of the pose that it shows
+    Stamp stamp{}; ///< Time of the pose that the frame shows.
     int width = 0;
     int height = 0;
     const std::uint8_t* rgb = nullptr;
     Calibration calibration;
 };
 
-/// What diagnostic_msgs/DiagnosticStatus says.
+/// The content of a diagnostic_msgs/DiagnosticStatus.
 struct Diagnostics {
-    std::uint8_t level = 0; ///< 0: all is well, 1: warning
+    std::uint8_t level = 0; ///< 0: all is well; 1: warning.
     std::string message;
     std::vector<std::pair<std::string, std::string>> values;
 };
 
 enum class OverlayTopic { Colour, Depth, Labels };
 
-/// Relative to the camera's name space.
+/// The topic's name, relative to the camera's name space.
 const char* nameOf(OverlayTopic topic);
 
-/// A node without its middleware, which hands over what comes and publishes what is given. Each time for
-/// which the camera's place in the room becomes known is a pose. What comes is not believed: what cannot be
-/// used is counted and told of. Threads: all functions may be called from any thread; frames are handed over
-/// in one of its own.
+/// A node without its middleware: an adapter hands over messages and publishes frames. Each time at which the
+/// pose of the camera in the room becomes known gives a frame, at most NodeOptions::rate a second. The node
+/// checks all input; it counts and reports what it cannot use. Threads: all functions may be called from any
+/// thread; the node calls GiveFrame from a thread of its own.
 class CameraNode {
   public:
     using GiveFrame = std::function<void(const PublishedFrame&)>;
     using Tell = std::function<void(const std::string& sentence)>;
 
-    /// Opens the dataset. tell: for the node's log, from any thread. Errors: those of opening, and
-    /// InvalidInput for options that are none.
+    /// Opens the dataset. tell: writes to the node's log, from any thread. Errors: those of
+    /// render::Dataset::open() and render::readCameraInfo(); InvalidInput for unknown words and numbers out
+    /// of range.
     CameraNode(const NodeOptions& options, GiveFrame giveFrame, Tell tell);
     ~CameraNode();
     CameraNode(const CameraNode&) = delete;
     CameraNode& operator=(const CameraNode&) = delete;
 
     const NodeOptions& options() const;
-    /// Whose pictures are wanted; none without an overlay.
+    /// The topics that the adapter subscribes for the overlay; empty without an overlay.
     std::vector<OverlayTopic> overlayTopics() const;
 
-    /// isStatic: of /tf_static.
+    /// isStatic: the transform came on /tf_static and holds at all times.
     void takeTransform(const Transform& transform, bool isStatic);
 
-    /// What time it is: a pose, if nothing moves between the room and the camera, so that no transform tells.
+    /// Tells the time. Where only static transforms connect room and camera, each call gives a pose.
     void takeTime(Stamp now);
 
-    /// A pose of the camera's frame that comes by itself. frame: that it is in; the room's, or one that
-    /// transforms connect with it.
+    /// Takes a pose of the camera that is no transform. frame: the frame of reference, the room or a frame
+    /// that transforms connect with the room.
     void takePose(const std::string& frame, Stamp stamp, const Rigid3& frameFromCamera);
 
     void takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture);
 
+    /// Frames are rendered only while somebody listens.
     void setListening(bool isListening);
 
-    /// Another camera from now on. Errors: those of intrinsicsOf().
+    /// Replaces the camera for the following frames. Errors: those of intrinsicsOf().
     void setCamera(const Calibration& calibration);
 
-    /// What happened since the call before.
+    /// What happened since the last call.
     Diagnostics diagnostics();
 
   private:

@@ -7,7 +7,8 @@
 
 namespace spherewalk::ros {
 
-/// Errors: InvalidInput with a sentence for names that are unknown and numbers out of range.
+/// The options of the simulated camera behind a node. Errors: InvalidInput for unknown words and numbers out
+/// of range.
 simulator::CameraOptions cameraOptions(const NodeOptions& options);
 
 } // namespace spherewalk::ros

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What messages of ROS 1, of ROS 2 and of DDS have in common: fields of the same names, in types of their
-// own.
+// Conversions for messages of ROS 1, ROS 2 and DDS, whose types differ and whose fields have the same names.
 #pragma once
 
 #include "camera_node.h"
@@ -20,14 +19,15 @@ Rigid3 rigidOf(const Place& place, const Turn& turn) {
     return {Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z), Eigen::Vector3d(place.x, place.y, place.z)};
 }
 
-/// Of a TransformStamped whose texts are C++'s.
+/// The transform of a TransformStamped whose texts are std::string.
 template <class Message>
 Transform transformIn(const Message& message, Stamp stamp) {
     return {message.header.frame_id, message.child_frame_id, stamp,
             rigidOf(message.transform.translation, message.transform.rotation)};
 }
 
-/// Of an Image whose texts and arrays are C++'s. Owner: refers to the message.
+/// The picture of an Image whose texts are std::string and whose arrays are std::vector. Owner: refers to the
+/// message.
 template <class Message>
 Picture pictureOf(const Message& message) {
     return {
@@ -35,7 +35,8 @@ Picture pictureOf(const Message& message) {
         message.data.data(), message.data.size()};
 }
 
-/// Of a CameraInfo, whose matrices have names in capitals in ROS 1 and in small letters in ROS 2.
+/// The calibration of a CameraInfo. d, k: fields of the message, which ROS 1 spells in capitals and ROS 2
+/// does not.
 template <class Message, class Coefficients, class Matrix>
 Calibration calibrationIn(const Message& message, const Coefficients& d, const Matrix& k) {
     Calibration calibration;
@@ -47,7 +48,7 @@ Calibration calibrationIn(const Message& message, const Coefficients& d, const M
     return calibration;
 }
 
-/// All of a CameraInfo but the header.
+/// Fills all of a CameraInfo but the header. d, k, r, p: fields of the message.
 template <class Message, class Coefficients, class Square, class Projection>
 void fillCalibration(Message& message, Coefficients& d, Square& k, Square& r, Projection& p,
                      const Calibration& calibration) {
@@ -60,7 +61,7 @@ void fillCalibration(Message& message, Coefficients& d, Square& k, Square& r, Pr
     std::copy(calibration.p.begin(), calibration.p.end(), p.begin());
 }
 
-/// All of an Image but the header.
+/// Fills all of an Image but the header.
 template <class Message>
 void fillImage(Message& message, const PublishedFrame& frame) {
     message.width = static_cast<std::uint32_t>(frame.width);
@@ -70,7 +71,7 @@ void fillImage(Message& message, const PublishedFrame& frame) {
     message.data.assign(frame.rgb, frame.rgb + std::size_t{message.step} * message.height);
 }
 
-/// A DiagnosticStatus.
+/// The DiagnosticStatus with these diagnostics. node: name of the node.
 template <class Message>
 Message statusOf(const Diagnostics& diagnostics, const std::string& node) {
     Message status;
@@ -86,7 +87,7 @@ Message statusOf(const Diagnostics& diagnostics, const std::string& node) {
     return status;
 }
 
-/// Answers SetCameraInfo.
+/// Gives the camera to the node, and fills the response of SetCameraInfo.
 template <class Response>
 void answerSetCamera(CameraNode& node, const Calibration& calibration, Response& response) {
     try {

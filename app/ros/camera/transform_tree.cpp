@@ -2,8 +2,7 @@
 #include "transform_tree.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/interpolation.h"
-#include "spherewalk/geometry/pose_check.h"
+#include "spherewalk/geometry/rigid3.h"
 
 #include <algorithm>
 #include <iterator>

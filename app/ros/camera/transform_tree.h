@@ -17,33 +17,33 @@ struct Refused {
     std::string sentence;
 };
 
-/// The frames of a robot and how they move, as /tf and /tf_static tell: what tf2 does, for middleware that
-/// has no tf2. Transforms of the last 10 s are kept; between two the pose is interpolated, beyond them there
-/// is none. Of transforms that would make a ring the newest
-/// hold. Threads: one at a time.
+/// The frames of a robot and their motion, from /tf and /tf_static. It replaces tf2 where the middleware has
+/// none. The tree keeps the transforms of the last 10 s and interpolates between them; it does not
+/// extrapolate. A new transform that closes a ring removes an older one. Threads: one at a time.
 class TransformTree {
   public:
-    /// How a frame stands in its parent. A stamp more than a second before the frame's newest is a new start:
-    /// simulations are reset. isStatic: at all times. A "/" in front of names is left out. Returns why it was
-    /// not used, if so: a place that is not finite, a quaternion more than 1 % off unit length, a time before
-    /// zero, names that are empty or the same, a frame beyond the 10000th.
+    /// Adds a transform. A stamp more than 1 s before the frame's newest forgets the frame's past, since
+    /// simulations are reset. isStatic: the transform holds at all times. A "/" in front of names is dropped.
+    /// Returns the reason if the transform is refused: a position that is not finite, a quaternion more than
+    /// 1 % off unit length, a time before zero, empty or equal names, or a frame beyond the 10000th.
     std::optional<Refused> put(const Transform& transform, bool isStatic);
 
-    /// The newest time at which all between the two frames is known; Stamp::max() if nothing between them
-    /// moves. Nothing if they are not connected.
+    /// The newest time at which all transforms between the two frames are known. Returns Stamp::max() if all
+    /// of them are static, and nothing if the frames are not connected.
     std::optional<Stamp> newest(const std::string& target, const std::string& source) const;
 
-    /// targetFromSource at that time. Nothing where newest() has none, and for times that are not known.
+    /// targetFromSource at that time. Returns nothing if the frames are not connected, or not known at that
+    /// time.
     std::optional<Rigid3> at(const std::string& target, const std::string& source, Stamp stamp) const;
 
   private:
     struct Frame {
         std::string parent;
         bool isStatic = false;
-        std::map<Stamp, Rigid3> parentFromThis; ///< one if it is static
+        std::map<Stamp, Rigid3> parentFromThis; ///< One entry if the frame is static.
     };
 
-    /// From a frame up to the root, without the root.
+    /// A step from a frame towards the root.
     struct Step {
         std::string child;
         const Frame* frame;
@@ -51,14 +51,14 @@ class TransformTree {
 
     using Chain = std::vector<Step>;
 
-    /// Takes away what would close a ring with this transform.
+    /// Removes the transform that would close a ring with this one.
     void cutRing(const std::string& parent, const std::string& child);
     Chain up(const std::string& frame) const;
-    /// Both ways to the nearest frame in common.
+    /// The ways of both frames to their nearest common ancestor. Returns false if there is none.
     bool connect(const std::string& target, const std::string& source, Chain& down, Chain& up) const;
     static std::optional<Rigid3> along(const Chain& chain, Stamp stamp);
 
-    std::map<std::string, Frame> m_frames; ///< by the child's name
+    std::map<std::string, Frame> m_frames; ///< By the name of the child.
 };
 
 } // namespace spherewalk::ros

@@ -8,7 +8,7 @@
 
 namespace spherewalk::ros {
 
-/// Shorter names for what the IDL compiler made.
+// Shorter names for the types of the IDL compiler.
 using TimeMessage = builtin_interfaces_msg_dds__Time_;
 using ImageMessage = sensor_msgs_msg_dds__Image_;
 using CameraInfoMessage = sensor_msgs_msg_dds__CameraInfo_;
@@ -24,7 +24,7 @@ Rigid3 poseOf(const PoseMessage& message);
 Transform transformOf(const TransformMessage& message);
 Calibration calibrationOf(const CameraInfoMessage& message);
 
-/// Messages that refer to what they are made of. Owner: that must live while they are used.
+/// A message of the frame. Owner: the message refers to the frame and to frameId, which must outlive it.
 ImageMessage imageOf(const PublishedFrame& frame, const std::string& frameId);
 CameraInfoMessage cameraInfoOf(const PublishedFrame& frame, const std::string& frameId);
 

@@ -10,15 +10,16 @@
 
 namespace spherewalk::ros {
 
-/// How a topic of ROS 2 is read or written; what readers ask for, writers must offer.
+/// The quality of service with which a topic of ROS 2 is read or written. A writer must offer what its
+/// readers ask for.
 enum class Quality {
-    Sensor, ///< best effort, the newest few: pictures; as writer reliable, which suits readers of both kinds
-    Reliable, ///< all, as transforms are sent
-    Latched,  ///< all, those from before as well: /tf_static
+    Sensor,   ///< For pictures. Readers ask for the newest few with best effort; writers are reliable.
+    Reliable, ///< For transforms: every message arrives.
+    Latched,  ///< For /tf_static: late readers get the earlier messages too.
 };
 
-/// A participant of DDS with its readers and writers, by ROS 2's names. Errors: Network with a sentence.
-/// Threads: spinFor() in one; write() in any.
+/// A participant of DDS with its readers and writers, under the names of ROS 2. Errors: Network with a
+/// sentence. Threads: one thread calls spinFor(); write() may be called from any.
 class DdsPort {
   public:
     /// domain: ROS_DOMAIN_ID.
@@ -27,8 +28,8 @@ class DdsPort {
     DdsPort(const DdsPort&) = delete;
     DdsPort& operator=(const DdsPort&) = delete;
 
-    /// topic: as ROS spells it, "/camera/image_raw". take: called for each message by spinFor(); the message
-    /// is valid during the call.
+    /// topic: in the spelling of ROS, "/camera/image_raw". take: spinFor() calls it with each message. Owner:
+    /// the message is valid during the call.
     template <class Message>
     void read(const std::string& topic, const dds_topic_descriptor_t& type, Quality quality,
               std::function<void(const Message&)> take) {
@@ -41,10 +42,10 @@ class DdsPort {
 
     static void write(dds_entity_t writer, const void* message);
 
-    /// How many readers a writer has.
+    /// Number of readers that the writer has now.
     static std::uint32_t readersOf(dds_entity_t writer);
 
-    /// Waits for messages up to this long, and hands over those that are there.
+    /// Waits for messages up to this long, and hands over those that came.
     void spinFor(std::chrono::nanoseconds time);
 
   private:

@@ -1,47 +1,218 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A robot's camera for ROS 2 by its wire protocol alone; resources/docs/guide/ros.md says how it is used.
-#include "dds_node.h"
+#include "dds_messages.h"
+#include "dds_port.h"
+#include "program/command_line.h"
 #include "program/program.h"
-#include "program/stop_on_signal.h"
 
-#include <CLI/CLI.hpp>
+#include "spherewalk/base/error.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace spherewalk::ros {
 
 namespace {
 
-void declare(CLI::App& app, spherewalk::ros::DdsOptions& options) {
+struct DdsOptions {
+    NodeOptions node;
+    std::string nameSpace = "/"; ///< that the camera's topics are in
+    std::uint32_t domain = 0;
+    bool usesSimTime = false; ///< time is what /clock says
+};
+
+/// Carries ROS 2's messages to a CameraNode and back.
+class DdsNode {
+  public:
+    /// Errors: those of CameraNode and DdsPort.
+    explicit DdsNode(const DdsOptions& options);
+
+    /// Until a stop is asked for; what it asks is looked at a hundred times a second. Errors: those of
+    /// DdsPort.
+    void run(const std::stop_token& stop);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string topic(const std::string& name) const;
+    void readPoses();
+    void readOverlay(OverlayTopic topic);
+    void readCamera();
+    void publish(const PublishedFrame& frame);
+    void publishDiagnostics();
+    Stamp now() const;
+
+    DdsOptions m_options;
+    DdsPort m_port;
+    dds_entity_t m_images;
+    dds_entity_t m_infos;
+    dds_entity_t m_diagnostics;
+    Stamp m_clock{};   ///< what /clock said last
+    CameraNode m_node; ///< after what its thread writes to
+};
+
+DdsNode::DdsNode(const DdsOptions& options)
+    : m_options(options),
+      m_port(options.domain),
+      m_images(m_port.writer(topic("camera/image_raw"), sensor_msgs_msg_dds__Image__desc, Quality::Sensor)),
+      m_infos(
+          m_port.writer(topic("camera/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc, Quality::Sensor)),
+      m_diagnostics(
+          m_port.writer("/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc, Quality::Reliable)),
+      m_node(
+          options.node, [this](const PublishedFrame& frame) { publish(frame); },
+          [](const std::string& sentence) { program::printLine(stderr, sentence); }) {
+    readPoses();
+    readCamera();
+    for (const OverlayTopic overlay : m_node.overlayTopics()) {
+        readOverlay(overlay);
+    }
+    if (options.usesSimTime) {
+        m_port.read<ClockMessage>("/clock", rosgraph_msgs_msg_dds__Clock__desc, Quality::Sensor,
+                                  [this](const ClockMessage& message) { m_clock = stampOf(message.clock); });
+    }
+}
+
+std::string DdsNode::topic(const std::string& name) const {
+    const std::string& in = m_options.nameSpace;
+    return (in.starts_with('/') ? "" : "/") + in + (in.ends_with('/') ? "" : "/") + name;
+}
+
+void DdsNode::readPoses() {
+    const auto read = [this](const char* topic, Quality quality, bool isStatic) {
+        m_port.read<TransformsMessage>(topic, tf2_msgs_msg_dds__TFMessage__desc, quality,
+                                       [this, isStatic](const TransformsMessage& message) {
+                                           for (std::uint32_t i = 0; i < message.transforms._length; ++i) {
+                                               m_node.takeTransform(
+                                                   transformOf(message.transforms._buffer[i]), isStatic);
+                                           }
+                                       });
+    };
+    read("/tf_static", Quality::Latched, true);
+    read("/tf", Quality::Reliable, false);
+    m_port.read<PoseMessage>(topic("camera/pose"), geometry_msgs_msg_dds__PoseStamped__desc, Quality::Sensor,
+                             [this](const PoseMessage& message) {
+                                 const auto& header = message.header;
+                                 m_node.takePose(header.frame_id, stampOf(header.stamp), poseOf(message));
+                             });
+}
+
+void DdsNode::readOverlay(OverlayTopic overlay) {
+    m_port.read<ImageMessage>(topic(nameOf(overlay)), sensor_msgs_msg_dds__Image__desc, Quality::Sensor,
+                              [this, overlay](const ImageMessage& message) {
+                                  const std::string encoding = message.encoding;
+                                  m_node.takeOverlay(overlay, stampOf(message.header.stamp),
+                                                     {message.width, message.height, message.step, encoding,
+                                                      message.is_bigendian != 0, message.data._buffer,
+                                                      message.data._length});
+                              });
+}
+
+/// ROS 2's services are laid out differently by each of its middlewares; a topic is the same for all.
+void DdsNode::readCamera() {
+    m_port.read<CameraInfoMessage>(topic("camera/set_camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
+                                   Quality::Reliable, [this](const CameraInfoMessage& message) {
+                                       try {
+                                           m_node.setCamera(calibrationOf(message));
+                                       } catch (const Error& error) {
+                                           program::printLine(stderr, error.sentence());
+                                       }
+                                   });
+}
+
+void DdsNode::publish(const PublishedFrame& frame) {
+    const std::string& frameId = m_node.options().cameraFrame;
+    const CameraInfoMessage info = cameraInfoOf(frame, frameId);
+    const ImageMessage image = imageOf(frame, frameId);
+    DdsPort::write(m_infos, &info);
+    DdsPort::write(m_images, &image);
+}
+
+void DdsNode::publishDiagnostics() {
+    Diagnostics diagnostics = m_node.diagnostics();
+    std::vector<diagnostic_msgs_msg_dds__KeyValue_> values;
+    for (auto& [key, value] : diagnostics.values) {
+        values.push_back({key.data(), value.data()});
+    }
+    std::string name = topic("camera");
+    std::string hardware = "spherewalk";
+    std::string none;
+    diagnostic_msgs_msg_dds__DiagnosticStatus_ status{};
+    status.level = diagnostics.level;
+    status.name = name.data();
+    status.message = diagnostics.message.data();
+    status.hardware_id = hardware.data();
+    status.values._length = status.values._maximum = static_cast<std::uint32_t>(values.size());
+    status.values._buffer = values.data();
+    DiagnosticMessage message{};
+    message.header = {timeOf(now()), none.data()};
+    message.status._length = message.status._maximum = 1;
+    message.status._buffer = &status;
+    DdsPort::write(m_diagnostics, &message);
+}
+
+Stamp DdsNode::now() const {
+    return m_options.usesSimTime
+               ? m_clock
+               : std::chrono::duration_cast<Stamp>(std::chrono::system_clock::now().time_since_epoch());
+}
+
+void DdsNode::run(const std::stop_token& stop) {
+    constexpr std::chrono::milliseconds kTurn(10);
+    Clock::time_point diagnosed = Clock::now();
+    while (!stop.stop_requested()) {
+        m_port.spinFor(kTurn);
+        m_node.setListening(DdsPort::readersOf(m_images) > 0 || DdsPort::readersOf(m_infos) > 0);
+        m_node.takeTime(now());
+        if (Clock::now() - diagnosed >= std::chrono::seconds(1)) {
+            diagnosed = Clock::now();
+            publishDiagnostics();
+        }
+    }
+}
+
+} // namespace
+
+} // namespace spherewalk::ros
+
+namespace {
+
+void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOptions& options) {
     spherewalk::ros::NodeOptions& node = options.node;
-    app.add_option("dataset", node.dataset, "Folder of the dataset")->required();
-    app.add_option("--camera", node.cameraInfoUrl, "Camera: a ROS camera-info YAML")->required();
-    app.add_option("--namespace", options.nameSpace, "That the camera's topics are in")
-        ->capture_default_str();
-    app.add_option("--domain", options.domain, "DDS domain")
-        ->envname("ROS_DOMAIN_ID")
-        ->check(CLI::Range(0, 232))
-        ->capture_default_str();
-    app.add_flag("--sim-time", options.usesSimTime, "Time is what /clock says");
-    app.add_option("--room-frame", node.roomFrame, "Frame of the dataset's room")->capture_default_str();
-    app.add_option("--camera-frame", node.cameraFrame, "Optical frame of the camera")->capture_default_str();
-    app.add_option("--rate", node.rate, "Frames a second of simulation time; 0: one for each pose")
-        ->capture_default_str();
-    app.add_option("--scene", node.scene, "none, sphere, room, depth, or auto")->capture_default_str();
-    app.add_option("--sampling", node.sampling, "nearest, bilinear, reduced, footprint, bicubic, or auto")
-        ->capture_default_str();
-    app.add_option("--late", node.late,
-                   "What a frame is made from when its photo is not decoded yet: wait, coarse, or previous")
-        ->capture_default_str();
-    app.add_option("--pace", node.pace,
-                   "Frames whose turn has passed: newest leaves them out, every renders all")
-        ->capture_default_str();
-    app.add_option(
-           "--overlay", node.overlay,
-           "How a simulator's objects are told from its room: labels, depth or alone; none: no objects")
-        ->capture_default_str();
-    app.add_option("--room-label", node.roomLabels, "With labels: those of the room, which show the photo")
-        ->capture_default_str();
-    app.add_option("--overlay-wait", node.overlayWait, "Seconds that a frame waits for its overlay")
-        ->capture_default_str();
-    app.add_option("--threads", node.threads, "Threads to render with; 0: all")->capture_default_str();
-    app.add_option("--cache-mb", node.cacheMb, "Of decoded photos")->capture_default_str();
+    command.option("dataset", node.dataset, "Folder of the dataset").required();
+    command.option("--camera", node.cameraInfoUrl, "Camera: a ROS camera-info YAML").required();
+    command.option("--namespace", options.nameSpace, "That the camera's topics are in").showDefault();
+    command.option("--domain", options.domain, "DDS domain")
+        .fromEnvironment("ROS_DOMAIN_ID")
+        .range(0, 232)
+        .showDefault();
+    command.flag("--sim-time", options.usesSimTime, "Time is what /clock says");
+    command.option("--room-frame", node.roomFrame, "Frame of the dataset's room").showDefault();
+    command.option("--camera-frame", node.cameraFrame, "Optical frame of the camera").showDefault();
+    command.option("--rate", node.rate, "Frames a second of simulation time; 0: one for each pose")
+        .showDefault();
+    command.option("--scene", node.scene, "none, sphere, room, depth, or auto").showDefault();
+    command.option("--sampling", node.sampling, "nearest, bilinear, reduced, footprint, bicubic, or auto")
+        .showDefault();
+    command
+        .option("--late", node.late,
+                "What a frame is made from when its photo is not decoded yet: wait, coarse, or previous")
+        .showDefault();
+    command
+        .option("--pace", node.pace,
+                "Frames whose turn has passed: newest leaves them out, every renders all")
+        .showDefault();
+    command
+        .option("--overlay", node.overlay,
+                "How a simulator's objects are told from its room: labels, depth or alone; none: no objects")
+        .showDefault();
+    command.option("--room-label", node.roomLabels, "With labels: those of the room, which show the photo")
+        .showDefault();
+    command.option("--overlay-wait", node.overlayWait, "Seconds that a frame waits for its overlay")
+        .showDefault();
+    command.option("--threads", node.threads, "Threads to render with; 0: all").showDefault();
+    command.option("--cache-mb", node.cacheMb, "Of decoded photos").showDefault();
 }
 
 int run(const spherewalk::ros::DdsOptions& options) {
@@ -55,13 +226,12 @@ int run(const spherewalk::ros::DdsOptions& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("A robot's camera for ROS 2, by its wire protocol: no ROS is needed to run it.");
+    spherewalk::program::CommandLine line(
+        "A robot's camera for ROS 2, by its wire protocol: no ROS is needed to run it.", "", "");
     spherewalk::ros::DdsOptions options;
-    declare(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? spherewalk::program::kDone : spherewalk::program::kUsage;
+    declare(line.program(), options);
+    if (const std::optional<int> status = line.parse(argc, argv)) {
+        return *status;
     }
     return spherewalk::program::guarded([&] { return run(options); });
 }

@@ -1,8 +1,194 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A robot's camera as a node of ROS 2; resources/docs/guide/ros.md says how it is used.
-#include "rclcpp_node.h"
+#include "camera/camera_node.h"
+#include "camera/message_fields.h"
 
 #include "spherewalk/base/error.h"
+
+#include <builtin_interfaces/msg/time.hpp>
+#include <chrono>
+#include <diagnostic_msgs/msg/diagnostic_array.hpp>
+#include <geometry_msgs/msg/pose.hpp>
+#include <geometry_msgs/msg/pose_stamped.hpp>
+#include <geometry_msgs/msg/transform_stamped.hpp>
+#include <memory>
+#include <rclcpp/rclcpp.hpp>
+#include <sensor_msgs/msg/camera_info.hpp>
+#include <sensor_msgs/msg/image.hpp>
+#include <sensor_msgs/srv/set_camera_info.hpp>
+#include <tf2_msgs/msg/tf_message.hpp>
+#include <utility>
+#include <vector>
+
+namespace spherewalk::ros {
+
+namespace {
+
+/// Between ROS 2's messages and what the node works with.
+
+Stamp stampOf(const builtin_interfaces::msg::Time& time);
+builtin_interfaces::msg::Time timeOf(Stamp stamp);
+Rigid3 poseOf(const geometry_msgs::msg::Pose& pose);
+Transform transformOf(const geometry_msgs::msg::TransformStamped& message);
+Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message);
+/// All but the header.
+void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration);
+
+Stamp stampOf(const builtin_interfaces::msg::Time& time) {
+    return Stamp(kNanosecondsOfSecond * time.sec + time.nanosec);
+}
+
+builtin_interfaces::msg::Time timeOf(Stamp stamp) {
+    builtin_interfaces::msg::Time time;
+    time.sec = static_cast<std::int32_t>(stamp.count() / kNanosecondsOfSecond);
+    time.nanosec = static_cast<std::uint32_t>(stamp.count() % kNanosecondsOfSecond);
+    return time;
+}
+
+Rigid3 poseOf(const geometry_msgs::msg::Pose& pose) {
+    return rigidOf(pose.position, pose.orientation);
+}
+
+Transform transformOf(const geometry_msgs::msg::TransformStamped& message) {
+    return transformIn(message, stampOf(message.header.stamp));
+}
+
+Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message) {
+    return calibrationIn(message, message.d, message.k);
+}
+
+void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration) {
+    fillCalibration(message, message.d, message.k, message.r, message.p, calibration);
+}
+
+/// Carries messages of ROS 2, as of Humble, to a CameraNode and back.
+class RclcppNode : public rclcpp::Node {
+  public:
+    /// Errors: those of CameraNode; rclcpp's for parameters of another type.
+    RclcppNode();
+
+  private:
+    using SetCameraInfo = sensor_msgs::srv::SetCameraInfo;
+
+    NodeOptions readParameters();
+    void subscribePoses();
+    void subscribe(OverlayTopic topic);
+    void publish(const PublishedFrame& frame);
+    void publishDiagnostics();
+    void setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response);
+
+    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_images;
+    rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_infos;
+    rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr m_diagnostics;
+    std::unique_ptr<CameraNode> m_node;
+    std::vector<rclcpp::SubscriptionBase::SharedPtr>
+        m_subscriptions; ///< last: their callbacks use the others
+    rclcpp::Service<SetCameraInfo>::SharedPtr m_service;
+    std::vector<rclcpp::TimerBase::SharedPtr> m_timers;
+};
+
+constexpr std::size_t kTransformQueue = 100; ///< as tf2_ros has it
+
+RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
+    // Offered reliably, which suits subscribers of both kinds.
+    m_images = create_publisher<sensor_msgs::msg::Image>("camera/image_raw", rclcpp::QoS(2));
+    m_infos = create_publisher<sensor_msgs::msg::CameraInfo>("camera/camera_info", rclcpp::QoS(2));
+    m_diagnostics = create_publisher<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", rclcpp::QoS(10));
+    m_node = std::make_unique<CameraNode>(
+        readParameters(), [this](const PublishedFrame& frame) { publish(frame); },
+        [logger = get_logger()](const std::string& sentence) {
+            RCLCPP_WARN(logger, "%s", sentence.c_str());
+        });
+    subscribePoses();
+    for (const OverlayTopic topic : m_node->overlayTopics()) {
+        subscribe(topic);
+    }
+    m_service = create_service<SetCameraInfo>(
+        "camera/set_camera_info",
+        [this](const SetCameraInfo::Request::SharedPtr request,
+               const SetCameraInfo::Response::SharedPtr response) { setCamera(*request, *response); });
+    m_timers.push_back(create_wall_timer(std::chrono::milliseconds(10), [this] {
+        m_node->setListening(m_images->get_subscription_count() > 0 || m_infos->get_subscription_count() > 0);
+        m_node->takeTime(Stamp(get_clock()->now().nanoseconds()));
+    }));
+    m_timers.push_back(create_wall_timer(std::chrono::seconds(1), [this] { publishDiagnostics(); }));
+}
+
+NodeOptions RclcppNode::readParameters() {
+    NodeOptions options;
+    const auto read = [this](const char* name, auto& value) { value = declare_parameter(name, value); };
+    read("dataset", options.dataset);
+    read("camera_info_url", options.cameraInfoUrl);
+    read("room_frame", options.roomFrame);
+    read("camera_frame", options.cameraFrame);
+    read("rate", options.rate);
+    read("scene", options.scene);
+    read("sampling", options.sampling);
+    read("late", options.late);
+    read("pace", options.pace);
+    read("overlay", options.overlay);
+    read("overlay_wait", options.overlayWait);
+    read("threads", options.threads);
+    read("cache_mb", options.cacheMb);
+    std::vector<std::int64_t> labels(options.roomLabels.begin(), options.roomLabels.end());
+    read("room_labels", labels);
+    options.roomLabels.assign(labels.begin(), labels.end());
+    return options;
+}
+
+void RclcppNode::subscribePoses() {
+    const auto transforms = [this](const char* topic, const rclcpp::QoS& quality, bool isStatic) {
+        m_subscriptions.push_back(create_subscription<tf2_msgs::msg::TFMessage>(
+            topic, quality, [this, isStatic](const tf2_msgs::msg::TFMessage::ConstSharedPtr message) {
+                for (const geometry_msgs::msg::TransformStamped& one : message->transforms) {
+                    m_node->takeTransform(transformOf(one), isStatic);
+                }
+            }));
+    };
+    transforms("/tf_static", rclcpp::QoS(kTransformQueue).transient_local(), true);
+    transforms("/tf", rclcpp::QoS(kTransformQueue), false);
+    m_subscriptions.push_back(create_subscription<geometry_msgs::msg::PoseStamped>(
+        "camera/pose", rclcpp::SensorDataQoS(),
+        [this](const geometry_msgs::msg::PoseStamped::ConstSharedPtr message) {
+            m_node->takePose(message->header.frame_id, stampOf(message->header.stamp), poseOf(message->pose));
+        }));
+}
+
+void RclcppNode::subscribe(OverlayTopic topic) {
+    m_subscriptions.push_back(create_subscription<sensor_msgs::msg::Image>(
+        nameOf(topic), rclcpp::SensorDataQoS(),
+        [this, topic](const sensor_msgs::msg::Image::ConstSharedPtr message) {
+            m_node->takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message));
+        }));
+}
+
+void RclcppNode::publish(const PublishedFrame& frame) {
+    auto info = std::make_unique<sensor_msgs::msg::CameraInfo>();
+    info->header.stamp = timeOf(frame.stamp);
+    info->header.frame_id = m_node->options().cameraFrame;
+    fill(*info, frame.calibration);
+    auto image = std::make_unique<sensor_msgs::msg::Image>();
+    image->header = info->header;
+    fillImage(*image, frame);
+    m_infos->publish(std::move(info));
+    m_images->publish(std::move(image));
+}
+
+void RclcppNode::publishDiagnostics() {
+    diagnostic_msgs::msg::DiagnosticArray message;
+    message.header.stamp = get_clock()->now();
+    message.status.push_back(
+        statusOf<diagnostic_msgs::msg::DiagnosticStatus>(m_node->diagnostics(), get_fully_qualified_name()));
+    m_diagnostics->publish(message);
+}
+
+void RclcppNode::setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response) {
+    answerSetCamera(*m_node, calibrationOf(request.camera_info), response);
+}
+
+} // namespace
+
+} // namespace spherewalk::ros
 
 int main(int argc, char** argv) {
     rclcpp::init(argc, argv);

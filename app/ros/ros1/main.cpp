@@ -1,8 +1,215 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A robot's camera as a node of ROS 1; resources/docs/guide/ros.md says how it is used.
-#include "ros1_node.h"
+#include "camera/camera_node.h"
+#include "camera/message_fields.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <image_transport/image_transport.h>
+#include <memory>
+#include <ros/ros.h>
+#include <ros/time.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/SetCameraInfo.h>
+#include <string>
+#include <tf2_msgs/TFMessage.h>
+#include <vector>
+
+namespace spherewalk::ros {
+
+namespace {
+
+/// Between ROS 1's messages and what the node works with.
+
+Stamp stampOf(const ::ros::Time& time);
+::ros::Time rosTime(Stamp stamp);
+Rigid3 poseOf(const geometry_msgs::Pose& pose);
+Transform transformOf(const geometry_msgs::TransformStamped& message);
+Calibration calibrationOf(const sensor_msgs::CameraInfo& message);
+/// All but the header.
+void fill(sensor_msgs::CameraInfo& message, const Calibration& calibration);
+
+Stamp stampOf(const ::ros::Time& time) {
+    return Stamp(kNanosecondsOfSecond * time.sec + time.nsec);
+}
+
+::ros::Time rosTime(Stamp stamp) {
+    return {static_cast<std::uint32_t>(stamp.count() / kNanosecondsOfSecond),
+            static_cast<std::uint32_t>(stamp.count() % kNanosecondsOfSecond)};
+}
+
+Rigid3 poseOf(const geometry_msgs::Pose& pose) {
+    return rigidOf(pose.position, pose.orientation);
+}
+
+Transform transformOf(const geometry_msgs::TransformStamped& message) {
+    return transformIn(message, stampOf(message.header.stamp));
+}
+
+Calibration calibrationOf(const sensor_msgs::CameraInfo& message) {
+    return calibrationIn(message, message.D, message.K);
+}
+
+void fill(sensor_msgs::CameraInfo& message, const Calibration& calibration) {
+    fillCalibration(message, message.D, message.K, message.R, message.P, calibration);
+}
+
+/// The parameters of a private name space. Errors: InvalidInput, naming the parameter, for one of another
+/// type than it should have.
+NodeOptions readParameters(const ::ros::NodeHandle& handle);
+
+/// Carries ROS 1's messages to a CameraNode and back.
+class Ros1Node {
+  public:
+    /// handle: of the name space that topics are relative to. Errors: those of CameraNode.
+    Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options);
+
+  private:
+    void subscribe(OverlayTopic topic);
+    void listen();
+    void publish(const PublishedFrame& frame);
+    void publishDiagnostics();
+    bool setCamera(sensor_msgs::SetCameraInfo::Request& request,
+                   sensor_msgs::SetCameraInfo::Response& response);
+    void takeTransforms(const tf2_msgs::TFMessage& message, bool isStatic);
+
+    ::ros::NodeHandle m_handle;
+    image_transport::ImageTransport m_transport;
+    image_transport::CameraPublisher m_publisher;
+    ::ros::Publisher m_diagnostics;
+    sensor_msgs::Image m_image;     ///< of the rendering thread
+    sensor_msgs::CameraInfo m_info; ///< of the rendering thread
+    CameraNode m_node;
+    std::vector<::ros::Subscriber> m_subscribers; ///< last: their callbacks use the others
+    ::ros::ServiceServer m_service;
+    ::ros::Timer m_clock;         ///< of ROS's time
+    ::ros::WallTimer m_listening; ///< who comes and goes without a callback: remote subscribers that die
+    ::ros::WallTimer m_diagnosing;
+};
+
+/// Leaves the value as it is where there is no such parameter.
+template <class Value>
+void read(const ::ros::NodeHandle& handle, const std::string& name, Value& value) {
+    if (handle.hasParam(name) && !handle.getParam(name, value)) {
+        throw Error(ErrorKind::InvalidInput, text("The parameter ", handle.resolveName(name),
+                                                  " is of another type than it should be."));
+    }
+}
+
+NodeOptions readParameters(const ::ros::NodeHandle& handle) {
+    NodeOptions options;
+    read(handle, "dataset", options.dataset);
+    read(handle, "camera_info_url", options.cameraInfoUrl);
+    read(handle, "room_frame", options.roomFrame);
+    read(handle, "camera_frame", options.cameraFrame);
+    read(handle, "rate", options.rate);
+    read(handle, "scene", options.scene);
+    read(handle, "sampling", options.sampling);
+    read(handle, "late", options.late);
+    read(handle, "pace", options.pace);
+    read(handle, "overlay", options.overlay);
+    read(handle, "room_labels", options.roomLabels);
+    read(handle, "overlay_wait", options.overlayWait);
+    read(handle, "threads", options.threads);
+    read(handle, "cache_mb", options.cacheMb);
+    return options;
+}
+
+constexpr std::uint32_t kTransformQueue = 100; ///< as tf2_ros has it
+constexpr std::uint32_t kPictureQueue = 5;
+
+/// Frames that wait to be sent; where every one counts there is no limit.
+std::uint32_t frameQueue(const NodeOptions& options) {
+    return options.pace == "every" ? 0 : 2;
+}
+
+Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
+    : m_handle(handle),
+      m_transport(handle),
+      m_node(
+          options, [this](const PublishedFrame& frame) { publish(frame); },
+          [](const std::string& sentence) { ROS_WARN("%s", sentence.c_str()); }) {
+    const auto changed = [this](const auto&) { listen(); };
+    m_publisher = m_transport.advertiseCamera("camera/image_raw", frameQueue(options), changed, changed,
+                                              changed, changed);
+    m_diagnostics = m_handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
+    m_service = m_handle.advertiseService("camera/set_camera_info", &Ros1Node::setCamera, this);
+    m_subscribers.push_back(m_handle.subscribe<tf2_msgs::TFMessage>(
+        "/tf_static", kTransformQueue,
+        [this](const tf2_msgs::TFMessage::ConstPtr& message) { takeTransforms(*message, true); }));
+    m_subscribers.push_back(m_handle.subscribe<tf2_msgs::TFMessage>(
+        "/tf", kTransformQueue,
+        [this](const tf2_msgs::TFMessage::ConstPtr& message) { takeTransforms(*message, false); }, {},
+        ::ros::TransportHints().tcpNoDelay()));
+    m_subscribers.push_back(m_handle.subscribe<geometry_msgs::PoseStamped>(
+        "camera/pose", kTransformQueue, [this](const geometry_msgs::PoseStamped::ConstPtr& message) {
+            m_node.takePose(message->header.frame_id, stampOf(message->header.stamp), poseOf(message->pose));
+        }));
+    for (const OverlayTopic topic : m_node.overlayTopics()) {
+        subscribe(topic);
+    }
+    if (options.rate > 0) {
+        m_clock = m_handle.createTimer(::ros::Duration(1 / options.rate), [this](const ::ros::TimerEvent&) {
+            m_node.takeTime(stampOf(::ros::Time::now()));
+        });
+    }
+    m_listening = m_handle.createWallTimer(::ros::WallDuration(0.5),
+                                           [this](const ::ros::WallTimerEvent&) { listen(); });
+    m_diagnosing = m_handle.createWallTimer(::ros::WallDuration(1),
+                                            [this](const ::ros::WallTimerEvent&) { publishDiagnostics(); });
+}
+
+void Ros1Node::subscribe(OverlayTopic topic) {
+    m_subscribers.push_back(m_handle.subscribe<sensor_msgs::Image>(
+        nameOf(topic), kPictureQueue,
+        [this, topic](const sensor_msgs::Image::ConstPtr& message) {
+            m_node.takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message));
+        },
+        {}, ::ros::TransportHints().tcpNoDelay()));
+}
+
+void Ros1Node::listen() {
+    m_node.setListening(m_publisher.getNumSubscribers() > 0);
+}
+
+void Ros1Node::publish(const PublishedFrame& frame) {
+    m_image.header.stamp = rosTime(frame.stamp);
+    m_image.header.frame_id = m_node.options().cameraFrame;
+    fillImage(m_image, frame);
+    fill(m_info, frame.calibration);
+    m_info.header = m_image.header;
+    m_publisher.publish(m_image, m_info);
+}
+
+void Ros1Node::publishDiagnostics() {
+    diagnostic_msgs::DiagnosticArray message;
+    message.header.stamp = ::ros::Time::now();
+    message.status.push_back(
+        statusOf<diagnostic_msgs::DiagnosticStatus>(m_node.diagnostics(), ::ros::this_node::getName()));
+    m_diagnostics.publish(message);
+}
+
+bool Ros1Node::setCamera(sensor_msgs::SetCameraInfo::Request& request,
+                         sensor_msgs::SetCameraInfo::Response& response) {
+    answerSetCamera(m_node, calibrationOf(request.camera_info), response);
+    return true; // it was answered
+}
+
+void Ros1Node::takeTransforms(const tf2_msgs::TFMessage& message, bool isStatic) {
+    for (const geometry_msgs::TransformStamped& one : message.transforms) {
+        m_node.takeTransform(transformOf(one), isStatic);
+    }
+}
+
+} // namespace
+
+} // namespace spherewalk::ros
 
 int main(int argc, char** argv) {
     ros::init(argc, argv, "spherewalk");

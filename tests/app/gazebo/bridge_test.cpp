@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gazebo_fixture.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <gmock/gmock.h>

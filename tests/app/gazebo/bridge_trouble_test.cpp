@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gazebo_fixture.h"
 
+#include "spherewalk/base/json.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/camera_summary.h"
+#include "bridge.h"
+
+#include "spherewalk/base/json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace spherewalk::program {
+namespace spherewalk::gazebo {
 namespace {
 
 using testing::AllOf;
@@ -44,4 +46,4 @@ TEST(CameraSummary, SaysWhatWentWrongAndNothingElse) {
 }
 
 } // namespace
-} // namespace spherewalk::program
+} // namespace spherewalk::gazebo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "middleware.h"
+#include "messages.h"
 
 #include <gtest/gtest.h>
 

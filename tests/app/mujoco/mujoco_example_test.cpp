@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The example with MuJoCo, against what is known of balls and walls without it.
-#include "../../core/jobs/practice_dataset.h"
+#include "../../core/jobs/parts/practice_dataset.h"
 #include "object_camera.h"
 #include "program.h"
 #include "room_world.h"
@@ -8,7 +8,7 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/median.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
 

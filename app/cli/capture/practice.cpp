@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/command.h"
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/demo.h"
+#include "spherewalk/jobs/positions_csv.h"
+#include "spherewalk/practice/practice_camera.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct PracticeArguments {
+    practice::PracticeCameraOptions camera;
+    std::string photos;
+    std::string positions;
+    std::uint64_t seed = 1;
+};
+
+practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
+    practice::PracticeCameraOptions camera = options.camera;
+    camera.seed = options.seed;
+    camera.errors.seed = options.seed;
+    if (options.photos.empty() != options.positions.empty()) {
+        throw Error(ErrorKind::InvalidInput, "To serve photos, give both --photos and --positions.");
+    }
+    if (!options.photos.empty()) {
+        camera.photoFolder = options.photos;
+        for (const jobs::PhotoPosition& position : jobs::readPositions(options.positions)) {
+            camera.photos.push_back({position.file, position.positionM, position.roomFromPhoto});
+        }
+    }
+    return camera;
+}
+
+Result servePractice(const PracticeArguments& options, Context& context) {
+    practice::PracticeCamera camera(cameraOptions(options));
+    camera.start();
+    context.progress.warning(text("The practice camera listens at ", camera.url(),
+                                  "; Ctrl-C ends it. Its truth is in ", camera.truthFile().string(), "."));
+    while (systemClock().sleep(std::chrono::hours(1), context.stop)) {
+    }
+    camera.stop();
+    const practice::PracticeCameraStats stats = camera.stats();
+    return {{{"exposures", stats.exposures}, {"commands", stats.commands}},
+            text("The practice camera took ", stats.exposures, " pictures.")};
+}
+
+struct DemoArguments {
+    std::string out;
+    jobs::DemoOptions demo;
+};
+
+Result runDemo(const DemoArguments& options, Context& context) {
+    const jobs::DemoReport report = jobs::demo(options.out, options.demo, context.progress, context.stop);
+    const auto seconds = [](double s) { return humanDuration(std::chrono::duration<double>(s)); };
+    return {
+        jobs::toJson(report),
+        text(
+            "A practice room was planned, photographed over HTTP, aligned, exported, and walked through.\n\n",
+            "In ", options.out, ":\n", "  practice-room.spherewalk  the survey: ", report.capture.stations,
+            " stations on ", report.placements, " rail placements, ", report.capture.taken, " photos in ",
+            seconds(report.capture.seconds), "\n", "  dataset                   for simulators: ",
+            humanBytes(report.exported.written.totalBytes), "\n", "  walk                      ",
+            report.walk.frames, " views of a robot's camera, index.csv, contact-sheet.png; ",
+            fixed(report.walk.medianRenderMs, 1), " ms a view\n",
+            "  comparison.png            views beside exact pictures: ", fixed(report.atPhotosDb, 1),
+            " dB at photos, ", fixed(report.betweenDb, 1), " dB between them (medians)\n",
+            "  robot.yaml, path.tum      the robot's camera and its path\n",
+            "  truth.jsonl               where the practice camera really was\n\n",
+            "The photos' rotations were solved from the pictures: ", report.alignmentError.photos, " of ",
+            report.capture.stations, " photos, off by ", fixed(report.alignmentError.yawRmsDeg, 3),
+            " deg in yaw and ", fixed(report.alignmentError.tiltRmsDeg, 3), " in tilt (root mean square).\n",
+            "Look around:  spherewalk-cli view ", options.out, "/dataset --camera ", options.out,
+            "/robot.yaml --frame body --pose \"2.5 2 1.2 0 0 0 1\" --out view.png")};
+}
+
+} // namespace
+
+void addPracticeCamera(Commands& commands) {
+    const auto options = std::make_shared<PracticeArguments>();
+    options->camera.port = 8080;
+    options->camera.timeScale = 1;
+    practice::PracticeCameraOptions& camera = options->camera;
+    const program::Command command =
+        commands.add("practice-camera", "Run an emulated Theta V that photographs a practice room",
+                     [options](Context& context) { return servePractice(*options, context); });
+    command.option("--port", camera.port, "TCP port; 0: any that is free").showDefault();
+    command.option("--time-scale", camera.timeScale, "Of the camera's own times; 0: as fast as possible")
+        .range(0.0, 100.0)
+        .showDefault();
+    command.option("--width", camera.width, "Of the photos, pixels").showDefault();
+    command.option("--seed", options->seed, "Of the errors in yaw, tilt, and position").showDefault();
+    command.option("--storage", camera.storageFolder,
+                   "Folder of the camera's memory; default: a temporary one");
+    command.option("--truth", camera.truthFile, "File for the truth about every picture");
+    command.option("--photos", options->photos,
+                   "Serve these photos, by position, in place of the practice room");
+    command.option("--positions", options->positions, "CSV of their positions, as for import");
+}
+
+void addDemo(Commands& commands) {
+    const auto options = std::make_shared<DemoArguments>();
+    const program::Command command =
+        commands.add("demo", "Scan, export, and walk through a practice room",
+                     [options](Context& context) { return runDemo(*options, context); });
+    command.option("out", options->out, "Folder to make").required();
+    command.option("--width", options->demo.photoWidth, "Of the photos, pixels")
+        .range(1024, 16384)
+        .showDefault();
+    command.option("--step", options->demo.stepM, "Of the grid, metres").showDefault();
+    command.option("--frames", options->demo.frames, "Of the walk").range(6, 100000).showDefault();
+    command.option("--seed", options->demo.seed, "Of the camera's errors").showDefault();
+}
+
+} // namespace spherewalk::cli

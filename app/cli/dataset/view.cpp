@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/command.h"
+#include "program/render_options.h"
+
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/walk.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <memory>
+#include <vector>
+
+namespace spherewalk::cli {
+
+namespace {
+
+struct ViewArguments {
+    program::RenderOptions dataset;
+    std::string pose;
+    std::string out;
+    std::string ball;
+};
+
+Result renderView(const ViewArguments& options, Context& context) {
+    const Rigid3 pose = options.dataset.opticalPose(parsePose(options.pose));
+    const CameraModel camera = options.dataset.cameraModel();
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
+    render::ViewOptions viewOptions = options.dataset.viewOptions();
+    std::vector<render::Overlay> overlays;
+    if (!options.ball.empty()) {
+        overlays.push_back(jobs::ballOverlay(jobs::parseBall(options.ball), camera, pose));
+        viewOptions.overlays = overlays;
+    }
+    const render::View view = renderer.render(camera, pose, viewOptions);
+    photo::writePng(options.out, view.picture);
+    Json json = jobs::toJson(view.report);
+    json["out"] = options.out;
+    return {json, text("Wrote ", options.out, ": ", view.picture.width(), " x ", view.picture.height(),
+                       " pixels from ", view.report.file, ", ", fixed(100 * view.report.offsetM, 1),
+                       " cm away, trust ", fixed(view.report.trust, 2), ", rendered in ",
+                       fixed(view.report.renderMs, 1), " ms.")};
+}
+
+struct WalkArguments {
+    program::RenderOptions dataset;
+    std::string path;
+    std::string out;
+    program::StreamOptions stream;
+    std::string ball;
+    std::vector<std::string> formats;
+    std::string bagPictures = "raw";
+    std::string shard = "1/1";
+};
+
+Result renderWalk(const WalkArguments& options, Context& context) {
+    std::vector<TimedPose> path = readTum(options.path);
+    for (TimedPose& pose : path) {
+        pose.roomFromCamera = options.dataset.opticalPose(pose.roomFromCamera);
+    }
+    const CameraModel camera = options.dataset.cameraModel();
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
+    jobs::WalkOptions walkOptions{options.dataset.viewOptions(), options.stream.options()};
+    if (!options.ball.empty()) {
+        walkOptions.ball = jobs::parseBall(options.ball);
+    }
+    walkOptions.shard = jobs::Shard::parse(options.shard);
+    for (const std::string& format : options.formats) {
+        if (format == "rosbag" || format == "mcap") {
+            walkOptions.bags.push_back(dataset::bagFormat(format));
+        } else {
+            walkOptions.formats.push_back(dataset::poseFormat(format));
+        }
+    }
+    walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
+    const jobs::WalkReport report =
+        jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
+    const std::string known =
+        report.reused > 0 ? text(", ", report.reused, " of them were there before") : "";
+    return {jobs::toJson(report),
+            report.isComplete
+                ? text("Wrote ", report.frames, " frames", known, ", index.csv, and contact-sheet.png to ",
+                       options.out, " (median ", fixed(report.medianRenderMs, 1), " ms to render, ",
+                       report.photosUsed, " photos used, ", report.stream.late,
+                       " frames not decoded in time).")
+                : text("Wrote ", report.frames, " frames", known, " to ", options.out,
+                       ". Other parts are still to come; the last one to end writes index.csv.")};
+}
+
+} // namespace
+
+void addView(Commands& commands) {
+    const auto options = std::make_shared<ViewArguments>();
+    const program::Command command =
+        commands.add("view", "Render one view of a robot's camera from a dataset",
+                     [options](Context& context) { return renderView(*options, context); });
+    options->dataset.declare(command);
+    options->dataset.declareFrame(command);
+    command.option("--pose", options->pose, "Pose of the camera: \"x y z qx qy qz qw\", metres").required();
+    command.option("--out", options->out, "PNG file to write").required();
+    command.option("--ball", options->ball,
+                   "A ball to lay into the view, \"x y z radius\", metres, as an object of a simulator");
+}
+
+void addWalk(Commands& commands) {
+    const auto options = std::make_shared<WalkArguments>();
+    const program::Command command =
+        commands.add("walk", "Render a view at each pose of a path",
+                     [options](Context& context) { return renderWalk(*options, context); });
+    options->dataset.declare(command);
+    options->dataset.declareFrame(command);
+    command.option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"").required();
+    command.option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
+        .required();
+    options->stream.declare(command);
+    command
+        .option("--format", options->formats,
+                "Write the poses as another program reads them, besides: tum, kitti, euroc, colmap, or "
+                "nerfstudio; or frames and poses as ROS messages: rosbag or mcap; can be repeated")
+        .among({"tum", "kitti", "euroc", "colmap", "nerfstudio", "rosbag", "mcap"});
+    command
+        .option("--bag-pictures", options->bagPictures,
+                "Frames in a bag: raw (sensor_msgs/Image) or png (CompressedImage, smaller)")
+        .among({"raw", "png"})
+        .showDefault();
+    command
+        .option("--shard", options->shard,
+                "Render only the i-th of n parts of the frames, \"i/n\"; several processes may do so at once")
+        .showDefault();
+    command.option("--ball", options->ball,
+                   "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");
+}
+
+} // namespace spherewalk::cli

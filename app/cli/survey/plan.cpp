@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/survey/plan.h"
+
+#include "options/command.h"
+
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/store/survey_store.h"
+#include "spherewalk/survey/plan_report.h"
+#include "spherewalk/survey/room.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+/// The uncovered areas that have one reason, in a line; "" if there are none.
+std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason reason,
+                       const survey::PlanOptions& options) {
+    double areaM2 = 0;
+    int count = 0;
+    const survey::UncoveredArea* largest = nullptr;
+    for (const survey::UncoveredArea& area : report.uncovered) { // largest first
+        if (area.reason == reason) {
+            largest = largest == nullptr ? &area : largest;
+            areaM2 += area.areaM2;
+            ++count;
+        }
+    }
+    if (largest == nullptr) {
+        return {};
+    }
+    const std::string where =
+        text(count == 1 ? "around (" : text("in ", count, " areas, the largest around ("),
+             fixed(largest->point.x(), 2), ", ", fixed(largest->point.y(), 2), ")");
+    return text("\n  ", fixed(areaM2, 2), " m2 ", where, ": ", survey::reasonText(reason, options));
+}
+
+std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options) {
+    const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
+    std::string result =
+        text(report.stations, " stations on ", report.placements, " rail placements, ",
+             fixed(report.metresWalked, 0), " m to walk, about ",
+             humanDuration(std::chrono::duration<double>(60 * report.minutes)), " at ",
+             fixed(options.secondsPerPhoto, 0), " s a photo and ", fixed(options.secondsPerPlacement, 0),
+             " s a placement.\n", "Floor ", fixed(report.floorM2, 2), " m2, not covered ",
+             fixed(report.uncoveredM2, 2), " m2 (", fixed(share, 0), " %)");
+    for (const auto reason : {survey::UncoveredReason::Clearance, survey::UncoveredReason::Enclosed,
+                              survey::UncoveredReason::BetweenStops}) {
+        result += reasonLine(report, reason, options);
+    }
+    return result;
+}
+
+Json planJson(const survey::PlanReport& report, const survey::PlanOptions& options) {
+    Json uncovered = Json::array();
+    for (const survey::UncoveredArea& area : report.uncovered) {
+        uncovered.push_back({{"area_m2", area.areaM2},
+                             {"point_m", {area.point.x(), area.point.y()}},
+                             {"reason", survey::reasonText(area.reason, options)}});
+    }
+    return {{"stations", report.stations},
+            {"placements", report.placements},
+            {"metres_walked", report.metresWalked},
+            {"minutes", report.minutes},
+            {"floor_m2", report.floorM2},
+            {"uncovered_m2", report.uncoveredM2},
+            {"uncovered", uncovered}};
+}
+
+struct NewArguments {
+    std::string survey;
+    std::vector<double> rect;
+    std::string outline;
+    double ceilingM = 0;
+    survey::PlanOptions plan;
+    std::string profile = "auto";
+};
+
+survey::Room roomGiven(const NewArguments& options) {
+    survey::Room room;
+    room.ceilingM = options.ceilingM;
+    if (!options.rect.empty()) {
+        const auto& r = options.rect;
+        if (!(r[0] < r[2] && r[1] < r[3])) {
+            throw Error(ErrorKind::InvalidInput,
+                        "The rectangle needs x0 < x1 and y0 < y1: --rect x0,y0,x1,y1.");
+        }
+        room.outline = {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
+        return room;
+    }
+    constexpr std::uint64_t kLargest = 16ULL << 20;
+    const Json json = parseJson(readTextFile(options.outline, kLargest), options.outline);
+    survey::Outline outline = survey::parseOutline(json, options.outline);
+    room.outline = std::move(outline.outline);
+    room.obstacles = std::move(outline.obstacles);
+    if (options.ceilingM == 0 && !outline.ceilingM) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The ceiling's height is missing: give --ceiling, or \"ceiling_m\" in ",
+                         options.outline, "."));
+    }
+    room.ceilingM = options.ceilingM == 0 ? *outline.ceilingM : options.ceilingM;
+    return room;
+}
+
+Result create(const NewArguments& options) {
+    const survey::Room room = roomGiven(options);
+    room.validate();
+    options.plan.validate(room);
+    const std::optional<survey::CaptureProfile> profile = survey::parseProfile(options.profile);
+    const survey::Plan plan = survey::plan(room, options.plan);
+    const survey::PlanReport report = survey::report(room, options.plan, plan);
+    const std::filesystem::path folder = options.survey;
+    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, plan);
+    store.setCaptureProfile(profile);
+    Json json = planJson(report, options.plan);
+    json["survey"] = options.survey;
+    json["profile"] = survey::profileText(profile);
+    json["id"] = store.info().uuid;
+    return {json, text("Made the survey ", options.survey, ".\n", planText(report, options.plan))};
+}
+
+struct PlanArguments {
+    std::string survey;
+    bool list = false;
+    std::string sheet;
+};
+
+std::string railLine(std::size_t number, const survey::RailPlacement& rail) {
+    const Eigen::Vector2d last = rail.stop(rail.stops - 1);
+    return text("\nrail ", number, ": ", rail.stops, " stops from (", fixed(rail.origin.x(), 3), ", ",
+                fixed(rail.origin.y(), 3), ") to (", fixed(last.x(), 3), ", ", fixed(last.y(), 3), ")");
+}
+
+Result shownPlan(const PlanArguments& options) {
+    const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
+    const survey::PlanOptions planOptions = store.planOptions();
+    const survey::Plan plan = store.plan();
+    const survey::PlanReport report = survey::report(store.room(), planOptions, plan);
+    Json json = planJson(report, planOptions);
+    std::string words = planText(report, planOptions);
+    Json rails = Json::array();
+    for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+        const survey::RailPlacement& rail = plan.placements[i];
+        rails.push_back({{"x_m", rail.origin.x()},
+                         {"y_m", rail.origin.y()},
+                         {"heading_deg", Degrees(rail.heading).value()},
+                         {"stops", rail.stops},
+                         {"step_m", rail.stepM}});
+        words += options.list ? railLine(i + 1, rail) : "";
+    }
+    json["rails"] = rails;
+    Json stations = Json::array();
+    for (const store::StationRecord& station : store.stations()) {
+        const Eigen::Vector3d& p = station.station.positionM;
+        stations.push_back(
+            {{"id", station.id}, {"name", station.name}, {"position_m", {p.x(), p.y(), p.z()}}});
+    }
+    json["station_list"] = stations;
+    if (!options.sheet.empty()) {
+        writeFile(options.sheet, report::markingSheet(store.info().name, store.room(), planOptions, plan));
+        json["sheet"] = options.sheet;
+        words += text("\nWrote ", options.sheet, ": the plan to scale, and the tape distances of each rail.");
+    }
+    return {json, words};
+}
+
+} // namespace
+
+void addNew(Commands& commands) {
+    const auto options = std::make_shared<NewArguments>();
+    const program::Command command = commands.add(
+        "new", "Plan a new survey", [options](Context& /*context*/) { return create(*options); });
+    command.option("survey", options->survey, "Folder to make, <name>.spherewalk").required();
+    const program::Command shape = command.oneOf("shape", "The room's outline");
+    shape.option("--rect", options->rect, "Rectangular room: x0,y0,x1,y1 in metres")
+        .separatedBy(',')
+        .count(4);
+    shape.option("--outline", options->outline,
+                 R"(JSON file: [[x,y],...] or {"outline":...,"obstacles":...,"ceiling_m":...})");
+    command.option("--ceiling", options->ceilingM, "Height of the ceiling, metres");
+    command.option("--step", options->plan.stepM, "Distance of neighbouring stations, metres").showDefault();
+    command
+        .option("--height", options->plan.heightsM,
+                "Height of the lens above the floor, metres; several make layers")
+        .separatedBy(',')
+        .showDefault();
+    command.option("--rail-stops", options->plan.railStops, "Stops of the cart on the rail").showDefault();
+    command.option("--profile", options->profile, text("How the camera is set. ", kProfileHelp))
+        .showDefault();
+    command.option("--clearance", options->plan.clearanceM, "From a stop to walls and obstacles, metres")
+        .showDefault();
+}
+
+void addPlan(Commands& commands) {
+    const auto options = std::make_shared<PlanArguments>();
+    const program::Command command = commands.add(
+        "plan", "Show a survey's plan", [options](Context& /*context*/) { return shownPlan(*options); });
+    command.option("survey", options->survey, "Folder of the survey").required();
+    command.option("--sheet", options->sheet,
+                   "PDF to write: the plan to scale, with tape distances for laying the rails");
+    command.flag("--list", options->list, "List the rail placements in walking order");
+}
+
+} // namespace spherewalk::cli

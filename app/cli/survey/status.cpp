@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/command.h"
+
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/render/dataset.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <memory>
+
+namespace spherewalk::cli {
+
+namespace {
+
+Result status(const std::string& survey) {
+    const auto store = store::SurveyStore::open(survey, store::Access::Read);
+    const store::Counts counts = store.counts();
+    const auto solution = store.activeSolution();
+    const auto missing = store.stationsWithoutPhoto();
+    std::string words = text(store.info().name, ": ", counts.stationsWithPhoto, " of ", counts.stations,
+                             " stations have a photo (", counts.photos, " photos).");
+    words += missing.empty() ? "" : text("\nNext: ", missing.front().name, ".");
+    words += counts.rejectedPhotos == 0
+                 ? ""
+                 : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
+    words += counts.openShots == 0
+                 ? ""
+                 : text("\n", counts.openShots, " shots were interrupted; capture settles them first.");
+    words +=
+        counts.unclearShots == 0 ? "" : text("\n", counts.unclearShots, " shots need a person's decision:");
+    Json unclear = Json::array();
+    for (const survey::Shot& shot : store.unclearShots()) {
+        const std::string name = store.station(shot.station).name;
+        words += text("\n  ", name, ": ", shot.note);
+        unclear.push_back({{"station", name}, {"note", shot.note}});
+    }
+    words += solution ? text("\nRotations: ", solution->source, " (", solution->model, ").")
+                      : "\nRotations: none yet.";
+    const std::string profile = survey::profileText(store.captureProfile());
+    words += text("\nThe camera is set: ", profile, ".");
+    return {{{"name", store.info().name},
+             {"id", store.info().uuid},
+             {"profile", profile},
+             {"stations", counts.stations},
+             {"stations_with_photo", counts.stationsWithPhoto},
+             {"photos", counts.photos},
+             {"rejected_photos", counts.rejectedPhotos},
+             {"next", missing.empty() ? Json() : Json(missing.front().name)},
+             {"open_shots", counts.openShots},
+             {"unclear_shots", unclear},
+             {"solution", solution ? Json(solution->source) : Json()}},
+            words};
+}
+
+Result checkDataset(const std::string& path, Context& context) {
+    const render::Dataset dataset =
+        render::Dataset::open(path, render::Verify::Hashes, context.progress, context.stop);
+    const std::size_t photos = dataset.info().photos.size();
+    return {{{"kind", "dataset"}, {"photos", photos}, {"sound", true}},
+            text("The dataset ", path, " is sound: ", photos, " photos with the right hashes.")};
+}
+
+Result checkSurvey(const std::string& path, Context& context) {
+    const auto store = store::SurveyStore::open(path, store::Access::Read);
+    const store::SurveyCheck check = store.check(context.progress, context.stop);
+    Json findings = Json::array();
+    std::string words = text("Checked ", check.photosChecked, " photos and the database of ", path, ": ");
+    words += check.isSound() ? "all is as it was recorded."
+                             : text(check.photos.size() + check.database.size(), " findings.");
+    const auto add = [&](const std::string& sentence) {
+        findings.push_back(sentence);
+        words += text("\n  ", sentence);
+    };
+    for (const store::PhotoFinding& finding : check.photos) {
+        add(finding.sentence);
+    }
+    for (const std::string& sentence : check.database) {
+        add(sentence);
+    }
+    for (const std::string& file : check.filesWithoutPhoto) {
+        words += text("\n  photos/", file, " belongs to no photo of the survey (harmless)");
+    }
+    return {{{"kind", "survey"},
+             {"photos", check.photosChecked},
+             {"sound", check.isSound()},
+             {"findings", findings},
+             {"files_without_photo", check.filesWithoutPhoto}},
+            words,
+            check.isSound()};
+}
+
+Result checkPath(const std::string& path, Context& context) {
+    const bool isDataset = std::filesystem::exists(std::filesystem::path(path) / render::kDatasetFile);
+    return isDataset ? checkDataset(path, context) : checkSurvey(path, context);
+}
+
+} // namespace
+
+void addStatus(Commands& commands) {
+    const auto survey = std::make_shared<std::string>();
+    const program::Command command = commands.add("status", "How far a survey is",
+                                                  [survey](Context& /*context*/) { return status(*survey); });
+    command.option("survey", *survey, "Folder of the survey").required();
+}
+
+void addCheck(Commands& commands) {
+    const auto path = std::make_shared<std::string>();
+    const program::Command command =
+        commands.add("check", "Check every file of a survey or a dataset",
+                     [path](Context& context) { return checkPath(*path, context); });
+    command.option("path", *path, "Folder of the survey or dataset").required();
+}
+
+} // namespace spherewalk::cli
