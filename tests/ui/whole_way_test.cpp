@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/person.h"
 #include "ui/align/align_mode.h"
-#include "ui/capture/big_text.h"
+#include "ui/capture/operator_signals.h"
 #include "ui/export/export_mode.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_mode.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/align/heading_layer.h"
-#include "ui/shell/mode.h"
+#include "ui/frame/mode.h"
+#include "ui/map/plan_canvas.h"
+
+#include "spherewalk/jobs/solution_findings.h"
 
 #include <filesystem>
 #include <vector>
@@ -21,7 +23,21 @@ class CoverageView;
 class TaskBar;
 class TaskList;
 
-/// How the photos are turned is solved, watched, and judged.
+/// Draws the solved pose of each photo on the plan: a line along its heading, and a fan of three standard
+/// deviations, which is magnified to be visible.
+class HeadingLayer : public PlanLayer {
+  public:
+    static constexpr double kMagnified = 50; ///< Factor on the angle of the fans.
+
+    void setPhotos(const std::vector<jobs::PhotoFinding>& photos) { m_photos = photos; }
+
+    void paint(QPainter& painter, const QTransform& widgetFromRoom) override;
+
+  private:
+    std::vector<jobs::PhotoFinding> m_photos;
+};
+
+/// The page that aligns the photos and shows the findings.
 class AlignMode : public Mode {
     Q_OBJECT
 

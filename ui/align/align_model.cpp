@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_model.h"
 
-#include "ui/look/standing.h"
-#include "ui/plan/station_words.h"
+#include "ui/look/words.h"
+#include "ui/map/station_words.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -15,7 +15,8 @@ namespace spherewalk::ui {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity(); ///< sorts behind what is known
+constexpr double kUnknown =
+    std::numeric_limits<double>::infinity(); ///< Unknown numbers sort behind known ones.
 
 std::optional<double> yawDeg(const jobs::PhotoFinding& photo) {
     return photo.roomFromPhoto
@@ -46,12 +47,12 @@ bool isNumber(int column) {
     return column >= AlignModel::Yaw && column <= AlignModel::Residual;
 }
 
-/// As the plan shows it.
-Standing standingOf(const std::string& status) {
-    return status == "good"       ? Standing::Taken
-           : status == "doubtful" ? Standing::Doubtful
-           : status == "failed"   ? Standing::Failed
-                                  : Standing::Missing;
+/// Returns the state as the plan shows it.
+Standing standingOf(std::optional<survey::Quality> quality) {
+    return !quality                                ? Standing::Missing
+           : *quality == survey::Quality::Good     ? Standing::Taken
+           : *quality == survey::Quality::Doubtful ? Standing::Doubtful
+                                                   : Standing::Failed;
 }
 
 QString verdictText(Standing standing) {
@@ -109,7 +110,8 @@ QVariant AlignModel::data(const QModelIndex& index, int role) const {
     case SortRole:
         return sortKey(photo, index.row(), index.column());
     case FlaggedRole:
-        return !photo.flags.empty() || photo.cure != jobs::Cure::None || photo.status != "good";
+        return !photo.flags.empty() || photo.cure != jobs::Cure::None ||
+               photo.quality != survey::Quality::Good;
     default:
         return {};
     }
@@ -124,7 +126,7 @@ QVariant AlignModel::text(const jobs::PhotoFinding& photo, int column) const {
     case Station:
         return stationWords(photo.stationName);
     case Verdict:
-        return verdictText(standingOf(photo.status));
+        return verdictText(standingOf(photo.quality));
     case Neighbours:
         return photo.neighbours > 0 ? QString::number(photo.neighbours) : QStringLiteral("-");
     case Proposal:
@@ -142,9 +144,9 @@ QVariant AlignModel::sortKey(const jobs::PhotoFinding& photo, int row, int colum
     }
     switch (column) {
     case Station:
-        return row; // the walking order
+        return row; // rows are in walking order
     case Verdict:
-        return -static_cast<int>(standingOf(photo.status)); // the worst first
+        return -static_cast<int>(standingOf(photo.quality)); // the worst first
     case Neighbours:
         return photo.neighbours;
     default:

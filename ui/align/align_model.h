@@ -8,7 +8,7 @@
 
 namespace spherewalk::ui {
 
-/// What the active solution says of each photo, a row a photo.
+/// The findings of the active solution as a table, with one row for each photo.
 class AlignModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -27,10 +27,10 @@ class AlignModel : public QAbstractTableModel {
     };
 
     enum Role {
-        PhotoRole = Qt::UserRole, ///< its id
-        StationRole,              ///< its id
-        SortRole,                 ///< a number or a text, for sorting
-        FlaggedRole,              ///< whether there is something to do or to look at
+        PhotoRole = Qt::UserRole, ///< Id of the photo.
+        StationRole,              ///< Id of the station.
+        SortRole,                 ///< A number or a text to sort by.
+        FlaggedRole,              ///< Whether a person must look at the photo or act.
     };
 
     using QAbstractTableModel::QAbstractTableModel;
@@ -39,7 +39,7 @@ class AlignModel : public QAbstractTableModel {
 
     const std::vector<jobs::PhotoFinding>& photos() const { return m_photos; }
 
-    /// Null if there is none.
+    /// Returns the finding of a photo; null without one.
     const jobs::PhotoFinding* photo(std::int64_t id) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -54,7 +54,7 @@ class AlignModel : public QAbstractTableModel {
     std::vector<jobs::PhotoFinding> m_photos;
 };
 
-/// The rows sorted by any column, all or only those with a flag.
+/// The rows sorted by a column: all rows, or only those of FlaggedRole.
 class AlignProxy : public QSortFilterProxyModel {
     Q_OBJECT
 
@@ -70,7 +70,7 @@ class AlignProxy : public QSortFilterProxyModel {
     bool m_isOnlyFlagged = false;
 };
 
-/// What is proposed for a photo, as words for a button or a cell; empty for nothing.
+/// Returns the words of a proposal for a button or a cell; empty if nothing is proposed.
 QString cureText(jobs::Cure cure);
 
 } // namespace spherewalk::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_presenter.h"
 
-#include "ui/look/quantity_text.h"
+#include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
 
@@ -11,7 +11,7 @@
 
 namespace spherewalk::ui {
 
-/// A move that was made already when it is pushed.
+/// Takes back a move of photos that has been made, or makes it again.
 class RetagCommand : public QUndoCommand {
   public:
     RetagCommand(AlignPresenter& presenter, std::vector<jobs::PhotoPlace> before,
@@ -33,7 +33,7 @@ class RetagCommand : public QUndoCommand {
     }
 
   private:
-    /// If it cannot be done, what the stack says would no longer be true.
+    /// Removes this step from the stack if the move fails, as the stack would be wrong.
     void move(const std::vector<jobs::PhotoPlace>& places) {
         if (!m_presenter || !m_presenter->session()) {
             return;
@@ -86,17 +86,18 @@ QString AlignPresenter::summary() const {
     if (!m_findings) {
         return tr("The survey is not aligned yet.");
     }
-    std::map<std::string, int> counts;
+    std::map<std::optional<survey::Quality>, int> counts;
     for (const jobs::PhotoFinding& photo : m_findings->photos) {
-        ++counts[photo.status];
+        ++counts[photo.quality];
     }
     QStringList sentences{tr("%n photo(s): %1 good, %2 doubtful, %3 failed.", nullptr,
                              static_cast<int>(m_findings->photos.size()))
-                              .arg(counts["good"])
-                              .arg(counts["doubtful"])
-                              .arg(counts["failed"])};
-    if (counts[""] > 0) {
-        sentences << tr("%n photo(s) came since, or were left out: align again.", nullptr, counts[""]);
+                              .arg(counts[survey::Quality::Good])
+                              .arg(counts[survey::Quality::Doubtful])
+                              .arg(counts[survey::Quality::Failed])};
+    if (counts[std::nullopt] > 0) {
+        sentences << tr("%n photo(s) came since, or were left out: align again.", nullptr,
+                        counts[std::nullopt]);
     }
     sentences << tr("Model %1.").arg(QString::fromStdString(m_findings->solution.model))
               << QString::fromStdString(m_findings->reason);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ui/align/align_model.h"
-#include "ui/review/photo_reviewer.h"
-#include "ui/session/survey_presenter.h"
-#include "ui/tasks/task_list.h"
+#include "ui/session/photo_reviewer.h"
+#include "ui/session/survey_session.h"
+#include "ui/tasks/task.h"
 
 #include <functional>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace spherewalk::ui {
 
-/// What the align page does: runs the alignment, keeps what it found, and applies what it proposes.
+/// The logic of the align page: it runs the alignment, holds the findings, and applies proposals.
 class AlignPresenter : public SurveyPresenter {
     Q_OBJECT
 
@@ -25,29 +25,29 @@ class AlignPresenter : public SurveyPresenter {
 
     AlignProxy& table() { return m_table; }
 
-    /// Nothing if the survey is not aligned.
+    /// Returns the findings of the active solution; nothing if the survey is not aligned.
     const std::optional<jobs::SolutionFindings>& findings() const { return m_findings; }
 
-    /// "29 photos: 27 good, 2 doubtful. Model tilt. ..."
+    /// Returns "29 photos: 27 good, 2 doubtful. Model tilt. ...".
     QString summary() const;
 
     bool canRun() const;
     /// Starts the alignment, unless one runs.
     void run(const jobs::AlignOptions& options);
 
-    /// Of the alignment or of moving photos; null if none runs.
+    /// Returns the task that aligns or moves photos; null if none runs.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
 
-    /// Moves the photos to the stations that fit them; others of the list are passed over.
+    /// Moves these photos to the stations that are proposed for them. Photos without a proposal stay.
     void retag(const std::vector<std::int64_t>& photos);
-    /// Moves all that fit other stations.
+    /// Moves all photos that have such a proposal.
     void retagAll();
-    /// Rejects the photos, so that their stations are taken again.
+    /// Rejects these photos, so that their stations are photographed again.
     void retake(const std::vector<std::int64_t>& photos);
 
   signals:
     void findingsChanged();
-    /// A task began or ended.
+    /// A task has begun or ended.
     void taskChanged();
 
   private:
@@ -55,7 +55,7 @@ class AlignPresenter : public SurveyPresenter {
     void watch(Task* task);
 
     friend class RetagCommand;
-    /// Null if it cannot be begun.
+    /// Starts the move of photos; null if it cannot begin.
     Task* move(std::vector<jobs::PhotoPlace> places,
                const std::function<void(std::vector<jobs::PhotoPlace>)>& done);
 

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/camera_login.h"
 
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <qt6keychain/keychain.h>
 
 #include <optional>
@@ -26,7 +32,7 @@ QByteArray secretOf(const camera::Credentials& credentials) {
     return QJsonDocument(json).toJson(QJsonDocument::Compact);
 }
 
-/// Nothing if anybody else has changed it to something else.
+/// Reads an entry of the keychain; nothing if another program has changed its format.
 std::optional<camera::Credentials> credentialsIn(const QByteArray& secret) {
     const QJsonObject json = QJsonDocument::fromJson(secret).object();
     const QString user = json[kUserKey].toString();
@@ -58,7 +64,7 @@ camera::CredentialsSource CameraLogin::sourceFor(const camera::Endpoint& endpoin
     };
 }
 
-/// In the keychain, once; after that, and if that was wrong, a person is asked.
+/// Asks the keychain once. A person is asked if it knows nothing or something wrong.
 void CameraLogin::look(const camera::Endpoint& endpoint, bool wasRefused) {
     if (std::exchange(entry(endpoint).isSought, true) || wasRefused) {
         emit wanted(endpoint, wasRefused);
@@ -97,6 +103,52 @@ void CameraLogin::give(const camera::Endpoint& endpoint, const camera::Credentia
         }
     });
     job->start();
+}
+
+LoginForm::LoginForm(const camera::Endpoint& endpoint, bool wasRefused, QWidget* parent)
+    : QDialog(parent),
+      m_user(new QLineEdit(this)),
+      m_password(new QLineEdit(this)),
+      m_keep(new QCheckBox(tr("&Keep them in the system's keychain"), this)) {
+    setWindowTitle(tr("The camera asks who is there"));
+    const QString address = QString::fromStdString(endpoint.name());
+    auto* words = new QLabel(
+        wasRefused
+            ? tr("The camera at %1 did not accept this user name and password.").arg(address)
+            : tr("The camera at %1 is in client mode, and wants a user name and a password.").arg(address),
+        this);
+    words->setObjectName("loginWords");
+    words->setWordWrap(true);
+    m_user->setObjectName("cameraUser");
+    m_user->setPlaceholderText("THETAYL00123456");
+    m_user->setToolTip(tr("As set in the camera; at first THETA and its serial number."));
+    m_password->setObjectName("cameraPassword");
+    m_password->setEchoMode(QLineEdit::Password);
+    m_password->setToolTip(tr("As set in the camera; at first the digits of its serial number."));
+    m_keep->setObjectName("keepPassword");
+    m_keep->setChecked(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    QPushButton* connectButton = buttons->button(QDialogButtonBox::Ok);
+    connectButton->setText(tr("&Connect"));
+    connectButton->setEnabled(false);
+    auto* form = new QFormLayout(this);
+    form->addRow(words);
+    form->addRow(tr("&User name:"), m_user);
+    form->addRow(tr("&Password:"), m_password);
+    form->addRow(m_keep);
+    form->addRow(buttons);
+    connect(m_user, &QLineEdit::textChanged, this,
+            [connectButton](const QString& user) { connectButton->setEnabled(!user.trimmed().isEmpty()); });
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+camera::Credentials LoginForm::credentials() const {
+    return {m_user->text().trimmed().toStdString(), m_password->text().toStdString()};
+}
+
+bool LoginForm::isKept() const {
+    return m_keep->isChecked();
 }
 
 } // namespace spherewalk::ui

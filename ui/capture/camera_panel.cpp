@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/camera_panel.h"
 
-#include "ui/capture/login_form.h"
+#include "ui/capture/camera_login.h"
 #include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
-#include "ui/look/icon_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -201,6 +200,7 @@ void CameraPanel::showAll() {
         widget->setEnabled(isFree);
     }
     m_automatic->setVisible(m_desk.hasPracticeCamera());
+    m_automatic->setChecked(m_desk.isAutomatic());
     m_profile->setText(tr("E&xposure: %1").arg(profileWords(m_desk.profile())));
     m_profile->setEnabled(m_desk.session() != nullptr && !m_desk.isRunning());
     m_preview->setVisible(m_desk.showsPreview());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/capture/camera_finder.h"
+#include "ui/capture/cameras.h"
 #include "ui/capture/capture_desk.h"
-#include "ui/capture/preview_view.h"
+#include "ui/capture/live_preview.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -19,7 +19,8 @@ namespace spherewalk::ui {
 
 class LoginForm;
 
-/// Which camera, how it is, how it is set, and what it sees.
+/// Connects a camera, and shows its status, its exposure settings and its live preview. An operator edits
+/// here what CaptureDesk works with.
 class CameraPanel : public QWidget {
     Q_OBJECT
 

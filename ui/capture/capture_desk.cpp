@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/capture_desk.h"
 
-#include "ui/plan/station_words.h"
+#include "ui/map/station_words.h"
 
 #include "spherewalk/base/error.h"
 
@@ -12,7 +12,7 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// For a practice camera, which draws its pictures on this computer, however busy that is.
+/// Options for a practice camera, which draws its pictures slowly on a busy computer.
 camera::PreviewOptions patientPreview() {
     camera::PreviewOptions options;
     options.frameTimeout = std::chrono::minutes(1);
@@ -41,40 +41,25 @@ void CaptureDesk::setSession(SurveySession* session) {
         m_session->disconnect(this);
     }
     m_session = session;
-    m_again.clear();
-    m_last.reset();
-    m_next.reset();
-    m_verdict = Verdict::None;
+    m_verdict.reset();
     m_sentence.clear();
     if (session != nullptr) {
         connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
             if (what.testFlag(SurveySession::Plan)) {
-                markRails();
+                m_queue.markRails(&m_session->state());
             }
             read();
         });
     }
-    markRails();
+    m_queue.begin(m_session ? &m_session->state() : nullptr);
     read();
 }
 
-/// Finding the tapes takes its time in a large room.
-void CaptureDesk::markRails() {
-    m_rails = m_session ? survey::railMarks(m_session->state().room, m_session->state().plan)
-                        : std::vector<survey::RailMark>();
-}
-
-/// What is still to be done.
+/// Reads which stations still need a photo.
 void CaptureDesk::read() {
-    m_missing.clear();
-    for (const store::StationRecord& station :
-         m_session ? m_session->state().stations : std::vector<store::StationRecord>()) {
-        if (m_again.contains(station.id) || m_session->state().missing.contains(station.id)) {
-            m_missing.push_back(station);
-        }
-    }
+    m_queue.read(m_session ? &m_session->state() : nullptr);
     if (!isRunning()) {
-        m_next = m_missing.empty() ? std::nullopt : std::optional(m_missing.front());
+        m_queue.goToFirst();
     }
     emit changed();
 }
@@ -150,7 +135,7 @@ void CaptureDesk::giveLogin(const camera::Endpoint& endpoint, const camera::Cred
     connectAgain(endpoint);
 }
 
-/// Now that it is known who is there; not in the middle of a run, whose next call has it.
+/// Connects with credentials that are new. A run needs no connection, as its next request uses them.
 void CaptureDesk::connectAgain(const camera::Endpoint& endpoint) {
     if (endpoint == m_endpoint && m_state == State::Connecting) {
         m_connectsAgain = true; // what still runs knew nothing of it
@@ -193,13 +178,23 @@ void CaptureDesk::connectingEnded(const Task* task) {
 void CaptureDesk::connected(const CameraStatus& status) {
     m_connectsAgain = false;
     m_status = status;
-    m_verdict = Verdict::None;
+    m_verdict.reset();
     m_sentence = status.troubles.join(" ");
     setState(State::Ready);
+    if (std::exchange(m_startsWhenReady, false)) {
+        start();
+    }
+}
+
+void CaptureDesk::setAutomatic(bool isAutomatic) {
+    if (isAutomatic != m_isAutomatic) {
+        m_isAutomatic = isAutomatic;
+        emit changed();
+    }
 }
 
 void CaptureDesk::failed(const QString& sentence) {
-    m_verdict = sentence.isEmpty() ? Verdict::None : Verdict::Failed;
+    m_verdict = sentence.isEmpty() ? std::nullopt : std::optional(survey::Quality::Failed);
     m_sentence = sentence;
     emit changed();
 }
@@ -209,77 +204,61 @@ jobs::CaptureSurveyOptions CaptureDesk::captureOptions() const {
     if (m_isPractice) {
         options = jobs::practiceCaptureOptions(timeScale());
     }
-    options.again.assign(m_again.begin(), m_again.end());
+    options.again.assign(m_queue.againIds().begin(), m_queue.againIds().end());
     return options;
 }
 
-DeskEvents CaptureDesk::events() {
-    // From the capturing thread to this one. The destructor waits for that thread. What a run says that has
-    // ended meanwhile counts for nothing.
-    const auto post = [this, run = m_run](const std::function<void()>& apply) {
-        const auto applyInTime = [this, run, apply] {
-            if (run == m_run) {
-                apply();
-            }
-        };
-        QMetaObject::invokeMethod(this, applyInTime, Qt::QueuedConnection);
-    };
-    DeskEvents events;
-    events.status = [this, post](const CameraStatus& status) {
-        post([this, status] {
-            m_status = status;
-            emit changed();
-        });
-    };
-    events.quiet = [this] { return m_preview.endAndWait(); };
-    events.noAnswer = [this, post](const QString& sentence) { post([this, sentence] { failed(sentence); }); };
-    events.atStation = [this, post](const store::StationRecord& station) {
-        post([this, station] {
-            m_next = station;
-            setState(m_isAutomatic ? State::Shooting : State::AtStation);
-        });
-    };
-    events.askAgain = [this, post](const store::StationRecord& station, const QString& sentence) {
-        post([this, station, sentence] {
-            m_next = station;
-            m_state = State::AskAgain;
-            failed(sentence);
-            emit verdictGiven(Verdict::Failed);
-        });
-    };
-    events.shooting = [this, post] {
-        post([this] {
-            m_last = m_next;
-            setState(State::Shooting);
-        });
-    };
-    events.ended = [this, post](const store::StationRecord& station, Verdict verdict, bool isThere,
-                                const QString& sentence) {
-        post([this, station, verdict, isThere, sentence] { ended(station, verdict, isThere, sentence); });
-    };
-    return events;
+void CaptureDesk::showStatus(const CameraStatus& status) {
+    m_status = status;
+    emit changed();
+}
+
+void CaptureDesk::atStation(const store::StationRecord& station) {
+    m_queue.goTo(station);
+    setState(m_isAutomatic ? State::Shooting : State::AtStation);
+}
+
+void CaptureDesk::askAgain(const store::StationRecord& station, const QString& sentence) {
+    m_queue.goTo(station);
+    m_state = State::AskAgain;
+    failed(sentence);
+    emit verdictGiven(survey::Quality::Failed);
+}
+
+void CaptureDesk::shooting() {
+    m_queue.arrive();
+    setState(State::Shooting);
+}
+
+void CaptureDesk::runPractice() {
+    setAutomatic(true);
+    m_startsWhenReady = true;
+    connectToPractice();
 }
 
 void CaptureDesk::start() {
     if (m_state != State::Ready || !m_session) {
         return;
     }
-    m_verdict = Verdict::None;
+    m_verdict.reset();
     m_sentence.clear();
-    m_pace.begin(systemClock().now());
+    m_queue.pace().begin(systemClock().now());
     setState(State::Preparing);
-    const std::optional<camera::Endpoint> practice = m_isPractice ? std::optional(m_endpoint) : std::nullopt;
+    DeskOptions options;
+    options.run = m_run;
+    options.practice = m_isPractice ? std::optional(m_endpoint) : std::nullopt;
+    options.isAutomatic = m_isPractice && m_isAutomatic;
     m_task = m_tasks.start(
         tr("Capturing %1").arg(m_session->name()), this,
-        [folder = m_session->path(), endpoint = m_endpoint, practice, options = captureOptions(),
-         login = m_login.sourceFor(m_endpoint), scale = timeScale(), key = m_key, events = events(),
-         isAutomatic = m_isPractice && m_isAutomatic](ProgressSink& progress, const std::stop_token& stop) {
+        [this, folder = m_session->path(), endpoint = m_endpoint, options, capture = captureOptions(),
+         login = m_login.sourceFor(m_endpoint),
+         scale = timeScale()](ProgressSink& progress, const std::stop_token& stop) {
             auto store = store::SurveyStore::open(folder, store::Access::Write);
             camera::OscOptions clientOptions = camera::OscOptions{}.scaled(scale);
             clientOptions.http.credentials = login;
             camera::OscClient client(endpoint, clientOptions, systemClock());
-            DeskOperator people(client, *key, events, practice, isAutomatic);
-            return jobs::captureSurvey(store, client, people, systemClock(), options, progress, stop);
+            DeskOperator people(*this, client, options);
+            return jobs::captureSurvey(store, client, people, systemClock(), capture, progress, stop);
         },
         [](const jobs::CaptureSurveyReport& /*report*/) {});
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] { runDone(task); });
@@ -330,25 +309,25 @@ void CaptureDesk::tick() {
 
 void CaptureDesk::shoot() {
     setState(State::Shooting);
-    m_key->press();
+    m_key.press();
 }
 
-void CaptureDesk::ended(const store::StationRecord& station, Verdict verdict, bool isThere,
+void CaptureDesk::ended(const store::StationRecord& station, survey::Quality quality, bool isThere,
                         const QString& sentence) {
-    m_verdict = verdict;
+    m_verdict = quality;
     // The cart may stand elsewhere by now.
     m_sentence = sentence.isEmpty() ? sentence : tr("%1: %2").arg(stationWords(station.name), sentence);
-    if (isThere || verdict != Verdict::Failed) {
-        m_pace.photo(systemClock().now());
-        m_again.erase(station.id);
+    if (isThere || quality != survey::Quality::Failed) {
+        m_queue.pace().photo(systemClock().now());
+        m_queue.setAgain(station.id, false);
     }
-    if (isThere && verdict == Verdict::Failed) {
-        m_again.insert(station.id); // offered for the next run, and taken back by a click
+    if (isThere && quality == survey::Quality::Failed) {
+        m_queue.setAgain(station.id, true); // offered for the next run, and taken back by a click
     }
     if (m_session) {
         m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing
     }
-    emit verdictGiven(verdict);
+    emit verdictGiven(quality);
 }
 
 void CaptureDesk::runDone(const Task* task) {
@@ -357,56 +336,32 @@ void CaptureDesk::runDone(const Task* task) {
     m_state = State::Ready;
     if (task->state() == Task::State::Failed) {
         failed(task->sentence());
-        emit verdictGiven(Verdict::Failed);
+        emit verdictGiven(survey::Quality::Failed);
     }
     if (m_session) {
         m_session->noteChanged(SurveySession::Photos);
     }
     read();
-    emit runEnded(m_missing.empty() && task->state() == Task::State::Done);
+    emit runEnded(stationsLeft() == 0 && task->state() == Task::State::Done);
 }
 
 QString CaptureDesk::nextText() const {
-    return m_next ? stationWords(m_next->name) : QString();
+    return next() ? stationWords(next()->name) : QString();
 }
 
 QString CaptureDesk::wayText() const {
-    if (!m_next) {
-        return {};
-    }
-    const survey::Station& station = m_next->station;
-    const bool isOnRail = m_last && m_last->station.placement == station.placement && station.placement >= 0;
-    if (isOnRail || station.placement < 0) {
-        return positionWords(station);
-    }
-    return railWords(m_rails[static_cast<std::size_t>(station.placement)]);
+    return m_queue.wayWords();
 }
 
 std::chrono::duration<double> CaptureDesk::timeLeft() const {
-    std::set<int> rails;
-    for (const store::StationRecord& station : m_missing) {
-        rails.insert(station.station.placement);
-    }
-    return m_pace.left(stationsLeft(), static_cast<int>(rails.size()),
-                       m_session ? m_session->state().options : survey::PlanOptions());
-}
-
-std::vector<store::StationRecord> CaptureDesk::again() const {
-    std::vector<store::StationRecord> result;
-    std::copy_if(m_missing.begin(), m_missing.end(), std::back_inserter(result),
-                 [this](const store::StationRecord& station) { return m_again.contains(station.id); });
-    return result;
+    return m_queue.timeLeft(m_session ? m_session->state().options : survey::PlanOptions());
 }
 
 void CaptureDesk::setAgain(std::int64_t station, bool isAgain) {
     if (isRunning()) {
         return;
     }
-    if (isAgain) {
-        m_again.insert(station);
-    } else {
-        m_again.erase(station);
-    }
+    m_queue.setAgain(station, isAgain);
     read();
 }
 

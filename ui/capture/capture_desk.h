@@ -2,29 +2,27 @@
 #pragma once
 
 #include "ui/capture/camera_login.h"
-#include "ui/capture/camera_status.h"
+#include "ui/capture/cameras.h"
 #include "ui/capture/desk_operator.h"
-#include "ui/capture/pace.h"
-#include "ui/capture/practice_host.h"
-#include "ui/capture/preview_feed.h"
+#include "ui/capture/live_preview.h"
+#include "ui/capture/station_queue.h"
 #include "ui/session/survey_session.h"
-#include "ui/tasks/task_list.h"
+#include "ui/tasks/task.h"
 
 #include "spherewalk/jobs/capture_survey.h"
-#include "spherewalk/survey/marking.h"
 
 #include <QPointer>
 #include <QTimer>
 
-#include <functional>
+#include <chrono>
 #include <memory>
-#include <set>
+#include <optional>
 
 namespace spherewalk::ui {
 
-/// What the operator works with: the camera, the next station, the key, and how far the survey is. It runs
-/// jobs::captureSurvey(), as `spherewalk-cli capture` does, and holds no widget. Threads: the GUI thread; the
-/// network is never used on it.
+/// Captures the open survey: it holds the camera, the next station, the key and the progress, but no widget.
+/// A run is jobs::captureSurvey(), as in `spherewalk-cli capture`; DeskOperator brings its events here.
+/// Threads: the GUI thread. Tasks use the network.
 class CaptureDesk : public QObject {
     Q_OBJECT
 
@@ -32,19 +30,20 @@ class CaptureDesk : public QObject {
     enum class State {
         NoCamera,
         Connecting,
-        Ready,     ///< a camera is there, nothing runs
-        Preparing, ///< the run settles and prepares
-        AtStation, ///< waits for the key
-        AskAgain,  ///< no picture was taken; the key tries again
-        Hiding,    ///< counts down
-        Shooting,  ///< from the key to the stored photo
+        Ready,     ///< A camera has answered and no run is on.
+        Preparing, ///< A run ends open shots and sets the camera.
+        AtStation, ///< The run waits for the key.
+        AskAgain,  ///< The camera took no picture; the key tries again.
+        Hiding,    ///< The countdown runs.
+        Shooting,  ///< The run takes and stores a photo.
     };
     Q_ENUM(State)
 
     explicit CaptureDesk(TaskList& tasks, QObject* parent = nullptr);
-    /// Stops what runs, and waits for it.
+    /// Stops the run and waits for its end.
     ~CaptureDesk() override;
 
+    /// Asks a run to stop, and takes the stations of this survey. Null: no survey is open.
     void setSession(SurveySession* session);
 
     SurveySession* session() const { return m_session; }
@@ -53,100 +52,112 @@ class CaptureDesk : public QObject {
 
     bool isRunning() const { return m_state >= State::Preparing; }
 
-    /// Asks the camera at this address how it is.
+    /// Asks the camera at this address for its status. The state becomes Ready, or NoCamera with a
+    /// sentence().
     void connectTo(const QString& address);
 
-    /// Who is there, for a camera that asks.
+    /// User names and passwords for cameras in client mode.
     const CameraLogin& login() const { return m_login; }
 
-    /// What a person has said; connects again to the camera that has asked. isKept: in the keychain.
+    /// Takes a user name and password, and connects again to the camera that asked for them. isKept: whether
+    /// the keychain keeps them.
     void giveLogin(const camera::Endpoint& endpoint, const camera::Credentials& credentials, bool isKept);
 
-    /// Of the practice camera that is started next.
+    /// Applies to the practice camera that is started next.
     void setPracticeSettings(const PracticeSettings& settings) { m_practiceSettings = settings; }
 
     const PracticeSettings& practiceSettings() const { return m_practiceSettings; }
 
-    /// Starts the practice camera in this program, if need be, and connects to it.
+    /// Connects to the practice camera of this program, which starts when it is first wanted.
     void connectToPractice();
+    /// Connects to the practice camera and then takes all photos without the key.
+    void runPractice();
 
     bool hasPracticeCamera() const { return m_isPractice; }
 
-    /// Of the practice camera in this program; null without one.
+    /// Returns the practice camera of this program, or null before its first start.
     PracticeHost* practice() const { return m_practice.get(); }
 
-    /// Takes what is missing, and what is to be taken again.
+    /// Starts a run over the stations without a photo and those of again().
     void start();
+    /// Asks the run to stop; stored photos stay.
     void stop();
-    /// The one key: starts, shoots, tries again, or ends a countdown.
+    /// Does what the one key does now: starts, shoots, tries again, or ends a countdown.
     void trigger();
 
     void setHideSeconds(int seconds) { m_hideSeconds = seconds; }
 
     int hideSeconds() const { return m_hideSeconds; }
 
-    /// Shoots without the key; with the practice camera only, which moves its cart by itself.
-    void setAutomatic(bool isAutomatic) { m_isAutomatic = isAutomatic; }
+    /// Whether a run takes its photos without the key. Only the practice camera does, as it moves its own
+    /// cart.
+    void setAutomatic(bool isAutomatic);
 
-    /// How the camera is set for the photos of this survey.
+    bool isAutomatic() const { return m_isAutomatic; }
+
+    /// Returns the exposure settings of this survey, or nothing if the camera stays as it is set.
     std::optional<survey::CaptureProfile> profile() const {
         return m_session ? m_session->state().profile : std::nullopt;
     }
 
-    /// Keeps it in the survey; not while a run goes on.
+    /// Stores the exposure settings in the survey. A run that is on ignores the call.
     void setProfile(const std::optional<survey::CaptureProfile>& profile);
 
-    /// What the camera sees. It rests from the key to the stored photo, as a camera cannot do both.
+    /// The live preview. It pauses from the key to the stored photo, as a camera cannot do both.
     const PreviewFeed& preview() const { return m_preview; }
 
     bool showsPreview() const { return m_showsPreview; }
 
     void setShowsPreview(bool isShown);
 
-    /// Left of the countdown.
+    /// Seconds that the countdown still has.
     int countdown() const { return m_countdown; }
 
-    /// Where the next photo is to be taken; nothing once all are there.
-    const std::optional<store::StationRecord>& next() const { return m_next; }
+    /// Returns the station of the next photo, or nothing once every station has its photo.
+    const std::optional<store::StationRecord>& next() const { return m_queue.next(); }
 
     /// "Rail 3, stop 5".
     QString nextText() const;
-    /// What to do to get there: roll on, or lay the rail, with tape distances.
+    /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances.
     QString wayText() const;
 
-    int stationsLeft() const { return static_cast<int>(m_missing.size()); }
+    int stationsLeft() const { return m_queue.size(); }
 
     int stations() const { return m_session ? static_cast<int>(m_session->state().stations.size()) : 0; }
 
-    /// With tasks of the network aside: how long the rest will take.
+    /// Estimates how long the remaining photos take, without waits for the network.
     std::chrono::duration<double> timeLeft() const;
 
-    std::optional<double> photosAMinute() const { return m_pace.photosAMinute(); }
+    std::optional<double> photosAMinute() const { return m_queue.pace().photosAMinute(); }
 
     const std::optional<CameraStatus>& camera() const { return m_status; }
 
-    /// Of the latest shot, and what is to be said of it, or of what went wrong.
-    Verdict verdict() const { return m_verdict; }
+    /// Returns the result of the latest shot, Failed for any other failure, and nothing before.
+    std::optional<survey::Quality> verdict() const { return m_verdict; }
 
+    /// Explains verdict(), or says what went wrong; empty if there is nothing to say.
     QString sentence() const { return m_sentence; }
 
-    /// Stations to be taken although they have a photo, in walking order.
-    std::vector<store::StationRecord> again() const;
+    /// Returns the stations that are photographed again although they have a photo, in walking order.
+    std::vector<store::StationRecord> again() const { return m_queue.again(); }
+
+    /// Puts a station on that list or takes it off. A run that is on ignores the call.
     void setAgain(std::int64_t station, bool isAgain);
 
-    bool isAgain(std::int64_t station) const { return m_again.contains(station); }
+    bool isAgain(std::int64_t station) const { return m_queue.isAgain(station); }
 
   signals:
     void changed();
-    void verdictGiven(spherewalk::ui::Verdict verdict);
+    void verdictGiven(spherewalk::survey::Quality quality);
     void countdownTicked(int secondsLeft);
-    /// The run has ended; all stations have a photo, or not.
+    /// A run has ended. isComplete: every station has its photo.
     void runEnded(bool isComplete);
 
   private:
+    friend class DeskOperator;
+
     void setState(State state);
     void followWithPreview();
-    void markRails();
     void read();
     void connectAgain(const camera::Endpoint& endpoint);
     void connected(const CameraStatus& status);
@@ -154,8 +165,12 @@ class CaptureDesk : public QObject {
     void failed(const QString& sentence);
     void shoot();
     void tick();
-    DeskEvents events();
-    void ended(const store::StationRecord& station, Verdict verdict, bool isThere, const QString& sentence);
+    void showStatus(const CameraStatus& status);
+    void atStation(const store::StationRecord& station);
+    void askAgain(const store::StationRecord& station, const QString& sentence);
+    void shooting();
+    void ended(const store::StationRecord& station, survey::Quality quality, bool isThere,
+               const QString& sentence);
     void runDone(const Task* task);
     jobs::CaptureSurveyOptions captureOptions() const;
 
@@ -166,29 +181,25 @@ class CaptureDesk : public QObject {
     State m_state = State::NoCamera;
     State m_beforeHiding = State::AtStation;
     QPointer<Task> m_task;
-    int m_run = 0; ///< how many have ended
+    int m_run = 0; ///< Number of runs that have ended.
     camera::Endpoint m_endpoint;
     PracticeSettings m_practiceSettings;
     std::unique_ptr<PracticeHost> m_practice;
     bool m_isPractice = false;
     bool m_isAutomatic = false;
+    bool m_startsWhenReady = false;
     CameraLogin m_login;
     bool m_connectsAgain = false;
     PreviewFeed m_preview;
     bool m_showsPreview = false;
     bool m_isPreviewing = false;
-    std::shared_ptr<ShutterKey> m_key = std::make_shared<ShutterKey>();
+    ShutterKey m_key;
     QTimer m_timer;
     int m_hideSeconds = 0;
     int m_countdown = 0;
-    std::optional<store::StationRecord> m_next;
-    std::optional<store::StationRecord> m_last; ///< where the cart stands, as far as is known
-    std::vector<store::StationRecord> m_missing;
-    std::set<std::int64_t> m_again;
-    std::vector<survey::RailMark> m_rails;
-    Pace m_pace;
+    StationQueue m_queue;
     std::optional<CameraStatus> m_status;
-    Verdict m_verdict = Verdict::None;
+    std::optional<survey::Quality> m_verdict;
     QString m_sentence;
 };
 

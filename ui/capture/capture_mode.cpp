@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/capture_mode.h"
 
-#include "ui/capture/big_text.h"
 #include "ui/capture/camera_panel.h"
-#include "ui/capture/capture_plan_view.h"
+#include "ui/capture/operator_signals.h"
 #include "ui/look/icon.h"
-#include "ui/look/primary_button.h"
-#include "ui/look/quantity_text.h"
-#include "ui/look/section.h"
+#include "ui/look/side_panel.h"
 #include "ui/look/theme.h"
-#include "ui/plan/station_words.h"
+#include "ui/look/words.h"
+#include "ui/map/station_words.h"
 
-#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -29,7 +26,7 @@ using State = CaptureDesk::State;
 
 namespace {
 
-/// Keys that a hand finds without looking, and those that presenters send.
+/// Whether the key is easily found without looking, or is one that presenters send.
 bool isShutterKey(int key) {
     return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_PageDown ||
            key == Qt::Key_Right || key == Qt::Key_F5;
@@ -66,7 +63,8 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     m_plan->installEventFilter(this);
     connect(&m_desk, &CaptureDesk::changed, this, &CaptureMode::showAll);
-    connect(&m_desk, &CaptureDesk::verdictGiven, this, [this](Verdict verdict) { m_sounds->play(verdict); });
+    connect(&m_desk, &CaptureDesk::verdictGiven, this,
+            [this](survey::Quality quality) { m_sounds->play(quality); });
     connect(&m_desk, &CaptureDesk::countdownTicked, this, [this](int /*left*/) { m_sounds->tick(); });
     connect(&m_desk, &CaptureDesk::runEnded, this, [this](bool isComplete) {
         emit message(isComplete ? tr("Every station has its photo.")
@@ -257,14 +255,10 @@ void CaptureMode::showAll() {
     showVerdict();
     showAgain();
     takeFocus();
-    if (m_startsWhenReady && state == State::Ready) {
-        m_startsWhenReady = false;
-        m_desk.start();
-    }
 }
 
-/// Whenever the key has something to do, it is the page's: Space must not press the button that was clicked
-/// last.
+/// Gives the page the focus when the shutter can be pressed. Otherwise Space would press the button that was
+/// clicked last.
 void CaptureMode::takeFocus() {
     const State state = m_desk.state();
     const bool isNew = std::exchange(m_shownState, state) != state;
@@ -275,22 +269,19 @@ void CaptureMode::takeFocus() {
 }
 
 void CaptureMode::showVerdict() {
-    const Verdict verdict = m_desk.verdict();
-    const QString name = verdict == Verdict::Good       ? "good"
-                         : verdict == Verdict::Doubtful ? "doubtful"
-                         : verdict == Verdict::Failed   ? "failed"
-                                                        : "";
+    const std::optional<survey::Quality> verdict = m_desk.verdict();
     if (verdict != m_shownVerdict) {
         constexpr int kIconPx = 36;
-        const QColor colour = verdict == Verdict::Good       ? goodColour()
-                              : verdict == Verdict::Doubtful ? doubtfulColour()
-                                                             : failedColour();
-        m_verdictIcon->setPixmap(name.isEmpty() ? QPixmap() : colouredIcon(name, colour, kIconPx));
+        const QColor colour = verdict == survey::Quality::Good       ? goodColour()
+                              : verdict == survey::Quality::Doubtful ? doubtfulColour()
+                                                                     : failedColour();
+        m_verdictIcon->setPixmap(verdict ? colouredIcon(QString::fromUtf8(name(*verdict)), colour, kIconPx)
+                                         : QPixmap());
         m_shownVerdict = verdict;
     }
     const QString sentence = m_desk.sentence();
-    m_verdict->setText(verdict == Verdict::Good && sentence.isEmpty() ? tr("The photo is stored.")
-                                                                      : sentence);
+    m_verdict->setText(verdict == survey::Quality::Good && sentence.isEmpty() ? tr("The photo is stored.")
+                                                                              : sentence);
 }
 
 void CaptureMode::showAgain() {
@@ -306,12 +297,6 @@ void CaptureMode::showAgain() {
     m_takeAgain->setEnabled(selected && !m_desk.isRunning());
     m_takeAgain->setText(selected && m_desk.isAgain(*selected) ? tr("Do not take it again")
                                                                : tr("Take the selected station again"));
-}
-
-void CaptureMode::runPractice() {
-    findChild<QCheckBox*>("automatic")->setChecked(true);
-    m_startsWhenReady = true;
-    m_desk.connectToPractice();
 }
 
 void CaptureMode::keyPressEvent(QKeyEvent* event) {

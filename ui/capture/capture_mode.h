@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/capture/camera_finder.h"
+#include "ui/capture/cameras.h"
 #include "ui/capture/capture_desk.h"
-#include "ui/capture/sounds.h"
-#include "ui/shell/mode.h"
+#include "ui/capture/operator_signals.h"
+#include "ui/frame/mode.h"
 
 #include <memory>
 
@@ -18,8 +18,8 @@ class BigText;
 class CapturePlanView;
 class CameraPanel;
 
-/// Takes the photos: the next station large, one key, and what became of each shot. Readable from three
-/// metres, and used with one hand: Space, Return, Page Down or a presenter's button is the key.
+/// The page that takes the photos. It shows the next station, one key and the result of each shot, readable
+/// from three metres. Space, Return, Page Down or a presenter's button is the key.
 class CaptureMode : public Mode {
     Q_OBJECT
 
@@ -35,9 +35,6 @@ class CaptureMode : public Mode {
     CameraFinder& finder() { return m_finder; }
 
     void setSounds(std::unique_ptr<Sounds> sounds) { m_sounds = std::move(sounds); }
-
-    /// Connects to the practice camera and takes all photos by itself.
-    void runPractice();
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -59,9 +56,8 @@ class CaptureMode : public Mode {
     CaptureDesk m_desk;
     CameraFinder m_finder;
     std::unique_ptr<Sounds> m_sounds;
-    bool m_startsWhenReady = false;
     CaptureDesk::State m_shownState = CaptureDesk::State::NoCamera;
-    Verdict m_shownVerdict = Verdict::None;
+    std::optional<survey::Quality> m_shownVerdict;
     CapturePlanView* m_plan;
     CameraPanel* m_camera;
     QLabel* m_state = nullptr;

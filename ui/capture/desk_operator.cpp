@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/desk_operator.h"
 
+#include "ui/capture/capture_desk.h"
+
 #include "spherewalk/base/error.h"
+#include "spherewalk/camera/capture.h"
 
 #include <utility>
 
 namespace spherewalk::ui {
+
+survey::Quality qualityOf(const camera::ShotOutcome& outcome, const photo::Verdict* found) {
+    if (outcome.shot.step == survey::ShotStep::Taken) {
+        return survey::Quality::Doubtful;
+    }
+    if (outcome.shot.step != survey::ShotStep::Downloaded ||
+        (found != nullptr && found->quality() == survey::Quality::Failed)) {
+        return survey::Quality::Failed;
+    }
+    const bool isFlawless = found == nullptr || found->findings.empty();
+    return outcome.warnings.empty() && isFlawless ? survey::Quality::Good : survey::Quality::Doubtful;
+}
 
 void ShutterKey::press() {
     {
@@ -27,12 +42,26 @@ bool ShutterKey::wait(std::chrono::milliseconds atMost, const std::stop_token& s
     return std::exchange(m_isPressed, false);
 }
 
-DeskOperator::DeskOperator(camera::OscClient& client, ShutterKey& key, DeskEvents events,
-                           const std::optional<camera::Endpoint>& practice, bool isAutomatic)
-    : m_client(client), m_key(key), m_events(std::move(events)), m_isAutomatic(isAutomatic) {
-    if (practice) {
-        m_practice.emplace(*practice);
+DeskOperator::DeskOperator(CaptureDesk& desk, camera::OscClient& client, const DeskOptions& options)
+    : m_desk(desk), m_client(client), m_options(options) {
+    if (options.practice) {
+        m_practice.emplace(*options.practice);
     }
+}
+
+/// Applies on the GUI thread what this run tells, unless the run has ended meanwhile. The desk's destructor
+/// waits for the threads that post.
+void DeskOperator::post(std::function<void(CaptureDesk&)> apply) const {
+    const auto applyInTime = [desk = &m_desk, run = m_options.run, apply = std::move(apply)] {
+        if (run == desk->m_run) {
+            apply(*desk);
+        }
+    };
+    QMetaObject::invokeMethod(&m_desk, applyInTime, Qt::QueuedConnection);
+}
+
+void DeskOperator::postStatus() const {
+    post([status = m_status](CaptureDesk& desk) { desk.showStatus(status); });
 }
 
 void DeskOperator::cameraReady(const camera::CameraInfo& camera, const camera::CameraReadiness& readiness) {
@@ -41,55 +70,59 @@ void DeskOperator::cameraReady(const camera::CameraInfo& camera, const camera::C
     m_status.firmware = QString::fromStdString(camera.firmwareVersion);
     m_status.batteryFraction = readiness.batteryFraction;
     m_status.remainingPhotos = readiness.remainingPhotos;
-    m_events.status(m_status);
+    postStatus();
 }
 
 void DeskOperator::waitForKey(const std::stop_token& stop) {
-    while (!m_key.wait(kStatePause, stop)) {
+    while (!m_desk.m_key.wait(kStatePause, stop)) {
         try {
             update(m_status, m_client.state(stop));
-            m_events.status(m_status);
+            postStatus();
         } catch (const Error& error) {
             if (error.kind() == ErrorKind::Stopped) {
                 throw;
             }
-            m_events.noAnswer(
-                QString::fromStdString(error.sentence())); // the next shot will say more, if it lasts
+            // If the camera stays silent, the next shot will say more.
+            post([sentence = QString::fromStdString(error.sentence())](CaptureDesk& desk) {
+                desk.failed(sentence);
+            });
         }
     }
-    if (m_events.quiet()) {
+    if (m_desk.m_preview.endAndWait()) {
         m_client.noteDisturbed();
     }
 }
 
 void DeskOperator::moveTo(const store::StationRecord& station, const std::stop_token& stop) {
-    m_key.forget();
-    m_events.atStation(station);
-    if (!m_isAutomatic) {
+    m_desk.m_key.forget();
+    post([station](CaptureDesk& desk) { desk.atStation(station); });
+    if (!m_options.isAutomatic) {
         waitForKey(stop);
     }
     if (m_practice) {
         m_practice->moveTo(station, stop);
     }
-    m_events.shooting();
+    post([](CaptureDesk& desk) { desk.shooting(); });
 }
 
 bool DeskOperator::tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome,
                             int tries, const std::stop_token& stop) {
-    if (m_isAutomatic && m_practice) {
+    if (m_options.isAutomatic && m_practice) {
         return m_practice->tryAgain(station, outcome, tries, stop);
     }
-    m_key.forget();
-    m_events.askAgain(station, QString::fromStdString(outcome.sentence));
+    m_desk.m_key.forget();
+    post([station, sentence = QString::fromStdString(outcome.sentence)](CaptureDesk& desk) {
+        desk.askAgain(station, sentence);
+    });
     waitForKey(stop);
-    m_events.shooting();
+    post([](CaptureDesk& desk) { desk.shooting(); });
     return true;
 }
 
 void DeskOperator::exposed(const store::StationRecord& /*station*/) {
     if (m_status.remainingPhotos) {
         --*m_status.remainingPhotos;
-        m_events.status(m_status);
+        postStatus();
     }
 }
 
@@ -105,8 +138,10 @@ void DeskOperator::shotEnded(const store::StationRecord& station, const camera::
     for (const std::string& warning : outcome.warnings) {
         add(warning);
     }
-    m_events.ended(station, verdictOf(outcome, verdict), outcome.shot.step == camera::ShotStep::Downloaded,
-                   sentence);
+    const bool isThere = outcome.shot.step == survey::ShotStep::Downloaded;
+    post([station, quality = qualityOf(outcome, verdict), isThere, sentence](CaptureDesk& desk) {
+        desk.ended(station, quality, isThere, sentence);
+    });
 }
 
 } // namespace spherewalk::ui

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/capture/camera_status.h"
-#include "ui/capture/verdict.h"
+#include "ui/capture/cameras.h"
 
-#include "spherewalk/jobs/operators.h"
+#include "spherewalk/jobs/capture_survey.h"
+#include "spherewalk/store/records.h"
 
 #include <condition_variable>
 #include <functional>
@@ -13,13 +13,20 @@
 
 namespace spherewalk::ui {
 
+class CaptureDesk;
+
+/// Returns the result of a shot for the operator. Good: the survey has the photo and nobody must read
+/// anything. Doubtful: there is something to read, or the photo is still on the camera. found: findings of
+/// the checks; null without a photo.
+survey::Quality qualityOf(const camera::ShotOutcome& outcome, const photo::Verdict* found);
+
 /// The key in the operator's hand, between the window and the capturing thread. Threads: any.
 class ShutterKey {
   public:
     void press();
-    /// A press before it counts for nothing: the key of an earlier station must not take this one.
+    /// Forgets a press that nobody has waited for, so that the key of one station never takes the next.
     void forget();
-    /// Returns true once pressed, false after `atMost`. Errors: Stopped.
+    /// Returns true once the key is pressed, and false after `atMost`. Errors: Stopped.
     bool wait(std::chrono::milliseconds atMost, const std::stop_token& stop);
 
   private:
@@ -28,27 +35,21 @@ class ShutterKey {
     bool m_isPressed = false;
 };
 
-/// What a run tells the window. All are called on the capturing thread, but for `ended`, which may come from
-/// the one that downloads.
-struct DeskEvents {
-    std::function<void(CameraStatus)> status;
-    std::function<bool()>
-        quiet; ///< ends the preview, returns when it has ended, and says whether there was one
-    std::function<void(QString)> noAnswer; ///< the camera does not say how it is; why
-    std::function<void(store::StationRecord)> atStation;
-    std::function<void(store::StationRecord, QString)> askAgain; ///< no picture was taken; why
-    std::function<void()> shooting;
-    /// isThere: a photo came into the survey.
-    std::function<void(store::StationRecord, Verdict, bool isThere, QString)> ended;
+/// How one run is operated.
+struct DeskOptions {
+    int run = 0;                              ///< The desk drops what other runs post.
+    std::optional<camera::Endpoint> practice; ///< Address of the practice camera, where it takes the photos.
+    bool isAutomatic = false;                 ///< Takes each photo without the key.
 };
 
-/// A person at the window: each station waits for the key. With a practice camera the cart is moved over
-/// HTTP, and the key may be left out. Threads: the capturing one.
+/// A person at the window, as jobs::captureSurvey() sees that person: each station waits for the key. All
+/// that a run tells is posted to the desk. A practice camera's cart is moved over HTTP.
+/// Threads: made and called on the capturing thread; shotEnded() also comes from the downloading thread.
 class DeskOperator : public jobs::Operator {
   public:
-    /// practice: the practice camera's address, where it is one. isAutomatic: shoots without the key.
-    DeskOperator(camera::OscClient& client, ShutterKey& key, DeskEvents events,
-                 const std::optional<camera::Endpoint>& practice, bool isAutomatic);
+    /// Range: a practice camera if the desk's options leave the key out.
+    /// Owner: the desk outlives this operator.
+    DeskOperator(CaptureDesk& desk, camera::OscClient& client, const DeskOptions& options);
 
     void cameraReady(const camera::CameraInfo& camera, const camera::CameraReadiness& readiness) override;
     void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
@@ -57,18 +58,19 @@ class DeskOperator : public jobs::Operator {
     void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome,
                    const photo::Verdict* verdict) override;
 
-    /// How often the camera is asked how it is, while nothing else is.
+    /// While the operator waits for the key, the camera is asked this often how it is.
     static constexpr std::chrono::milliseconds kStatePause{5000};
 
   private:
     void waitForKey(const std::stop_token& stop);
     void exposed(const store::StationRecord& station) override;
+    void post(std::function<void(CaptureDesk&)> apply) const;
+    void postStatus() const;
 
+    CaptureDesk& m_desk;
     camera::OscClient& m_client;
-    ShutterKey& m_key;
-    DeskEvents m_events;
+    DeskOptions m_options;
     std::optional<jobs::PracticeOperator> m_practice;
-    bool m_isAutomatic;
     CameraStatus m_status;
 };
 

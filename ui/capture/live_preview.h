@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <QWidget>
 
 #include <condition_variable>
 #include <cstdint>
@@ -15,8 +16,8 @@
 
 namespace spherewalk::ui {
 
-/// The camera's live preview: pictures come and are decoded on a thread of its own, and the newest is shown.
-/// Threads: the GUI thread, but for endAndWait().
+/// The camera's live preview. A thread of its own receives and decodes the pictures, and the newest one is
+/// kept. Threads: the GUI thread, except for endAndWait().
 class PreviewFeed : public QObject {
     Q_OBJECT
 
@@ -25,29 +26,29 @@ class PreviewFeed : public QObject {
         Off,
         Starting,
         Showing,
-        Ended, ///< by the camera, or by an error
+        Ended, ///< The camera or an error ended the preview.
     };
     Q_ENUM(State)
 
     explicit PreviewFeed(QObject* parent = nullptr);
-    /// Waits for what runs, which is asked to stop.
+    /// Stops the preview and waits for its end.
     ~PreviewFeed() override;
 
-    /// In place of what runs. timeScale: of a practice camera's times.
+    /// Starts a preview in place of the one that is on. timeScale: factor on the times of a practice camera.
     void start(const camera::Endpoint& endpoint, double timeScale, const camera::PreviewOptions& options = {},
                camera::CredentialsSource credentials = {});
-    /// Returns at once; no picture comes after it.
+    /// Ends the preview. Returns at once; no picture follows.
     void stop();
-    /// Ends the preview and returns when nothing more is asked of the camera; whether there was any. To be
-    /// called on another thread.
+    /// Ends the preview and waits until the camera gets no more requests. Returns whether a preview was on.
+    /// Threads: any but the GUI thread.
     bool endAndWait();
 
     State state() const { return m_state; }
 
-    /// The newest; null before the first.
+    /// Returns the newest picture; null before the first one.
     const QImage& picture() const { return m_picture; }
 
-    /// Why it has ended; empty if there is nothing wrong.
+    /// Says why the preview has ended; empty if nothing went wrong.
     const QString& sentence() const { return m_sentence; }
 
   signals:
@@ -72,15 +73,40 @@ class PreviewFeed : public QObject {
     State m_state = State::Off;
     QImage m_picture;
     QString m_sentence;
-    int m_number = 0; ///< of the preview that counts
+    int m_number = 0; ///< Number of the latest preview; others are ignored.
 
-    std::mutex m_mutex; ///< guards all below
+    std::mutex m_mutex; ///< Guards all members below.
     std::condition_variable_any m_changed;
     std::optional<Request> m_waiting;
     std::stop_source m_current;
     bool m_isBusy = false;
-    QImage m_newest;       ///< null once it has been shown
-    std::jthread m_thread; ///< last: it ends before what it uses
+    QImage m_newest;       ///< Null once it has been shown.
+    std::jthread m_thread; ///< The last member, as it uses the others until it ends.
+};
+
+/// Shows the newest picture of a live preview, or a sentence in its place.
+class PreviewView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PreviewView(const PreviewFeed& feed, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+    bool hasHeightForWidth() const override { return true; }
+
+    int heightForWidth(int width) const override { return width / 2; }
+
+    /// Returns the sentence that stands in place of a picture; empty while pictures come.
+    QString words() const;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void follow();
+
+    const PreviewFeed& m_feed;
 };
 
 } // namespace spherewalk::ui

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/capture/capture_plan_view.h"
+#include "ui/capture/operator_signals.h"
 
 #include "ui/capture/capture_desk.h"
 #include "ui/look/theme.h"
 
+#include <QApplication>
+#include <QPainter>
+#include <QTimer>
+
 #include <algorithm>
+#include <chrono>
 
 namespace spherewalk::ui {
 
@@ -45,7 +50,7 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
     }
 }
 
-/// The corners' letters, which tape distances name.
+/// Draws the letters of the corners, which tape distances name.
 void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const {
     const Polygon& outline = room().outline;
     const Bounds2 extent = bounds(outline);
@@ -62,6 +67,47 @@ void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFr
         painter.drawText(box, Qt::AlignCenter,
                          QString::fromStdString(survey::cornerName(static_cast<int>(i))));
     }
+}
+
+BigText::BigText(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void BigText::setText(const QString& text) {
+    if (text != m_text) {
+        m_text = text;
+        setAccessibleName(text);
+        update();
+    }
+}
+
+void BigText::paintEvent(QPaintEvent* /*event*/) {
+    if (m_text.isEmpty()) {
+        return;
+    }
+    constexpr int kTrialPx = 100;
+    QFont large = font();
+    large.setBold(true);
+    large.setPixelSize(kTrialPx);
+    const QSize trial = QFontMetrics(large).size(Qt::TextSingleLine, m_text);
+    const double fit = std::min(width() / double(trial.width()), height() / double(trial.height()));
+    large.setPixelSize(std::max(8, static_cast<int>(kTrialPx * fit)));
+    QPainter painter(this);
+    painter.setFont(large);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, m_text);
+}
+
+void BellSounds::play(survey::Quality quality) {
+    constexpr std::chrono::milliseconds kBetween{250};
+    const int times = quality == survey::Quality::Good ? 1 : quality == survey::Quality::Doubtful ? 2 : 3;
+    for (int i = 0; i < times; ++i) {
+        QTimer::singleShot(i * kBetween, qApp, [] { QApplication::beep(); });
+    }
+}
+
+void BellSounds::tick() {
+    QApplication::beep();
 }
 
 } // namespace spherewalk::ui

@@ -60,7 +60,7 @@ QString widthWords(int width) {
     return QString::fromUtf8("%1 × %2").arg(width).arg(width / 2);
 }
 
-/// Chooses the entry with these data; one that is not there is added.
+/// Chooses the entry with these data, and adds a missing one.
 void choose(QComboBox* box, const QVariant& data, const QString& words) {
     int index = box->findData(data);
     if (index < 0) {
@@ -70,7 +70,7 @@ void choose(QComboBox* box, const QVariant& data, const QString& words) {
     box->setCurrentIndex(index);
 }
 
-/// The shutter time of the list that this one means.
+/// Returns the usual shutter time that differs from this one by rounding only, or else this one.
 double listed(double seconds) {
     for (const double usual : survey::usualShutterTimes()) {
         constexpr double kSame = 1e-3;

@@ -14,10 +14,10 @@ class QLabel;
 
 namespace spherewalk::ui {
 
-/// "automatic", "as the camera is set", or what is fixed: "ISO 200, 1/60 s".
+/// Describes exposure settings: "automatic", "as the camera is set", or what is fixed: "ISO 200, 1/60 s".
 QString profileWords(const std::optional<survey::CaptureProfile>& profile);
 
-/// How the camera is set for the photos of a survey.
+/// A dialog for the exposure settings of a survey. profile() returns nothing for "as the camera is set".
 class ProfileForm : public QDialog {
     Q_OBJECT
 

@@ -3,12 +3,10 @@
 
 #include "ui/export/export_presenter.h"
 #include "ui/export/measure_panel.h"
-#include "ui/export/measure_presenter.h"
-#include "ui/look/quantity_text.h"
-#include "ui/look/standing.h"
-#include "ui/preview/camera_box.h"
-#include "ui/preview/tolerance_box.h"
-#include "ui/tasks/task_bar.h"
+#include "ui/fields/camera_box.h"
+#include "ui/fields/scene_fields.h"
+#include "ui/look/words.h"
+#include "ui/tasks/task_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -25,13 +23,13 @@ namespace spherewalk::ui {
 
 namespace {
 
-constexpr int kWidestPage = 760; ///< lines longer than that are hard to read
+constexpr int kWidestPage = 760; ///< Longer lines are hard to read.
 
 QString secondsText(double seconds) {
     return durationText(std::chrono::duration<double>(seconds));
 }
 
-/// A sentence with its sign.
+/// Puts the sign of a finding before its sentence.
 QString marked(Standing standing, const QString& sentence) {
     return standingSign(standing) + QLatin1Char(' ') + sentence;
 }
@@ -125,7 +123,7 @@ QWidget* ExportMode::makeWhere() {
     return box;
 }
 
-/// What the scene model is chosen for.
+/// Makes the fields of camera and tolerance, for which the scene model is chosen.
 QWidget* ExportMode::makeTolerance(QWidget* parent) {
     m_wanted = new QWidget(parent);
     auto* row = new QHBoxLayout(m_wanted);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/shell/mode.h"
+#include "ui/frame/mode.h"
 
 #include <functional>
 
@@ -21,7 +21,7 @@ class TaskBar;
 class TaskList;
 class ToleranceBox;
 
-/// The survey becomes a dataset.
+/// The page that exports the survey as a dataset and measures it.
 class ExportMode : public Mode {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ class ExportMode : public Mode {
 
     bool wantsPlan() const override { return true; }
 
-    /// In place of the desktop's file manager; for tests.
+    /// Replaces the desktop's file manager, for tests.
     void setOpener(std::function<bool(const QUrl&)> opener) { m_open = std::move(opener); }
 
   private:
@@ -66,7 +66,7 @@ class ExportMode : public Mode {
     TaskBar* m_progress = nullptr;
     QLabel* m_result = nullptr;
     QPushButton* m_openButton = nullptr;
-    QString m_opened; ///< that was shown by itself already
+    QString m_opened; ///< Folder that has been opened after its export.
 };
 
 } // namespace spherewalk::ui

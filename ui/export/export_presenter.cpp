@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_presenter.h"
 
-#include "ui/look/quantity_text.h"
+#include "ui/look/words.h"
 
-#include "spherewalk/jobs/export_chosen.h"
+#include "spherewalk/jobs/measured_dataset.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -46,7 +46,7 @@ QString ExportPresenter::dataset() const {
     return isThere ? m_folder : m_exported;
 }
 
-/// What was found is no longer so.
+/// Drops the result of a check that is outdated.
 void ExportPresenter::read() {
     m_found.reset();
     ++m_request;
@@ -102,7 +102,7 @@ void ExportPresenter::exportNow() {
     emit changed();
 }
 
-/// On the task's thread.
+/// Runs on the thread of the task.
 ExportPresenter::Done ExportPresenter::exported(const std::filesystem::path& survey,
                                                 const std::filesystem::path& folder,
                                                 const jobs::ExportOptions& options,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/survey_presenter.h"
-#include "ui/tasks/task_list.h"
+#include "ui/session/survey_session.h"
+#include "ui/tasks/task.h"
 
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -13,13 +13,13 @@
 
 namespace spherewalk::ui {
 
-/// What a scene model is to be enough for.
+/// What the scene model must suffice for.
 struct ViewTolerance {
-    CameraIntrinsics camera; ///< the robot's
-    double px = 2;           ///< that 95 of 100 places may be displaced by
+    CameraIntrinsics camera; ///< Camera of the robot.
+    double px = 2;           ///< Displacement that 95 of 100 places keep.
 };
 
-/// What the export page does: looks before, exports, and says what came of it.
+/// The logic of the export page: it checks what an export would make, exports, and reports the result.
 class ExportPresenter : public SurveyPresenter {
     Q_OBJECT
 
@@ -28,23 +28,22 @@ class ExportPresenter : public SurveyPresenter {
 
     void setSession(SurveySession* session) override;
 
-    /// Beside the survey, by its name.
+    /// Returns a folder beside the survey, with its name.
     QString usualFolder() const;
 
     QString folder() const { return m_folder; }
 
     void setFolder(const QString& folder);
-    /// tolerance: with the cheapest scene model that holds it, up to that of the options.
+    /// tolerance: the export chooses the cheapest scene model that holds it, up to the one of the options.
     void setOptions(const jobs::ExportOptions& options, const std::optional<ViewTolerance>& tolerance = {});
 
-    /// The folder, if there is a dataset in it, else the one that was exported last from here; empty without
-    /// either.
+    /// Returns folder() if it holds a dataset, or else the folder of the last export; empty without either.
     QString dataset() const;
 
-    /// Looks again at what an export would make.
+    /// Checks again what an export would make. changed() follows.
     void check();
 
-    /// Nothing while it is not known.
+    /// Returns the result of the check; nothing before its end.
     const std::optional<jobs::ExportCheck>& found() const { return m_found; }
 
     bool isChecking() const { return m_checking && m_checking->isRunning(); }
@@ -52,19 +51,19 @@ class ExportPresenter : public SurveyPresenter {
     bool canExport() const;
     void exportNow();
 
-    /// Of the export; null if none runs.
+    /// Returns the export that runs; null without one.
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
 
-    /// Of the last export from here that was completed; empty without one.
+    /// Returns the folder of the last completed export; empty without one.
     QString exported() const { return m_exported; }
 
     const jobs::ExportReport& report() const { return m_done.report; }
 
-    /// Why it has the scene model that it has; empty if that was not left open.
+    /// Says why the export chose its scene model; empty if the options fixed it.
     QString reason() const { return QString::fromStdString(m_done.reason); }
 
   signals:
-    /// What was found, the task, or what was exported.
+    /// The result of the check, the task or the result of the export has changed.
     void changed();
 
   private:
@@ -85,7 +84,7 @@ class ExportPresenter : public SurveyPresenter {
     std::optional<ViewTolerance> m_tolerance;
     std::optional<jobs::ExportCheck> m_found;
     QPointer<Task> m_checking;
-    int m_request = 0; ///< of the latest check; what earlier ones find is dropped
+    int m_request = 0; ///< Number of the latest check; results of earlier ones are dropped.
     QPointer<Task> m_task;
     QString m_exported;
     Done m_done;

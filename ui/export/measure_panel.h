@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/tasks/task.h"
+
+#include "spherewalk/geometry/camera_model.h"
+
 #include <QGroupBox>
+#include <QObject>
+#include <QPointer>
 
 class QLabel;
 class QPushButton;
@@ -9,11 +15,49 @@ class QPushButton;
 namespace spherewalk::ui {
 
 class CameraBox;
-class MeasurePresenter;
 class TaskBar;
 class ToleranceBox;
 
-/// Asks for camera and tolerance, measures, and shows what was chosen.
+/// Measures error and speed of the views of a dataset, and chooses what suffices for a tolerance. The choice
+/// is written into the dataset, and a report into its folder `report`.
+class MeasurePresenter : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit MeasurePresenter(TaskList& tasks, QObject* parent = nullptr);
+
+    QString dataset() const { return m_dataset; }
+
+    /// An empty name: no dataset.
+    void setDataset(const QString& folder);
+
+    bool canMeasure() const { return !m_dataset.isEmpty() && task() == nullptr; }
+
+    /// Starts a measurement for a robot's camera. Range: canMeasure().
+    void measure(const CameraIntrinsics& camera, double tolerancePx);
+
+    /// Returns the measurement that runs; null without one.
+    Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
+
+    /// Says the choice and its reason, or why there is no choice; empty before a measurement.
+    QString words() const { return m_words; }
+
+    /// Returns the file of the report, also of an earlier measurement; empty without one.
+    QString page() const;
+
+  signals:
+    void changed();
+
+  private:
+    void ended(const Task& task);
+
+    TaskList& m_tasks;
+    QString m_dataset;
+    QString m_words;
+    QPointer<Task> m_task;
+};
+
+/// Asks for camera and tolerance, starts a measurement, and shows the choice.
 class MeasurePanel : public QGroupBox {
     Q_OBJECT
 
@@ -21,9 +65,9 @@ class MeasurePanel : public QGroupBox {
     explicit MeasurePanel(MeasurePresenter& presenter, QWidget* parent = nullptr);
 
   signals:
-    /// A sentence for people.
+    /// Carries a sentence for the status line.
     void message(const QString& sentence);
-    /// The report is to be shown.
+    /// The user wants to see the report.
     void openRequested(const QString& file);
 
   private:

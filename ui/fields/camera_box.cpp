@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/preview/camera_box.h"
+#include "ui/fields/camera_box.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/geometry/angle.h"
 #include "spherewalk/render/camera_info.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 
 namespace spherewalk::ui {
+
+namespace {
+
+CameraPreset pinhole(const QString& name, int width, int height, double fovDeg) {
+    return {QCoreApplication::translate("CameraPreset", "%1, %2 x %3, %4°")
+                .arg(name)
+                .arg(width)
+                .arg(height)
+                .arg(fovDeg),
+            CameraIntrinsics::pinhole(width, height, Radians(Degrees(fovDeg)).value())};
+}
+
+CameraPreset fisheye() {
+    CameraIntrinsics camera;
+    camera.width = 848;
+    camera.height = 800;
+    camera.fx = camera.fy = 285;
+    camera.cx = 0.5 * (camera.width - 1);
+    camera.cy = 0.5 * (camera.height - 1);
+    camera.lens = LensModel::Equidistant;
+    camera.distortion = {0, 0, 0, 0};
+    return {QCoreApplication::translate("CameraPreset", "Fisheye (as RealSense T265), 848 x 800"), camera};
+}
+
+} // namespace
 
 CameraBox::CameraBox(QWidget* parent) : QComboBox(parent) {
     addItem(tr("From a ROS file..."));
@@ -56,6 +83,16 @@ bool CameraBox::readCamera(const QString& yaml) {
     }
     setCurrentIndex(count() - 2);
     return true;
+}
+
+std::vector<CameraPreset> cameraPresets() {
+    return {pinhole(QStringLiteral("RealSense D435"), 1280, 720, 69),
+            pinhole(QStringLiteral("RealSense D435"), 640, 480, 55),
+            pinhole(QStringLiteral("Kinect, Xtion, Astra"), 640, 480, 57),
+            pinhole(QStringLiteral("ZED 2"), 1280, 720, 102),
+            pinhole(QStringLiteral("Raspberry Pi 2"), 820, 616, 62.2),
+            pinhole(QCoreApplication::translate("CameraPreset", "Wide angle"), 640, 480, 90),
+            fisheye()};
 }
 
 } // namespace spherewalk::ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/preview/rung_words.h"
+#include "ui/fields/scene_fields.h"
 
 #include <QCoreApplication>
 
@@ -71,6 +71,16 @@ QString autoSamplingWords(const render::DatasetInfo* info, const CameraIntrinsic
     return isMeasured(info, camera)
                ? RungWords::tr("As measured: %1").arg(samplingWord(info->choice->sampling))
                : RungWords::tr("As needed");
+}
+
+ToleranceBox::ToleranceBox(const QString& name, QWidget* parent) : QDoubleSpinBox(parent) {
+    setObjectName(name);
+    setRange(0.1, 1000);
+    setDecimals(1);
+    setValue(2);
+    setSuffix(tr(" px"));
+    setAccessibleName(tr("Tolerance"));
+    setToolTip(tr("Pixels of the robot's camera that 95 of 100 places of a view may be displaced by"));
 }
 
 } // namespace spherewalk::ui

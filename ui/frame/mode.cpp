@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/mode.h"
+#include "ui/frame/mode.h"
 
 #include "ui/look/icon.h"
 

@@ -11,12 +11,13 @@ namespace spherewalk::ui {
 
 class SurveySession;
 
-/// One page of the window, for one kind of work.
+/// One page of the window, which serves one kind of work.
 class Mode : public QWidget {
     Q_OBJECT
 
   public:
-    /// name: the page's, and its icon's. title, hint: translated; "Plan", and what it is for in a few words.
+    /// name: object name of the page, and the name of its icon. title, hint: translated words for the bar, as
+    /// "Plan" and "Draw the room".
     Mode(const QString& name, QString title, QString hint, QWidget* parent);
 
     QString title() const { return m_title; }
@@ -25,30 +26,30 @@ class Mode : public QWidget {
 
     QIcon icon() const;
 
-    /// Null: no survey is open. Owner: the window; the session outlives its use here, as null is set before
-    /// it ends.
+    /// Takes the open survey; null: no survey is open. Owner: the window, which sets null before it deletes
+    /// the session.
     virtual void setSession(SurveySession* session) = 0;
 
-    /// Called each time the page comes into sight.
+    /// The window calls it each time that it shows the page.
     virtual void activated() {}
 
-    /// What can be undone here; null: what the survey's own stack can undo.
+    /// Returns the page's own undo stack; null: the page uses the stack of the survey.
     virtual QUndoStack* undoStack() { return nullptr; }
 
-    /// Whether there is something to do here while no survey is open.
+    /// Whether the page is useful while no survey is open.
     virtual bool worksWithoutSurvey() const { return false; }
 
-    /// Whether the room's plan beside the page would tell more than the page shows.
+    /// Whether the window shows the plan of the survey beside the page.
     virtual bool wantsPlan() const { return false; }
 
   signals:
-    /// The page has come into sight, or gone out of it.
+    /// The page has become visible or hidden.
     void shownChanged(bool isShown);
-    /// A sentence for the status line.
+    /// Carries a sentence for the status line.
     void message(const QString& sentence);
-    /// The user made or chose a survey here, which the window is to open.
+    /// Asks the window to open the survey in this folder.
     void openRequested(const QString& folder);
-    /// The user wants to draw another survey.
+    /// Asks the window to begin a new survey.
     void newRequested();
 
   protected:

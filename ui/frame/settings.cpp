@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/settings.h"
+#include "ui/frame/settings.h"
 
 #include <QDir>
 #include <QFileInfo>

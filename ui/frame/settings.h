@@ -8,13 +8,15 @@
 
 namespace spherewalk::ui {
 
-/// What the program remembers between runs.
+/// What the program remembers between runs. Each call reads or writes QSettings.
 class Settings {
   public:
     static constexpr int kMostRecent = 10;
 
-    /// Folders of surveys, the latest first; those that are gone are left out.
+    /// Returns the folders of the surveys that were opened last, the latest first. Folders without a survey
+    /// are left out.
     QStringList recentSurveys() const;
+    /// Puts a folder in front; the list keeps kMostRecent.
     void addRecentSurvey(const QString& folder);
 
     Theme theme() const;
@@ -24,12 +26,12 @@ class Settings {
     QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
 
-    /// report.json of the dataset of this survey that was measured last; empty if there is none any more.
+    /// Returns the report.json that was measured last for this survey; empty if there is no such file.
     QString measuredReport(const QString& surveyId) const;
-    /// Empty: forgets it.
+    /// An empty file name forgets the report.
     void setMeasuredReport(const QString& surveyId, const QString& file);
 
-    /// Language code, "pl"; empty: the system's.
+    /// Returns a language code as "pl"; empty: the language of the system.
     QString language() const;
     void setLanguage(const QString& language);
 };

@@ -76,4 +76,22 @@ QPixmap colouredIcon(const QString& name, const QColor& colour, int sizePx) {
     return result;
 }
 
+IconLabel::IconLabel(const QString& iconName, int sizePx, QWidget* parent) : QWidget(parent) {
+    setFixedSize(sizePx, sizePx);
+    setIcon(iconName);
+}
+
+void IconLabel::setIcon(const QString& iconName) {
+    if (iconName != m_name) {
+        m_name = iconName;
+        m_icon = ui::icon(iconName);
+        update();
+    }
+}
+
+void IconLabel::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    m_icon.paint(&painter, rect());
+}
+
 } // namespace spherewalk::ui

@@ -2,19 +2,27 @@
 #pragma once
 
 #include <QColor>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
 
 namespace spherewalk::ui {
 
-/// Whether the window is dark or light, or as the desktop is.
+/// Colours of the window; System follows the desktop.
 enum class Theme { System, Light, Dark };
 
-/// Sets the application's style and colours; can be called again at any time.
+/// Sets the style and the palette of the application. Later calls change the open windows.
 void applyTheme(Theme theme);
 
-/// Colours that mean something, after Okabe and Ito, so that the colour-blind can tell them apart. They
-/// never stand alone: a form or a word goes with them.
+/// Colours of good, doubtful and failed results, which colour-blind people can tell apart. A form or a word
+/// always goes with the colour. Source: Okabe and Ito, Color Universal Design.
 QColor goodColour();
 QColor doubtfulColour();
 QColor failedColour();
+
+/// Writes text on a dark plate, which makes it readable on any picture. alignment: where the plate lies in
+/// the area. Returns the plate's rectangle, which is empty without a text or without room for it.
+QRectF paintPlate(QPainter& painter, const QRectF& within, Qt::Alignment alignment, const QString& text);
 
 } // namespace spherewalk::ui

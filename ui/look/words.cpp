@@ -1,9 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/look/standing.h"
+#include "ui/look/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
 
 namespace spherewalk::ui {
+
+namespace {
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Duration", text);
+}
+
+} // namespace
+
+QString durationText(std::chrono::duration<double> duration) {
+    constexpr qint64 kMinute = 60;
+    constexpr qint64 kHour = 3600;
+    const auto seconds = static_cast<qint64>(std::llround(std::max(0.0, duration.count())));
+    if (seconds < 2 * kMinute) {
+        return words(QT_TRANSLATE_NOOP("Duration", "%1 s")).arg(seconds);
+    }
+    const qint64 minutes = (seconds + kMinute / 2) / kMinute;
+    return seconds < kHour
+               ? words(QT_TRANSLATE_NOOP("Duration", "%1 min")).arg(minutes)
+               : words(QT_TRANSLATE_NOOP("Duration", "%1 h %2 min")).arg(minutes / 60).arg(minutes % 60);
+}
+
+QString bytesText(std::uint64_t bytes) {
+    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+}
 
 QString standingText(Standing standing) {
     switch (standing) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plan/floor_picture.h"
+#include "ui/map/floor_picture.h"
 
 #include <QImageReader>
 #include <QSettings>

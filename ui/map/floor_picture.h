@@ -9,8 +9,8 @@
 
 namespace spherewalk::ui {
 
-/// A floor plan from elsewhere, under the drawing. Frames: room, metres. It is a help for the eye on this
-/// computer and no part of the survey.
+/// A picture of a floor plan that lies under the drawing of a room. It helps on this computer and is no part
+/// of the survey. Frames: room. Units: metres.
 class FloorPicture {
   public:
     bool isEmpty() const { return m_image.isNull(); }
@@ -21,23 +21,25 @@ class FloorPicture {
 
     double metresPerPixel() const { return m_metresPerPixel; }
 
-    /// The lower left corner.
+    /// Returns the place of the lower left corner.
     QPointF origin() const { return m_origin; }
 
-    /// At first, the picture is ten metres wide. Returns whether it could be read.
+    /// Reads a picture and makes it ten metres wide. Returns whether the file is a picture.
     bool load(const QString& file);
 
     void clear() { *this = FloorPicture(); }
 
     void place(double metresPerPixel, const QPointF& origin);
-    /// Scales so that the line drawn on it gets this length; its first point stays. Range: both positive.
+    /// Scales the picture so that a line on it gets this length. The first point of the line stays. Range:
+    /// both lengths positive.
     void setLength(const QLineF& drawn, double metres);
 
-    /// In the room.
+    /// Returns the rectangle that the picture covers.
     QRectF extent() const;
 
-    /// Remembers the picture of this survey, and finds it again.
+    /// Remembers file, scale and place of the picture for this survey in QSettings.
     void keep(const QString& surveyId) const;
+    /// Returns the picture that keep() remembered; empty if there is none.
     static FloorPicture kept(const QString& surveyId);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plan/plan_canvas.h"
+#include "ui/map/plan_canvas.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,7 +16,7 @@ constexpr double kMarginPx = 28;
 constexpr double kLeastPixelsPerMetre = 0.05;
 constexpr double kMostPixelsPerMetre = 5000;
 
-/// The least of 1, 2, 5 times a power of ten that is at least `least`.
+/// Returns the least of 1, 2, 5 times a power of ten that is not below `least`.
 double roundedUp(double least) {
     const double power = std::pow(10, std::floor(std::log10(least)));
     for (const double step : {1.0, 2.0, 5.0}) {

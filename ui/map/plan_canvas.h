@@ -12,8 +12,8 @@
 
 namespace spherewalk::ui {
 
-/// Something drawn over a plan. Frames: the painter is in the widget's coordinates, its pen in the colour of
-/// text; widgetFromRoom takes metres of the room to them.
+/// Something that is drawn over a plan. Frames: the painter has the coordinates of the widget, and
+/// widgetFromRoom maps metres of the room to them. The pen has the colour of text.
 class PlanLayer {
   public:
     virtual ~PlanLayer() = default;
@@ -21,16 +21,15 @@ class PlanLayer {
     virtual void paint(QPainter& painter, const QTransform& widgetFromRoom) = 0;
 };
 
-/// A piece of floor seen from above, y up, that can be moved (middle button, or dragging with Ctrl), zoomed
-/// (wheel, + and -) and brought back to fit (0). It draws a grid of metres and a scale; what else is on it,
-/// its layers and subclasses draw.
+/// The floor from above, with y up, a grid of metres and a scale. Subclasses and layers draw the rest.
+/// Dragging with the middle button or Ctrl moves it, the wheel or + and - zoom, and 0 fits the extent again.
 class PlanCanvas : public QWidget {
     Q_OBJECT
 
   public:
     explicit PlanCanvas(QWidget* parent = nullptr);
 
-    /// What fit() brings into sight; fits at once unless the user has moved or zoomed. Units: metres.
+    /// Sets the area that fit() shows, and fits at once unless the user has moved or zoomed. Units: metres.
     void setExtent(const Bounds2& extent);
     void fit();
     void zoom(double factor, const QPointF& around);
@@ -39,25 +38,25 @@ class PlanCanvas : public QWidget {
     QPointF roomFromWidget(const QPointF& at) const;
     double pixelsPerMetre() const;
 
-    /// Drawn over everything else, in the order of adding. Owner: the caller keeps it alive.
+    /// Adds a layer that is drawn above the floor and earlier layers. Owner: the caller, until removeLayer().
     void addLayer(PlanLayer* layer);
     void removeLayer(PlanLayer* layer);
 
     QSize sizeHint() const override { return {800, 600}; }
 
   signals:
-    /// The left button over the floor, in metres, room frame.
+    /// Tell what the left button does. Frames: room. Units: metres.
     void pressedAt(QPointF pInRoom, Qt::KeyboardModifiers modifiers);
     void draggedTo(QPointF pInRoom, Qt::KeyboardModifiers modifiers);
     void releasedAt(QPointF pInRoom, Qt::KeyboardModifiers modifiers);
 
   protected:
-    /// What is on the floor. The grid is there already.
+    /// Draws what is on the floor, above the grid.
     virtual void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) = 0;
 
     virtual bool showsGrid() const { return true; }
 
-    /// The walls, the floor in this colour, and the obstacles.
+    /// Draws the floor in this colour, the walls and the obstacles.
     void paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
                    const QTransform& widgetFromRoom) const;
 
@@ -74,12 +73,12 @@ class PlanCanvas : public QWidget {
     void paintScale(QPainter& painter) const;
 
     Bounds2 m_extent{{0, 0}, {5, 4}};
-    std::optional<QTransform> m_moved; ///< in place of the fitting transform, once the user has moved it
+    std::optional<QTransform> m_moved; ///< Replaces the fitting transform once the user has moved or zoomed.
     std::optional<QPointF> m_panFrom;
     QList<PlanLayer*> m_layers;
 };
 
-/// A place, or a polygon's vertices, in widget coordinates.
+/// Map a place or the vertices of a polygon to coordinates of the widget.
 QPointF mapped(const Eigen::Vector2d& place, const QTransform& widgetFromRoom);
 QPolygonF mapped(const Polygon& polygon, const QTransform& widgetFromRoom);
 

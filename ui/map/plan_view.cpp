@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plan/plan_view.h"
+#include "ui/map/plan_view.h"
 
 #include "ui/look/theme.h"
+#include "ui/map/station_words.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -16,7 +17,7 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// Of neighbours along the walk, the least distance: the step of the grid.
+/// Returns the least distance of neighbours along the walk, which is the step of the grid.
 double spacing(const std::vector<StationMark>& marks) {
     constexpr double kSamePlaceM = 1e-3;
     double least = INFINITY;
@@ -176,6 +177,58 @@ void PlanView::keyPressEvent(QKeyEvent* event) {
                                     ? 0
                                     : std::clamp<std::ptrdiff_t>(found - m_stations.begin() + step, 0, last);
     emit stationClicked(m_stations[static_cast<std::size_t>(next)].id);
+}
+
+SurveyPlanView::SurveyPlanView(QWidget* parent) : PlanView(parent) {
+    connect(this, &PlanView::stationClicked, this, [this](std::int64_t station) {
+        if (m_session) {
+            m_session->selection()->setCurrent(station);
+        }
+    });
+}
+
+void SurveyPlanView::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+        m_session->selection()->disconnect(this);
+    }
+    m_session = session;
+    if (session != nullptr) {
+        connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
+            if (what.testFlag(SurveySession::Plan)) {
+                showRoom();
+            }
+            refresh();
+        });
+        connect(session->selection(), &StationSelection::currentChanged, this, &PlanView::setCurrent);
+    }
+    setCurrent(session != nullptr ? session->selection()->current() : std::nullopt);
+    showRoom();
+    refresh();
+}
+
+void SurveyPlanView::showRoom() {
+    setRoom(m_session ? m_session->state().room : survey::Room());
+    fit();
+}
+
+void SurveyPlanView::refresh() {
+    setStations(m_session ? marks(m_session->state()) : std::vector<StationMark>());
+}
+
+std::vector<StationMark> SurveyPlanView::marks(const SurveyState& survey) const {
+    std::vector<StationMark> result;
+    for (const store::StationRecord& station : survey.stations) {
+        const bool isMissing = survey.missing.contains(station.id);
+        StationMark mark;
+        mark.id = station.id;
+        mark.positionM = station.station.positionM.head<2>();
+        mark.name = stationWords(station.name);
+        mark.standing = isMissing ? Standing::Missing : Standing::Taken;
+        mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
+        result.push_back(mark);
+    }
+    return result;
 }
 
 } // namespace spherewalk::ui

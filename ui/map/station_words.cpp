@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plan/station_words.h"
+#include "ui/map/station_words.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

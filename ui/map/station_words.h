@@ -9,11 +9,12 @@
 
 namespace spherewalk::ui {
 
-/// "Rail 3, stop 5", in the user's language, for a station that the plan has named; other names as they are.
+/// Returns "Rail 3, stop 5" in the user's language for a name that the plan gave. Other names are returned
+/// unchanged.
 QString stationWords(const std::string& name);
-/// Where the lens is to be: "x 1.20 m, y 0.80 m, lens at 1.20 m".
+/// Says where the lens belongs: "x 1.20 m, y 0.80 m, lens at 1.20 m". Frames: room.
 QString positionWords(const survey::Station& station);
-/// How the rail is laid, with tape distances.
+/// Says how the rail is laid, with tape distances from corners of the room.
 QString railWords(const survey::RailMark& rail);
 
 } // namespace spherewalk::ui

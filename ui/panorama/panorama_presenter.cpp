@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panorama/panorama_presenter.h"
 
-#include "ui/panorama/picture.h"
+#include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <QPainter>
 
 #include <algorithm>
+#include <numbers>
 
 namespace spherewalk::ui {
 
@@ -18,6 +20,24 @@ constexpr std::chrono::milliseconds kSettleTime{160};
 constexpr qint64 kMostPixels = 8'000'000;
 
 } // namespace
+
+void Look::turn(Radians left, Radians higher) {
+    constexpr double kPole = std::numbers::pi / 2;
+    yaw = wrapped(yaw + left);
+    up = Radians(std::clamp((up + higher).value(), -kPole, kPole));
+}
+
+void Look::zoom(double factor) {
+    fov = Radians(std::clamp(fov.value() * factor, Radians(kNarrowest).value(), Radians(kWidest).value()));
+}
+
+Rigid3 Look::roomFromCamera(const Eigen::Vector3d& at) const {
+    return {rotation({yaw, -up, Radians(0)}) * bodyFromOptical(), at};
+}
+
+CameraIntrinsics Look::camera(int width, int height) const {
+    return CameraIntrinsics::pinhole(width, height, fov.value());
+}
 
 PanoramaPresenter::PanoramaPresenter(QObject* parent) : QObject(parent) {
     m_blinking.setInterval(kBlinkInterval);

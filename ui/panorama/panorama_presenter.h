@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/panorama/look.h"
-#include "ui/panorama/photo_decoder.h"
+#include "ui/panorama/photo_pictures.h"
 
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/panorama.h"
 
 #include <QImage>
@@ -13,10 +15,30 @@
 
 namespace spherewalk::ui {
 
-/// A photo as the viewer needs it.
+/// Direction and field of view of the viewer of a panorama. Frames: room.
+struct Look {
+    static constexpr Degrees kNarrowest{10};
+    static constexpr Degrees kWidest{120};
+
+    Radians yaw;                 ///< Counter-clockwise from x, in (-pi, pi].
+    Radians up;                  ///< Above the horizon, in [-pi/2, pi/2].
+    Radians fov = Degrees(90.0); ///< Width of the picture as an angle.
+
+    /// Turns the look. Range: any angles; up stops at the poles.
+    void turn(Radians left, Radians higher);
+    /// Multiplies the field of view, which stays between kNarrowest and kWidest.
+    void zoom(double factor);
+
+    /// Returns the pose of the camera's optical frame at this place.
+    Rigid3 roomFromCamera(const Eigen::Vector3d& at) const;
+    /// Returns a pinhole camera of this field of view. Range: sizes of at least 1 pixel.
+    CameraIntrinsics camera(int width, int height) const;
+};
+
+/// A photo that the viewer shows.
 struct ShownPhoto {
     std::filesystem::path file;
-    QString name; ///< for people: station and file
+    QString name; ///< Station and file, for people.
     Rigid3 roomFromPhoto;
 
     bool operator==(const ShownPhoto& other) const {
@@ -26,26 +48,27 @@ struct ShownPhoto {
     }
 };
 
-/// How two photos are compared.
+/// Ways to compare two photos.
 enum class Comparison {
     Off,
-    Blink,  ///< one in place of the other, in turn
-    Slider, ///< one left of a line, the other right of it
+    Blink,  ///< The photos are shown in turn.
+    Slider, ///< The photos lie left and right of a line.
 };
 
-/// One photo, or two, that somebody looks around in. Both are seen from the first one's place: what differs
-/// is what the alignment does not explain, and what really differs. Threads: the GUI thread; photos are
-/// decoded in the background.
+/// Shows one photo, or compares two, from the place of the first photo. A difference is then an error of the
+/// alignment or a change in the room. Threads: the GUI thread; a background thread decodes photos.
 class PanoramaPresenter : public QObject {
     Q_OBJECT
 
   public:
     explicit PanoramaPresenter(QObject* parent = nullptr);
 
-    /// Nothing: no photo is shown. The direction of the look is kept.
+    /// Shows this photo, or none. The look stays.
     void show(const std::optional<ShownPhoto>& photo);
+    /// Sets the photo to compare with, or none.
     void setOther(const std::optional<ShownPhoto>& photo);
-    /// Of the sphere that things are taken to lie on when the other photo is seen from the first one's place.
+    /// Sets the radius of the sphere on which the other photo is moved to the place of the first one;
+    /// nothing: it is only turned.
     void setSphereRadius(std::optional<double> radiusM);
 
     const std::optional<ShownPhoto>& photo() const { return m_photo; }
@@ -56,12 +79,12 @@ class PanoramaPresenter : public QObject {
 
     void setComparison(Comparison comparison);
 
-    /// Where the line is: the share of the width that the first photo has, in [0, 1].
+    /// Returns the share of the width that the first photo has, in [0, 1]: there is the line.
     double share() const { return m_share; }
 
     void setShare(double share);
 
-    /// Whether the other photo is shown now, in Comparison::Blink.
+    /// Whether Comparison::Blink shows the other photo now.
     bool isOtherShown() const { return m_isOtherShown; }
 
     void blink();
@@ -73,15 +96,15 @@ class PanoramaPresenter : public QObject {
     void zoom(double factor);
     void lookLevel();
 
-    /// The view, black where nothing is decoded yet. Range: a size of at least 1 x 1; larger than 8 million
-    /// pixels gives a null image.
+    /// Renders the view; it is black before a photo is decoded. Range: at least 1 x 1 pixels. Above 8 million
+    /// pixels the image is null.
     QImage picture(const QSize& sizePx);
 
-    /// What is to be said over the picture: that it is being decoded, or why it cannot be; or empty.
+    /// Says that a photo is being decoded, or why it cannot be; empty otherwise.
     QString remark() const;
 
   signals:
-    /// The picture is another one.
+    /// picture() returns another image than before.
     void changed();
     void comparisonChanged();
 
@@ -101,7 +124,7 @@ class PanoramaPresenter : public QObject {
     render::PanoramaRenderer m_renderer;
     RgbImage m_pixels;
     QTimer m_blinking;
-    QTimer m_settling; ///< runs while the view moves: then it is rendered more cheaply
+    QTimer m_settling; ///< Runs while the view moves, which is then rendered with cheaper sampling.
 };
 
 } // namespace spherewalk::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panorama/panorama_view.h"
 
-#include "ui/look/plate.h"
+#include "ui/look/theme.h"
 #include "ui/panorama/panorama_presenter.h"
 
 #include <QKeyEvent>
@@ -17,7 +17,7 @@ namespace spherewalk::ui {
 namespace {
 
 constexpr double kLineReachPx = 10;
-constexpr double kKeyShare = 1.0 / 12; ///< of the field of view, that a key turns by
+constexpr double kKeyShare = 1.0 / 12; ///< Share of the field of view that a key turns by.
 constexpr double kZoomStep = 1.15;
 constexpr double kShareStep = 0.02;
 

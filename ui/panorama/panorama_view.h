@@ -10,9 +10,8 @@ namespace spherewalk::ui {
 
 class PanoramaPresenter;
 
-/// A panorama to look around in: dragging or the arrow keys turn, the wheel or + and - change the field of
-/// view, 0 looks level again. While two photos are compared, the line between them is dragged, or moved with
-/// [ and ].
+/// A panorama to look around in. Dragging or the arrow keys turn, the wheel or + and - change the field of
+/// view, and 0 looks level again. The line between two compared photos is dragged, or moved with [ and ].
 class PanoramaView : public QWidget {
     Q_OBJECT
 

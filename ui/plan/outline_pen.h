@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plan/snapping.h"
-
 #include "spherewalk/geometry/polygon.h"
 
+#include <Eigen/Core>
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 namespace spherewalk::ui {
 
-/// A polygon while it is drawn: corner by corner with the pointer, or by typing how long the next wall is in
-/// the direction of the pointer. Units: metres, room frame.
+/// The things that a drawn point snaps to. Frames: room. Units: metres.
+struct Snapping {
+    double gridM = 0.05;                  ///< Grid spacing; 0: no grid.
+    double reachM = 0.1;                  ///< Corners and neighbours attract within this distance.
+    std::vector<Eigen::Vector2d> corners; ///< Points to meet exactly.
+    /// Corners before and after the drawn one. A point near their x or y takes it, so that walls meet at
+    /// right angles.
+    std::vector<Eigen::Vector2d> neighbours;
+};
+
+/// Returns the nearest corner within reach. Without one, each coordinate snaps to a neighbour's within reach,
+/// or else to the grid.
+Eigen::Vector2d snapped(const Eigen::Vector2d& point, const Snapping& snapping);
+
+/// A polygon while it is drawn, corner by corner. A corner lies at the pointer, or at a typed length in the
+/// direction of the pointer. Frames: room. Units: metres.
 class OutlinePen {
   public:
     bool isDrawing() const { return m_isDrawing; }
@@ -22,27 +36,29 @@ class OutlinePen {
 
     const Polygon& corners() const { return m_corners; }
 
-    /// Where the next corner would be.
+    /// Returns the place of the next corner.
     const Eigen::Vector2d& tip() const { return m_tip; }
 
-    /// What has been typed so far.
+    /// Returns the length as it is typed so far.
     const QString& typed() const { return m_typed; }
 
-    /// The corners with the tip, as they would be if the pen were closed now.
+    /// Returns the corners and the tip.
     Polygon preview() const;
 
-    /// The pointer is at the point, snapped. A typed length fixes how far the tip is from the last corner.
+    /// Moves the pointer to a snapped point. A typed length fixes the distance of the tip from the last
+    /// corner.
     void moveTo(const Eigen::Vector2d& point);
-    /// Sets a corner at the tip. On the first corner, closes: the finished polygon.
+    /// Sets a corner at the tip. If the tip is on the first corner, it ends the drawing and returns the
+    /// polygon.
     std::optional<Polygon> press();
     /// Takes a digit or a decimal sign. Returns false for any other character.
     bool type(QChar character);
-    /// Takes back the last typed character, else the last corner.
+    /// Removes the last typed character, or else the last corner.
     void takeBack();
-    /// Ends the drawing with the corners so far; nothing, and still drawing, with fewer than three.
+    /// Ends the drawing and returns the corners. With fewer than three it returns nothing and goes on.
     std::optional<Polygon> close();
 
-    /// Metres from the last corner to the tip; nothing before the first corner.
+    /// Returns the distance from the last corner to the tip; nothing before the first corner.
     std::optional<double> length() const;
 
   private:

@@ -1,11 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_draft.h"
 
+#include "ui/look/words.h"
+
 #include "spherewalk/base/error.h"
+
+#include <QCoreApplication>
 
 #include <cmath>
 
 namespace spherewalk::ui {
+
+using report::SheetWords;
+
+namespace {
+
+/// The words of this file, for translators.
+struct PlanWords {
+    Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::PlanWords)
+};
+
+QString reasonWords(survey::UncoveredReason reason, const survey::PlanOptions& options) {
+    switch (reason) {
+    case survey::UncoveredReason::Clearance:
+        return PlanWords::tr("closer than %L1 m to a wall or an obstacle").arg(options.clearanceM, 0, 'f', 2);
+    case survey::UncoveredReason::Enclosed:
+        return PlanWords::tr("cut off by obstacles");
+    case survey::UncoveredReason::BetweenStops:
+        return PlanWords::tr("no stop falls near enough");
+    }
+    return {};
+}
+
+} // namespace
 
 PlanDraft firstDraft() {
     PlanDraft draft;
@@ -42,6 +69,59 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
     } catch (const std::exception& defect) {
         return {{}, {}, QString::fromUtf8(defect.what())};
     }
+}
+
+QString countsText(const survey::PlanReport& report) {
+    return PlanWords::tr("%n station(s)", nullptr, report.stations) + PlanWords::tr(" on ") +
+           PlanWords::tr("%n rail(s)", nullptr, report.placements);
+}
+
+QString walkText(const survey::PlanReport& report) {
+    return PlanWords::tr("%L1 m to walk, about %2")
+        .arg(report.metresWalked, 0, 'f', 0)
+        .arg(durationText(std::chrono::duration<double>(60 * report.minutes)));
+}
+
+QString floorText(const survey::PlanReport& report) {
+    const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
+    return PlanWords::tr("%L1 m² of floor, %L2 m² not covered (%3 %)")
+        .arg(report.floorM2, 0, 'f', 1)
+        .arg(report.uncoveredM2, 0, 'f', 1)
+        .arg(share, 0, 'f', 0);
+}
+
+QStringList uncoveredText(const survey::PlanReport& report, const survey::PlanOptions& options) {
+    QStringList lines;
+    using Reason = survey::UncoveredReason;
+    for (const Reason reason : {Reason::Clearance, Reason::Enclosed, Reason::BetweenStops}) {
+        double areaM2 = 0;
+        for (const survey::UncoveredArea& area : report.uncovered) {
+            areaM2 += area.reason == reason ? area.areaM2 : 0;
+        }
+        constexpr double kWorthSayingM2 = 0.005;
+        if (areaM2 >= kWorthSayingM2) {
+            lines << PlanWords::tr("%L1 m²: %2").arg(areaM2, 0, 'f', 2).arg(reasonWords(reason, options));
+        }
+    }
+    return lines;
+}
+
+SheetWords sheetWords() {
+    const auto words = [](const QString& text) { return text.toStdString(); };
+    SheetWords result;
+    result.title = words(PlanWords::tr("Marking out: %1"));
+    result.summary = words(PlanWords::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
+    result.scale = words(PlanWords::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
+    result.tableTitle =
+        words(PlanWords::tr("Where the rails lie: tape distances in metres from the corners of the room"));
+    result.rail = words(PlanWords::tr("Rail"));
+    result.stops = words(PlanWords::tr("Stops"));
+    result.firstStop = words(PlanWords::tr("First stop (ring)"));
+    result.lastStop = words(PlanWords::tr("Last stop (arrow)"));
+    result.error = words(PlanWords::tr("Error"));
+    result.noTapes = words(PlanWords::tr("no two corners in sight: x %1, y %2"));
+    result.page = words(PlanWords::tr("Page %1"));
+    return result;
 }
 
 } // namespace spherewalk::ui

@@ -1,36 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/report/marking_sheet.h"
 #include "spherewalk/survey/plan_report.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace spherewalk::ui {
 
-/// A room as far as it is drawn, and how it is to be covered.
+/// A room as far as it is drawn, with the options of its plan.
 struct PlanDraft {
     survey::Room room;
     survey::PlanOptions options;
 };
 
-/// A rectangular room, to begin with.
+/// Returns a rectangular room for a new survey.
 PlanDraft firstDraft();
 
-/// Stops of the cart on a rail of this length, and the length of rail that so many stops need.
+/// Return the stops of the cart on a rail of this length, and the length that a rail with these stops needs.
 int railStops(double lengthM, double stepM);
 double railLengthM(int stops, double stepM);
 
-/// Another step; the rail keeps its length.
+/// Changes the step; the number of stops follows, so that the rail keeps its length.
 void changeStep(PlanDraft& draft, double stepM);
 
-/// What a draft comes to. If there is a problem, the plan is empty.
+/// The plan of a draft and its figures. If there is a problem, the plan is empty.
 struct PlanOutcome {
     survey::Plan plan;
     survey::PlanReport report;
-    QString problem; ///< why there is no plan; empty if there is one
+    QString problem; ///< Says why there is no plan; empty if there is one.
 };
 
-/// As `spherewalk-cli new` plans. Never throws. Cost: that of survey::plan().
+/// Plans a draft as `spherewalk-cli new` does. An error becomes the outcome's problem. Cost: that of
+/// survey::plan().
 PlanOutcome outcomeOf(const PlanDraft& draft);
+
+/// Returns "48 stations on 8 rails".
+QString countsText(const survey::PlanReport& report);
+/// Returns "31 m to walk, about 18 min".
+QString walkText(const survey::PlanReport& report);
+/// Returns "19.6 m² of floor, 1.2 m² not covered (6 %)".
+QString floorText(const survey::PlanReport& report);
+/// Returns a line for each reason that leaves floor uncovered.
+QStringList uncoveredText(const survey::PlanReport& report, const survey::PlanOptions& options);
+/// Returns the translated words of the marking-out sheet.
+report::SheetWords sheetWords();
 
 } // namespace spherewalk::ui

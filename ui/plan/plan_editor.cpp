@@ -21,7 +21,7 @@ auto& polygonOf(Draft& draft, int index) {
 
 } // namespace
 
-/// From one draft to another.
+/// A step of undo from one draft to another.
 class PlanEditor::Step : public QUndoCommand {
   public:
     Step(PlanEditor& editor, const QString& text, PlanDraft before, PlanDraft after, int key)

@@ -11,65 +11,65 @@
 
 namespace spherewalk::ui {
 
-/// A polygon of the room, or one of its corners.
+/// A polygon of the room, one of its corners, or nothing.
 struct PlanPart {
     static constexpr int kNone = -1;
     static constexpr int kOutline = 0;
 
-    int polygon = kNone; ///< 0: the outline; from 1: the obstacles
+    int polygon = kNone; ///< 0 is the outline; obstacles count from 1.
     int corner = kNone;
 
     bool operator==(const PlanPart&) const = default;
 };
 
-/// The room while it is edited: every change can be undone, and is followed by the plan that it leads to,
-/// computed in the background. It holds no widget.
+/// The room while it is edited. Every change can be undone, and a background thread computes the plan that
+/// follows from it. It holds no widget. Threads: the GUI thread.
 class PlanEditor : public QObject {
     Q_OBJECT
 
   public:
     explicit PlanEditor(QObject* parent = nullptr);
 
-    /// Another room; forgets what could be undone.
+    /// Takes another room and empties the undo stack.
     void begin(PlanDraft draft);
 
     const PlanDraft& draft() const { return m_draft; }
 
-    /// Of the draft, or of what is being drawn, as of the last outcomeChanged().
+    /// Returns the outcome that was computed last, of the draft or of preview().
     const PlanOutcome& outcome() const { return m_outcome; }
 
-    /// Whether the outcome is the present draft's.
+    /// Whether outcome() belongs to the present draft.
     bool isSettled() const { return m_taken == m_posted && !m_isPreview; }
 
     QUndoStack* undoStack() { return &m_undoStack; }
 
     void setLocked(bool isLocked) { m_isLocked = isLocked; }
 
-    /// Locked: photos stand on the plan, which cannot change any more. All edits are then ignored.
+    /// Whether all edits are ignored, because the survey has photos at the stations of the plan.
     bool isLocked() const { return m_isLocked; }
 
     PlanPart selected() const { return m_selected; }
 
     void select(PlanPart part);
-    /// Range: a part of the draft, not none.
+    /// Returns the outline or an obstacle. Range: an index of PlanPart::polygon, except kNone.
     const Polygon& polygon(int index) const;
 
-    /// Changes the draft as one step of undo. Steps with the same key, one after the other, become one; key 0
-    /// never does.
+    /// Changes the draft as one step of undo. Successive steps of one key are joined, unless the key is 0.
     void change(const QString& text, const std::function<void(PlanDraft&)>& apply, int key = 0);
-    /// Ends a run of steps that become one.
+    /// Keeps the next step from being joined to the last one.
     void endRun();
 
+    /// Range of the following calls: parts of the draft. Units: metres, room frame.
     void moveCorner(PlanPart part, const Eigen::Vector2d& to);
     void movePolygon(int polygon, const Eigen::Vector2d& by);
-    /// After the corner; selects the new one.
+    /// Inserts a corner after this one and selects it.
     void insertCorner(PlanPart after, const Eigen::Vector2d& at);
-    /// The selected corner, while the polygon keeps three; else the selected obstacle.
+    /// Removes the selected corner if the polygon keeps three corners, or else the selected obstacle.
     void removeSelected();
     void setOutline(const Polygon& outline);
     void addObstacle(const Polygon& obstacle);
 
-    /// Shows what the room would come to with this outline, without changing the draft; empty: ends that.
+    /// Computes the outcome of another outline without a change of the draft; empty: of the draft again.
     void preview(const Polygon& outline);
 
   signals:
@@ -90,9 +90,9 @@ class PlanEditor : public QObject {
     bool m_isLocked = false;
     bool m_isPreview = false;
     QUndoStack m_undoStack;
-    int m_posted = 0;          ///< how many drafts were to be computed
-    int m_taken = 0;           ///< which of them the outcome is of
-    BackgroundWorker m_worker; ///< last: what it delivers uses the rest
+    int m_posted = 0;          ///< Number of drafts that were posted to the worker.
+    int m_taken = 0;           ///< Number of the draft that the outcome belongs to.
+    BackgroundWorker m_worker; ///< The last member, as its results use the others.
 };
 
 } // namespace spherewalk::ui

@@ -23,7 +23,7 @@ QPointF pointOf(const Vector2d& vector) {
     return {vector.x(), vector.y()};
 }
 
-/// From the point to the segment.
+/// Returns the distance from the point to the segment.
 double distanceTo(const QPointF& point, const QPointF& begin, const QPointF& end) {
     const Vector2d along = vectorOf(end - begin);
     const double length2 = along.squaredNorm();

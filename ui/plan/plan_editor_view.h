@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plan/floor_picture.h"
+#include "ui/map/floor_picture.h"
+#include "ui/map/plan_canvas.h"
 #include "ui/plan/outline_pen.h"
-#include "ui/plan/plan_canvas.h"
 #include "ui/plan/plan_editor.h"
 
 #include <QLineF>
@@ -12,9 +12,10 @@
 
 namespace spherewalk::ui {
 
-/// The room being drawn: corners to drag, walls to split, a pen, and the rails and stations that come of it.
-/// Keys: Tab from corner to corner, arrows move the selected one, Delete removes it; while drawing, digits
-/// type the next wall's length, Return sets the corner, Backspace takes back, Escape ends.
+/// The drawing of the room: corners to drag, walls to split, a pen, and the rails and stations of the plan.
+/// Tab goes from corner to corner, arrows move the selected corner, and Delete removes it. While the pen
+/// draws, digits type the length of the next wall, Return sets the corner, Backspace takes back, and Escape
+/// ends.
 class PlanEditorView : public PlanCanvas {
     Q_OBJECT
 
@@ -27,18 +28,19 @@ class PlanEditorView : public PlanCanvas {
 
     void setTool(Tool tool);
 
+    /// Sets the grid that drawn points snap to. Units: metres.
     void setGrid(double gridM) { m_gridM = gridM; }
 
     FloorPicture& picture() { return m_picture; }
 
-    /// Brings the room, or the picture where it is larger, into sight.
+    /// Fits the room and the picture into the view.
     void fitRoom();
 
   signals:
     void toolChanged(spherewalk::ui::PlanEditorView::Tool tool);
-    /// A line over something whose length is known, for the picture's scale.
+    /// The user has drawn a line over something of known length, for the scale of the picture.
     void scaleDrawn(QLineF inRoom);
-    /// What the keys do now, for people.
+    /// Carries a sentence about the keys of the present tool; empty: none.
     void hint(const QString& sentence);
 
   protected:
@@ -59,9 +61,9 @@ class PlanEditorView : public PlanCanvas {
                       bool isClosed) const;
     void paintPen(QPainter& painter, const QTransform& widgetFromRoom) const;
 
-    /// The corner, else the wall, else the obstacle under this point of the widget.
+    /// Returns the corner, or else the obstacle, or else the polygon of the wall at this point of the widget.
     PlanPart partAt(const QPointF& at) const;
-    /// The wall under this point: the corner before it.
+    /// Returns the corner before the wall at this point of the widget.
     PlanPart wallAt(const QPointF& at) const;
     Eigen::Vector2d snappedPoint(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
     void drag(const QPointF& at, Qt::KeyboardModifiers modifiers);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_mode.h"
 
-#include "ui/look/column_scroll_area.h"
 #include "ui/look/icon.h"
-#include "ui/look/section.h"
-#include "ui/plan/grid_study_panel.h"
-#include "ui/plan/new_survey_form.h"
+#include "ui/look/side_panel.h"
+#include "ui/plan/grid_study.h"
+#include "ui/plan/plan_draft.h"
 #include "ui/plan/plan_panel.h"
-#include "ui/plan/plan_words.h"
+#include "ui/plan/plan_storage.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -289,7 +288,7 @@ void PlanMode::writeSheet(const QString& file) {
         [file, name = name.toStdString(), draft = m_editor.draft(),
          words = sheetWords()](ProgressSink& /*progress*/, const std::stop_token& /*stop*/) {
             const survey::Plan plan = survey::plan(draft.room, draft.options);
-            writeFile(file.toStdString(), sheet::markingSheet(name, draft.room, draft.options, plan, words));
+            writeFile(file.toStdString(), report::markingSheet(name, draft.room, draft.options, plan, words));
         },
         [this, file] { emit message(tr("Wrote %1.").arg(file)); });
 }

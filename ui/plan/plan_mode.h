@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plan/grid_study_presenter.h"
+#include "ui/frame/mode.h"
+#include "ui/plan/grid_study.h"
 #include "ui/plan/plan_editor.h"
 #include "ui/plan/plan_editor_view.h"
 #include "ui/plan/plan_storage.h"
-#include "ui/shell/mode.h"
-#include "ui/tasks/task_list.h"
+#include "ui/tasks/task.h"
 
 #include <optional>
 
@@ -20,7 +20,7 @@ namespace spherewalk::ui {
 
 class NewSurveyForm;
 
-/// Draws the room and lays out its stations.
+/// The page that draws a room and lays out its stations.
 class PlanMode : public Mode {
     Q_OBJECT
 
@@ -41,10 +41,11 @@ class PlanMode : public Mode {
 
     GridStudyPresenter& study() { return m_study; }
 
-    /// As one step of undo; where the plan is fixed, in a new survey with this room.
+    /// Plans with this step, as one step of undo. A locked plan stays, and a new survey of this room begins.
+    /// Units: metres.
     void useStep(double stepM);
 
-    /// Writes the marking-out sheet in the background.
+    /// Writes the marking-out sheet in a task.
     void writeSheet(const QString& file);
 
   private:
@@ -76,11 +77,11 @@ class PlanMode : public Mode {
     QDoubleSpinBox* m_length = nullptr;
     QLineF m_scaleLine;
     QActionGroup* m_tools = nullptr;
-    QList<QAction*> m_edits; ///< nothing to do with a locked plan
+    QList<QAction*> m_edits; ///< Disabled while the plan is locked.
     QString m_surveyId;
     QString m_surveyName;
-    std::optional<PlanDraft> m_nextDraft; ///< to begin the next new survey with
-    std::optional<double> m_nextStepM;    ///< to change it to then
+    std::optional<PlanDraft> m_nextDraft; ///< Room of the next new survey.
+    std::optional<double> m_nextStepM;    ///< Step of the next new survey.
 };
 
 } // namespace spherewalk::ui

@@ -3,6 +3,7 @@
 
 #include "ui/plan/plan_editor.h"
 
+#include <QAbstractTableModel>
 #include <QWidget>
 
 #include <functional>
@@ -14,7 +15,32 @@ class QTableView;
 
 namespace spherewalk::ui {
 
-/// The numbers beside the drawing: corners, heights, grid, pace, and what they come to.
+/// The corners of the selected polygon as an editable table of x and y, in metres of the room. Without a
+/// selection it has the corners of the outline.
+class CornerModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    explicit CornerModel(PlanEditor& editor, QObject* parent = nullptr);
+
+    int polygon() const { return m_polygon; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  private:
+    void follow();
+
+    PlanEditor& m_editor;
+    int m_polygon = PlanPart::kOutline;
+    int m_rows = 0;
+};
+
+/// The panel beside the drawing: it edits corners, heights, grid and pace, and shows the figures of the plan.
 class PlanPanel : public QWidget {
     Q_OBJECT
 
@@ -27,7 +53,7 @@ class PlanPanel : public QWidget {
     QWidget* makeCorners();
     QDoubleSpinBox* makeNumber(const QString& objectName, double least, double most, double step, int digits,
                                const QString& unit);
-    /// Edits follow the box; steps with the same key are one step of undo.
+    /// Applies each edit of the box to the draft. Successive edits of one key are one step of undo.
     void bind(QDoubleSpinBox* box, int key, const std::function<void(PlanDraft&, double)>& apply);
     void applyHeights();
     void showDraft();

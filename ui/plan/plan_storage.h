@@ -1,48 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/side_panel.h"
 #include "ui/plan/plan_editor.h"
 #include "ui/session/survey_session.h"
 
 #include <QPointer>
 #include <QTimer>
 
+class QLineEdit;
+class QPushButton;
+
 namespace spherewalk::ui {
 
-/// Keeps the open survey as the editor has it: a plan that can be stored is stored soon after the last edit,
-/// as `spherewalk-cli new` would. Once photos stand on a plan it is locked. It holds no widget.
+/// Stores the plan of the editor in the open survey soon after the last edit, if the plan has no problem. It
+/// locks the editor of a survey with photos. It holds no widget. Threads: the GUI thread.
 class PlanStorage : public QObject {
     Q_OBJECT
 
   public:
     enum class State {
-        New,    ///< no survey is open; the draft is of one to come
-        Stored, ///< the survey is as the draft
-        Edited, ///< it is not yet
-        Locked, ///< there are photos
+        New,    ///< No survey is open; the draft is for a new one.
+        Stored, ///< The survey has the plan of the draft.
+        Edited, ///< The draft has edits that are not stored yet.
+        Locked, ///< The survey has photos or cannot be written.
     };
 
     explicit PlanStorage(PlanEditor& editor, QObject* parent = nullptr);
 
     State state() const { return m_state; }
 
-    /// Stores what is still to be stored, and takes the session's plan into the editor. Null: a new draft.
+    /// Calls flush() and takes the plan of this survey into the editor. Null: begins a new draft.
     void setSession(SurveySession* session);
-    /// Begins a new survey with a rectangle.
+    /// Puts a rectangular room for a new survey into the editor.
     void beginNew();
-    /// Makes a survey of the draft. Errors: those of store::SurveyStore::create(); InvalidInput if there is
-    /// no plan yet.
+    /// Makes a survey of the draft in this folder and emits created(). Errors: those of
+    /// store::SurveyStore::create(); InvalidInput if the draft has no plan.
     void create(const QString& folder);
-    /// Stores at once.
+    /// Stores edits at once; problem() follows if that fails.
     void flush();
 
-    /// How long after the last edit a plan is stored.
+    /// Time from the last edit to storing.
     static constexpr std::chrono::milliseconds kCalm{400};
 
   signals:
     void stateChanged();
     void created(const QString& folder);
-    /// Why something could not be stored.
+    /// The plan could not be stored; the sentence says why.
     void problem(const QString& sentence);
 
   private:
@@ -56,5 +60,36 @@ class PlanStorage : public QObject {
     bool m_isReading = false;
     QTimer m_calm;
 };
+
+/// A form for the name and the place of a new survey.
+class NewSurveyForm : public Section {
+    Q_OBJECT
+
+  public:
+    explicit NewSurveyForm(QWidget* parent = nullptr);
+
+    /// Fills in a name that is free in the chosen place.
+    void propose();
+    /// Tells whether the draft has a plan, without which no survey can be made.
+    void setPossible(bool isPossible);
+    /// Returns the folder of the survey: place/name.spherewalk.
+    QString folder() const;
+
+  signals:
+    void createRequested(const QString& folder);
+
+  private:
+    void choosePlace();
+    void showState();
+
+    QLineEdit* m_name;
+    QPushButton* m_place;
+    QPushButton* m_create;
+    QString m_placeFolder;
+    bool m_isPossible = false;
+};
+
+/// Returns the folder for surveys of this user, which it makes if it is missing.
+QString surveysPlace();
 
 } // namespace spherewalk::ui

@@ -1,24 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/drive_view.h"
 
-#include "ui/look/plate.h"
+#include "ui/fields/scene_fields.h"
+#include "ui/look/theme.h"
+#include "ui/map/station_words.h"
 #include "ui/preview/preview_presenter.h"
-#include "ui/preview/rung_words.h"
 
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::ui {
 
 namespace {
 
-Radians fieldOf(const CameraIntrinsics& camera) {
+/// Returns the angle of a drag across the whole picture.
+Radians dragAngle(const CameraIntrinsics& camera) {
     return Radians(2 * std::atan2(0.5 * camera.width, camera.fx));
 }
+
+std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
+    std::vector<StationMark> marks;
+    for (std::size_t i = 0; i < info.photos.size(); ++i) {
+        StationMark mark;
+        mark.id = static_cast<std::int64_t>(i);
+        mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
+        mark.name = stationWords(info.photos[i].station);
+        mark.standing = Standing::Taken;
+        mark.note = QString::fromStdString(info.photos[i].file);
+        marks.push_back(std::move(mark));
+    }
+    return marks;
+}
+
+/// Returns the room, or the rectangle around the photos if the dataset has no room.
+survey::Room roomOf(const render::DatasetInfo& info) {
+    survey::Room room{info.outline, info.obstacles, info.ceilingM};
+    if (room.outline.empty()) {
+        Polygon places;
+        for (const render::DatasetPhoto& photo : info.photos) {
+            places.emplace_back(photo.roomFromPhoto.translation.head<2>());
+        }
+        const Bounds2 area = bounds(places);
+        const Eigen::Vector2d a = area.least - Eigen::Vector2d(1, 1);
+        const Eigen::Vector2d b = area.greatest + Eigen::Vector2d(1, 1);
+        room.outline = {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+    }
+    return room;
+}
+
+Radians fieldOf(const CameraIntrinsics& camera) {
+    const CameraModel model(camera);
+    const double y = 0.5 * (camera.height - 1);
+    const auto left = model.ray(Eigen::Vector2d(0, y));
+    const auto right = model.ray(Eigen::Vector2d(camera.width - 1, y));
+    return left && right ? Radians(std::atan2(right->x(), right->z()) - std::atan2(left->x(), left->z()))
+                         : Radians(Degrees(180));
+}
+
+constexpr double kBodyPx = 11;
+constexpr double kFanPx = 90;
+const QColor kPath(204, 121, 167);
 
 } // namespace
 
@@ -70,7 +116,7 @@ void DriveView::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
-/// Beside or above each other, as makes the pictures larger.
+/// Returns the box of a view. Two views lie side by side or stacked, whichever is larger.
 QRect DriveView::boxOf(std::size_t view) const {
     const auto count = static_cast<int>(m_presenter.views().size());
     const auto index = static_cast<int>(view);
@@ -153,8 +199,106 @@ void DriveView::mouseMoveEvent(QMouseEvent* event) {
     m_dragFrom = event->position();
     RobotPlace robot = m_presenter.robot();
     const double share = moved.x() / std::max(1, width());
-    robot.yaw = wrapped(robot.yaw + fieldOf(m_presenter.camera()) * share);
+    robot.yaw = wrapped(robot.yaw + dragAngle(m_presenter.camera()) * share);
     m_presenter.setRobot(robot);
+}
+
+/// Draws the robot on its map.
+class RobotMap::Layer : public PlanLayer {
+  public:
+    explicit Layer(const PreviewPresenter& presenter) : m_presenter(presenter) {}
+
+    void paint(QPainter& painter, const QTransform& widgetFromRoom) override;
+
+  private:
+    void paintPath(QPainter& painter, const QTransform& widgetFromRoom) const;
+    void paintBall(QPainter& painter, const QTransform& widgetFromRoom) const;
+    void paintRobot(QPainter& painter, const QPointF& at) const;
+
+    const PreviewPresenter& m_presenter;
+};
+
+void RobotMap::Layer::paint(QPainter& painter, const QTransform& widgetFromRoom) {
+    if (m_presenter.dataset() == nullptr) {
+        return;
+    }
+    paintPath(painter, widgetFromRoom);
+    paintBall(painter, widgetFromRoom);
+    const QPointF at = mapped(m_presenter.robot().pInRoom, widgetFromRoom);
+    if (!m_presenter.views().empty()) {
+        const auto& photos = m_presenter.dataset()->info().photos;
+        const render::DatasetPhoto& photo = photos.at(m_presenter.views().front().report.photo);
+        painter.setPen(QPen(goodColour(), 1.5, Qt::DashLine));
+        painter.drawLine(at, mapped(photo.roomFromPhoto.translation.head<2>(), widgetFromRoom));
+    }
+    paintRobot(painter, at);
+}
+
+void RobotMap::Layer::paintPath(QPainter& painter, const QTransform& widgetFromRoom) const {
+    QPolygonF line;
+    for (const TimedPose& pose : m_presenter.path()) {
+        line << mapped(pose.roomFromCamera.translation.head<2>(), widgetFromRoom);
+    }
+    if (line.size() > 1) {
+        painter.setPen(QPen(kPath, 2.5));
+        painter.drawPolyline(line);
+    }
+}
+
+void RobotMap::Layer::paintBall(QPainter& painter, const QTransform& widgetFromRoom) const {
+    if (!m_presenter.ball()) {
+        return;
+    }
+    const jobs::Ball& ball = *m_presenter.ball();
+    const double radius =
+        std::max(4.0, ball.radiusM * std::hypot(widgetFromRoom.m11(), widgetFromRoom.m12()));
+    painter.setPen(QPen(QColor(ball.colour[0], ball.colour[1], ball.colour[2]), 2));
+    painter.setBrush(QColor(ball.colour[0], ball.colour[1], ball.colour[2], 110));
+    painter.drawEllipse(mapped(ball.centreM.head<2>(), widgetFromRoom), radius, radius);
+}
+
+void RobotMap::Layer::paintRobot(QPainter& painter, const QPointF& at) const {
+    const QColor robotColour = goodColour();
+    const double yawDeg = Degrees(m_presenter.robot().yaw).value();
+    const double fovDeg = std::min(359.0, Degrees(fieldOf(m_presenter.camera())).value());
+    QColor fan = robotColour;
+    fan.setAlpha(60);
+    painter.setPen(QPen(robotColour, 1));
+    painter.setBrush(fan);
+    painter.drawPie(QRectF(at.x() - kFanPx, at.y() - kFanPx, 2 * kFanPx, 2 * kFanPx),
+                    static_cast<int>(16 * (yawDeg - 0.5 * fovDeg)), static_cast<int>(16 * fovDeg));
+    painter.save();
+    painter.translate(at);
+    painter.rotate(-yawDeg);
+    painter.setPen(QPen(Qt::white, 1.5));
+    painter.setBrush(robotColour);
+    painter.drawPolygon(QPolygonF({{kBodyPx, 0},
+                                   {-0.7 * kBodyPx, 0.7 * kBodyPx},
+                                   {-0.35 * kBodyPx, 0},
+                                   {-0.7 * kBodyPx, -0.7 * kBodyPx}}));
+    painter.restore();
+}
+
+RobotMap::RobotMap(const PreviewPresenter& presenter, QWidget* parent)
+    : PlanView(parent), m_presenter(presenter), m_layer(std::make_unique<Layer>(presenter)) {
+    addLayer(m_layer.get());
+    connect(&presenter, &PreviewPresenter::datasetChanged, this, &RobotMap::showDataset);
+    connect(&presenter, &PreviewPresenter::robotChanged, this, qOverload<>(&QWidget::update));
+    connect(&presenter, &PreviewPresenter::viewsChanged, this, qOverload<>(&QWidget::update));
+    showDataset();
+}
+
+RobotMap::~RobotMap() {
+    removeLayer(m_layer.get());
+}
+
+void RobotMap::showDataset() {
+    if (m_presenter.dataset() == nullptr) {
+        setRoom({});
+        return setStations({});
+    }
+    setRoom(roomOf(m_presenter.dataset()->info()));
+    setStations(marksOf(m_presenter.dataset()->info()));
 }
 
 } // namespace spherewalk::ui

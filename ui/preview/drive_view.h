@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/preview/view_maker.h"
+#include "ui/map/plan_view.h"
+#include "ui/preview/robot.h"
 
 #include <QSet>
 #include <QWidget>
 
+#include <memory>
+
 namespace spherewalk::ui {
 
-struct DriveWish;
 class PreviewPresenter;
+struct DriveWish;
 
-/// What the robot's camera sees, one view or two beside each other, each with its report. With the keyboard
-/// here, W A S D or the arrow keys drive, Q and E go sideways. Dragging turns the robot.
+/// Shows what the robot's camera sees: one view, or two side by side, each with its report. W A S D or the
+/// arrow keys drive, Q and E go sideways, and dragging turns the robot.
 class DriveView : public QWidget {
     Q_OBJECT
 
@@ -21,7 +24,7 @@ class DriveView : public QWidget {
 
     QSize sizeHint() const override { return {800, 600}; }
 
-    /// The report as people read it.
+    /// Returns the report of a view in words.
     static QString reportText(const render::ViewReport& report);
 
   protected:
@@ -41,6 +44,24 @@ class DriveView : public QWidget {
     PreviewPresenter& m_presenter;
     QSet<int> m_held;
     QPointF m_dragFrom;
+};
+
+/// The plan of the presenter's dataset with its photos. The robot, its field of view, the photo of the view,
+/// the recorded path and the ball are drawn above it.
+class RobotMap : public PlanView {
+    Q_OBJECT
+
+  public:
+    explicit RobotMap(const PreviewPresenter& presenter, QWidget* parent = nullptr);
+    ~RobotMap() override;
+
+  private:
+    class Layer;
+
+    void showDataset();
+
+    const PreviewPresenter& m_presenter;
+    std::unique_ptr<Layer> m_layer;
 };
 
 } // namespace spherewalk::ui

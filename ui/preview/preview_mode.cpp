@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/preview_mode.h"
 
-#include "ui/plan/plan_view.h"
-#include "ui/plan/station_words.h"
-#include "ui/preview/camera_box.h"
+#include "ui/fields/camera_box.h"
+#include "ui/fields/scene_fields.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_presenter.h"
-#include "ui/preview/rung_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,47 +26,8 @@ namespace {
 
 constexpr double kBallRadiusM = 0.2;
 constexpr double kBallDistanceM = 1.2;
-constexpr double kLeastAimM = 0.05; ///< to drag before the heading follows
-constexpr int kBestScene = -1;      ///< in a combo box's data
-
-std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
-    std::vector<StationMark> marks;
-    for (std::size_t i = 0; i < info.photos.size(); ++i) {
-        StationMark mark;
-        mark.id = static_cast<std::int64_t>(i);
-        mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
-        mark.name = stationWords(info.photos[i].station);
-        mark.standing = Standing::Taken;
-        mark.note = QString::fromStdString(info.photos[i].file);
-        marks.push_back(std::move(mark));
-    }
-    return marks;
-}
-
-/// The room, or without one the floor that the photos cover.
-survey::Room roomOf(const render::DatasetInfo& info) {
-    survey::Room room{info.outline, info.obstacles, info.ceilingM};
-    if (room.outline.empty()) {
-        Polygon places;
-        for (const render::DatasetPhoto& photo : info.photos) {
-            places.emplace_back(photo.roomFromPhoto.translation.head<2>());
-        }
-        const Bounds2 area = bounds(places);
-        const Eigen::Vector2d a = area.least - Eigen::Vector2d(1, 1);
-        const Eigen::Vector2d b = area.greatest + Eigen::Vector2d(1, 1);
-        room.outline = {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
-    }
-    return room;
-}
-
-Radians fieldOf(const CameraIntrinsics& camera) {
-    const CameraModel model(camera);
-    const double y = 0.5 * (camera.height - 1);
-    const auto left = model.ray(Eigen::Vector2d(0, y));
-    const auto right = model.ray(Eigen::Vector2d(camera.width - 1, y));
-    return left && right ? Radians(std::atan2(right->x(), right->z()) - std::atan2(left->x(), left->z()))
-                         : Radians(Degrees(180));
-}
+constexpr double kLeastAimM = 0.05; ///< The heading follows a drag from this distance on.
+constexpr int kBestScene = -1;      ///< Stands for the dataset's choice in the data of a combo box.
 
 } // namespace
 
@@ -77,11 +36,10 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
       m_presenter(new PreviewPresenter(tasks, this)) {
     m_view = new DriveView(*m_presenter, this);
     m_view->setObjectName("view");
-    m_map = new PlanView(this);
+    m_map = new RobotMap(*m_presenter, this);
     m_map->setObjectName("map");
     m_map->setAccessibleName(tr("Where the robot is"));
     m_map->setToolTip(tr("Click to put the robot there, drag to turn it; with Shift, put the ball there"));
-    m_map->addLayer(&m_robot);
     auto* side = new QWidget(this);
     auto* sideLayout = new QVBoxLayout(side);
     sideLayout->setContentsMargins(0, 0, 0, 0);
@@ -101,17 +59,11 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
     connect(m_map, &PlanCanvas::pressedAt, this, &PreviewMode::placeRobot);
     connect(m_map, &PlanCanvas::draggedTo, this, &PreviewMode::aimRobot);
     connect(m_presenter, &PreviewPresenter::datasetChanged, this, &PreviewMode::showDataset);
-    connect(m_presenter, &PreviewPresenter::robotChanged, this, &PreviewMode::showRobot);
     connect(m_presenter, &PreviewPresenter::viewsChanged, this, &PreviewMode::showViews);
     connect(m_presenter, &PreviewPresenter::recordingChanged, this, &PreviewMode::showRecording);
     connect(m_presenter, &PreviewPresenter::message, this, &Mode::message);
     showDataset();
-    showRobot();
     showRecording();
-}
-
-PreviewMode::~PreviewMode() {
-    m_map->removeLayer(&m_robot);
 }
 
 void PreviewMode::setSession(SurveySession* session) {
@@ -317,15 +269,11 @@ void PreviewMode::showDataset() {
     m_record->setEnabled(dataset != nullptr);
     showRungs();
     if (dataset == nullptr) {
-        m_map->setRoom({});
-        m_map->setStations({});
         m_what->setText(m_presenter->isPreparing() ? tr("Preparing the preview...")
                                                    : tr("No dataset is open."));
         return;
     }
     const render::DatasetInfo& info = dataset->info();
-    m_map->setRoom(roomOf(info));
-    m_map->setStations(marksOf(info));
     const bool isOutdated = m_presenter->isOutdated();
     m_what->setText(
         isOutdated
@@ -336,7 +284,7 @@ void PreviewMode::showDataset() {
     m_height->setValue(m_presenter->mount().heightM);
 }
 
-/// Offers what the dataset has, and says what is meant by leaving the choice to it.
+/// Offers the scene models of the dataset, and names the ones that it would choose.
 void PreviewMode::showRungs() {
     const render::Dataset* dataset = m_presenter->dataset();
     const render::DatasetInfo* info = dataset != nullptr ? &dataset->info() : nullptr;
@@ -359,28 +307,9 @@ void PreviewMode::showRungs() {
     }
 }
 
-void PreviewMode::showRobot() {
-    m_map->update();
-    if (m_presenter->dataset() == nullptr) {
-        return m_robot.setScene(std::nullopt);
-    }
-    RobotLayer::Scene scene;
-    scene.robot = m_presenter->robot();
-    scene.fov = fieldOf(m_presenter->camera());
-    scene.ball = m_presenter->ball();
-    scene.path = m_presenter->path();
-    if (!m_presenter->views().empty()) {
-        const auto& photos = m_presenter->dataset()->info().photos;
-        scene.photo =
-            photos.at(m_presenter->views().front().report.photo).roomFromPhoto.translation.head<2>();
-    }
-    m_robot.setScene(std::move(scene));
-}
-
 void PreviewMode::showViews() {
     const double rate = m_presenter->rate();
     m_rate->setText(rate > 1 ? tr("%1 views/s").arg(rate, 0, 'f', 0) : QString());
-    showRobot();
 }
 
 void PreviewMode::showRecording() {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/preview/robot_layer.h"
-#include "ui/shell/mode.h"
+#include "ui/frame/mode.h"
 
 #include <vector>
 
@@ -17,18 +16,17 @@ namespace spherewalk::ui {
 
 class CameraBox;
 class DriveView;
-class PlanView;
 class PreviewPresenter;
+class RobotMap;
 class TaskList;
 struct ViewSide;
 
-/// A robot is driven through the dataset, as a simulator would use it.
+/// The page where a person drives a robot through a dataset, as a simulator would.
 class PreviewMode : public Mode {
     Q_OBJECT
 
   public:
     explicit PreviewMode(TaskList& tasks, QWidget* parent = nullptr);
-    ~PreviewMode() override;
 
     void setSession(SurveySession* session) override;
     void activated() override;
@@ -38,7 +36,7 @@ class PreviewMode : public Mode {
     PreviewPresenter& presenter() { return *m_presenter; }
 
   private:
-    /// How one of the compared views is made.
+    /// The boxes that choose how one of the compared views is made.
     struct SideChoice {
         QComboBox* scene = nullptr;
         QComboBox* sampling = nullptr;
@@ -50,7 +48,6 @@ class PreviewMode : public Mode {
     void chooseDataset();
     void chooseFolder();
     void showDataset();
-    void showRobot();
     void showViews();
     void showRecording();
     void showRungs();
@@ -60,9 +57,8 @@ class PreviewMode : public Mode {
     void aimRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
 
     PreviewPresenter* m_presenter;
-    RobotLayer m_robot;
     DriveView* m_view = nullptr;
-    PlanView* m_map = nullptr;
+    RobotMap* m_map = nullptr;
     QPushButton* m_make = nullptr;
     QLabel* m_what = nullptr;
     QLabel* m_rate = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/preview_presenter.h"
 
-#include "ui/preview/camera_presets.h"
+#include "ui/fields/camera_box.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -19,7 +19,7 @@ namespace spherewalk::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kTick{15};
-constexpr double kLongestTickS = 0.1; ///< so that a robot does not jump after a pause
+constexpr double kLongestTickS = 0.1; ///< Limits a tick, so that a robot does not jump after a pause.
 constexpr double kRecordIntervalS = 0.1;
 constexpr std::size_t kMostRecorded = 20'000;
 
@@ -31,7 +31,7 @@ SharedDataset opened(const std::filesystem::path& folder, ProgressSink& progress
         render::Dataset::open(folder, render::Verify::Sizes, progress, stop));
 }
 
-/// At the photo nearest to the middle of all of them.
+/// Returns the place of the photo that is nearest to the middle of all photos.
 RobotPlace middleOf(const render::DatasetInfo& info) {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const render::DatasetPhoto& photo : info.photos) {
@@ -147,7 +147,7 @@ void PreviewPresenter::use(SharedDataset dataset) {
     rebuild();
 }
 
-/// A camera has streams of its own.
+/// Makes a new maker, as each camera has its own streams.
 void PreviewPresenter::rebuild() {
     if (m_renderer) {
         m_maker = std::make_shared<ViewMaker>(*m_renderer, m_camera);

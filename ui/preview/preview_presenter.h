@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/preview/drive.h"
-#include "ui/preview/view_maker.h"
-#include "ui/session/survey_presenter.h"
+#include "ui/preview/robot.h"
+#include "ui/session/survey_session.h"
 #include "ui/tasks/background_worker.h"
-#include "ui/tasks/task_list.h"
+#include "ui/tasks/task.h"
 
-#include "spherewalk/base/temporary_folder.h"
+#include "spherewalk/base/folder.h"
 #include "spherewalk/geometry/trajectory.h"
 
 #include <QElapsedTimer>
@@ -15,8 +14,8 @@
 
 namespace spherewalk::ui {
 
-/// What the preview page does: a robot is driven over a dataset, and its camera's view is made as fast as the
-/// machine can. Threads: the GUI thread; views are made in the background, the latest wish first.
+/// The logic of the preview page: a robot is driven over a dataset, and the views of its camera follow.
+/// Threads: the GUI thread. A background thread makes the views and drops outdated orders.
 class PreviewPresenter : public SurveyPresenter {
     Q_OBJECT
 
@@ -24,21 +23,22 @@ class PreviewPresenter : public SurveyPresenter {
     explicit PreviewPresenter(TaskList& tasks, QObject* parent = nullptr);
     ~PreviewPresenter() override;
 
-    /// A dataset that was opened by itself stays.
+    /// Takes the open survey. A dataset of openDataset() stays open.
     void setSession(SurveySession* session) override;
 
+    /// Opens an exported dataset; message() says why if that fails.
     void openDataset(const QString& folder);
-    /// Of the open survey, in a temporary folder that goes with the program.
+    /// Exports the open survey in a task and opens the dataset. Its temporary folder ends with the program.
     void makeDataset();
     bool canMakeDataset() const;
 
-    /// Whether makeDataset() is at work.
+    /// Whether the task of makeDataset() runs.
     bool isPreparing() const { return m_preparing && m_preparing->isRunning(); }
 
-    /// Null without a dataset.
+    /// Returns the open dataset; null without one.
     const render::Dataset* dataset() const;
 
-    /// Whether the survey has changed since its dataset was made here.
+    /// Whether the survey has changed after makeDataset().
     bool isOutdated() const { return m_isOutdated; }
 
     const RobotPlace& robot() const { return m_robot; }
@@ -53,26 +53,26 @@ class PreviewPresenter : public SurveyPresenter {
 
     void setCamera(const CameraIntrinsics& camera);
 
-    /// The first side, and a second one while two are compared.
+    /// Sets one side, or two for a comparison.
     void setSides(const std::vector<ViewSide>& sides);
 
     const std::optional<jobs::Ball>& ball() const { return m_ball; }
 
     void setBall(const std::optional<jobs::Ball>& ball);
 
-    /// Goes on while the wish is not none.
+    /// Drives until another wish comes.
     void drive(const DriveWish& wish);
 
     bool isDriving() const { return m_ticking.isActive(); }
 
-    /// So far from where the robot is now, as if driven; for tests and single steps.
+    /// Drives for this time at once, for tests and single steps.
     void driveFor(double seconds);
 
     bool isRecording() const { return m_isRecording; }
 
-    /// Beginning forgets what was recorded before. However it ends, the path is in keptPath().
+    /// Begins or ends a recording of the path. Beginning forgets the path before; ending writes keptPath().
     void setRecording(bool isRecording);
-    /// Of the latest recording on this computer.
+    /// Returns the file of the latest recording on this computer.
     static std::filesystem::path keptPath();
 
     const std::vector<TimedPose>& path() const { return m_path; }
@@ -80,10 +80,10 @@ class PreviewPresenter : public SurveyPresenter {
     /// Writes path.tum, robot.yaml and the frames, as `walk` does, in a task.
     void saveFrames(const QString& folder);
 
-    /// One a side; empty without a dataset.
+    /// Returns one view for each side; empty without a dataset.
     const std::vector<MadeView>& views() const { return m_views; }
 
-    /// Views a second, over the last second.
+    /// Returns the views per second over the last second.
     double rate() const;
 
   signals:
@@ -103,11 +103,11 @@ class PreviewPresenter : public SurveyPresenter {
     void keepPath();
 
     TaskList& m_tasks;
-    std::shared_ptr<TemporaryFolder> m_folder; ///< of the survey's dataset
+    std::shared_ptr<TemporaryFolder> m_folder; ///< Folder of makeDataset().
     bool m_isOutdated = false;
     QPointer<Task> m_preparing;
     std::optional<render::Renderer> m_renderer;
-    std::shared_ptr<ViewMaker> m_maker; ///< used on the worker's thread
+    std::shared_ptr<ViewMaker> m_maker; ///< Used on the thread of the worker.
     Drive m_drive;
     RobotPlace m_robot;
     CameraMount m_mount;
@@ -122,8 +122,8 @@ class PreviewPresenter : public SurveyPresenter {
     double m_recordedFromS = 0;
     std::vector<TimedPose> m_path;
     std::vector<MadeView> m_views;
-    std::vector<double> m_shownS; ///< when, during the last second
-    BackgroundWorker m_worker;    ///< last: what it delivers uses the rest
+    std::vector<double> m_shownS; ///< Times of the views of the last second.
+    BackgroundWorker m_worker;    ///< The last member, as its results use the others.
 };
 
 } // namespace spherewalk::ui

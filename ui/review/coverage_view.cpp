@@ -9,7 +9,7 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// The heat scale does not begin to show differences that matter to nobody.
+/// Below these values the scale of the heat shows no differences, as they do not matter.
 constexpr double kLeastHottestDegrees = 0.05;
 constexpr double kLeastHottestPx = 0.5;
 

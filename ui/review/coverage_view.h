@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plan/survey_plan_view.h"
-#include "ui/review/review_rows.h"
+#include "ui/map/plan_view.h"
+#include "ui/review/review_model.h"
 
 namespace spherewalk::ui {
 
-/// What the plan's marks tell.
+/// What the marks on the plan tell.
 enum class CoverageMeasure {
-    Standing, ///< taken, missing, doubtful, failed, rejected
-    Residual, ///< how far the matches of each photo miss, as heat
-    Sigma,    ///< how exactly each photo's heading is known, as heat
-    Error,    ///< how far views in place of each photo were measured to be off, as heat
+    Standing, ///< State of the station: taken, missing, doubtful, failed, rejected.
+    Residual, ///< Residual of the matches of each photo, as heat.
+    Sigma,    ///< Standard deviation of the heading of each photo, as heat.
+    Error,    ///< Measured error of views at the place of each photo, as heat.
 };
 
-/// How far a survey is, on its plan.
+/// The plan of a survey, whose marks tell a measure of each photo.
 class CoverageView : public SurveyPlanView {
     Q_OBJECT
 
@@ -24,14 +24,14 @@ class CoverageView : public SurveyPlanView {
     void setRows(const std::vector<ReviewRow>& rows);
     void setMeasure(CoverageMeasure measure);
 
-    /// The measure that is at heat 1, as people read it ("0.15°", "4.2 px"); empty without heat.
+    /// Returns the value of heat 1 with its unit ("0.15°", "4.2 px"); empty without heat.
     QString hottest() const;
 
   protected:
     std::vector<StationMark> marks(const SurveyState& survey) const override;
 
   private:
-    /// In the unit that people read.
+    /// Returns the measure of a row in degrees or pixels.
     std::optional<double> measured(const ReviewRow& row) const;
     double greatest() const;
     QString valueText(double value) const;
@@ -40,14 +40,14 @@ class CoverageView : public SurveyPlanView {
     CoverageMeasure m_measure = CoverageMeasure::Standing;
 };
 
-/// The legend of a CoverageView: the signs that there are, or the scale of the heat.
+/// The legend of a CoverageView: the signs of the standings, or the scale of the heat.
 class CoverageLegend : public QWidget {
     Q_OBJECT
 
   public:
     explicit CoverageLegend(QWidget* parent = nullptr);
 
-    /// Empty: the signs of the standings.
+    /// Shows the scale up to this value; empty: the signs of the standings.
     void setHottest(const QString& hottest);
 
     QSize sizeHint() const override;

@@ -3,7 +3,7 @@
 
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
-#include "ui/review/review_delegate.h"
+#include "ui/review/review_model.h"
 #include "ui/review/review_presenter.h"
 
 #include <QAction>
@@ -283,7 +283,7 @@ void ReviewMode::showCurrent() {
     showNeighbours();
 }
 
-/// What is being written stays, and stays with the photo that it was written for.
+/// Shows the note of the photo. A note that is being written stays with its own photo.
 void ReviewMode::showNote() {
     const ReviewRow* row = m_presenter->current();
     const auto photo = row != nullptr ? row->photo : std::nullopt;

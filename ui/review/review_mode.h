@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/shell/mode.h"
+#include "ui/frame/mode.h"
 
 #include <QList>
 
@@ -24,13 +24,13 @@ class PanoramaView;
 class ReviewPresenter;
 class TaskList;
 
-/// Photos are looked at, compared, accepted and rejected.
+/// The page where a person looks at photos, compares them, and accepts or rejects them.
 class ReviewMode : public Mode {
     Q_OBJECT
 
   public:
     explicit ReviewMode(TaskList& tasks, QWidget* parent = nullptr);
-    /// thumbnailFolder: where small pictures are kept.
+    /// thumbnailFolder: the folder that keeps small pictures.
     ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent);
 
     void setSession(SurveySession* session) override;
@@ -58,7 +58,7 @@ class ReviewMode : public Mode {
     QLabel* m_summary = nullptr;
     QLabel* m_reasons = nullptr;
     QLineEdit* m_note = nullptr;
-    std::optional<std::int64_t> m_notePhoto; ///< that the text is of
+    std::optional<std::int64_t> m_notePhoto; ///< The photo that m_note belongs to.
     QComboBox* m_neighbour = nullptr;
     QComboBox* m_comparison = nullptr;
     CoverageView* m_plan = nullptr;

@@ -1,13 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_model.h"
 
+#include "ui/map/station_words.h"
+
+#include "spherewalk/jobs/judge_survey.h"
+
+#include <QApplication>
 #include <QCoreApplication>
+#include <QPainter>
 
 #include <algorithm>
+#include <map>
 
 namespace spherewalk::ui {
 
 namespace {
+
+/// found: result of the checks of the picture. aligned: result of the alignment.
+Standing standingOf(store::Decision decision, survey::Quality found, survey::Quality aligned) {
+    switch (decision) {
+    case store::Decision::Accepted:
+        return Standing::Accepted;
+    case store::Decision::Rejected:
+        return Standing::Rejected;
+    case store::Decision::Open:
+        break;
+    }
+    switch (std::max(found, aligned)) {
+    case survey::Quality::Good:
+        return Standing::Taken;
+    case survey::Quality::Doubtful:
+        return Standing::Doubtful;
+    case survey::Quality::Failed:
+        break;
+    }
+    return Standing::Failed;
+}
+
+void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem::path& folder) {
+    row.photo = photo.id;
+    row.file = folder / photo.fileName;
+    row.fileName = QString::fromStdString(photo.fileName);
+    row.sha256 = QString::fromStdString(photo.fileSha256);
+}
+
+void fill(ReviewRow& row, const store::PhotoVerdict& verdict) {
+    for (const photo::Finding& finding : jobs::verdictOf(verdict).findings) {
+        row.flags << QString::fromStdString(finding.sentence);
+    }
+}
+
+void fill(ReviewRow& row, const jobs::PhotoFinding& finding) {
+    row.roomFromPhoto = finding.roomFromPhoto;
+    row.sigmaYaw = finding.sigmaYaw;
+    row.residual = finding.residual;
+    for (const std::string& flag : finding.flags) {
+        row.flags << QString::fromStdString(flag);
+    }
+}
 
 bool isSame(const ReviewRow& a, const ReviewRow& b) {
     return a.station == b.station && a.photo == b.photo && a.sha256 == b.sha256 && a.standing == b.standing &&
@@ -29,7 +79,101 @@ QString toolTip(const ReviewRow& row) {
     return lines.join('\n');
 }
 
+constexpr int kThumbnailWidth = 112;
+constexpr int kThumbnailHeight = kThumbnailWidth / 2;
+constexpr int kGap = 6;
+
+/// Returns the thumbnail or a placeholder.
+void paintThumbnail(QPainter& painter, const QRect& box, const QModelIndex& index, const QPalette& palette) {
+    const auto picture = index.data(Qt::DecorationRole).value<QImage>();
+    if (!picture.isNull()) {
+        painter.drawImage(box, picture);
+        return;
+    }
+    painter.fillRect(box, palette.color(QPalette::AlternateBase));
+    painter.setPen(palette.color(QPalette::Mid));
+    painter.drawRect(box.adjusted(0, 0, -1, -1));
+    const auto standing = static_cast<Standing>(index.data(ReviewModel::StandingRole).toInt());
+    const QString words = standing == Standing::Missing ? ReviewDelegate::tr("no photo")
+                          : index.data(ReviewModel::UnreadableRole).toBool()
+                              ? ReviewDelegate::tr("unreadable")
+                              : QString();
+    painter.setPen(palette.color(QPalette::PlaceholderText));
+    painter.drawText(box, Qt::AlignCenter, words);
+}
+
 } // namespace
+
+ShownPhoto ReviewRow::shown() const {
+    return {file, QObject::tr("%1 (%2)").arg(stationName, fileName),
+            roomFromPhoto.value_or(Rigid3{Eigen::Quaterniond::Identity(), positionM})};
+}
+
+std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
+                                  const std::optional<jobs::SolutionFindings>& findings) {
+    std::map<std::int64_t, store::PhotoRecord> photos; // by station
+    for (store::PhotoRecord& photo : store.chosenPhotos()) {
+        const std::int64_t station = photo.station;
+        photos.emplace(station, std::move(photo));
+    }
+    std::map<std::int64_t, store::Review> reviews; // by photo
+    for (store::Review& review : store.reviews()) {
+        const std::int64_t photo = review.photo;
+        reviews.emplace(photo, std::move(review));
+    }
+    std::map<std::int64_t, store::PhotoVerdict> verdicts; // by photo
+    for (store::PhotoVerdict& verdict : store.verdicts()) {
+        const std::int64_t photo = verdict.photo;
+        verdicts.emplace(photo, std::move(verdict));
+    }
+    std::map<std::int64_t, const jobs::PhotoFinding*> found; // by photo
+    if (findings) {
+        for (const jobs::PhotoFinding& finding : findings->photos) {
+            found.emplace(finding.photo, &finding);
+        }
+    }
+    std::vector<ReviewRow> rows;
+    for (const store::StationRecord& station : store.stations()) {
+        ReviewRow row;
+        row.station = station.id;
+        row.stationName = stationWords(station.name);
+        row.positionM = station.station.positionM;
+        if (const auto photo = photos.find(station.id); photo != photos.end()) {
+            fill(row, photo->second, store.photoFolder());
+            if (const auto review = reviews.find(*row.photo); review != reviews.end()) {
+                row.decision = review->second.decision;
+                row.note = QString::fromStdString(review->second.note);
+            }
+            const auto verdict = verdicts.find(*row.photo);
+            if (verdict != verdicts.end()) {
+                fill(row, verdict->second);
+            }
+            const auto finding = found.find(*row.photo);
+            if (finding != found.end()) {
+                fill(row, *finding->second);
+            }
+            row.standing = standingOf(
+                row.decision, verdict != verdicts.end() ? verdict->second.quality : survey::Quality::Good,
+                finding != found.end() ? finding->second->quality.value_or(survey::Quality::Good)
+                                       : survey::Quality::Good);
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void fillErrors(std::vector<ReviewRow>& rows, const jobs::MeasuredPhotos& measured) {
+    std::map<std::filesystem::path, std::optional<double>> errorsPx; // by the file's name without its ending
+    for (const jobs::MeasuredPhoto& photo : measured.photos) {
+        errorsPx.emplace(std::filesystem::path(photo.file).stem(), photo.p95Px);
+    }
+    for (ReviewRow& row : rows) {
+        const auto found = errorsPx.find(row.file.stem());
+        if (row.photo && found != errorsPx.end()) {
+            row.errorPx = found->second;
+        }
+    }
+}
 
 ReviewModel::ReviewModel(ThumbnailCache& thumbnails, QObject* parent)
     : QAbstractListModel(parent), m_thumbnails(thumbnails) {
@@ -169,6 +313,46 @@ bool ReviewProxy::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const
     const auto has = [&](const QString& where) { return where.contains(m_text, Qt::CaseInsensitive); };
     return passes(m_filter, candidate) &&
            (m_text.isEmpty() || has(candidate.stationName) || has(candidate.fileName) || has(candidate.note));
+}
+
+QSize ReviewDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
+    return {kThumbnailWidth + 160, std::max(kThumbnailHeight, 3 * option.fontMetrics.height()) + 2 * kGap};
+}
+
+void ReviewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                           const QModelIndex& index) const {
+    QStyleOptionViewItem row = option;
+    row.text.clear();
+    row.icon = {};
+    const QStyle* style = option.widget != nullptr ? option.widget->style() : QApplication::style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &row, painter, option.widget);
+    painter->save();
+    const QRect box = option.rect.adjusted(kGap, kGap, -kGap, -kGap);
+    paintThumbnail(*painter,
+                   {box.left(), box.center().y() - kThumbnailHeight / 2, kThumbnailWidth, kThumbnailHeight},
+                   index, option.palette);
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const QColor ink = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    const QRect words = box.adjusted(kThumbnailWidth + 2 * kGap, 0, 0, 0);
+    const int line = option.fontMetrics.height();
+    const auto put = [&](int at, const QString& text) {
+        painter->drawText(QRect(words.left(), words.top() + at * line, words.width(), line), Qt::AlignVCenter,
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, words.width()));
+    };
+    painter->setPen(ink);
+    QFont bold = option.font;
+    bold.setBold(true);
+    painter->setFont(bold);
+    put(0, index.data(Qt::DisplayRole).toString());
+    painter->setFont(option.font);
+    const auto standing = static_cast<Standing>(index.data(ReviewModel::StandingRole).toInt());
+    const QString error = index.data(ReviewModel::ErrorRole).toString();
+    put(1, standingSign(standing) + QLatin1Char(' ') + standingText(standing) +
+               (error.isEmpty() ? error : QStringLiteral(" · ") + error));
+    const QString note = index.data(ReviewModel::NoteRole).toString();
+    painter->setOpacity(0.75);
+    put(2, note.isEmpty() ? index.data(ReviewModel::ReasonRole).toString() : note);
+    painter->restore();
 }
 
 } // namespace spherewalk::ui

@@ -1,35 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/panorama/thumbnail_cache.h"
-#include "ui/review/review_rows.h"
+#include "ui/look/words.h"
+#include "ui/panorama/panorama_presenter.h"
+#include "ui/panorama/photo_pictures.h"
+
+#include "spherewalk/jobs/measure_page.h"
+#include "spherewalk/jobs/solution_findings.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <QAbstractListModel>
 #include <QSortFilterProxyModel>
+#include <QString>
+#include <QStringList>
+#include <QStyledItemDelegate>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace spherewalk::ui {
 
-/// The stations of a survey as a list. Thumbnails are asked for when a view shows their row.
+/// A station with its chosen photo, for the reviewer.
+struct ReviewRow {
+    std::int64_t station = 0;
+    QString stationName;                                 ///< In the user's language.
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< Place of the station in the room.
+    Standing standing = Standing::Missing;
+
+    // The following members describe the chosen photo, if there is one.
+    std::optional<std::int64_t> photo;
+    std::filesystem::path file;
+    QString fileName;
+    QString sha256;
+    store::Decision decision = store::Decision::Open;
+    QString note;
+    QStringList flags; ///< Sentences of the checks and of the alignment.
+    std::optional<Rigid3> roomFromPhoto;
+    std::optional<Radians> sigmaYaw;
+    std::optional<Radians> residual;
+    std::optional<double> errorPx; ///< Measured error of views at the place of the photo.
+
+    /// Returns the photo for the viewer; a photo that is not aligned is not turned. Range: a row with a
+    /// photo.
+    ShownPhoto shown() const;
+};
+
+/// Returns one row for each station, in walking order. findings: those of the active solution. Errors: those
+/// of the store.
+std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
+                                  const std::optional<jobs::SolutionFindings>& findings);
+
+/// Fills in the measured errors of photos. Photos that were taken or moved after the measurement get none.
+void fillErrors(std::vector<ReviewRow>& rows, const jobs::MeasuredPhotos& measured);
+
+/// The stations of a survey as a list. It asks for a thumbnail when a view shows the row.
 class ReviewModel : public QAbstractListModel {
     Q_OBJECT
 
   public:
     enum Role {
-        StationRole = Qt::UserRole, ///< its id
+        StationRole = Qt::UserRole, ///< Id of the station.
         StandingRole,
         NoteRole,
-        ReasonRole, ///< the flags, joined
+        ReasonRole, ///< All flags in one text.
         UnreadableRole,
-        ErrorRole, ///< "3.4 px"; empty if it was not measured
+        ErrorRole, ///< "3.4 px"; empty without a measurement.
     };
 
     explicit ReviewModel(ThumbnailCache& thumbnails, QObject* parent = nullptr);
 
     const std::vector<ReviewRow>& rows() const { return m_rows; }
 
-    /// Rows that are as before are left alone, so that the view keeps its place.
+    /// Takes these rows and signals only the changed ones, so that a view keeps its position.
     void setRows(std::vector<ReviewRow> rows);
-    /// Nothing if there is none.
+    /// Returns the row of a station; null without one.
     const ReviewRow* rowOf(std::int64_t station) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -42,16 +87,16 @@ class ReviewModel : public QAbstractListModel {
     std::vector<ReviewRow> m_rows;
 };
 
-/// Which stations a reviewer wants to see.
+/// The stations that a reviewer wants to see.
 enum class ReviewFilter { All, ToReview, Doubtful, Failed, Missing, Rejected, WithNote };
 
-/// In a few words, translated.
+/// Returns the name of a filter, translated.
 QString filterText(ReviewFilter filter);
 
-/// Whether the row is one of those; of ToReview: photos on which nobody has decided.
+/// Whether a row passes the filter. ToReview passes photos without a decision.
 bool passes(ReviewFilter filter, const ReviewRow& row);
 
-/// The stations that pass a filter and whose name, file or note contains a text.
+/// The stations that pass a filter and have a text in their name, file or note.
 class ReviewProxy : public QSortFilterProxyModel {
     Q_OBJECT
 
@@ -72,6 +117,19 @@ class ReviewProxy : public QSortFilterProxyModel {
     ReviewModel& m_model;
     ReviewFilter m_filter = ReviewFilter::All;
     QString m_text;
+};
+
+/// Draws a row of the reviewer's list: thumbnail, name, standing as a sign and a word, and the note or the
+/// reason for doubt.
+class ReviewDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
 };
 
 } // namespace spherewalk::ui

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_presenter.h"
 
-#include "ui/preview/rung_words.h"
-#include "ui/shell/settings.h"
+#include "ui/fields/scene_fields.h"
+#include "ui/frame/settings.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/scene/sphere.h"
+#include "spherewalk/scene/room_fit.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace spherewalk::ui {
 
@@ -33,7 +34,7 @@ std::vector<const ReviewRow*> nearest(const std::vector<ReviewRow>& rows, const 
     return others;
 }
 
-/// Of the sphere that stands for the room, seen from the middle of the stations.
+/// Returns the radius of a sphere around the middle of the stations that stands for the room.
 std::optional<double> radiusOf(const survey::Room& room, const std::vector<ReviewRow>& rows) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const ReviewRow& row : rows) {
@@ -43,6 +44,50 @@ std::optional<double> radiusOf(const survey::Room& room, const std::vector<Revie
 }
 
 } // namespace
+
+SurveyWatch::SurveyWatch(QObject* parent) : QObject(parent) {
+    m_timer.setInterval(std::chrono::seconds(1));
+    connect(&m_timer, &QTimer::timeout, this, [this] { look(false); });
+}
+
+void SurveyWatch::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+    }
+    m_session = session;
+    m_timer.stop();
+    m_store.reset();
+    if (session != nullptr) {
+        m_store = std::make_shared<const store::SurveyStore>(
+            store::SurveyStore::open(session->path(), store::Access::Read));
+        m_seen = m_store->dataVersion();
+        // What the session itself says is known, whoever wrote it.
+        connect(session, &SurveySession::changed, this, [this] {
+            ++m_told;
+            look(true);
+        });
+        m_timer.start();
+    }
+}
+
+void SurveyWatch::look(bool isKnown) {
+    m_worker.post(isKnown ? "known" : "look",
+                  [this, store = m_store, isKnown, told = m_told]() -> BackgroundWorker::Deliver {
+                      try {
+                          return [this, store, isKnown, told, version = store->dataVersion()] {
+                              if (store != m_store) {
+                                  return; // another survey is open meanwhile
+                              }
+                              const bool isNews = version != std::exchange(m_seen, version);
+                              if (isNews && !isKnown && told == m_told && m_session) {
+                                  m_session->noteChangedSoon(SurveySession::Everything);
+                              }
+                          };
+                      } catch (const Error&) { // busy for a moment; it looks again
+                          return {};
+                      }
+                  });
+}
 
 ReviewPresenter::ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
                                  QObject* parent)
@@ -90,7 +135,7 @@ QString ReviewPresenter::surveyId() const {
     return session() != nullptr ? QString::fromStdString(session()->store().info().uuid) : QString();
 }
 
-/// Errors: those of jobs::readMeasuredPhotos(); InvalidInput for another survey's.
+/// Reads a report. Errors: those of jobs::readMeasuredPhotos(); InvalidInput for another survey.
 void ReviewPresenter::takeErrors(const QString& reportFile) {
     m_errorsFile = QFileInfo(reportFile).absoluteFilePath(); // first: what cannot be read is told once
     m_errorsSince = QFileInfo(reportFile).lastModified();

@@ -2,17 +2,46 @@
 #pragma once
 
 #include "ui/panorama/panorama_presenter.h"
-#include "ui/review/photo_reviewer.h"
 #include "ui/review/review_model.h"
-#include "ui/review/survey_watch.h"
-#include "ui/session/survey_presenter.h"
+#include "ui/session/photo_reviewer.h"
+#include "ui/session/survey_session.h"
+#include "ui/tasks/background_worker.h"
 
 #include <QDateTime>
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include <cstdint>
+#include <memory>
 
 namespace spherewalk::ui {
 
-/// What the review page does: keeps the list and the viewer in step with the survey and the station that all
-/// views share, and records decisions.
+/// Calls SurveySession::noteChanged() when another program has changed the survey, such as a capture. It
+/// looks every second, in the background.
+class SurveyWatch : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit SurveyWatch(QObject* parent = nullptr);
+
+    /// Null: no survey is open.
+    void setSession(SurveySession* session);
+
+  private:
+    /// isKnown: the session knows the present state already.
+    void look(bool isKnown);
+
+    QPointer<SurveySession> m_session;
+    std::shared_ptr<const store::SurveyStore> m_store; ///< Used on the thread of the worker.
+    int m_told = 0;                                    ///< Number of changes that the session has told.
+    std::int64_t m_seen = 0;
+    QTimer m_timer;
+    BackgroundWorker m_worker; ///< The last member, as its results use the others.
+};
+
+/// The logic of the review page. The list and the viewer follow the survey and its current station, and
+/// decisions are recorded in the survey.
 class ReviewPresenter : public SurveyPresenter {
     Q_OBJECT
 
@@ -26,38 +55,38 @@ class ReviewPresenter : public SurveyPresenter {
 
     ReviewProxy& list() { return m_list; }
 
-    /// Of the current station; null without one.
+    /// Returns the row of the current station; null without one.
     const ReviewRow* current() const;
     void setCurrent(std::optional<std::int64_t> station);
-    /// The next (or with -1 the previous) station of the list that has a photo.
+    /// Goes to the next station with a photo in the list, or with -1 to the previous one.
     void step(int by);
 
-    /// Decides on the current photo, and goes on to the next one of the list if it is accepted or rejected.
+    /// Decides on the current photo. After accepting or rejecting it goes on to the next one.
     void decide(store::Decision decision);
     void setNote(std::int64_t photo, const QString& note);
 
-    /// Photos near the current one, nearest first, to compare it with.
+    /// Returns the photos near the current one, nearest first, for a comparison.
     const std::vector<const ReviewRow*>& neighbours() const { return m_neighbours; }
 
-    /// Compares with the neighbour of this rank; nothing: with none.
+    /// Compares with the neighbour of this rank; nothing: ends the comparison.
     void compareWith(std::optional<std::size_t> neighbour);
 
-    /// Whether decisions can be recorded: a survey is open, and no other program was writing it.
+    /// Whether decisions can be recorded: a survey is open that this program can write.
     bool canDecide() const;
 
-    /// Takes measured errors from this report.json, now and when the survey is opened again. If it is not
-    /// one of this survey's, message() says so.
+    /// Takes measured errors from this report.json, and remembers the file for this survey. message() tells
+    /// if the report belongs to another survey.
     void readErrors(const QString& reportFile);
-    /// Looks whether the survey's dataset has been measured since.
+    /// Reads the errors again if the report has been written anew.
     void lookForErrors();
-    /// What the measured errors are of, or that there are none, and what to do.
+    /// Says which dataset the errors belong to, or how to measure them.
     QString errorWords() const;
 
-    /// "12 accepted, 3 rejected, 40 to be reviewed, 5 missing".
+    /// Returns "12 accepted, 3 rejected, 40 to be reviewed, 5 missing".
     QString summary() const;
 
   signals:
-    /// Another station, or something about this one.
+    /// The current station or its row has changed.
     void currentChanged();
     void rowsChanged();
 
@@ -76,8 +105,8 @@ class ReviewPresenter : public SurveyPresenter {
     std::vector<const ReviewRow*> m_neighbours;
     std::optional<std::size_t> m_compared;
     std::optional<jobs::MeasuredPhotos> m_errors;
-    QString m_errorsFile;    ///< that they were read from
-    QDateTime m_errorsSince; ///< when that was written
+    QString m_errorsFile;    ///< The report that the errors come from.
+    QDateTime m_errorsSince; ///< Time of its last change.
 };
 
 } // namespace spherewalk::ui

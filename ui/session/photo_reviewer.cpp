@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/review/photo_reviewer.h"
+#include "ui/session/photo_reviewer.h"
 
 #include "spherewalk/base/error.h"
 
@@ -19,8 +19,8 @@ void record(SurveySession& session, const std::vector<store::Review>& reviews) {
     });
 }
 
-/// What was recorded already when it is pushed. Undone while another program writes, it says so and stays as
-/// it is.
+/// A decision that has been recorded. If another program writes, undo reports that and changes nothing. It
+/// then leaves the stack.
 class ReviewCommand : public QUndoCommand {
   public:
     ReviewCommand(const QString& text, SurveySession& session, PhotoReviewer& reviewer,

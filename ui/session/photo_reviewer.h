@@ -11,23 +11,23 @@
 
 namespace spherewalk::ui {
 
-/// Records what a person decides on photos, each step on the session's undo stack.
+/// Records decisions and notes of a person on photos. Each call is one step of the session's undo stack.
 class PhotoReviewer : public QObject {
     Q_OBJECT
 
   public:
     using QObject::QObject;
 
-    /// Null: none is open.
+    /// Null: no survey is open.
     void setSession(SurveySession* session) { m_session = session; }
 
-    /// Keeps the notes.
+    /// Sets the decision of these photos; their notes stay.
     void decide(const std::vector<std::int64_t>& photos, store::Decision decision);
-    /// Keeps the decision.
+    /// Sets the note of a photo; its decision stays.
     void setNote(std::int64_t photo, const QString& note);
 
   signals:
-    /// Nothing was recorded, and why.
+    /// Nothing was recorded; the sentence says why.
     void refused(const QString& sentence);
 
   private:

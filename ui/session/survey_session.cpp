@@ -9,7 +9,7 @@ using store::Access;
 
 namespace {
 
-/// Whether nobody else writes, and the disk allows it.
+/// Whether the survey can be written now.
 bool canWrite(const std::filesystem::path& folder) {
     try {
         store::SurveyStore::open(folder, Access::Write);
@@ -20,6 +20,20 @@ bool canWrite(const std::filesystem::path& folder) {
 }
 
 } // namespace
+
+SurveyState readState(const store::SurveyStore& store) {
+    SurveyState state;
+    state.room = store.room();
+    state.options = store.planOptions();
+    state.profile = store.captureProfile();
+    state.plan = store.plan();
+    state.stations = store.stations();
+    for (const store::StationRecord& station : store.stationsWithoutPhoto()) {
+        state.missing.insert(station.id);
+    }
+    state.counts = store.counts();
+    return state;
+}
 
 std::unique_ptr<SurveySession> SurveySession::open(const QString& folder) {
     const std::filesystem::path path = folder.toStdString();
@@ -75,6 +89,36 @@ void SurveySession::setReadOnly(bool isReadOnly) {
     if (isReadOnly != m_isReadOnly) {
         m_isReadOnly = isReadOnly;
         emit readOnlyChanged(isReadOnly);
+    }
+}
+
+void SurveyPresenter::setSession(SurveySession* session) {
+    if (m_session) {
+        m_session->disconnect(this);
+        m_session->selection()->disconnect(this);
+    }
+    const bool isFirst = m_session == nullptr;
+    m_session = session;
+    if (session != nullptr) {
+        connect(session, &SurveySession::changed, this, &SurveyPresenter::refresh);
+    }
+    m_isStale = isFirst && session != nullptr && !m_isShown;
+    if (!m_isStale) { // nothing of the session before may stay
+        read();
+    }
+}
+
+void SurveyPresenter::setShown(bool isShown) {
+    m_isShown = isShown;
+    if (isShown && m_isStale) {
+        refresh();
+    }
+}
+
+void SurveyPresenter::refresh() {
+    m_isStale = !m_isShown;
+    if (m_isShown) {
+        read();
     }
 }
 

@@ -1,24 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/station_selection.h"
-#include "ui/session/survey_state.h"
 #include "ui/tasks/background_worker.h"
 
+#include "spherewalk/store/survey_store.h"
+
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace spherewalk::ui {
 
-/// One open survey: where it is, a store for reading, and the way to write. Nobody holds the writer's lock
-/// for longer than a change takes, except a task that writes; so the command line can capture while the
-/// window looks on. Views refresh by what changed. Threads: the GUI thread; a task opens a store of its own
-/// by path().
+/// What every page reads of a survey, in memory. The database answers late while somebody writes it.
+struct SurveyState {
+    survey::Room room;
+    survey::PlanOptions options;
+    std::optional<survey::CaptureProfile> profile; ///< Exposure settings; nothing: the camera stays as it is.
+    survey::Plan plan;
+    std::vector<store::StationRecord> stations; ///< In walking order.
+    std::set<std::int64_t> missing;             ///< Ids of the stations without a photo.
+    store::Counts counts;
+};
+
+/// Reads the state from the database. Errors: those of the store.
+SurveyState readState(const store::SurveyStore& store);
+
+/// The current station of a survey, which all of its views share.
+class StationSelection : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+
+    std::optional<std::int64_t> current() const { return m_current; }
+
+    void setCurrent(std::optional<std::int64_t> station) {
+        if (station != m_current) {
+            m_current = station;
+            emit currentChanged(station);
+        }
+    }
+
+  signals:
+    void currentChanged(std::optional<std::int64_t> station);
+
+  private:
+    std::optional<std::int64_t> m_current;
+};
+
+/// One open survey: its folder, a store for reading, and write() for changes. A change holds the writer's
+/// lock only while it is made, so that the command line can capture while the window shows the survey.
+/// changed() tells views what to refresh. Threads: the GUI thread; a task opens a store of its own by path().
 class SurveySession : public QObject {
     Q_OBJECT
 
@@ -26,7 +67,7 @@ class SurveySession : public QObject {
     enum Change { Plan = 1, Photos = 2, Reviews = 4, Solutions = 8, Profile = 16, Everything = 31 };
     Q_DECLARE_FLAGS(Changes, Change)
 
-    /// Errors: those of store::SurveyStore::open().
+    /// Opens the survey in this folder. Errors: those of store::SurveyStore::open().
     static std::unique_ptr<SurveySession> open(const QString& folder);
 
     QString folder() const { return m_folder; }
@@ -35,18 +76,18 @@ class SurveySession : public QObject {
 
     QString name() const { return m_name; }
 
-    /// Whether another program wrote the survey, or the disk allowed no writing, when it was last looked at:
-    /// on opening and at each write().
+    /// Whether another program or the disk prevented writing at the last attempt. open() and each write()
+    /// try.
     bool isReadOnly() const { return m_isReadOnly; }
 
-    /// For reading. While somebody writes, it can take some tens of milliseconds to answer.
+    /// Returns the store for reading. It can take some tens of milliseconds to answer while somebody writes.
     const store::SurveyStore& store() const { return m_store; }
 
-    /// As it was read last.
+    /// Returns the state that was read last.
     const SurveyState& state() const { return m_state; }
 
-    /// Calls change(store::SurveyStore&) with a store that may write, and tells what changed. Errors: those
-    /// of the change; Busy if another program, or a task of this one, writes.
+    /// Calls change(store::SurveyStore&) with a store that can write, then reads the state and emits
+    /// changed(). Errors: those of the change; Busy while another program or a task writes.
     template <class Apply>
     void write(Changes what, Apply&& change) {
         {
@@ -56,12 +97,12 @@ class SurveySession : public QObject {
         noteChanged(what);
     }
 
-    /// To be called after somebody else wrote, a task or another program: reads, and tells what changed.
+    /// Reads the state and emits changed(). Call it after a task or another program has written.
     void noteChanged(Changes what);
-    /// The same while somebody writes on: reads in the background, and tells later.
+    /// Does the same in the background, for a survey that a task is still writing.
     void noteChangedSoon(Changes what);
 
-    /// Of edits that are not, or not only, in the store.
+    /// The undo stack of the survey, for decisions on photos and moves of photos.
     QUndoStack* undoStack() { return &m_undoStack; }
 
     StationSelection* selection() { return &m_selection; }
@@ -83,12 +124,44 @@ class SurveySession : public QObject {
     bool m_isReadOnly;
     QUndoStack m_undoStack;
     StationSelection m_selection;
-    Changes m_soon;            ///< to be told once the background has read
-    int m_posted = 0;          ///< how often the background was asked to
-    int m_overtaken = 0;       ///< so many of those readings are older than the state
-    BackgroundWorker m_worker; ///< last: what it delivers uses the rest
+    Changes m_soon;            ///< Changes that are told once the background has read.
+    int m_posted = 0;          ///< Number of readings that the background was asked for.
+    int m_overtaken = 0;       ///< Number of readings that are older than the state.
+    BackgroundWorker m_worker; ///< The last member, as its results use the others.
 };
 
 Q_DECLARE_OPERATORS_FOR_FLAGS(SurveySession::Changes)
+
+/// Base of the presenters of pages. It calls read() when the survey has changed. While its page is hidden, it
+/// waits until the page is shown again, which keeps a window with many pages fast.
+class SurveyPresenter : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+
+    /// Null: no survey is open.
+    virtual void setSession(SurveySession* session);
+
+    SurveySession* session() const { return m_session; }
+
+    /// Tells whether the page is visible. A new presenter takes its page as visible.
+    void setShown(bool isShown);
+
+  signals:
+    /// Carries a sentence for the status line.
+    void message(const QString& sentence);
+
+  protected:
+    /// Reads the survey anew. It is called for another session, for no session, and for a changed survey.
+    virtual void read() = 0;
+
+  private:
+    void refresh();
+
+    QPointer<SurveySession> m_session;
+    bool m_isShown = true;
+    bool m_isStale = false;
+};
 
 } // namespace spherewalk::ui

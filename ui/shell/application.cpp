@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/application.h"
 
+#include "ui/frame/settings.h"
 #include "ui/look/icon.h"
 #include "ui/look/theme.h"
-#include "ui/shell/settings.h"
 
 #include "spherewalk/base/error.h"
 

@@ -6,8 +6,8 @@
 
 namespace spherewalk::ui {
 
-/// The program: its name, language and looks. An error that reaches the event loop becomes a sentence, not
-/// the end of the program.
+/// The Qt application with the name, language and theme of the program. An error that reaches the event loop
+/// becomes problem() and does not end the program.
 class Application : public QApplication {
     Q_OBJECT
 
@@ -17,6 +17,7 @@ class Application : public QApplication {
     bool notify(QObject* receiver, QEvent* event) override;
 
   signals:
+    /// An error has reached the event loop; the sentence says what failed.
     void problem(const QString& sentence);
 
   private:
@@ -26,7 +27,7 @@ class Application : public QApplication {
     QTranslator m_qt;
 };
 
-/// Loads the program's words in this language; English, with its plurals, where there is no better.
+/// Loads the words of the program in this language, or in English. Returns whether it found words.
 bool loadWords(QTranslator& translator, const QLocale& locale);
 
 } // namespace spherewalk::ui

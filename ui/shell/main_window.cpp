@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/main_window.h"
 
+#include "ui/align/align_mode.h"
 #include "ui/capture/capture_mode.h"
+#include "ui/export/export_mode.h"
+#include "ui/frame/mode.h"
+#include "ui/frame/settings.h"
 #include "ui/look/icon.h"
-#include "ui/plan/new_survey_form.h"
+#include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
-#include "ui/plan/survey_plan_view.h"
-#include "ui/shell/mode.h"
-#include "ui/shell/modes.h"
-#include "ui/shell/settings.h"
+#include "ui/plan/plan_storage.h"
+#include "ui/preview/preview_mode.h"
+#include "ui/review/review_mode.h"
 #include "ui/shell/start_page.h"
+#include "ui/tasks/task.h"
 #include "ui/tasks/task_panel.h"
 
 #include "spherewalk/base/error.h"
@@ -33,6 +37,13 @@
 #include <algorithm>
 
 namespace spherewalk::ui {
+
+QList<Mode*> makeModes(TaskList& tasks, QWidget* parent) {
+    return {
+        new PlanMode(tasks, parent),  new CaptureMode(tasks, parent), new ReviewMode(tasks, parent),
+        new AlignMode(tasks, parent), new PreviewMode(tasks, parent), new ExportMode(tasks, parent),
+    };
+}
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -199,7 +210,7 @@ Wanted* MainWindow::findMode() const {
     return nullptr;
 }
 
-/// What Ctrl+Z means now: the mode's own stack, else the survey's.
+/// Lets Ctrl+Z act on the page's own stack, or else on the survey's.
 void MainWindow::chooseUndo(Mode* mode) {
     QUndoStack* own = mode != nullptr ? mode->undoStack() : nullptr;
     QUndoStack* stack = own != nullptr ? own : m_session ? m_session->undoStack() : nullptr;
@@ -326,7 +337,7 @@ void MainWindow::runPractice() {
     }
     if (openSurvey(folder)) {
         showMode(capture);
-        capture->runPractice();
+        capture->desk().runPractice();
     }
 }
 

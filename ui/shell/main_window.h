@@ -3,7 +3,7 @@
 
 #include "ui/look/theme.h"
 #include "ui/session/survey_session.h"
-#include "ui/tasks/task_list.h"
+#include "ui/tasks/task.h"
 
 #include <QList>
 #include <QMainWindow>
@@ -17,15 +17,19 @@ class QStackedWidget;
 class QToolBar;
 class QToolButton;
 class QUndoGroup;
+class QWidget;
 
 namespace spherewalk::ui {
 
 class Mode;
 class StartPage;
 class SurveyPlanView;
+class TaskList;
 
-/// The program's window: the modes in a bar at the left, the plan of the open survey always in sight, and the
-/// tasks that run.
+/// Makes the pages of the window, in the order of the work. Owner: the parent.
+QList<Mode*> makeModes(TaskList& tasks, QWidget* parent);
+
+/// The window of the program: pages with a bar at the left, the plan of the open survey, and the tasks.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -33,12 +37,12 @@ class MainWindow : public QMainWindow {
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens the survey and shows its first mode; if it cannot be opened, says why in the status line and
-    /// keeps what is shown. Returns whether it was opened.
+    /// Opens the survey and shows its first page. Returns false if that fails: the status line says why, and
+    /// the window stays as it is.
     bool openSurvey(const QString& folder);
-    /// Stops the tasks, which lose nothing that is complete.
+    /// Stops the tasks and closes the survey. Completed work stays.
     void closeSurvey();
-    /// Makes a survey of the practice room where surveys are kept, and photographs it.
+    /// Makes a survey of the practice room in surveysPlace() and photographs it.
     void runPractice();
 
     SurveySession* session() const { return m_session.get(); }
@@ -47,7 +51,7 @@ class MainWindow : public QMainWindow {
 
     QList<Mode*> modes() const { return m_modes; }
 
-    /// The page in sight; null: the start page.
+    /// Returns the visible page; null: the start page.
     Mode* mode() const;
     /// Null: the start page.
     void showMode(Mode* mode);
@@ -88,7 +92,7 @@ class MainWindow : public QMainWindow {
     QDockWidget* m_tasksDock;
     QLabel* m_counts;
     QToolButton* m_tasksButton;
-    bool m_wantsPlan = true; ///< the user has not closed the plan beside the pages
+    bool m_wantsPlan = true; ///< Whether the user wants the plan beside the pages.
 };
 
 } // namespace spherewalk::ui

@@ -2,7 +2,7 @@
 #include "ui/shell/start_page.h"
 
 #include "ui/look/icon.h"
-#include "ui/look/primary_button.h"
+#include "ui/look/side_panel.h"
 
 #include <QDateTime>
 #include <QDir>

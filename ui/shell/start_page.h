@@ -8,15 +8,14 @@ class QListWidget;
 
 namespace spherewalk::ui {
 
-/// What the window shows while no survey is open: the practice room for those who come for the first time, a
-/// new survey, and the recent ones.
+/// The page of a window without a survey. It offers the practice room, a new survey and the recent surveys.
 class StartPage : public QWidget {
     Q_OBJECT
 
   public:
     explicit StartPage(QWidget* parent = nullptr);
 
-    /// Folders, the latest first.
+    /// Lists these folders, the latest first.
     void setRecent(const QStringList& folders);
 
   signals:

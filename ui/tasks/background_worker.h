@@ -12,25 +12,25 @@
 
 namespace spherewalk::ui {
 
-/// A thread for short work that nobody waits for: pictures that are decoded while the user looks on. What was
-/// asked for last is done first. Longer jobs, which people want to see and stop, are tasks. Threads: posted
-/// to and delivered on the GUI thread.
+/// A thread for short work without progress and stop, such as decoding pictures. The latest work is done
+/// first. Longer jobs are tasks, which people see and can stop. Threads: post() and results are on the GUI
+/// thread.
 class BackgroundWorker : public QObject {
     Q_OBJECT
 
   public:
-    /// Called on the GUI thread with what the work has made; not called once the worker has been destroyed.
+    /// Hands over the result on the GUI thread. It is not called after the worker is destroyed.
     using Deliver = std::function<void()>;
-    /// Called on the worker's thread. Errors: none may leave it.
+    /// Runs on the worker's thread and returns the delivery. Errors: it must throw none.
     using Work = std::function<Deliver()>;
 
     explicit BackgroundWorker(QObject* parent = nullptr);
-    /// Drops what is waiting, and waits for what is being done.
+    /// Drops waiting work and waits for the end of the current work.
     ~BackgroundWorker() override;
 
-    /// What waits under the same key is replaced.
+    /// Adds work; it replaces waiting work of the same key.
     void post(const QString& key, Work work);
-    /// Does next what waits under this key; nothing if it does not wait.
+    /// Puts the waiting work of this key first. Without such work, nothing happens.
     void hurry(const QString& key);
     void dropWaiting();
 
@@ -44,8 +44,8 @@ class BackgroundWorker : public QObject {
 
     std::mutex m_mutex;
     std::condition_variable_any m_posted;
-    std::deque<Item> m_waiting; ///< the latest at the front
-    std::jthread m_thread;      ///< last: it ends before what it uses
+    std::deque<Item> m_waiting; ///< The latest work is at the front.
+    std::jthread m_thread;      ///< The last member, as it uses the others until it ends.
 };
 
 } // namespace spherewalk::ui

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace spherewalk::ui {
@@ -13,7 +14,7 @@ constexpr std::chrono::milliseconds kLookInterval{50};
 
 } // namespace
 
-/// How the job's thread ended.
+/// The end of the job's thread: state, sentence and delivery.
 struct Task::Ending {
     State state = State::Failed;
     QString sentence;
@@ -24,7 +25,7 @@ struct Task::Shared : ProgressSink {
     std::mutex mutex;
     double fraction = 0;
     QString step;
-    QStringList warnings; ///< not yet seen by the window
+    QStringList warnings; ///< Warnings that the window has not seen yet.
     std::optional<Ending> ending;
 
     void progress(double done, std::string_view activity) override {
@@ -135,6 +136,52 @@ void Task::finish() {
     }
     emit progressed();
     emit ended();
+}
+
+TaskList::TaskList(QObject* parent) : QObject(parent) {
+}
+
+TaskList::~TaskList() {
+    stopAll();
+}
+
+bool TaskList::hasRunning() const {
+    return std::any_of(m_tasks.begin(), m_tasks.end(), [](const Task* task) { return task->isRunning(); });
+}
+
+void TaskList::stopAll() {
+    const QList<Task*> tasks = m_tasks; // some are forgotten as they end
+    for (Task* task : tasks) {          // all at once, then wait for each
+        task->stop();
+    }
+    for (Task* task : tasks) {
+        task->stopAndWait();
+    }
+}
+
+Task* TaskList::begin(const QString& title, Task::Work work) {
+    auto* task = new Task(title, std::move(work), this);
+    m_tasks << task;
+    connect(task, &Task::ended, this, [this, task] {
+        emit ended(task);
+        forgetOld();
+    });
+    emit started(task);
+    return task;
+}
+
+void TaskList::forgetOld() {
+    auto endedCount =
+        std::count_if(m_tasks.begin(), m_tasks.end(), [](const Task* task) { return !task->isRunning(); });
+    for (auto task = m_tasks.begin(); task != m_tasks.end() && endedCount > kMostEnded;) {
+        if ((*task)->isRunning()) {
+            ++task;
+            continue;
+        }
+        (*task)->deleteLater();
+        task = m_tasks.erase(task);
+        --endedCount;
+    }
 }
 
 } // namespace spherewalk::ui

@@ -5,6 +5,8 @@
 #include "ui/align/align_presenter.h"
 #include "ui/review/coverage_view.h"
 
+#include "spherewalk/base/json.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -25,7 +27,7 @@ void addFlaggedSolution(store::SurveyStore& store) {
     for (std::size_t i = 0; i < 3; ++i) {
         jobs::AlignedPhoto photo;
         photo.photo = store.chosenPhoto(stations[i].id)->id;
-        photo.status = i == 2 ? "failed" : "doubtful";
+        photo.quality = i == 2 ? survey::Quality::Failed : survey::Quality::Doubtful;
         photo.cure = i == 2 ? jobs::Cure::Retake : jobs::Cure::Retag;
         photo.fits = i == 2 ? "" : stations[1 - i].name;
         photo.flags = {i == 2 ? "It is too dark." : "It was taken elsewhere."};
@@ -36,7 +38,7 @@ void addFlaggedSolution(store::SurveyStore& store) {
             solved.photo = photo.photo;
             solved.positionM = stations[1 - i].station.positionM;
             solved.sigmaYawRad = 0.001 * static_cast<double>(i + 1);
-            solved.status = photo.status;
+            solved.quality = photo.quality;
             solution.photos.push_back(solved);
         }
     }
@@ -175,7 +177,7 @@ TEST_F(AlignModeTest, ListsOnlyPhotosWithAFlag) {
         for (std::size_t i = 0; i < 4; ++i) {
             store::SolvedPhoto solved;
             solved.photo = photoAt(i);
-            solved.status = i == 1 ? "doubtful" : "good";
+            solved.quality = i == 1 ? survey::Quality::Doubtful : survey::Quality::Good;
             solution.photos.push_back(solved);
         }
         store.addSolution(solution, true);

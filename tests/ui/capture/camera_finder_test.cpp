@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
-#include "ui/capture/camera_finder.h"
-#include "ui/capture/practice_host.h"
+#include "ui/capture/cameras.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

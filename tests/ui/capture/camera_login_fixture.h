@@ -2,7 +2,7 @@
 #pragma once
 
 #include "capture_fixture.h"
-#include "ui/capture/login_form.h"
+#include "ui/capture/camera_login.h"
 
 #include "spherewalk/practice/practice_camera.h"
 

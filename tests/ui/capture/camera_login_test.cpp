@@ -20,7 +20,7 @@ TEST_F(CameraLoginTest, APersonIsAskedAndTheSurveyIsCaptured) {
     waitFor(State::AtStation);
     desk().trigger();
     waitUntil([&] { return !played.empty(); });
-    EXPECT_EQ(played.front(), Verdict::Good) << desk().sentence().toStdString();
+    EXPECT_EQ(played.front(), survey::Quality::Good) << desk().sentence().toStdString();
     EXPECT_EQ(form(), nullptr);
 }
 

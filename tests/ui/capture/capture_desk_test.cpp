@@ -32,7 +32,7 @@ TEST_F(CaptureDeskTest, SaysHowTheCameraIs) {
 TEST_F(CaptureDeskTest, SaysWhyAnAddressIsNone) {
     desk().connectTo("https://camera");
     EXPECT_EQ(desk().state(), State::NoCamera);
-    EXPECT_EQ(desk().verdict(), Verdict::Failed);
+    EXPECT_EQ(desk().verdict(), survey::Quality::Failed);
     EXPECT_FALSE(desk().sentence().isEmpty());
 }
 
@@ -46,7 +46,7 @@ TEST_F(CaptureDeskTest, WaitsForTheKeyAtEachStation) {
     waitUntil(
         [&] { return desk().state() == State::AtStation && desk().stationsLeft() == desk().stations() - 1; });
     EXPECT_EQ(desk().practice()->camera().stats().exposures, 1);
-    EXPECT_EQ(played, std::vector<Verdict>{Verdict::Good});
+    EXPECT_EQ(played, std::vector<survey::Quality>{survey::Quality::Good});
 }
 
 TEST_F(CaptureDeskTest, ResumesAtTheExactStation) {
@@ -72,7 +72,7 @@ TEST_F(CaptureDeskTest, TriesAgainWhenNoPictureWasTaken) {
         {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
     desk().trigger();
     waitFor(State::AskAgain);
-    EXPECT_EQ(desk().verdict(), Verdict::Failed);
+    EXPECT_EQ(desk().verdict(), survey::Quality::Failed);
     EXPECT_FALSE(desk().sentence().isEmpty());
     desk().practice()->camera().arm({practice::FaultKind::ServiceUnavailable, "/nothing", 0, 1, 0});
 }
@@ -99,12 +99,12 @@ TEST_F(CaptureDeskTest, APhotoThatCannotBeHadIsTakenAgainInTheNextRun) {
     desk().practice()->camera().arm({practice::FaultKind::SmallPhoto, "camera.takePicture", 0, 1, 0});
     desk().trigger();
     waitUntil([&] { return desk().state() == State::Ready && !played.empty(); });
-    EXPECT_EQ(played.front(), Verdict::Doubtful); // it may be had later
+    EXPECT_EQ(played.front(), survey::Quality::Doubtful); // it may be had later
     ASSERT_EQ(desk().stationsLeft(), 1);
     const auto photos = session->store().counts().photos;
     desk().trigger();
     waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
-    EXPECT_EQ(played.back(), Verdict::Good) << desk().sentence().toStdString();
+    EXPECT_EQ(played.back(), survey::Quality::Good) << desk().sentence().toStdString();
     EXPECT_EQ(session->store().counts().photos, photos + 1);
 }
 
@@ -124,7 +124,7 @@ TEST_F(CaptureDeskTest, OffersAPhotoThatTheChecksFailedToBeTakenAgain) {
     const std::int64_t station = desk().next()->id;
     desk().trigger();
     waitUntil([&] { return !played.empty(); });
-    EXPECT_EQ(played.front(), Verdict::Failed);
+    EXPECT_EQ(played.front(), survey::Quality::Failed);
     EXPECT_TRUE(desk().sentence().contains("dark")) << desk().sentence().toStdString();
     EXPECT_TRUE(desk().isAgain(station));
     desk().stop();

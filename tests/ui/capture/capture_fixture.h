@@ -24,14 +24,14 @@ inline PracticeSettings fastPractice() {
 /// Remembers what was played.
 class SilentSounds : public Sounds {
   public:
-    explicit SilentSounds(std::vector<Verdict>& played) : m_played(played) {}
+    explicit SilentSounds(std::vector<survey::Quality>& played) : m_played(played) {}
 
-    void play(Verdict verdict) override { m_played.push_back(verdict); }
+    void play(survey::Quality quality) override { m_played.push_back(quality); }
 
     void tick() override {}
 
   private:
-    std::vector<Verdict>& m_played;
+    std::vector<survey::Quality>& m_played;
 };
 
 /// The capture page over a survey of the practice room with few stations.
@@ -81,7 +81,7 @@ class CaptureFixture : public testing::Test {
     std::filesystem::path path = folder / "room.spherewalk";
     TaskList tasks;
     std::unique_ptr<SurveySession> session;
-    std::vector<Verdict> played;
+    std::vector<survey::Quality> played;
     CaptureMode mode;
 };
 

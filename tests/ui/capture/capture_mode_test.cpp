@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture_fixture.h"
-#include "ui/capture/big_text.h"
+#include "ui/capture/operator_signals.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -2,10 +2,10 @@
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "ui/export/export_mode.h"
-#include "ui/export/measure_presenter.h"
-#include "ui/preview/camera_box.h"
+#include "ui/export/measure_panel.h"
+#include "ui/fields/camera_box.h"
+#include "ui/frame/settings.h"
 #include "ui/session/survey_session.h"
-#include "ui/shell/settings.h"
 
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/render/camera_info.h"

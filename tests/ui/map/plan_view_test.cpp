@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
-#include "ui/plan/plan_view.h"
-#include "ui/plan/station_words.h"
+#include "ui/map/plan_view.h"
+#include "ui/map/station_words.h"
 
 #include <QApplication>
 #include <QHelpEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photographed_survey.h"
 #include "qt_application.h"
-#include "ui/panorama/thumbnail_cache.h"
+#include "ui/panorama/photo_pictures.h"
 
 #include <QSignalSpy>
 #include <QTest>

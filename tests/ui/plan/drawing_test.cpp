@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plan/floor_picture.h"
 #include "ui/plan/outline_pen.h"
-#include "ui/plan/snapping.h"
 
 #include <gtest/gtest.h>
 
@@ -75,14 +73,6 @@ TEST(OutlinePen, DoesNotCloseWithFewerThanThreeCorners) {
     pen.press();
     EXPECT_FALSE(pen.close());
     EXPECT_TRUE(pen.isDrawing());
-}
-
-TEST(FloorPicture, ScalesAroundTheFirstPointOfTheLine) {
-    FloorPicture picture;
-    picture.place(0.01, {1, 1});
-    picture.setLength(QLineF(3, 1, 5, 1), 4);
-    EXPECT_DOUBLE_EQ(picture.metresPerPixel(), 0.02);
-    EXPECT_EQ(picture.extent().topLeft(), QPointF(-1, 1)); // twice as far from the line's beginning
 }
 
 } // namespace spherewalk::ui

@@ -2,10 +2,11 @@
 #include "made_survey.h"
 #include "photographed_survey.h"
 #include "qt_application.h"
-#include "ui/plan/grid_study_model.h"
+#include "ui/fields/camera_box.h"
+#include "ui/plan/grid_study.h"
 #include "ui/plan/plan_mode.h"
-#include "ui/preview/camera_box.h"
 
+#include "spherewalk/base/bytes.h"
 #include "spherewalk/render/camera_info.h"
 
 #include <QCheckBox>

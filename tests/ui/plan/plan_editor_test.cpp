@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
-#include "ui/plan/corner_model.h"
 #include "ui/plan/plan_editor.h"
+#include "ui/plan/plan_panel.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "made_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
-#include "ui/plan/new_survey_form.h"
 #include "ui/plan/plan_mode.h"
+#include "ui/plan/plan_storage.h"
 
 #include "spherewalk/base/file.h"
 
@@ -123,7 +123,7 @@ TEST_F(PlanModeTest, APlanWithPhotosIsLocked) {
     const auto session = SurveySession::open(QString::fromStdString(path.string()));
     mode.setSession(session.get());
     session->write(SurveySession::Photos, [](store::SurveyStore& store) {
-        store.beginShot(store.stations().front().id, "serial", "", 0);
+        store.beginShot(store.stations().front().id, "serial", {"", 0});
     });
     EXPECT_EQ(mode.storage().state(), PlanStorage::State::Locked);
     EXPECT_FALSE(mode.findChild<QDoubleSpinBox*>("step")->isEnabled());

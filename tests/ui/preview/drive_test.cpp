@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random.h"
-#include "ui/preview/drive.h"
+#include "ui/preview/robot.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +53,18 @@ TEST(Drive, CarriesTheCameraAtItsHeightLookingDown) {
     EXPECT_LT((ahead - Eigen::Vector3d(0, std::cos(std::numbers::pi / 6), -0.5)).norm(), 1e-12);
     const Eigen::Vector3d right = pose.rotation * Eigen::Vector3d::UnitX();
     EXPECT_LT((right - Eigen::Vector3d(1, 0, 0)).norm(), 1e-12);
+}
+
+TEST(CameraMount, ALevelCameraLooksAlongTheHeading) {
+    const Rigid3 pose = roomFromOptical({{1, 2}, Degrees(90)}, {1.5, Radians(0)});
+    EXPECT_LT((pose.translation - Eigen::Vector3d(1, 2, 1.5)).norm(), 1e-12);
+    EXPECT_LT((pose.rotation * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitY()).norm(), 1e-12);
+    EXPECT_LT((pose.rotation * Eigen::Vector3d::UnitY() + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+TEST(CameraMount, ATiltedCameraLooksBelowTheHorizon) {
+    const Rigid3 pose = roomFromOptical({{0, 0}, Radians(0)}, {1, Degrees(30)});
+    EXPECT_NEAR((pose.rotation * Eigen::Vector3d::UnitZ()).z(), -0.5, 1e-12);
 }
 
 } // namespace spherewalk::ui

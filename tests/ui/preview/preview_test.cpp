@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photographed_survey.h"
 #include "qt_application.h"
-#include "ui/plan/plan_view.h"
-#include "ui/preview/camera_box.h"
+#include "ui/fields/camera_box.h"
+#include "ui/map/plan_view.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
@@ -73,12 +73,6 @@ class PreviewTest : public testing::Test {
 
 } // namespace
 
-TEST(CameraPresets, AreCamerasThatCanBe) {
-    for (const CameraPreset& preset : cameraPresets()) {
-        EXPECT_NO_THROW(preset.intrinsics.validate()) << preset.name.toStdString();
-    }
-}
-
 TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
     preview();
     const MadeView& view = presenter().views().front();
@@ -90,6 +84,21 @@ TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
     // Ahead is the room's x axis, where the world is red.
     const QColor ahead = view.picture.pixelColor(320, 240);
     EXPECT_GT(ahead.red(), ahead.blue() + 30);
+}
+
+TEST_F(PreviewTest, DrawsTheRobotOnThePlanWhereItStands) {
+    auto& map = widget<PlanView>("map");
+    preview();
+    const QPoint at = map.widgetFromRoom().map(QPointF(1, 1)).toPoint();
+    presenter().setRobot({{3, 2}, Radians(0)});
+    const QImage away = map.grab().toImage();
+    presenter().setRobot({{1, 1}, Radians(0)});
+    EXPECT_NE(map.grab().toImage().pixel(at), away.pixel(at));
+}
+
+TEST_F(PreviewTest, ThePlanIsEmptyWithoutADataset) {
+    EXPECT_TRUE(widget<PlanView>("map").stations().empty());
+    EXPECT_TRUE(widget<PlanView>("map").room().outline.empty());
 }
 
 TEST_F(PreviewTest, OpensADatasetThatWasExportedBefore) {

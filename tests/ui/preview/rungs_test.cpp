@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "practice_dataset.h"
+#include "parts/practice_dataset.h"
 #include "qt_application.h"
+#include "ui/fields/scene_fields.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
-#include "ui/preview/rung_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>

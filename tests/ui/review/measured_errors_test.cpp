@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photographed_survey.h"
 #include "qt_application.h"
+#include "ui/frame/settings.h"
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_mode.h"
 #include "ui/review/review_presenter.h"
-#include "ui/shell/settings.h"
 
 #include "spherewalk/jobs/measure_page.h"
+#include "spherewalk/jobs/measure_report.h"
+#include "spherewalk/render/dataset_format.h"
 
 #include <QComboBox>
 #include <QLabel>

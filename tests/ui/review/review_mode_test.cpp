@@ -7,6 +7,8 @@
 #include "ui/review/review_mode.h"
 #include "ui/review/review_model.h"
 
+#include "spherewalk/base/json.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -127,7 +129,7 @@ TEST_F(ReviewModeTest, ShowsResidualsAsHeat) {
     for (const store::PhotoRecord& record : session->store().chosenPhotos()) {
         jobs::AlignedPhoto photo;
         photo.photo = record.id;
-        photo.status = "good";
+        photo.quality = survey::Quality::Good;
         photo.pose.isSolved = true;
         photo.pose.residualRad = 0.01 * static_cast<double>(report.photos.size() + 1);
         report.photos.push_back(photo);

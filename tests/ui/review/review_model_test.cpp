@@ -52,7 +52,7 @@ TEST_F(ReviewModelTest, PutsWhatPeopleDecideBeforeWhatTheChecksSay) {
 
 TEST_F(ReviewModelTest, ShowsWhatTheChecksOfThePictureSay) {
     const auto photo = store.chosenPhoto(store.stations().at(0).id);
-    store.setVerdict({photo->id, store::CheckResult::Failed,
+    store.setVerdict({photo->id, survey::Quality::Failed,
                       R"([{"flaw":"blur","quality":"failed","sentence":"It is blurred."}])"});
     model.setRows(reviewRows(store, jobs::activeFindings(store)));
     EXPECT_EQ(model.rows().at(0).standing, Standing::Failed);

@@ -3,10 +3,10 @@
 #include "qt_application.h"
 #include "temporary_folder.h"
 #include "ui/capture/capture_mode.h"
+#include "ui/frame/settings.h"
+#include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
-#include "ui/plan/survey_plan_view.h"
 #include "ui/shell/main_window.h"
-#include "ui/shell/settings.h"
 
 #include <QAction>
 #include <QLabel>

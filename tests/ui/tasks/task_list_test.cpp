@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
-#include "ui/tasks/task_list.h"
+#include "ui/tasks/task.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "made_survey.h"
+#include "qt_application.h"
+#include "temporary_folder.h"
+#include "ui/plan/plan_storage.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <gtest/gtest.h>
+
+namespace spherewalk::ui {
+
+namespace {
+
+using State = PlanStorage::State;
+
+/// An editor whose plan is stored in a survey.
+class PlanStorageTest : public testing::Test {
+  protected:
+    ~PlanStorageTest() override { storage.setSession(nullptr); }
+
+    void openSurvey() {
+        session = SurveySession::open(QString::fromStdString(test::makeSurvey(path).string()));
+        storage.setSession(session.get());
+    }
+
+    test::TemporaryFolder folder;
+    std::filesystem::path path = folder / "room.spherewalk";
+    std::unique_ptr<SurveySession> session;
+    PlanEditor editor;
+    PlanStorage storage{editor};
+};
+
+} // namespace
+
+TEST_F(PlanStorageTest, TakesThePlanOfTheSurveyWithoutAnEdit) {
+    openSurvey();
+    EXPECT_EQ(editor.draft().room.outline, session->state().room.outline);
+    EXPECT_EQ(storage.state(), State::Stored);
+    EXPECT_FALSE(editor.undoStack()->canUndo());
+}
+
+TEST_F(PlanStorageTest, FlushStoresAtOnce) {
+    openSurvey();
+    editor.change("edit", [](PlanDraft& draft) { draft.options.stepM = 1; });
+    EXPECT_EQ(storage.state(), State::Edited);
+    storage.flush();
+    EXPECT_EQ(storage.state(), State::Stored);
+    EXPECT_EQ(session->store().planOptions().stepM, 1);
+}
+
+TEST_F(PlanStorageTest, APlanWithAProblemIsNotStored) {
+    openSurvey();
+    QSignalSpy problems(&storage, &PlanStorage::problem);
+    editor.setOutline({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+    storage.flush();
+    ASSERT_EQ(problems.size(), 1);
+    EXPECT_TRUE(problems[0][0].toString().startsWith("The plan is not stored: "));
+    EXPECT_EQ(session->store().room().outline.size(), 4U);
+    EXPECT_EQ(session->store().room().outline[1], Eigen::Vector2d(4, 0));
+}
+
+TEST_F(PlanStorageTest, SaysThatAnotherProgramWrites) {
+    openSurvey();
+    const auto other = store::SurveyStore::open(path, store::Access::Write);
+    QSignalSpy problems(&storage, &PlanStorage::problem);
+    editor.change("edit", [](PlanDraft& draft) { draft.options.stepM = 1; });
+    storage.flush();
+    EXPECT_EQ(problems.size(), 1);
+}
+
+TEST_F(PlanStorageTest, FollowsAPlanThatAnotherProgramHasChanged) {
+    openSurvey();
+    {
+        auto other = store::SurveyStore::open(path, store::Access::Write);
+        survey::PlanOptions options = other.planOptions();
+        options.stepM = 0.8;
+        other.replacePlan(other.room(), options, survey::plan(other.room(), options));
+    }
+    session->noteChanged(SurveySession::Plan);
+    EXPECT_EQ(editor.draft().options.stepM, 0.8);
+    EXPECT_EQ(storage.state(), State::Stored);
+}
+
+TEST_F(PlanStorageTest, ANewSurveyNeedsAPlan) {
+    storage.beginNew();
+    editor.setOutline({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+    test::expectError(ErrorKind::InvalidInput, "",
+                      [&] { storage.create(QString::fromStdString(path.string())); });
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(NewSurveyForm, ProposesANameThatIsFree) {
+    const test::TemporaryFolder folder;
+    QSettings().setValue("surveysPlace", QString::fromStdString(folder.path().string()));
+    NewSurveyForm form;
+    form.propose();
+    const QString first = form.folder();
+    std::filesystem::create_directories(first.toStdString());
+    form.propose();
+    EXPECT_NE(form.folder(), first);
+    QSettings().remove("surveysPlace");
+}
+
+TEST(NewSurveyForm, MakesNoSurveyWithoutAPlanOrANameForAFolder) {
+    NewSurveyForm form;
+    form.propose();
+    auto* create = form.findChild<QPushButton*>("createSurvey");
+    EXPECT_FALSE(create->isEnabled());
+    form.setPossible(true);
+    EXPECT_TRUE(create->isEnabled());
+    for (const char* name : {"", "  ", "a/b"}) {
+        form.findChild<QLineEdit*>("surveyName")->setText(name);
+        EXPECT_FALSE(create->isEnabled()) << name;
+    }
+}
+
+} // namespace spherewalk::ui

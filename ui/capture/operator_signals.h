@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/map/plan_view.h"
+
+#include "spherewalk/survey/shot.h"
+
+#include <QWidget>
+
+namespace spherewalk::ui {
+
+class CaptureDesk;
+
+/// The plan of the survey with the next station as a large target, and with letters at the corners of the
+/// room, which tape distances name.
+class CapturePlanView : public SurveyPlanView {
+    Q_OBJECT
+
+  public:
+    explicit CapturePlanView(const CaptureDesk& desk, QWidget* parent = nullptr);
+
+  protected:
+    std::vector<StationMark> marks(const SurveyState& survey) const override;
+    void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
+
+  private:
+    void paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const;
+
+    const CaptureDesk& m_desk;
+};
+
+/// A line of text that fills its widget, so that it can be read from three metres.
+class BigText : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit BigText(QWidget* parent = nullptr);
+
+    const QString& text() const { return m_text; }
+
+    void setText(const QString& text);
+
+    QSize sizeHint() const override { return {420, 110}; }
+
+    QSize minimumSizeHint() const override { return {160, 56}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QString m_text;
+};
+
+/// Tells the result of a shot by sound, as the operator looks at the cart and not at the screen.
+class Sounds {
+  public:
+    virtual ~Sounds() = default;
+
+    virtual void play(survey::Quality quality) = 0;
+    /// Sounds once for each second of the countdown.
+    virtual void tick() = 0;
+};
+
+/// Rings the desktop's bell once for a good photo, twice for a doubtful one, three times for a failed one.
+class BellSounds : public Sounds {
+  public:
+    void play(survey::Quality quality) override;
+    void tick() override;
+};
+
+} // namespace spherewalk::ui

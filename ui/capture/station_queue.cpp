@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/capture/station_queue.h"
+
+#include "ui/map/station_words.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace spherewalk::ui {
+
+void StationQueue::begin(const SurveyState* survey) {
+    m_again.clear();
+    m_last.reset();
+    m_next.reset();
+    markRails(survey);
+    read(survey);
+}
+
+void StationQueue::markRails(const SurveyState* survey) {
+    m_rails =
+        survey != nullptr ? survey::railMarks(survey->room, survey->plan) : std::vector<survey::RailMark>();
+}
+
+void StationQueue::read(const SurveyState* survey) {
+    m_stations.clear();
+    if (survey == nullptr) {
+        return;
+    }
+    std::copy_if(survey->stations.begin(), survey->stations.end(), std::back_inserter(m_stations),
+                 [&](const store::StationRecord& station) {
+                     return m_again.contains(station.id) || survey->missing.contains(station.id);
+                 });
+}
+
+QString StationQueue::wayWords() const {
+    if (!m_next) {
+        return {};
+    }
+    const survey::Station& station = m_next->station;
+    const bool isOnRail = m_last && m_last->station.placement == station.placement && station.placement >= 0;
+    if (isOnRail || station.placement < 0) {
+        return positionWords(station);
+    }
+    return railWords(m_rails[static_cast<std::size_t>(station.placement)]);
+}
+
+std::vector<store::StationRecord> StationQueue::again() const {
+    std::vector<store::StationRecord> result;
+    std::copy_if(m_stations.begin(), m_stations.end(), std::back_inserter(result),
+                 [this](const store::StationRecord& station) { return m_again.contains(station.id); });
+    return result;
+}
+
+void StationQueue::setAgain(std::int64_t station, bool isAgain) {
+    if (isAgain) {
+        m_again.insert(station);
+    } else {
+        m_again.erase(station);
+    }
+}
+
+std::chrono::duration<double> StationQueue::timeLeft(const survey::PlanOptions& plan) const {
+    std::set<int> rails;
+    for (const store::StationRecord& station : m_stations) {
+        rails.insert(station.station.placement);
+    }
+    return m_pace.left(size(), static_cast<int>(rails.size()), plan);
+}
+
+} // namespace spherewalk::ui

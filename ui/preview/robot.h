@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/polygon.h"
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/render/view_stream.h"
+
+#include <QImage>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spherewalk::ui {
+
+/// Place and heading of a robot. Frames: room.
+struct RobotPlace {
+    Eigen::Vector2d pInRoom = Eigen::Vector2d::Zero();
+    Radians yaw;
+};
+
+/// Height and tilt of the camera on the robot.
+struct CameraMount {
+    double heightM = 1.2;
+    Radians down; ///< Angle below the horizon.
+};
+
+/// Returns the pose of the camera's optical frame in the room.
+Rigid3 roomFromOptical(const RobotPlace& robot, const CameraMount& mount);
+
+/// What the driver wants: shares of the greatest speeds, each in [-1, 1].
+struct DriveWish {
+    double forward = 0;
+    double left = 0;
+    double turnLeft = 0;
+
+    bool isNone() const { return forward == 0 && left == 0 && turnLeft == 0; }
+};
+
+/// Moves a robot as a driver wants and keeps it on the floor. It slides along walls.
+class Drive {
+  public:
+    static constexpr double kSpeedMps = 0.8;
+    static constexpr Degrees kTurnPerSecond{60};
+
+    Drive() = default;
+
+    /// An empty outline lets the robot go anywhere.
+    Drive(Polygon outline, std::vector<Polygon> obstacles);
+
+    /// Returns the place after this time.
+    RobotPlace after(const RobotPlace& robot, const DriveWish& wish, double seconds) const;
+    bool isFloor(const Eigen::Vector2d& point) const;
+
+  private:
+    Polygon m_outline;
+    std::vector<Polygon> m_obstacles;
+};
+
+/// How one of the compared views is made.
+struct ViewSide {
+    std::optional<render::SceneKind> scene; ///< Nothing: the scene model that the dataset chooses.
+    render::Sampling sampling = render::Sampling::Footprint;
+
+    bool operator==(const ViewSide&) const = default;
+};
+
+/// The views that are wanted next.
+struct ViewOrder {
+    Rigid3 roomFromCamera; ///< Pose of the optical frame.
+    double timeS = 0;
+    std::vector<ViewSide> sides; ///< One side, or two for a comparison.
+    std::optional<jobs::Ball> ball;
+};
+
+struct MadeView {
+    QImage picture;
+    render::ViewReport report;
+};
+
+/// Makes the views of a camera that moves through a dataset. Threads: any, one at a time.
+class ViewMaker {
+  public:
+    /// Errors: those of ViewStream.
+    ViewMaker(render::Renderer renderer, const CameraIntrinsics& camera);
+
+    /// Returns one view for each side. Before a photo is decoded the view is coarse, and its report says so.
+    /// Errors: those of ViewStream::next().
+    std::vector<MadeView> make(const ViewOrder& order);
+
+    const CameraModel& camera() const { return m_camera; }
+
+    const render::Renderer& renderer() const { return m_renderer; }
+
+  private:
+    render::ViewStream& stream(std::size_t side);
+
+    render::Renderer m_renderer;
+    CameraModel m_camera;
+    std::vector<std::unique_ptr<render::ViewStream>> m_streams; ///< One for each side.
+    render::View m_view;
+};
+
+} // namespace spherewalk::ui
