@@ -25,6 +25,13 @@ add_feature_info(tests SPHEREWALK_TESTS "GoogleTest suites, run by ctest")
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE RelWithDebInfo CACHE STRING "Build type" FORCE)
 endif()
+# What is slow says -O3 itself, in its module's CMakeLists.txt; the rest gains nothing by it but time to compile.
+if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")
+  set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "Flags of release builds" FORCE)
+endif()
+if(NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
 set_property(GLOBAL PROPERTY GLOBAL_DEPENDS_NO_CYCLES ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
@@ -38,6 +45,8 @@ set(spherewalk_warnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wo
 target_compile_options(spherewalk_flags INTERFACE
   $<BUILD_INTERFACE:-ffp-contract=off>
   $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:${spherewalk_warnings}>>
+  # A unity build includes sources, whose anonymous namespaces GCC then takes for those of a header.
+  $<BUILD_INTERFACE:$<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>>
   $<BUILD_INTERFACE:$<$<BOOL:${SPHEREWALK_WERROR}>:-Werror>>)
 if(SPHEREWALK_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

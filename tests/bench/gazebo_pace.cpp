@@ -5,8 +5,8 @@
 // colour camera, a depth camera and a segmentation camera come, as /pace/colour/image, /pace/depth/image,
 // /pace/labels/image, with an object on a tenth of the picture. Prints one row of a table: the rate, and the
 // milliseconds from publishing a pose to having the whole picture.
+#include "bridge.h"
 #include "messages.h"
-#include "program/camera_summary.h"
 
 #include "spherewalk/base/text.h"
 
@@ -94,7 +94,7 @@ class Stopwatch {
   private:
     std::mutex m_mutex;
     std::map<Stamp, Clock::time_point> m_sent;
-    spherewalk::program::Latencies m_latencies;
+    spherewalk::gazebo::Latencies m_latencies;
     int m_frames = 0;
 };
 

@@ -5,9 +5,9 @@
 #include "pictures.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
-#include "spherewalk/base/sha256.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/dataset/writer.h"
 #include "spherewalk/jpeg/jpeg.h"

@@ -6,6 +6,7 @@
 #include "random.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/store/survey_store.h"

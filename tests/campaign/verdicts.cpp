@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdicts.h"
 
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/practice/truth.h"
@@ -57,7 +58,7 @@ Findings examine(const std::filesystem::path& survey, const std::filesystem::pat
     }
     std::map<std::int64_t, Known> known;
     for (const auto& shots : {store.unclearShots(), store.openShots()}) {
-        for (const store::ShotRecord& shot : shots) {
+        for (const survey::Shot& shot : shots) {
             ++known[shot.station].told;
             ++findings.toldShots;
         }
@@ -91,7 +92,6 @@ Findings examine(const std::filesystem::path& survey, const std::filesystem::pat
         Known& here = known[station.id];
         for (const std::string_view words : kNoPhoto) {
             here.told += count(said, text(station.name, words));
-            here.told += count(said, text("An earlier photo of station ", station.id, words));
         }
         findings.exposures += exposures;
         if (here.photos == 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/base/json.h"
+#include "spherewalk/base/json_fwd.h"
 
 #include <filesystem>
 #include <string>

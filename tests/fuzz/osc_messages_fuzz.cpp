@@ -3,6 +3,7 @@
 // ranges that the header states.
 #include "spherewalk/base/bytes.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/camera/osc_error.h"
 #include "spherewalk/camera/osc_messages.h"
 

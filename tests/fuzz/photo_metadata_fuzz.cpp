@@ -2,7 +2,6 @@
 // Input: which part of a photo's header, and its bytes: the Exif block with the maker note, the XMP packet,
 // or the whole file. Whatever they say, they are read as far as they make sense, or refused.
 #include "spherewalk/base/error.h"
-#include "spherewalk/photo/levelling.h"
 #include "spherewalk/photo/metadata.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input: the length of the pieces, and the bytes of a live preview. However they are cut, the same pictures
 // come out, each from a start to an end marker, and none larger than allowed.
-#include "spherewalk/camera/preview_parser.h"
+#include "spherewalk/camera/live_preview.h"
 
 #include <algorithm>
 #include <cstdlib>

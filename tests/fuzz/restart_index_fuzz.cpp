@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Input: the size of an index file (two bytes, little-endian), the index file, and the JPEG it is said to be
 // of. Whatever they hold: an Error of the kinds that the headers name, or pixels.
-#include "spherewalk/base/byte_source.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/jpeg/region.h"
 #include "spherewalk/jpeg/restart.h"
 
