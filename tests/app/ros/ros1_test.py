@@ -95,6 +95,10 @@ class Ros1(unittest.TestCase):
         given = {"dataset": DATASET, "camera_info_url": "file://" + CAMERA, "pace": "every", **parameters}
         return self.start([NODE, *(f"_{name}:={value}" for name, value in given.items())])
 
+    def is_recorded(self, topic):
+        _, subscribers, _ = rosgraph.Master("/witness").getSystemState()
+        return any(node.startswith("/record_") for node in dict(subscribers).get(topic, []))
+
     def end(self, program):
         program.send_signal(signal.SIGINT)
         self.assertEqual(program.wait(PATIENCE_S), 0, self.log_of(program))
@@ -186,7 +190,9 @@ class Ros1(unittest.TestCase):
     def test_rosbag_and_rostopic_see_it(self):
         self.start_node(rate=30)
         bag = SCRATCH.name + "/recorded.bag"
-        record = self.start(["rosbag", "record", "-O", bag, "/camera/image_raw", "/camera/camera_info", "/tf"])
+        topics = ["/camera/image_raw", "/camera/camera_info", "/tf"]
+        record = self.start(["rosbag", "record", "-O", bag, *topics])
+        wait_for("the recorder", lambda: all(self.is_recorded(topic) for topic in topics))
         rate = self.start(["/usr/bin/env", "PYTHONUNBUFFERED=1", "rostopic", "hz", "/camera/image_raw"])
         self.listen()
         self.move_until("rostopic", lambda: "average rate" in self.log_of(rate))
