@@ -171,6 +171,8 @@ void CaptureDesk::connectingEnded(const Task* task) {
         failed(task->sentence());
         if (std::exchange(m_connectsAgain, false)) {
             connectTo(QString::fromStdString(m_endpoint.name()));
+        } else {
+            m_startsWhenReady = false; // whoever connects later has asked for no run
         }
     }
 }

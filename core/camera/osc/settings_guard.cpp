@@ -44,7 +44,8 @@ Json formatOf(const Json& present, std::optional<int> width) {
     const JsonReader offered = options.member("fileFormatSupport");
     const std::size_t count = offered.arraySize(kMaxFormats);
     for (std::size_t i = 0; i < count; ++i) {
-        const Json& format = offered.element(i).value();
+        const JsonReader element = offered.element(i);
+        const Json& format = element.value();
         const std::int64_t formatWidth = sphericalWidth(format);
         if (formatWidth > 0) {
             widths += text(widths.empty() ? "" : ", ", formatWidth);

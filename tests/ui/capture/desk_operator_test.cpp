@@ -112,4 +112,18 @@ TEST_F(PracticeRunTest, ALaterConnectionStartsNoRun) {
     EXPECT_EQ(desk().stationsLeft(), 1);
 }
 
+TEST_F(PracticeRunTest, AConnectionAfterAPracticeCameraThatFailedStartsNoRun) {
+    const PracticeSettings working = desk().practiceSettings();
+    PracticeSettings broken = working;
+    broken.width = 3; // no photo has an odd width
+    desk().setPracticeSettings(broken);
+    desk().runPractice();
+    waitUntil([&] { return desk().state() == CaptureDesk::State::NoCamera; });
+    EXPECT_FALSE(desk().sentence().isEmpty());
+    desk().setPracticeSettings(working);
+    connectPractice();
+    EXPECT_EQ(desk().stationsLeft(), desk().stations());
+    EXPECT_FALSE(desk().isRunning());
+}
+
 } // namespace spherewalk::ui
