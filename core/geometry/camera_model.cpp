@@ -253,14 +253,14 @@ CameraIntrinsics intrinsicsOf(const Calibration& calibration) {
             "simulated.");
     }
     const LensModel lens = lensOf(calibration);
-    const CameraIntrinsics camera{calibration.width,
-                                  calibration.height,
-                                  k[0],
-                                  k[4],
-                                  k[2],
-                                  k[5],
-                                  lens,
-                                  lens == LensModel::Pinhole ? std::vector<double>() : calibration.d};
+    CameraIntrinsics camera{calibration.width,
+                            calibration.height,
+                            k[0],
+                            k[4],
+                            k[2],
+                            k[5],
+                            lens,
+                            lens == LensModel::Pinhole ? std::vector<double>() : calibration.d};
     camera.validate();
     return camera;
 }
