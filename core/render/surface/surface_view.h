@@ -40,8 +40,8 @@ class Surfaces {
     /// Whether a photo has a surface of this kind.
     bool has(SceneKind kind, std::size_t photo) const;
 
-    /// The surface of a photo. Range: has() is true. Errors: those of readFile(); Corrupt for a damaged file;
-    /// InvalidInput for a width that is no multiple of 16 and for a room that cannot be.
+    /// The surface of a photo. Range: has() is true. Errors: those of readFile(); Corrupt for a damaged file
+    /// and for one whose width is no multiple of 16; InvalidInput for a room that cannot be.
     std::shared_ptr<const SurfaceMesh> get(SceneKind kind, std::size_t photo);
 
     /// The photos for a view from the point, the nearest first, at most kPhotosOfView. The list is empty if
