@@ -265,7 +265,7 @@ PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> n
     options.validate();
     if (neighbours.empty()) {
         throw Error(ErrorKind::InvalidInput,
-                    "Could not estimate depth: no other photo is near enough, and one alone tells no depth.");
+                    "Could not estimate depth: no other photo is far enough, and one alone tells no depth.");
     }
     checkPicture(photo);
     for (const PosedPicture& neighbour : neighbours) {

@@ -25,7 +25,8 @@ Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad);
 /// The vector that turn() takes to the rotation. Its length is in [0, pi].
 Eigen::Vector3d turnVector(const Eigen::Quaterniond& rotation);
 
-/// How turn(turnRad) follows a small change: turn(v + dv) = turn(leftJacobian(v) * dv) * turn(v).
+/// The matrix by which turn() follows a small change. To first order,
+/// turn(v + dv) = turn(leftJacobian(v) * dv) * turn(v).
 Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& turnRad);
 
 /// Two unit vectors that make a right-handed frame with this unit vector.
@@ -38,14 +39,15 @@ Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& moment);
 /// The smallest rotation that takes the direction to +z. Range: any length but 0.
 Eigen::Quaterniond uprightFrom(const Eigen::Vector3d& up);
 
-/// A match as it is computed with: its bearings as unit vectors, a standard deviation that is sensible. Empty
-/// for bearings that are no directions; a standard deviation out of range is replaced by 1 mrad.
+/// A match as it is computed with: its bearings are unit vectors, and its standard deviation is sensible.
 struct UnitMatch {
     Eigen::Vector3d inA;
     Eigen::Vector3d inB;
     double sigmaRad = 0;
 };
 
+/// The match as it is computed with. Empty for a bearing whose length is not in (0.5, 2). 1 mrad replaces a
+/// sigmaRad outside of (1e-6, 0.1).
 std::optional<UnitMatch> unitMatch(const Correspondence& match);
 
 /// The standard deviation of the residuals that agree; a minority of wrong ones is ignored. Units: residuals
@@ -54,7 +56,7 @@ std::optional<UnitMatch> unitMatch(const Correspondence& match);
 double agreeingScale(std::vector<double> residuals, double largest);
 
 /// How far two bearings are from lying in one plane with the baseline, in standard deviations, signed.
-/// Frames: all three are unit vectors in one frame of any orientation.
+/// Frames: both bearings and the baseline are unit vectors of one frame, which may have any orientation.
 /// Source: Sampson's approximation for bearings; both ends have the error sigmaRad.
 struct EpipolarResidual {
     double value = 0;
@@ -62,10 +64,11 @@ struct EpipolarResidual {
     double sineB = 0;
     Eigen::Vector3d byA = Eigen::Vector3d::Zero();        ///< Derivative by the bearing of a.
     Eigen::Vector3d byB = Eigen::Vector3d::Zero();        ///< Derivative by the bearing of b.
-    Eigen::Vector3d byBaseline = Eigen::Vector3d::Zero(); ///< Derivative by the baseline, as any vector.
+    Eigen::Vector3d byBaseline = Eigen::Vector3d::Zero(); ///< Derivative by the baseline, its length free.
 };
 
-/// A bearing nearer to the baseline than this says nothing: its plane turns with the least error.
+/// The least sine of the angle between a bearing and the baseline. A bearing with a lesser one says nothing,
+/// since its plane turns with the least error.
 constexpr double kLeastSine = 0.12;
 
 inline EpipolarResidual epipolarResidual(const Eigen::Vector3d& inA, const Eigen::Vector3d& inB,
@@ -87,9 +90,9 @@ inline EpipolarResidual epipolarResidual(const Eigen::Vector3d& inA, const Eigen
     return residual;
 }
 
-/// The angle by which the bearing moved along the baseline's plane, in radians. A point in front of both
-/// photos gives a positive angle, a point behind a negative one. Range: the bearing does not lie on the
-/// baseline.
+/// The sine of the angle by which the bearing moved in its plane with the baseline. A point in front of both
+/// photos gives a positive sine, a point behind a negative one. Frames: those of epipolarResidual(). Range:
+/// the angle is below pi/2; inA does not lie on the baseline.
 inline double parallaxOf(const Eigen::Vector3d& inA, const Eigen::Vector3d& inB,
                          const Eigen::Vector3d& baseline) {
     const Eigen::Vector3d across = baseline - baseline.dot(inA) * inA;

@@ -9,7 +9,7 @@ namespace spherewalk::align {
 
 namespace {
 
-// Matches are selected farther from the baseline (kLeastSine), so that none comes and goes as photos turn.
+// judge() wants matches farther from the baseline (kMarginSine), so that none comes and goes as photos turn.
 constexpr double kNoPlane = 0.02;
 
 // The rows of a turn: both components of the distance in the tangent plane of a's bearing.

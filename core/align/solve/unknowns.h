@@ -15,38 +15,42 @@
 namespace spherewalk::align {
 
 /// The unknowns of one component, as the parameters of least squares. Photos and rails are counted within the
-/// component. Parameters: a photo's turn about the room's axes from its reference; its offset from its stop;
-/// a rail's x, y and heading about the middle of its stops.
+/// component. A photo has a turn from its reference, which is a rotation vector about the room's axes, and an
+/// offset from its stop. A rail has x, y and heading about the mean of its stops. Frames: the room's axes;
+/// the origin is the first photo's planned position. Units: metres and radians.
 struct Unknowns {
     using Block = std::array<double, 3>;
 
     std::vector<int> photo; ///< One a photo: its index among the priors.
     std::vector<Eigen::Quaterniond> reference;
-    std::vector<Eigen::Vector3d> plannedM; ///< From the local origin, the first photo's planned position.
+    std::vector<Eigen::Vector3d> plannedM; ///< From the local origin: the first photo's planned position.
     std::vector<int> rail;                 ///< One a photo; -1 if it stands on none.
     std::vector<Eigen::Vector3d> railCentreM;
     std::vector<Block> turn;
     std::vector<Block> offset;
     std::vector<Block> placement; ///< One a rail.
 
-    /// The pose of photo i.
+    /// The pose of photo i, its position from the local origin.
     PhotoState state(std::size_t i) const;
     std::vector<PhotoState> states() const;
-    /// The derivative of photo i's position by its rail's three parameters.
+    /// The derivative of photo i's position by its rail's three parameters. It is zero for a photo on no
+    /// rail.
     Eigen::Matrix3d positionByPlacement(std::size_t i) const;
-    /// Adds the turns to the references and clears them.
+    /// Multiplies the turns into the references and makes them zero. The poses stay.
     void rebase();
 };
 
-/// The photos of a component where they are planned, with these rotations. Shape: roomFromPhoto has one entry
-/// for each of `photos`.
+/// The photos of a component where they are planned, with these rotations as references. Shape: roomFromPhoto
+/// has one entry for each of `photos`. Range: there is at least one photo.
 Unknowns unknowns(std::span<const int> photos, std::span<const PhotoPrior> priors,
                   std::span<const Eigen::Quaterniond> roomFromPhoto);
 
-/// Sets every photo's tilt to what the photo says, as the model Yaw needs it. The heading stays.
+/// Sets every photo's tilt to what the photo says, as the model Yaw needs it. A photo that says none becomes
+/// upright. The heading stays; the turns become part of the references.
 void level(Unknowns& unknowns, std::span<const PhotoPrior> priors);
 
-/// The direction that a photo says is up, in its own frame, with its standard deviation.
+/// The direction that is up by what a photo says, in the photo's frame, with its standard deviation. For a
+/// photo that says nothing it is z, with 0.17 rad.
 struct UpPrior {
     Eigen::Vector3d upInPhoto = Eigen::Vector3d::UnitZ();
     double sigmaRad = 0;
@@ -54,7 +58,7 @@ struct UpPrior {
 
 UpPrior upPrior(const PhotoPrior& prior);
 
-/// Standard deviations of a photo's offset from its stop.
+/// Standard deviations of a photo's offset from its stop along x, y and z. They are at least 1e-5 m.
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior);
 
 inline bool solvesTilt(Model model) {

@@ -6,8 +6,7 @@
 namespace spherewalk::render {
 
 /// Photo coordinates in fixed point, and the places that samplers read. (0, 0) is the centre of the photo's
-/// pixel
-/// (-PlaneLayout::kGuard, -PlaneLayout::kGuard). u points right, v points down.
+/// pixel (-PlaneLayout::kGuard, -PlaneLayout::kGuard). u points right, v points down.
 constexpr int kFractionBits = 16;
 
 /// Units of fixed point in a pixel.

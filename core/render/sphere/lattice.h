@@ -24,8 +24,10 @@ namespace spherewalk::render {
 /// The parameters of one view's lattice. Units: errors are angles on the sphere in pixels of the photo at its
 /// equator. A difference in u counts cos(elevation) times.
 struct LatticeFrame {
-    /// roomFromCamera: the pose of the optical frame, with a unit quaternion. sphereRadiusM: the radius for
-    /// SceneKind::Sphere. tolerancePx: the bound that the interpolation's error must keep. Range: > 0.
+    /// roomFromCamera: the pose of the optical frame, with a unit quaternion. scene: Sphere displaces rays,
+    /// all other kinds only turn them. sphereRadiusM: the radius for Sphere, > 0; a camera beyond
+    /// kLargestDisplacement radii is taken to stand there. tolerancePx: the bound that the interpolation's
+    /// error must keep, > 0. Owner: rays must outlive the frame.
     LatticeFrame(const RayTable& rays, const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto,
                  const EquirectSize& photo, SceneKind scene, double sphereRadiusM,
                  double tolerancePx = kTolerancePx);
@@ -35,7 +37,7 @@ struct LatticeFrame {
     const RayTable* rays;
     std::array<double, 9> photoFromRay;   ///< Row after row. Rays are as the table has them.
     std::array<double, 3> displacement{}; ///< The camera minus the photo, in the photo's frame. Units: radii.
-    bool displaced = false;
+    bool displaced = false;               ///< Whether `displacement` counts: for SceneKind::Sphere.
     double width;
     double height;
     double tolerancePx;
@@ -69,7 +71,9 @@ struct PatchRow {
     std::array<float*, 9> v;
     std::int32_t* centreU;
     std::int32_t* centreV;
-    double* fromSeam; ///< Pixels to the seam. A sample may lie beyond the seam only where this is negative.
+    /// The samples are at least so many pixels from the seam. Some may lie beyond the seam only where the
+    /// value is negative.
+    double* fromSeam;
 };
 
 /// The lattice of one row of cells, and the coordinates of its cells. It keeps its memory. Threads: one.
@@ -86,8 +90,9 @@ class LatticeRow {
     /// taken one after the other, since they share nodes.
     void beginRow(const LatticeFrame& frame, int cellY);
 
-    /// The coordinates of a cell of that row. Shape: 16 for each sample of each pixel row, kCell * kCell *
-    /// samplesPerAxis^2 in all. Sample (i, j) of pixel (x, y) is at ((y * n + j) * n + i) * 16 + x.
+    /// The coordinates of a cell of that row in fixed point. Shape: u and v have kCell * kCell * n^2 values
+    /// for n samples along an axis. Sample (i, j) of pixel (x, y), i to the right and j down, is at
+    /// ((y * n + j) * n + i) * 16 + x.
     void coordinates(const LatticeFrame& frame, int cellX, std::int32_t* u, std::int32_t* v);
 
     /// The same as places, and the fractions that were cut off. A fraction is the way to the next pixel in

@@ -48,6 +48,9 @@ class RowRays {
 
     bool isPinhole() const { return m_isPinhole; }
 
+    /// The pixels of a row that belong to the view, without those that fill up its last cell.
+    int viewWidth() const { return m_rays.camera().width(); }
+
     /// Range: a pinhole.
     simd::NodeRays nodes() const;
 
@@ -211,7 +214,8 @@ class RowLocator {
 
     void fillHoles(int y) {
         float* inverse = m_coordinates.inverse.at(0, y);
-        const int width = m_coordinates.inverse.width();
+        // What is beyond the view is 1 in the buffer, and covers nothing.
+        const int width = m_rays.viewWidth();
         for (int column = 0; column < m_coordinates.columns(); ++column) {
             if (!m_open.isOpen(column, y / kCell) || !hasHole(inverse + column * kCell)) {
                 continue;

@@ -41,7 +41,8 @@ struct SurfaceCoordinates {
     std::vector<std::int32_t> u; ///< Coordinates in fixed point, cell after cell.
     std::vector<std::int32_t> v;
 
-    /// coordinateSlopes() about the middle of each cell for each photo, if they were asked for.
+    /// coordinateSlopes() about the middle of each cell for each photo, if they were asked for. Those of a
+    /// photo in a cell are at [cell * photos + photo].
     std::vector<std::array<std::int32_t, 4>> slopes;
 
     /// The photos of each cell as bits. The first photo's bit is always set; kBlind says that the lens sees
@@ -57,17 +58,18 @@ struct SourcePhoto {
 };
 
 /// Finds the coordinates of the pixels, whose photos are known. A pixel that no photo covers comes from the
-/// first photo. It is taken to be as far as the farther of the pixels to its left and right that are covered;
-/// without these, `usualDistanceM`. open: the cells with such pixels. wantsSlopes: whether slopes are
-/// computed. found: it is called with each finished row of cells, by the thread that did it. Arithmetic:
-/// single precision, with an error below 0.04 pixels of a photo of 8192.
+/// first photo. Its 1 / s is the lesser one of the nearest covered pixels to its left and right. Without
+/// these it is 1 / `usualDistanceM`. A pixel that the lens does not see counts as covered with that value.
+/// open: the cells with uncovered pixels. wantsSlopes: whether slopes are computed. found: the thread that
+/// finished a row of cells calls it with the row; calls may overlap. Arithmetic: single precision, with an
+/// error below 0.04 pixels of a photo of 8192.
 void findCoordinates(const PixelRays& rays, const Rigid3& roomFromCamera, std::span<const SourcePhoto> photos,
                      const OpenCells& open, double usualDistanceM, bool wantsSlopes, WorkerPool& pool,
                      int threads, const std::function<void(int row)>& found, SurfaceCoordinates& coordinates);
 
 /// How a photo's coordinates change from one pixel of the view to the next about a pixel: du/dx, dv/dx,
 /// du/dy, dv/dy in fixed point. They are zero within ten degrees of the photo's poles and where the lens sees
-/// nothing.
+/// nothing. inverse: 1 / s of the pixel.
 std::array<std::int32_t, 4> coordinateSlopes(const PixelRays& rays, const Rigid3& roomFromCamera,
                                              const SourcePhoto& photo, int x, int y, float inverse);
 
@@ -80,29 +82,30 @@ namespace spherewalk::render::simd {
 
 /// What coordinates in a photo are computed with. The direction in the photo is m * ray + inverse * offset.
 struct PhotoTarget {
-    std::array<float, 9> m;
-    std::array<float, 3> offset;
-    float perRadian; ///< Pixels per radian.
-    float lastU;     ///< The greatest coordinates, guard included.
+    std::array<float, 9> m;      ///< Photo from optical frame, row after row.
+    std::array<float, 3> offset; ///< The camera minus the photo, in the photo's frame. Units: metres.
+    float perRadian;             ///< Pixels per radian.
+    float lastU;                 ///< The greatest coordinates, guard included.
     float lastV;
 };
 
-/// One component of the rays of a cell of 16 x 16 pixels.
+/// One component of the rays of a cell of 16 x 16 pixels. Frames: optical. Values of a row are contiguous.
 struct CellRays {
     const float* first;
     std::ptrdiff_t pitch; ///< Values from one row to the next.
 };
 
-/// Computes the coordinates of a cell's pixels, row after row. inverse: as InverseBuffer; pitch: its pitch.
+/// Computes the coordinates of a cell's pixels, row after row. inverse: as InverseBuffer. pitch: values of
+/// `inverse` from one row to the next. u, v: 16 values for each row.
 void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
             std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v);
 
-/// The rays of a row of cells of a view without distortion, (x, y, 1). Cells have nodes at their pixels 0, 7
-/// and 14 along each axis.
+/// The rays (x, y, 1) of a row of cells of a view without distortion. Frames: optical. Cells have nodes at
+/// their pixels 0, 7 and 14 along each axis.
 struct NodeRays {
     static constexpr std::array<int, 3> kNodes{0, 7, 14};
 
-    std::array<const float*, 3> x; ///< One array a node, one value a cell.
+    std::array<const float*, 3> x; ///< One array a node, one value a cell, with room for 16 more.
     std::array<float, 3> y;
     float stepX; ///< The step from one pixel to the next.
     float stepY;
@@ -122,16 +125,16 @@ struct CellFits {
 
     explicit CellFits(int cells);
 
-    std::size_t pitch;
-    /// The coefficients of x^i y^j w^k of all cells are at [9 k + 3 j + i]. Each variable goes from -1 to 1.
-    /// Units: 2^-16 pixels.
+    std::size_t pitch; ///< Values from one coefficient to the next: the cells, and room for 16 more.
+    /// The coefficient of x^i y^j w^k is at [(9 k + 3 j + i) * pitch + cell]. Each variable is -1 at its
+    /// first node and 1 at its last. Units: 2^-16 pixels.
     std::vector<float> u;
     std::vector<float> v;
     std::vector<std::int32_t> middleU; ///< The polynomials are relative to these.
     std::vector<std::int32_t> middleV;
     std::vector<float> errorPx; ///< The bound, in pixels at the photo's equator. It may be infinite or NaN.
-    std::vector<float> inverse; ///< The inverse depth at w = 0.
-    std::vector<float> perSpan; ///< The change of w per inverse depth.
+    std::vector<float> inverse; ///< The inverse depth at w = 0, in 1/m.
+    std::vector<float> perSpan; ///< The change of w for 1/m of inverse depth.
 };
 
 /// Fits the cells of a row for which isWanted is 1. least, greatest: the inverse depths of each cell, with
@@ -139,7 +142,9 @@ struct CellFits {
 void fit(const PhotoTarget& target, const NodeRays& rays, const float* least, const float* greatest,
          std::span<const std::uint8_t> isWanted, CellFits& fits);
 
-/// The other locate(), by the polynomials. u may lie beyond the seam. Range: errorPx is bounded.
+/// The coordinates of the pixels of a cell that was fitted, row after row. u may lie beyond the seam.
+/// inverse, pitch: as for the other locate(). Range: errorPx of the cell is small enough; `inverse` lies
+/// between the cell's least and greatest.
 void locate(const CellFits& fits, int cell, const float* inverse, std::ptrdiff_t pitch, std::int32_t* u,
             std::int32_t* v);
 

@@ -20,10 +20,11 @@ namespace spherewalk::render {
 class SurfaceMesh;
 
 /// The patches of a photo's surface at the edges of things, where it is torn. A patch is a rectangle of the
-/// photo that faces the photo. Where distances of four pixels jump too much, the pixels are not joined into
-/// one surface. Each becomes a small patch, alone or with one neighbour, that ends halfway to the others. If
-/// one of two by two quads has such an edge, all four are made of patches. Patches are joined where the
-/// distance is even. Threads: const functions may run on any number at a time.
+/// photo with 1 / distance at its corners. Where distances of four pixels jump too much, the pixels are not
+/// joined into one surface. Each pixel then gets patches, alone or with one neighbour, that end halfway to
+/// the others. If one of two by two quads has such an edge, each quad without an edge becomes one patch.
+/// Patches side by side are joined where 1 / distance goes on evenly. Threads: const functions may run on any
+/// number at a time.
 class EdgePatches {
   public:
     static constexpr int kSubBlock = simd::BlockBoxes::kSubBlock;   ///< Quads along an axis of a sub-block.
@@ -53,7 +54,8 @@ class EdgePatches {
         return row / 2 * 8 + column / 2 * 4 + row % 2 * 2 + column % 2;
     }
 
-    /// The patches of a range. The ranges of sub-blocks that follow each other may be joined.
+    /// The patches of a range. The ranges of sub-blocks that follow each other may be joined. Owner: this
+    /// object must outlive the pointers.
     simd::SurfacePatches at(Range range) const;
 
   private:
@@ -89,13 +91,14 @@ class SurfaceMesh {
         return std::max(inverseM) - std::min(inverseM) < kJump * std::max(inverseM);
     }
 
-    /// Whether the four pixels from (x, y) to the right and down belong to one. Range: 0 <= x < width, 0 <= y
-    /// < height - 1.
+    /// Whether the four pixels from (x, y) to the right and down may belong to one surface. Range:
+    /// 0 <= x < width, 0 <= y < height - 1.
     bool isSurface(int x, int y) const {
         return isSurface({inverseM(x, y), inverseM(x + 1, y), inverseM(x, y + 1), inverseM(x + 1, y + 1)});
     }
 
-    /// Whether one of the two by two quads from (x, y) has an edge. All four are then made of patches.
+    /// Whether one of the two by two quads from (x, y) has an edge. All four are then made of patches. Range:
+    /// 0 <= x < width - 1, y >= 0; there are no quads below the last row.
     bool hasEdge(int x, int y) const;
 
     int width() const { return m_width; }
@@ -127,22 +130,23 @@ class SurfaceMesh {
         return {m_cosElevation[y], m_sinElevation[y]};
     }
 
-    /// A unit vector. Units: half pixels, so that a pixel's corners have integers; (2 x, 2 y) is its centre.
-    /// Range: -1 <= halfX <= 2 width, likewise y.
+    /// A unit vector of the photo's frame. Units: half pixels, so that a pixel's corners have integers;
+    /// (2 x, 2 y) is its centre. Range: -1 <= halfX <= 2 width, -1 <= halfY <= 2 height.
     Eigen::Vector3f direction(int halfX, int halfY) const {
         const auto [cosAzimuth, sinAzimuth] = azimuth(halfX);
         const auto [cosElevation, sinElevation] = elevation(halfY);
         return {cosElevation * cosAzimuth, cosElevation * sinAzimuth, sinElevation};
     }
 
-    /// A block's vertices, in as many rows as it has.
+    /// A block's vertices, in up to 17 rows. Owner: the mesh must outlive the pointers.
     simd::SurfaceBlock block(int blockX, int blockY) const;
 
     /// Asks memory for what block() and deviation() read of a block, and does not wait for it.
     void fetch(int blockX, int blockY) const;
 
-    /// The largest error of 1 / distance if a quad is taken to be flat. (x, y) is its upper left vertex in a
-    /// block. It is infinite at level 1 where the quad has an edge. Range: level > 0; x and y multiples of
+    /// How far 1 / distance is off at most, in 1/m, if a quad of 2^level pixels is drawn flat. It is infinite
+    /// where a quad of level 1 has an edge, and for quads below the last row. block: blocks are counted row
+    /// by row. x, y: the quad's upper left vertex in the block. Range: level > 0; x and y are multiples of
     /// 2^level.
     float deviation(std::size_t block, int level, int x, int y) const {
         const int inBlock =
@@ -152,8 +156,8 @@ class SurfaceMesh {
 
     const EdgePatches& patches() const { return m_patches; }
 
-    /// The bound of a block's vertices: their directions lie within `radius` of the centre, and 1 / distance
-    /// lies between `least` and `most`.
+    /// The bound of a block's vertices. Their directions end within the chord `radius` of the unit vector
+    /// `centre`. Their 1 / distance, in 1/m, lies between `least` and `most`.
     struct Bound {
         Eigen::Vector3f centre;
         float radius = 0;

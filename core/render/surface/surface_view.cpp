@@ -4,7 +4,9 @@
 #include "pixels/sampler.h"
 #include "surface/cells.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/render/scene_depth.h"
 
 #include <algorithm>
@@ -336,7 +338,13 @@ SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
         return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth));
     }
     const std::filesystem::path file = m_dataset->folder() / of.depth;
-    return SurfaceMesh(DepthMap::parse(readFile(file, kLargestDepthFile), file.string()));
+    const DepthMap map = DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
+    if (map.width() % SurfaceMesh::kBlock != 0) {
+        throw Error(ErrorKind::Corrupt,
+                    text("The depth ", file.string(), " is damaged: its width of ", map.width(),
+                         " pixels is no multiple of ", SurfaceMesh::kBlock, "; export the dataset again."));
+    }
+    return SurfaceMesh(map);
 }
 
 std::shared_ptr<const SurfaceMesh> Surfaces::get(SceneKind kind, std::size_t photo) {

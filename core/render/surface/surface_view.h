@@ -29,7 +29,7 @@ struct SurfacePhoto {
 };
 
 /// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.
-/// Threads: any, at a time.
+/// Threads: any number at a time; while one makes a surface, the others wait.
 class Surfaces {
   public:
     /// A view takes so many photos at most.
@@ -40,11 +40,12 @@ class Surfaces {
     /// Whether a photo has a surface of this kind.
     bool has(SceneKind kind, std::size_t photo) const;
 
-    /// The surface of a photo that has one. Errors: NotFound, Io; Corrupt for a damaged file.
+    /// The surface of a photo. Range: has() is true. Errors: those of readFile(); Corrupt for a damaged file
+    /// and for one whose width is no multiple of 16; InvalidInput for a room that cannot be.
     std::shared_ptr<const SurfaceMesh> get(SceneKind kind, std::size_t photo);
 
-    /// The photos for a view from the point, the nearest first. It is empty if none has a surface. without: a
-    /// photo that is left out.
+    /// The photos for a view from the point, the nearest first, at most kPhotosOfView. The list is empty if
+    /// none has a surface. without: a photo that is left out.
     std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
                                        std::optional<std::size_t> without = std::nullopt) const;
 
@@ -61,8 +62,9 @@ class Surfaces {
 /// threads.
 class SurfaceRaster {
   public:
-    /// Draws the surface of a photo. Cells that are not open may be left out, and may get any values.
-    /// tolerancePx: by how much a part that is drawn flat may be displaced. out: it gets the view's size.
+    /// Draws the surface of a photo. Quads with a corner nearer than 5 mm are not drawn. Cells that are not
+    /// open may be left out, and may get any values. Frames: the camera's is the optical one. tolerancePx: by
+    /// how much a part that is drawn flat may be displaced. out: it gets the view's size in whole cells.
     void draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
               const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
 
@@ -89,22 +91,25 @@ class SurfaceView {
     static constexpr double kLeastOpenShare = 0.01;
 
     /// Draws the surfaces and finds each pixel's photo coordinates. Returns the tiles of each photo that
-    /// sample() reads. photos: 1 to 8, in the order in which they are asked. usualDistanceM: the distance of
-    /// what no photo sees.
+    /// sample() reads. Frames: the camera's is the optical one. photos: 1 to 8, in the order in which they
+    /// are asked. usualDistanceM: the distance in a row of pixels of which no photo sees any. samplesPerAxis:
+    /// that of the sampling that sample() gets.
     std::vector<TileSet> prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
                                  std::span<const SurfacePhoto> photos, double usualDistanceM,
                                  int samplesPerAxis, WorkerPool& pool, int threads);
 
-    /// Makes the picture. planes: those of the photos of prepare(), in its order. sampling: not Auto.
-    /// picture: it gets the view's size.
+    /// Makes the picture. rays: those of prepare(). planes: those of the photos of prepare(), in its order.
+    /// sampling: not Auto. picture: it gets the view's size.
     void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
                 int threads, RgbImage& picture) const;
 
-    /// The depth of the prepared view: z along the optical axis. It is +infinity where the lens sees nothing
-    /// or 90 degrees or more off the axis.
+    /// The depth of the prepared view in metres: z along the optical axis. Holes have the depth that they
+    /// were filled with. It is +infinity where the lens sees nothing or 90 degrees or more off the axis.
+    /// rays: those of prepare().
     DepthImage depth(const PixelRays& rays) const;
 
-    /// The share of the pixels that the first photo's surface does not cover.
+    /// The share of the view's pixels that the first photo's surface does not cover. Pixels that the lens
+    /// does not see count, too.
     double filledShare() const { return m_filledShare; }
 
   private:

@@ -135,6 +135,52 @@ TEST(SurfaceView, HidesWhatLiesBehindFromTheCamera) {
     EXPECT_GT(*depth.at(20, 60), 2);
 }
 
+TEST(SurfaceView, TakesAHoleAtItsRightEdgeToBeAsFarAsWhatIsToItsLeft) {
+    // A wall at 0.6 m, and before it a strip at 0.2 m. From 0.1 m to the left, the wall has a hole.
+    Image<float, 1> inverse(512, 256);
+    for (int y = 0; y < 256; ++y) {
+        for (int x = 0; x < 512; ++x) {
+            *inverse.at(x, y) = std::abs(x - 255.5) < 8.2 ? 1 / 0.2F : 1 / 0.6F;
+        }
+    }
+    Scene scene(std::make_shared<const SurfaceMesh>(DepthMap(std::move(inverse))));
+    const auto depthOfView = [&](int width) {
+        CameraIntrinsics intrinsics = kCamera.intrinsics();
+        intrinsics.width = width;
+        intrinsics.cx = 50; // so that the hole goes on beyond column 80
+        const CameraModel camera(intrinsics);
+        scene.view(camera, lookingFrom({0, 0.1, 0}, 0, 0));
+        EXPECT_GT(scene.surfaceView.filledShare(), 0);
+        return scene.surfaceView.depth(PixelRays(camera, scene.pool));
+    };
+    const DepthImage wider = depthOfView(80); // whole cells
+    for (const int width : {65, 70, 79}) {
+        const DepthImage depth = depthOfView(width);
+        for (int y = 0; y < depth.height(); ++y) {
+            for (int x = 0; x < width; ++x) {
+                ASSERT_NEAR(*depth.at(x, y), *wider.at(x, y), 1e-4) << width << ": " << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST(SurfaceView, OfNothingIsAsFarAsUsual) {
+    constexpr double kUsualDistanceM = 3;
+    Scene scene(sphereMesh(2));
+    for (const int width : {160, 161}) {
+        const CameraModel camera(CameraIntrinsics::pinhole(width, 121, 1.1));
+        const PixelRays rays(camera, scene.pool);
+        // From outside of the sphere, away from it.
+        scene.surfaceView.prepare(rays, lookingFrom({10, 0, 0}, 0, 0), {&scene.photo, 1}, kUsualDistanceM, 1,
+                                  scene.pool, 1);
+        EXPECT_EQ(scene.surfaceView.filledShare(), 1);
+        const DepthImage depth = scene.surfaceView.depth(rays);
+        for (const float z : depth.values()) {
+            ASSERT_NEAR(z, kUsualDistanceM, 1e-5) << width;
+        }
+    }
+}
+
 TEST(SurfaceView, IsWholeFromAnywhere) {
     const RoomShape room{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -1, 1.5};
     Scene scene(std::make_shared<const SurfaceMesh>(roomDepth(room, {}, 256)));

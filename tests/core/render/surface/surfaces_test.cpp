@@ -112,6 +112,13 @@ TEST(Surfaces, RefuseADepthThatIsDamaged) {
                       [&] { dataset.renderer().render(kCamera, pose(), with(SceneKind::Depth)); });
 }
 
+TEST(Surfaces, RefuseADepthWhoseWidthIsNoMultipleOfSixteen) {
+    const DepthDataset dataset;
+    writeFile(dataset.folder() / "depth/0.pgm", roomDepth(kRoom, {}, 18).serialised());
+    test::expectError(ErrorKind::Corrupt, "0.pgm",
+                      [&] { dataset.renderer().render(kCamera, pose(), with(SceneKind::Depth)); });
+}
+
 TEST(Surfaces, RefuseADatasetWhoseDepthIsMissing) {
     const DepthDataset dataset;
     std::filesystem::remove(dataset.folder() / "depth/1.pgm");

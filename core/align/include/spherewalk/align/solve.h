@@ -16,7 +16,7 @@ namespace spherewalk::align {
 
 /// What is solved for. Each model solves also all that the models before it solve.
 enum class Model {
-    Auto,      ///< The richest model that held-out matches support.
+    Auto,      ///< The richest model that the largest component's held-out matches support.
     Yaw,       ///< One heading a photo; tilts as the photos say, positions as planned.
     Tilt,      ///< Also pitch and roll of each photo.
     Placement, ///< Also x, y and heading of each rail; its stops stay rigid on it.
@@ -31,8 +31,8 @@ Model modelNamed(std::string_view name);
 
 struct SolveOptions {
     Model model = Model::Auto;
-    double placementSigmaM = 0.01;       ///< Prior standard deviation of a rail's x and y.
-    Radians placementSigma = Degrees(1); ///< Prior standard deviation of a rail's heading.
+    double placementSigmaM = 0.01;       ///< Prior standard deviation of a rail's x and y, [0, 10].
+    Radians placementSigma = Degrees(1); ///< Prior standard deviation of a rail's heading, [0, 180] degrees.
     double heldOutShare = 0.15;          ///< Share of the matches that compares models, (0, 0.5].
     int threads = 0;                     ///< 0 means all that the machine has.
 
@@ -44,15 +44,16 @@ struct SolveOptions {
 struct SolvedPose {
     bool isSolved = false;
     std::string why;      ///< A sentence if not solved: "No neighbour shares enough with it."
-    int component = 0;    ///< Index of the connected component; 0 is the largest.
+    int component = 0;    ///< Index of the connected component: 0 for the largest, and for photos in none.
     Rigid3 roomFromPhoto; ///< Without a solution: the planned position, not turned.
     Radians sigmaYaw;     ///< Against all other photos; Alignment::sigmaCommonYaw holds the common part.
     Radians sigmaPitch;
     Radians sigmaRoll;
+    /// Standard deviation along each axis: the root mean square over the three.
     double sigmaPositionM = 0;
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
-    double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts.
+    double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts; 1 if none counts.
 };
 
 /// How well one model predicts matches that were held out.
@@ -60,7 +61,7 @@ struct ModelTrial {
     Model model = Model::Yaw;
     double heldOutRad = 0; ///< Robust root mean square.
     double seconds = 0;
-    bool isSupported = false; ///< Better than the simpler models by more than its noise.
+    bool isSupported = false; ///< Better than the last supported model by more than noise; true for Yaw.
 };
 
 struct Alignment {
@@ -69,17 +70,18 @@ struct Alignment {
     std::vector<SolvedPose> photos;
     std::vector<ModelTrial> trials; ///< Empty unless the model was Auto.
     int components = 0;
-    Radians sigmaCommonYaw;            ///< Of the yaw common to all photos, which only positions fix.
-    double residualRad = 0;            ///< Robust root mean square over all matches used.
-    double cycleErrorRad = 0;          ///< Median turn that is left around triangles of pair estimates.
+    Radians sigmaCommonYaw;            ///< Of the largest component's common yaw; pi if nothing fixes it.
+    double residualRad = 0;            ///< Robust root mean square over the largest component's matches.
+    double cycleErrorRad = 0;          ///< Median turn around triangles of pair estimates; 0 without any.
     std::vector<std::string> warnings; ///< Sentences for people.
 };
 
 /// The poses of all photos in the room frame. estimates: one a pair, in the order of the pairs. Each
 /// connected component is solved for itself; the positions' priors fix its common yaw. Photos that nothing
 /// holds stay unsolved, with a sentence that says why. The same input gives the same result on one machine.
-/// Warnings go to the result and to the progress sink. Errors: InvalidInput, naming the photo or the pair;
-/// Stopped. Stop: heard at each solver iteration. Source: `resources/docs/alignment.md`.
+/// Warnings go to the result and to the progress sink. Errors: InvalidInput, naming the option, the photo or
+/// the pair; Internal if the equations cannot be solved; Stopped. Stop: heard at each solver iteration.
+/// Source: `resources/docs/alignment.md`.
 Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> pairs,
                 std::span<const PairEstimate> estimates, const SolveOptions& options, ProgressSink& progress,
                 const std::stop_token& stop);

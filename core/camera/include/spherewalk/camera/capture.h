@@ -21,22 +21,19 @@ namespace spherewalk::camera {
 // The capture workflow. It can be killed at any instant and resumed with the same journal.
 //
 // 1. Connect. Ask who the camera is (several tries), and refuse a host that is no camera. Nothing on the
-// camera
-//    is changed, because it may still be exposing a shot of a run that was killed.
+//    camera is changed, because it may still be exposing a shot of a run that was killed.
 // 2. Settle. Before anything new, every open shot of the journal gets its end. A shot that is Taken is only
 //    downloaded. A shot that is Intended or Started is resolved as in step 7.
 // 3. Prepare. Check errors, plug-in, battery and storage, and save the sleep and power-off times. Set still
 //    mode, the spherical JPEG, the exposure of the profile and no sleep; read them back; set the clock. This
 //    is done again whenever the camera has restarted.
 // 4. Intend. Before each shot the serial number is the same, and the camera is idle and well. A camera that
-// is
-//    away is waited for. Battery and storage suffice, and the settings are still in force; otherwise they are
-//    set again, with a warning. One second has passed since the last setting. Then the newest file and the
-//    number of files are noted, and the shot is written to the journal, durably.
+//    is away is waited for. Battery and storage suffice, and the settings are still in force; otherwise they
+//    are set again, with a warning. One second has passed since the last setting. Then the newest file and
+//    the number of files are noted, and the shot is written to the journal, durably.
 // 5. Trigger. takePicture is sent exactly once, on a connection of its own. A refusal that proves that
-// nothing
-//    was done ends the shot as NotTaken; after a momentary refusal a new shot is tried. The id of a running
-//    command is written to the journal. Any other answer is "unknown" and leads to step 7.
+//    nothing was done ends the shot as NotTaken; after a momentary refusal a new shot is tried. The id of a
+//    running command is written to the journal. Any other answer is "unknown" and leads to step 7.
 // 6. Follow. Ask for the command's end until the deadline (30 s, self-timer, twice the exposure, filters). A
 //    command that is done and names a file makes the shot Taken. Any other end leads to step 7.
 // 7. Resolve by files. Reconnect; another serial number makes the shot Unclear. When the camera is idle, look
@@ -45,16 +42,14 @@ namespace spherewalk::camera {
 //    - Two new files or any other change make the shot Unclear, if two looks a confirmation time apart agree.
 //      A person then decides.
 //    - Without a new file the shot is NotTaken, if the deadline has passed, two looks a confirmation time
-//    apart
-//      agree, and the camera says neither that the command runs nor that it is done.
+//      apart agree, and the camera says neither that the command runs nor that it is done.
 //    The deadline counts from the trigger. After a restart of the program it counts from the intention by the
 //    clock of day, because the command may have left just before the kill. If the clock was set back, the
 //    wait is no longer than the whole allowance; if it was set forward, the two looks still protect the shot.
 //    Only NotTaken permits a second exposure. A photo is Unclear if the camera has lost the profile's
 //    exposure, such as by a restart, because the photo may be exposed differently.
 // 8. Fetch. Download the file, verify it, and hand it to the journal. After a failure the photo stays Taken,
-// on
-//    the camera and in the journal, and the failure is reported.
+//    on the camera and in the journal, and the failure is reported.
 // 9. Disconnect. Put sleep and power-off times back.
 
 /// A sentence about an earlier shot that left no photo, with the identity of its station.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 namespace spherewalk::camera {
 
@@ -17,7 +18,7 @@ struct NewFiles {
     enum class Count { None, One, Doubtful };
 
     Count count = Count::None;
-    std::string fileUrl; ///< URL of the one new file.
+    std::string fileUrl; ///< URL of the one new file, without a mark; "" for another count.
     std::string why;     ///< Why the count is doubtful, as a sentence.
 };
 
@@ -26,39 +27,44 @@ struct NewFiles {
 std::string markedUrl(const FileEntry& entry);
 /// Whether the URL has a mark.
 bool isMarked(std::string_view url);
-/// Whether the URL belongs to this file. Of a URL without a mark only the path counts. Errors: those of
-/// pathOfUrl().
+/// Whether the URL belongs to this file: path and mark are the same. Of a URL without a mark only the path
+/// counts. Errors: those of pathOfUrl().
 bool isFile(std::string_view url, const FileEntry& entry);
 
 /// Compares the newest files (at least two, if there are so many) with what was there before the shot. One:
 /// the count grew by one, the newest file is new, and the one below it is the newest of before. None: count
-/// and newest file are unchanged, in size too if the baseline was marked. Anything else (two new
-/// files, files deleted, a counter reset, a storage changed) is doubtful, as a photo must never be attributed
-/// to a station by guessing.
+/// and newest file are unchanged, in size (or time) too if the baseline was marked. All else is doubtful,
+/// such as two new files, deleted files, a reset counter or a changed storage. A photo must never be
+/// attributed to a station by guessing. Errors: those of pathOfUrl().
 NewFiles newFilesSince(const survey::Baseline& before, const FileList& newest);
 
 /// How a shot was settled. The step is Taken, NotTaken or Unclear.
 struct Resolution {
     survey::ShotStep step = survey::ShotStep::Unclear;
-    std::string fileUrl;              ///< URL of the photo, if it is Taken.
+    std::string fileUrl;              ///< URL of the photo, without a mark; "" unless it is Taken.
     std::string sentence;             ///< For the operator; "" if the photo is Taken.
-    std::optional<ErrorKind> problem; ///< Nothing if the photo is Taken.
+    std::optional<ErrorKind> problem; ///< Nothing if the photo is Taken; Corrupt if it is Unclear.
 };
 
-/// Finds out how a shot ended that was, or may have been, triggered. Nothing is changed. The rules stand in
-/// capture.h. Errors: Network, Timeout, ... if the camera stays away, Busy if it stays busy,
-/// Stopped: the shot is then as open as before.
+/// Finds out how a shot ended that was, or may have been, triggered. Nothing is changed on the camera or in
+/// the journal. The rules stand in capture.h. Errors of all functions: those of OscClient, if the camera
+/// stays away or answers nonsense; Stopped. After an error the shot is as open as before. Owner: client,
+/// clock and options must outlive the settler.
 class ShotSettler {
   public:
     ShotSettler(OscClient& client, Clock& clock, const CaptureOptions& options)
         : m_client(client), m_clock(clock), m_options(options) {}
 
-    /// deadline: the moment at which a triggered exposure is certainly over.
+    /// deadline: the moment at which a triggered exposure is certainly over. Errors: also Busy if the camera
+    /// stays busy, or if its files give no steady answer; Timeout if by the camera's word the command still
+    /// runs after the deadline.
     Resolution resolve(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
 
-    /// Waits until a camera answers, and returns its description. Errors: those of the last try.
+    /// Waits up to CaptureOptions::reconnectTime until a camera answers, and returns its description. It may
+    /// be another camera. Errors: those of the last try.
     CameraInfo reconnect(const std::stop_token& stop);
-    /// Waits until the camera is idle, and returns its state. Errors: Busy.
+    /// Waits up to CaptureOptions::idleTime until the camera is idle, and returns its state. Errors: also
+    /// Busy.
     CameraState waitUntilIdle(const std::stop_token& stop);
 
   private:

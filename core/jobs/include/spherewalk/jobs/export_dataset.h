@@ -29,11 +29,14 @@ constexpr const char* kDepthCacheFolder = "depth-cache";
 struct DepthOptions {
     scene::SweepOptions sweep;
     int agreeing = 4; ///< Number of neighbours whose depths a photo's depth is compared with.
-    /// Folder that keeps depths for later runs. exportDataset() takes kDepthCacheFolder if it is empty.
+    /// Folder that keeps depths for later runs. If it is empty, exportDataset(), knownScene() and
+    /// checkExport() take kDepthCacheFolder in the survey's folder; surveyDepth() and depthForecast() need
+    /// one.
     std::filesystem::path cacheFolder = {};
-    Polygon drawnOutline = {}; ///< Outline of the room as a person drew it; may be empty.
-    /// Estimates the depths of a dozen photos only, spread evenly. That is enough for the same radius and
-    /// room.
+    /// Outline of the room as a person drew it; may be empty. Exports take the survey's.
+    Polygon drawnOutline = {};
+    /// Estimates the depths of up to a dozen photos only, spread evenly. That is enough for the same radius
+    /// and room. Exports set it unless the scene model is Depth.
     bool onlyForScene = false;
 };
 
@@ -52,34 +55,35 @@ struct DepthReport {
 
 /// Depths of photos, as files in the cache that render::DepthMap reads.
 struct SurveyDepth {
-    /// One path a photo. It is empty where no other photo is near enough, or where no depth was wanted.
+    /// One path a photo. It is empty where no other photo stands farther away than
+    /// SweepOptions::leastBaselineM, or where no depth was wanted.
     std::vector<std::filesystem::path> files;
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
     std::optional<render::RoomShape> room; ///< The room that scene::fittedRoom() finds in the depths.
     DepthReport report;
 };
 
-/// Estimates the depth of each photo from its neighbours, and has neighbours agree on it.
-///
-/// Cost: about two seconds a photo on two cores, and 600 MB.
-/// Errors: those of reading and decoding the photos, and of scene::sweptDepth().
-/// Stop: Stopped; the cache keeps the depths so far.
+/// Estimates the depth of each photo from its neighbours, and has neighbours agree on it. Cost: about two
+/// seconds a photo on two cores, and 600 MB. Errors: those of reading and decoding the photos, of
+/// scene::sweptDepth(), and of reading and writing the cache's files; InvalidInput for options. Stop:
+/// Stopped; the cache keeps the depths so far.
 SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,
                         ProgressSink& progress, const std::stop_token& stop);
 
 /// What surveyDepth() would take.
 struct DepthForecast {
-    std::size_t photos = 0;  ///< Photos whose depth is wanted.
-    std::size_t missing = 0; ///< Photos among them whose depth the cache does not have.
-    std::uint64_t bytes = 0; ///< Size of the files.
-    /// Time on this machine for one photo that is missing; nothing if none was tried.
+    std::size_t photos = 0; ///< Photos whose depth is wanted.
+    /// Depths yet to be estimated: those of these photos, and of the neighbours that must agree with them.
+    std::size_t missing = 0;
+    std::uint64_t bytes = 0; ///< Size of the depths of all these photos, kept or not.
+    /// Time on this machine for one depth that is missing; nothing if none was tried.
     std::optional<double> secondsAPhoto;
 
     double seconds() const { return secondsAPhoto.value_or(0) * static_cast<double>(missing); }
 };
 
-/// With a trial, estimates the depth of one photo that is missing, times it, and keeps it in the cache.
-/// Errors: those of surveyDepth().
+/// Forecasts surveyDepth(). With a trial it estimates one depth that is missing, times that, and keeps the
+/// depth in the cache. Errors: those of surveyDepth(). Stop: that of surveyDepth().
 DepthForecast depthForecast(std::span<const DepthInput> photos, const DepthOptions& options, bool withTrial,
                             const std::stop_token& stop);
 
@@ -93,22 +97,24 @@ struct ExportOptions {
 
 struct ExportReport {
     dataset::WriteReport written;
-    int withoutPhoto = 0;     ///< Stations that the dataset lacks.
+    int withoutPhoto = 0;     ///< Stations without a photo, even a rejected one.
     int rejected = 0;         ///< Photos that a person rejected. The dataset leaves them out.
     int withoutRotation = 0;  ///< Photos whose heading is not known.
-    double sphereRadiusM = 0; ///< 0 if no photo stands inside of the outline.
+    double sphereRadiusM = 0; ///< 0 if neither depths nor the outline tell it.
     std::optional<render::RoomShape> roomShape;
     DepthReport depth;
 };
 
 /// Exports the chosen photo of every station, unless a person rejected it, with the poses of the active
 /// solution. A photo that the solution lacks gets the tilt that the photo itself states, and the heading 0;
-/// the dataset says so. Errors: those of dataset::writeDataset() and of surveyDepth().
+/// the dataset says so. Errors: those of reading such a photo and of dataset::writeDataset(); for Room and
+/// Depth also those of surveyDepth(). Stop: Stopped.
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
-/// The richest scene model that an export makes without estimating depths: Depth if the cache has all of them
-/// for these options, else Sphere.
+/// The richest scene model that an export makes without sweeping depths. It is Depth if there are photos with
+/// neighbours and the cache has all their sweeps for these options, else Sphere. Errors: those of
+/// depthForecast().
 render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& options);
 
 /// What an export would make, and what a person should know before.
@@ -124,8 +130,8 @@ struct ExportCheck {
 };
 
 /// Looks before an export. Exports one photo to a temporary folder, and estimates one depth if depths are
-/// wanted, to know what the photos of this survey cost on this machine.
-/// Errors: those of reading photos; Stopped.
+/// wanted, to know what the photos of this survey cost on this machine. Errors: those of exportDataset().
+/// A folder that exists, or that has too little space, is an obstacle and no error.
 ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
                         const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 

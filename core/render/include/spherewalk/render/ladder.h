@@ -39,10 +39,11 @@ enum class Sampling {
               ///< Where the view has fewer, details flicker.
     Reduced, ///< It is bilinear on the photo at half its size. It is softer, and details do not flicker up to
              ///< a minification of about two.
-    Footprint, ///< It takes the mean of n x n bilinear samples over the view's pixel, n at least 2. At the
-               ///< picture's centre samples are less than 1.5 photo pixels apart. It is right when minifying.
+    Footprint, ///< It takes the mean of n x n bilinear samples over the view's pixel, n from 2 to 8. At the
+               ///< picture's centre samples are at most 1.5 photo pixels apart, up to a minification of 12.
+               ///< It is right when minifying.
     Bicubic,   ///< It interpolates sixteen pixels. It is right where the view has more pixels per degree.
-    Auto,      ///< It is the cheapest of Reduced, Bilinear and Footprint that is expected to be good enough.
+    Auto,      ///< It is the choice of chosenSampling() from Reduced, Bilinear and Footprint.
 };
 
 /// The word that options and files use: "nearest", "bilinear", "reduced", "footprint", "bicubic", "auto".
@@ -51,22 +52,25 @@ std::string_view name(Sampling sampling);
 /// The sampling of that word. Errors: InvalidInput, with all the words.
 Sampling sampling(std::string_view name);
 
-/// How many photo pixels one view pixel spans at the middle of the picture, along the axis that has more.
+/// How many photo pixels one view pixel spans at the middle of the picture, along the view's axis with the
+/// larger span. It is 0 if the lens sees nothing there.
 double minification(const CameraModel& camera, int photoWidth);
 
-/// How many samples each pixel has along an axis. Range: 1, but 2 to 8 for Footprint.
+/// How many samples each pixel has along an axis: 2 to 8 for Footprint, else 1. sampling: not Auto.
 int samplesPerAxis(Sampling sampling, double minification);
 
-/// How near a sampling comes, at worst, to the mean over each pixel's area. Units: decibels (peak signal to
-/// noise ratio). It was measured on pictures full of detail and promises nothing for others. Range: below a
-/// minification of 0.47 and above 3.82 the nearest one's value holds.
+/// How near a sampling comes, at worst, to the mean over each pixel's area. It was measured on pictures full
+/// of detail and promises nothing for others. Below a minification of 0.47 and above 3.82 the value at that
+/// end holds. Units: decibels (peak signal to noise ratio). sampling: not Auto.
 double expectedDb(Sampling sampling, double minification);
 
-/// The sampling itself, if it is not Auto. For Auto: the cheapest that is expected to reach the tolerance.
-/// Nearest and Bicubic are never chosen, since something better costs less.
+/// The sampling itself, if it is not Auto. For Auto it is the cheapest of Reduced and Bilinear that is
+/// expected to reach the tolerance, and Footprint if neither is. Nearest and Bicubic are never chosen, since
+/// something better costs less.
 Sampling chosenSampling(Sampling sampling, double minification, double toleranceDb);
 
-/// The choice that "auto" stands for, as it was measured on the dataset itself against a tolerance.
+/// The choice that "auto" stands for, as it was measured on the dataset itself against a tolerance. A photo
+/// may name another scene model of its own.
 struct ViewChoice {
     SceneKind scene = SceneKind::None;
     Sampling sampling = Sampling::Footprint; ///< This is never Auto.
@@ -79,7 +83,8 @@ struct ViewChoice {
 
     bool isWithin() const { return errorPx <= tolerancePx; }
 
-    /// Whether the choice holds for this camera. With a longer focal length the same error is more pixels.
+    /// Whether the choice holds for this camera: its fx and fy are at most 5 % longer than focalPx. With a
+    /// longer focal length the same error is more pixels. Lens and size do not matter.
     bool isFor(const CameraIntrinsics& camera) const;
 };
 
