@@ -123,6 +123,13 @@ TEST_F(MovedPhotos, LeaveTheOthersOfTheirStationAChosenOne) {
     EXPECT_TRUE(m_store.check(noProgress(), {}).database.empty());
 }
 
+TEST_F(MovedPhotos, TakeThePlaceOfThePhotoThatWasChosenThere) {
+    m_store.movePhotos({moved(m_a, 1)});
+    EXPECT_EQ(m_store.chosenPhoto(stationAt(1))->id, m_a);
+    EXPECT_EQ(m_store.photo(m_b).station, stationAt(1));
+    EXPECT_EQ(m_store.chosenPhoto(stationAt(0)), std::nullopt);
+}
+
 TEST_F(MovedPhotos, MoveAllOrNone) {
     MovedPhoto nowhere = moved(m_b, 0);
     nowhere.station = 9999;
