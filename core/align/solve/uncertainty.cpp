@@ -127,7 +127,8 @@ std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns
         const std::array<int, 3> turned = columns.turn(i);
         if (turned[0] >= 0) {
             const UpPrior up = upPrior(prior);
-            const Eigen::Matrix3d by = -skew(unknowns.reference[i] * up.upInPhoto) / up.sigmaRad;
+            const Eigen::Matrix<double, 2, 3> by =
+                leanOf(unknowns.reference[i] * up.upInPhoto).byTurn / up.sigmaRad;
             for (int axis = 0; axis < 2; ++axis) {
                 rows.push_back({{turned.begin(), turned.end()}, {by(axis, 0), by(axis, 1), by(axis, 2)}, {}});
             }
