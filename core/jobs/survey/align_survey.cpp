@@ -76,15 +76,14 @@ void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignmen
         propose(Cure::Retake, photo);
         return;
     }
-    const double lean = commonLeanSigma(alignment).value();
-    const double tilt = std::max(pose.sigmaPitch, pose.sigmaRoll).value();
-    const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
-    const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
-    if (sigma > kDoubtfulSigma) {
+    if (!pose.doubt.empty()) {
+        photo.flags.push_back(pose.doubt);
+    } else if (pose.sigmaOwn > kDoubtfulSigma) {
         propose(Cure::Retake, photo);
-        photo.flags.push_back(text("Its rotation is known to ", fixed(Degrees(sigma).value(), 3), " deg",
-                                   " only: it shares too little with its neighbours; retake it with more "
-                                   "light, or with more to see."));
+        photo.flags.push_back(text("Its rotation against its neighbours is known to ",
+                                   fixed(Degrees(pose.sigmaOwn).value(), 3),
+                                   " deg only: it shares too little with them; retake it with more light, or "
+                                   "with more to see."));
     }
     if (pose.outlierShare > kMostOutliers) {
         propose(Cure::Mask, photo);
@@ -268,6 +267,11 @@ class AlignRun {
         }
         for (std::size_t i = 0; i < poses.size(); ++i) {
             giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
+            // Its own accelerometer is the better witness: such a pose is not handed on.
+            if (m_priors[i].levelFromPhoto && poses[i].leanFromStated > align::kContradictingLean) {
+                m_report.photos[i].quality = survey::Quality::Failed;
+                propose(Cure::Retake, m_report.photos[i]);
+            }
         }
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
@@ -283,16 +287,18 @@ class AlignRun {
         solution.source = "align";
         solution.model = align::name(m_report.alignment.model);
         for (const AlignedPhoto& photo : m_report.photos) {
-            if (!photo.pose.isSolved) {
+            if (!photo.pose.isSolved || photo.quality == survey::Quality::Failed) {
                 continue;
             }
             store::SolvedPhoto solved;
             solved.photo = photo.photo;
             solved.roomFromPhoto = photo.pose.roomFromPhoto.rotation;
             solved.positionM = photo.pose.roomFromPhoto.translation;
-            solved.sigmaYawRad = photo.pose.sigmaYaw.value();
-            solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
-            solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+            if (photo.pose.hasSigmas()) {
+                solved.sigmaYawRad = photo.pose.sigmaYaw.value();
+                solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
+                solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+            }
             solved.sigmaPositionM = photo.pose.sigmaPositionM;
             solved.quality = photo.quality;
             solved.flags = Json(photo.flags).dump();

@@ -43,17 +43,31 @@ struct SolveOptions {
 /// The pose of one photo and how far it is to be believed: standard deviations.
 struct SolvedPose {
     bool isSolved = false;
-    std::string why;      ///< A sentence if not solved: "No neighbour shares enough with it."
+    std::string why; ///< A sentence if not solved: "No neighbour shares enough with it."
+    /// A sentence if solved, but a quite different rotation may be the right one. Such a photo has no
+    /// standard deviations: those of its turn are pi.
+    std::string doubt;
+    /// Angle between what the solution calls up and what the photo says is up (its metadata, or upright where
+    /// they say nothing).
+    Radians leanFromStated;
     int component = 0;    ///< Index of the connected component; 0 is the largest.
     Rigid3 roomFromPhoto; ///< Without a solution: the planned position, not turned.
     Radians sigmaYaw;     ///< Against all other photos; Alignment::sigmaCommonYaw holds the common part.
     Radians sigmaPitch;
     Radians sigmaRoll;
+    /// Of its turn against the other photos of its component, about the worst axis. Yaw and lean that all of
+    /// them share are no part of it.
+    Radians sigmaOwn;
     double sigmaPositionM = 0;
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
     double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts.
+
+    bool hasSigmas() const { return isSolved && doubt.empty(); }
 };
+
+/// A photo that leans farther than this from what it states contradicts itself. SolvedPose::doubt says so.
+inline constexpr Radians kContradictingLean = Degrees(20);
 
 /// How well one model predicts matches that were held out.
 struct ModelTrial {
@@ -70,6 +84,7 @@ struct Alignment {
     std::vector<ModelTrial> trials; ///< Empty unless the model was Auto.
     int components = 0;
     Radians sigmaCommonYaw;            ///< Of the yaw common to all photos, which only positions fix.
+    Radians sigmaCommonLean;           ///< Of the lean common to all photos, about the worst axis.
     double residualRad = 0;            ///< Robust root mean square over all matches used.
     double cycleErrorRad = 0;          ///< Median turn that is left around triangles of pair estimates.
     std::vector<std::string> warnings; ///< Sentences for people.

@@ -88,10 +88,6 @@ struct AlignReport {
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
 
-/// How far the photos may all lean together: the smallest standard deviation of a tilt. 0 if no photo is
-/// solved.
-Radians commonLeanSigma(const align::Alignment& alignment);
-
 /// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);
 
