@@ -122,6 +122,7 @@ Json toJson(const AlignReport& report) {
             {"photos_from_cache", report.fromCache},
             {"pairs", report.pairs},
             {"holding_pairs", report.holdingPairs},
+            {"pairs_tried_again", report.pairsTriedAgain},
             {"components", alignment.components},
             {"residual_deg", Degrees(Radians(alignment.residualRad)).value()},
             {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},

@@ -231,6 +231,24 @@ TEST_F(AlignSurvey, HandsOnNoPoseThatContradictsThePhotosOwnTilt) {
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 5U);
 }
 
+TEST_F(AlignSurvey, LooksAgainWithMoreEffortBeforeAPartIsGivenUp) {
+    const practice::PracticeRoom room;
+    const practice::PhotoErrors errors;
+    for (int i = 0; i < 3; ++i) { // so far apart that a first look joins none
+        places.emplace_back(0.7 + 1.8 * i, 1.1, 1.2);
+        truth.push_back(errors.truePose(places.back(), i + 1));
+        pictures.push_back(room.spherical(truth.back(), {kWidth, kWidth / 2}));
+    }
+    auto store = newSurvey();
+    AlignOptions draft;
+    draft.effort = align::Effort::Draft;
+    const AlignReport report = alignSurvey(store, draft, noProgress(), {});
+    EXPECT_GT(report.pairsTriedAgain, 0U);
+    const AlignmentError error = alignmentError(report, truePoses(store));
+    EXPECT_EQ(error.photos, 3);
+    EXPECT_LT(error.yawRmsDeg, 0.5);
+}
+
 TEST_F(AlignSurvey, MeasuresWhatEachEffortAndModelCosts) {
     photograph();
     auto store = newSurvey();
