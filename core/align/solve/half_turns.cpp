@@ -205,9 +205,10 @@ std::vector<bool> bentPhotos(const ComponentInput& input, const ComponentState& 
         ++sizes[static_cast<std::size_t>(sets.of(i))];
     }
     const int largest = static_cast<int>(std::ranges::max_element(sizes) - sizes.begin());
+    const bool isAnyJoined = sizes[static_cast<std::size_t>(largest)] > 1;
     std::vector<bool> isBent;
     for (int i = 0; i < sets.count(); ++i) {
-        isBent.push_back(sets.of(i) != largest);
+        isBent.push_back(sets.of(i) != largest || !isAnyJoined);
     }
     return isBent;
 }

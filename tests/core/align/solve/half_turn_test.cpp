@@ -106,6 +106,22 @@ TEST(HalfTurn, OfAllPhotosAboutTheVerticalReversesTheTravel) {
     EXPECT_EQ(travelSign(pairSides(reversed.input, reversed.state)), TravelSign::Reversed);
 }
 
+TEST(BentPhotos, AreThoseThatThePairsDoNotJoinToMostOthers) {
+    HalfTurns line(34);
+    EXPECT_THAT(bentPhotos(line.input, line.state), testing::Each(false));
+    for (const std::size_t photo : {4U, 5U}) {
+        Eigen::Quaterniond& rotation = line.state.unknowns.reference[photo];
+        rotation = yawRotation(Degrees(3)) * rotation;
+    }
+    EXPECT_THAT(bentPhotos(line.input, line.state),
+                testing::ElementsAre(false, false, false, false, true, true));
+    for (std::size_t photo = 0; photo < 6; ++photo) {
+        Eigen::Quaterniond& rotation = line.state.unknowns.reference[photo];
+        rotation = yawRotation(Degrees(3.0 * static_cast<double>(photo))) * rotation;
+    }
+    EXPECT_THAT(bentPhotos(line.input, line.state), testing::Each(true)); // none that the others could join
+}
+
 TEST(HalfTurn, OfTheTravelIsUnclearWithoutParallax) {
     PairSides pair;
     pair.same = 200;
