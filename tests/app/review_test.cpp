@@ -39,4 +39,11 @@ TEST(RetagCommand, MovesAPhotoToTheStationThatIsNamed) {
     EXPECT_EQ(runCli({"retag", path, "--photo", "R1002.JPG"}).status, 1);
 }
 
+TEST(AlignCommand, FailsWhereNothingCouldBeSolved) {
+    const test::PhotographedSurvey survey(1);
+    const CliResult result = runCli({"align", survey.path().string(), "--effort", "draft"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.output, HasSubstr("How the photos are turned is not known."));
+}
+
 } // namespace spherewalk

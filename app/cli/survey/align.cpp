@@ -7,6 +7,7 @@
 #include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace spherewalk::cli {
@@ -68,7 +69,9 @@ Result align(const AlignArguments& options, Context& context) {
     const jobs::TruePoses truth =
         options.truth.empty() ? jobs::TruePoses() : jobs::readTruePoses(store, options.truth);
     const jobs::AlignReport report = jobs::alignSurvey(store, alignOptions, context.progress, context.stop);
-    Result result{jobs::toJson(report), jobs::alignText(report)};
+    const bool isAnySolved = std::ranges::any_of(
+        report.photos, [](const jobs::AlignedPhoto& photo) { return photo.pose.isSolved; });
+    Result result{jobs::toJson(report), jobs::alignText(report), isAnySolved};
     if (!truth.empty()) {
         const jobs::AlignmentError error = jobs::alignmentError(report, truth);
         result.json["error"] = jobs::toJson(error);

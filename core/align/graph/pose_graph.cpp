@@ -3,6 +3,7 @@
 
 #include "pairs/disjoint_sets.h"
 
+#include "spherewalk/align/match_pairs.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
@@ -181,6 +182,20 @@ PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int lea
     }
     std::ranges::sort(graph.contradicted);
     return graph;
+}
+
+std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d> positionsM,
+                                                 std::span<const PairEstimate> estimates,
+                                                 const NeighbourOptions& options) {
+    DisjointSets parts(positionsM.size());
+    for (const Component& component : poseGraph(static_cast<int>(positionsM.size()), estimates).components) {
+        for (const int photo : component.photos) {
+            parts.join(photo, component.photos.front());
+        }
+    }
+    std::vector<std::pair<int, int>> apart = neighbours(positionsM, options);
+    std::erase_if(apart, [&](const auto& pair) { return parts.of(pair.first) == parts.of(pair.second); });
+    return apart;
 }
 
 } // namespace spherewalk::align

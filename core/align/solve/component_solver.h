@@ -56,4 +56,39 @@ ModelChoice chooseModel(const ComponentInput& input, ComponentState& state, Prog
 /// Returns the number of photos turned.
 int turnStrays(const ComponentInput& input, Model model, ComponentState& state);
 
+/// Where the rays of a pair's inliers meet, at the photos' present poses: numbers of matches.
+struct PairSides {
+    int pair = 0; ///< Index among the given pairs.
+    int a = 0;    ///< Place of the photo within the component.
+    int b = 0;
+    bool isTurn = false;
+    int same = 0;     ///< On one side of the baseline in both photos. Photos of one place: within 90 degrees.
+    int opposite = 0; ///< On opposite sides, as where one photo is half a turn off about the baseline.
+    int front = 0;    ///< Of `same`, with real parallax: they meet in front of both photos.
+    int behind = 0;   ///< Of `same`, with real parallax: they meet behind.
+};
+
+std::vector<PairSides> pairSides(const ComponentInput& input, const ComponentState& state);
+
+/// Which way the photos of a component lie from one another, by what lies in front of them.
+enum class TravelSign {
+    Right,
+    Reversed, ///< Half a turn of the whole about the vertical explains the matches.
+    Unclear,  ///< Too little moved between the photos, or what moved does not agree.
+};
+
+TravelSign travelSign(std::span<const PairSides> pairs);
+
+/// Turns parts of a component that are half a turn off about the baselines to the rest. The estimates of the
+/// pairs between the parts say where to. Returns the number of photos turned.
+int turnHalves(const ComponentInput& input, ComponentState& state);
+
+/// For each photo of the component, whether its turn against the others is not what the pictures alone say:
+/// no chain of pairs whose solved turn is that of their estimate joins it to most others. Wrong positions
+/// bend a solution so.
+std::vector<bool> bentPhotos(const ComponentInput& input, const ComponentState& state);
+
+/// For each photo of the component, whether too many rays lie on opposite sides of its baselines.
+std::vector<bool> unclearSides(const ComponentState& state, std::span<const PairSides> pairs);
+
 } // namespace spherewalk::align

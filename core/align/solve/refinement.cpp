@@ -23,13 +23,12 @@ UprightBlock::UprightBlock(const Eigen::Quaterniond& reference, const Eigen::Vec
 
 bool UprightBlock::Evaluate(const double* const* parameters, double* residuals, double** jacobians) const {
     const Eigen::Vector3d moved = Eigen::Map<const Eigen::Vector3d>(parameters[0]);
-    const Eigen::Vector3d up = turn(moved) * m_up;
+    const Lean lean = leanOf(turn(moved) * m_up);
     Eigen::Map<Eigen::Vector2d> leaning(residuals);
-    leaning = up.head<2>() / m_sigmaRad;
+    leaning = lean.vectorRad / m_sigmaRad;
     if (jacobians != nullptr && jacobians[0] != nullptr) {
-        const Eigen::Matrix3d by = -skew(up) * leftJacobian(moved);
         Eigen::Map<Eigen::Matrix<double, 2, 3, Eigen::RowMajor>> rows(jacobians[0]);
-        rows = by.topRows<2>() / m_sigmaRad;
+        rows = lean.byTurn * leftJacobian(moved) / m_sigmaRad;
     }
     return true;
 }

@@ -31,8 +31,9 @@ struct RefinementOptions {
 /// where it was planned.
 constexpr double kLeastPlacementSigma = 1e-5;
 
-/// Holds a photo upright. Residuals: x and y of the photo's own up vector in the room, in standard
-/// deviations. Parameters: the photo's turn from its reference.
+/// Holds a photo upright. Residuals: the lean of the photo's own up vector in the room (leanOf()), in
+/// standard deviations. A photo that hangs upside down costs most, so upright is the only rest. Parameters:
+/// the photo's turn from its reference.
 class UprightBlock : public ceres::SizedCostFunction<2, 3> {
   public:
     UprightBlock(const Eigen::Quaterniond& reference, const Eigen::Vector3d& upInPhoto, double sigmaRad);

@@ -93,9 +93,9 @@ SolutionQuality quality(const ComponentInput& input, const ComponentState& state
     return made;
 }
 
-void report(const ComponentInput& input, Model model, const ComponentState& state,
-            const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
-            const std::stop_token& stop) {
+double report(const ComponentInput& input, Model model, const ComponentState& state,
+              const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
+              const std::stop_token& stop) {
     const RefinementOptions options = refinementOptions(*input.options, model, state.scale);
     const Uncertainty sigmas = uncertainty(state.unknowns, input.priors, state.used, options, stop);
     const Eigen::Vector3d origin =
@@ -116,15 +116,21 @@ void report(const ComponentInput& input, Model model, const ComponentState& stat
         pose.why.clear();
         pose.roomFromPhoto.rotation = where.roomFromPhoto.normalized();
         pose.roomFromPhoto.translation = origin + where.positionM;
+        const UpPrior up = upPrior(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
+        pose.leanFromStated =
+            Radians(leanOf(where.roomFromPhoto.normalized() * up.upInPhoto).vectorRad.norm());
         pose.sigmaYaw = Radians(sigmas.photos[i].yawRad);
         pose.sigmaPitch = Radians(sigmas.photos[i].pitchRad);
         pose.sigmaRoll = Radians(sigmas.photos[i].rollRad);
+        pose.sigmaOwn = Radians(sigmas.photos[i].ownRad);
         pose.sigmaPositionM = sigmas.photos[i].positionM;
     }
     if (component == 0) {
         alignment.sigmaCommonYaw = Radians(hasHeading ? sigmas.commonYawRad : std::numbers::pi);
+        alignment.sigmaCommonLean = Radians(sigmas.commonLeanRad);
         alignment.residualRad = quality.residualRad;
     }
+    return sigmas.commonLeanRad;
 }
 
 } // namespace spherewalk::align

@@ -8,6 +8,7 @@
 
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace spherewalk::align {
@@ -28,10 +29,22 @@ struct SolutionQuality {
 
 SolutionQuality quality(const ComponentInput& input, const ComponentState& state);
 
-/// Writes a component's poses and their uncertainty into the alignment.
-void report(const ComponentInput& input, Model model, const ComponentState& state,
-            const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
-            const std::stop_token& stop);
+/// Writes a component's poses and their uncertainty into the alignment. Returns the standard deviation of the
+/// lean that all of its photos share, in radians.
+double report(const ComponentInput& input, Model model, const ComponentState& state,
+              const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
+              const std::stop_token& stop);
+
+/// What a person should know of a component's lean, as sentences: that photos on one line leave it open, and
+/// how many photos lean from what they state. which: names the photos. commonLeanRad: what report() returned.
+std::vector<std::string> leanWarnings(const Alignment& alignment, const ComponentInput& input,
+                                      const ComponentState& state, double commonLeanRad,
+                                      const std::string& which);
+
+/// Takes the standard deviations from those photos of a component that a quite different rotation may fit,
+/// and says why in SolvedPose::doubt.
+void doubtPhotos(const ComponentInput& input, const ComponentState& state, std::span<const PairSides> sides,
+                 TravelSign travel, Alignment& alignment);
 
 /// The standard deviations of one photo's pose.
 struct PhotoUncertainty {
@@ -39,11 +52,13 @@ struct PhotoUncertainty {
     double pitchRad = 0;
     double rollRad = 0;
     double positionM = 0; ///< Along each axis.
+    double ownRad = 0;    ///< About the worst axis, without the turn common to all.
 };
 
 struct Uncertainty {
     std::vector<PhotoUncertainty> photos;
     double commonYawRad = 0;
+    double commonLeanRad = 0; ///< About the worst horizontal axis.
 };
 
 /// How far a converged solution may err. A feature takes part in many pairs with the same error, so the usual

@@ -10,6 +10,7 @@
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,7 +166,28 @@ struct SolveAttempt {
     ModelChoice choice;
     RoomOrientation orientation;
     SolutionQuality quality;
+    std::vector<PairSides> sides;
+    TravelSign travel = TravelSign::Unclear;
 };
+
+// Turns back what is half a turn off, as long as more matches then agree.
+void turnBackHalves(const ComponentInput& input, SolveAttempt& made, ProgressSink& progress,
+                    const std::stop_token& stop) {
+    constexpr int kMostRounds = 3;
+    for (int round = 0; round < kMostRounds; ++round) {
+        ComponentState turned = made.state;
+        if (turnHalves(input, turned) == 0) {
+            return;
+        }
+        solveModel(input, made.choice.model, true, turned, progress, stop);
+        SolutionQuality better = quality(input, turned);
+        if (better.agreeingShare <= made.quality.agreeingShare) {
+            return;
+        }
+        made.state = std::move(turned);
+        made.quality = std::move(better);
+    }
+}
 
 SolveAttempt attempt(const Component& component, const ComponentInput& input,
                      const RoomOrientation& orientation, Model wanted, ProgressSink& progress,
@@ -184,6 +206,9 @@ SolveAttempt attempt(const Component& component, const ComponentInput& input,
         solveModel(input, made.choice.model, true, made.state, solving, stop);
     }
     made.quality = quality(input, made.state);
+    turnBackHalves(input, made, solving, stop);
+    made.sides = pairSides(input, made.state);
+    made.travel = travelSign(made.sides);
     return made;
 }
 
@@ -199,6 +224,15 @@ SolveAttempt bestAttempt(const Component& component, const ComponentInput& input
         }
         if (best->quality.agreeingShare > kGoodAgreeingShare || !best->orientation.hasHeading) {
             break;
+        }
+    }
+    if (best->orientation.hasHeading && best->travel != TravelSign::Right) {
+        RoomOrientation reversed = best->orientation;
+        reversed.roomFromComponent = yawRotation(Degrees(180)) * reversed.roomFromComponent;
+        reversed.agreeingShare = 1 - reversed.agreeingShare;
+        SolveAttempt made = attempt(component, input, reversed, wanted, progress, stop);
+        if (made.travel == TravelSign::Right && made.quality.agreeingShare > best->quality.agreeingShare) {
+            best = std::move(made);
         }
     }
     return std::move(*best);
@@ -313,8 +347,14 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             alignment.reason = made.choice.reason.empty() ? alignment.reason : made.choice.reason;
         }
         warnOfQuality(alignment, component, made, photos, progress);
-        report(input, made.choice.model, made.state, made.quality, made.orientation.hasHeading,
-               static_cast<int>(i), alignment, stop);
+        const double commonLeanRad =
+            report(input, made.choice.model, made.state, made.quality, made.orientation.hasHeading,
+                   static_cast<int>(i), alignment, stop);
+        for (const std::string& sentence :
+             leanWarnings(alignment, input, made.state, commonLeanRad, photosText(component, photos))) {
+            warn(alignment, progress, sentence);
+        }
+        doubtPhotos(input, made.state, made.sides, made.travel, alignment);
     }
     progress.progress(1, "Solved");
     return alignment;

@@ -9,6 +9,8 @@
 #include "spherewalk/base/fixed_random.h"
 #include "spherewalk/geometry/rotation.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -127,7 +129,8 @@ std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns
         const std::array<int, 3> turned = columns.turn(i);
         if (turned[0] >= 0) {
             const UpPrior up = upPrior(prior);
-            const Eigen::Matrix3d by = -skew(unknowns.reference[i] * up.upInPhoto) / up.sigmaRad;
+            const Eigen::Matrix<double, 2, 3> by =
+                leanOf(unknowns.reference[i] * up.upInPhoto).byTurn / up.sigmaRad;
             for (int axis = 0; axis < 2; ++axis) {
                 rows.push_back({{turned.begin(), turned.end()}, {by(axis, 0), by(axis, 1), by(axis, 2)}, {}});
             }
@@ -358,6 +361,14 @@ double rootMeanSquare(const Eigen::RowVectorXd& values) {
     return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
+// The standard deviation of three rows along the axis where they scatter most.
+double worstScatter(const Draws& draws) {
+    const Eigen::Matrix3d moments = draws * draws.transpose() / static_cast<double>(draws.cols());
+    const Eigen::Vector3d variances =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
+    return std::sqrt(std::max(variances[2], 0.0));
+}
+
 } // namespace
 
 Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> priors,
@@ -392,20 +403,24 @@ Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> pr
                 unknowns.positionByPlacement(i) * solved.middleRows<3>(at[0]);
         }
     }
-    Eigen::RowVectorXd common = Eigen::RowVectorXd::Zero(kBootstrapDraws);
+    Draws common = Draws::Zero(3, kBootstrapDraws);
     for (std::size_t i = 0; i < count; ++i) {
-        common += turns.row(static_cast<Eigen::Index>(3 * i) + 2) / static_cast<double>(count);
+        common += turns.middleRows<3>(static_cast<Eigen::Index>(3 * i)) / static_cast<double>(count);
     }
     Uncertainty made;
-    made.commonYawRad = rootMeanSquare(common);
+    made.commonYawRad = rootMeanSquare(common.row(2));
+    Draws lean = common;
+    lean.row(2).setZero();
+    made.commonLeanRad = worstScatter(lean);
     for (std::size_t i = 0; i < count; ++i) {
         Draws turned = turns.middleRows<3>(static_cast<Eigen::Index>(3 * i));
-        turned.row(2) -= common;
+        const double own = worstScatter(turned - common);
+        turned.row(2) -= common.row(2);
         const Draws angles = anglesByTurn(unknowns.reference[i]) * turned;
         const Draws moved = positions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
         made.photos.push_back({rootMeanSquare(angles.row(0)), rootMeanSquare(angles.row(1)),
                                rootMeanSquare(angles.row(2)),
-                               std::sqrt(moved.squaredNorm() / (3.0 * kBootstrapDraws))});
+                               std::sqrt(moved.squaredNorm() / (3.0 * kBootstrapDraws)), own});
     }
     return made;
 }

@@ -122,4 +122,27 @@ UpPrior upPrior(const PhotoPrior& prior) {
             std::max(prior.tiltSigma.value(), 1e-5)};
 }
 
+Lean leanOf(const Eigen::Vector3d& up) {
+    // Below this sine the direction of the lean is taken for known, and its derivative for finite.
+    constexpr double kLeastLeanSine = 1e-4;
+    const double sine = up.head<2>().norm();
+    const double angle = std::atan2(sine, up.z());
+    Lean lean;
+    if (sine < kLeastLeanSine && up.z() > 0) { // The angle is its own sine here.
+        lean.vectorRad = up.head<2>();
+        lean.byTurn = -skew(up).topRows<2>();
+        return lean;
+    }
+    const Eigen::Vector2d towards =
+        sine > 1e-12 ? Eigen::Vector2d(up.head<2>() / sine) : Eigen::Vector2d::UnitX();
+    const Eigen::Vector2d across(-towards.y(), towards.x());
+    const double bounded = std::max(sine, kLeastLeanSine);
+    lean.vectorRad = angle * towards;
+    // A turn about `across` leans farther; one about z or `towards` leans another way.
+    lean.byTurn.leftCols<2>() =
+        towards * across.transpose() - across * towards.transpose() * (angle * up.z() / bounded);
+    lean.byTurn.col(2) = angle * across;
+    return lean;
+}
+
 } // namespace spherewalk::align

@@ -58,6 +58,17 @@ struct UpPrior {
 
 UpPrior upPrior(const PhotoPrior& prior);
 
+/// How far a direction leans from +z: a vector across the floor, towards where it leans, as long as the
+/// angle.
+struct Lean {
+    Eigen::Vector2d vectorRad = Eigen::Vector2d::Zero();
+    Eigen::Matrix<double, 2, 3> byTurn; ///< Derivative by a small turn about the room's axes.
+};
+
+/// The lean of a unit vector. Its length is the angle up to pi, so it has one zero, and its slope towards
+/// upright never fades. Straight down it leans along +x, since any way is as good.
+Lean leanOf(const Eigen::Vector3d& up);
+
 /// Standard deviations of a photo's offset from its stop along x, y and z. They are at least 1e-5 m.
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior);
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace spherewalk::jobs {
 
@@ -30,7 +30,7 @@ Json toJson(const AlignedPhoto& photo) {
         const Eigen::Vector3d& p = photo.pose.roomFromPhoto.translation;
         json["roomFromPhoto"] = {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}};
         json["position_m"] = {p.x(), p.y(), p.z()};
-        json["sigma_deg"] = sigmaJson(photo.pose);
+        json["sigma_deg"] = photo.pose.hasSigmas() ? sigmaJson(photo.pose) : Json();
         json["sigma_position_m"] = photo.pose.sigmaPositionM;
         json["neighbours"] = photo.pose.constraints;
         json["residual_deg"] = Degrees(Radians(photo.pose.residualRad)).value();
@@ -56,10 +56,13 @@ std::ptrdiff_t countOf(survey::Quality quality, const AlignReport& report) {
     return std::ranges::count(report.photos, quality, &AlignedPhoto::quality);
 }
 
-Radians worstSigma(const AlignReport& report) {
-    Radians worst;
+/// Of the photos that have one; nothing if none has.
+std::optional<Radians> worstSigma(const AlignReport& report) {
+    std::optional<Radians> worst;
     for (const AlignedPhoto& photo : report.photos) {
-        worst = photo.pose.isSolved ? std::max(worst, photo.pose.sigmaYaw) : worst;
+        if (photo.pose.hasSigmas()) {
+            worst = std::max(worst.value_or(Radians(0)), photo.pose.sigmaYaw);
+        }
     }
     return worst;
 }
@@ -68,8 +71,27 @@ std::string secondsText(double seconds) {
     return text(fixed(seconds, 1), " s");
 }
 
-std::string degreesText(Radians angle) {
-    return text(fixed(Degrees(angle).value(), 3), " deg");
+/// Beyond this a standard deviation says that nothing is known.
+constexpr Radians kUnknownSigma = Degrees(60);
+
+std::string sigmaText(Radians sigma) {
+    return sigma > kUnknownSigma ? "not known" : text("known to ", fixed(Degrees(sigma).value(), 3), " deg");
+}
+
+Json sigmaDegrees(Radians sigma, bool isKnown) {
+    return isKnown ? Json(Degrees(sigma).value()) : Json();
+}
+
+/// What is known of the rotations, as sentences.
+std::string knownText(const AlignReport& report) {
+    const std::optional<Radians> worst = worstSigma(report);
+    if (!worst) {
+        return "How the photos are turned is not known.";
+    }
+    return text("Yaw is ", sigmaText(*worst),
+                " at worst (one standard deviation); the heading of the whole is ",
+                sigmaText(report.alignment.sigmaCommonYaw), ", its lean is ",
+                sigmaText(report.alignment.sigmaCommonLean), ".");
 }
 
 } // namespace
@@ -82,21 +104,13 @@ Cure cureNamed(std::string_view name) {
     return valueOf(kCures, "The cure", name);
 }
 
-Radians commonLeanSigma(const align::Alignment& alignment) {
-    // What is common to all cannot be more than the best known photo has.
-    Radians least(std::numeric_limits<double>::infinity());
-    for (const align::SolvedPose& pose : alignment.photos) {
-        least = pose.isSolved ? std::min(least, std::min(pose.sigmaPitch, pose.sigmaRoll)) : least;
-    }
-    return std::isfinite(least.value()) ? least : Radians(0);
-}
-
 Json toJson(const AlignReport& report) {
     Json photos = Json::array();
     for (const AlignedPhoto& photo : report.photos) {
         photos.push_back(toJson(photo));
     }
     const align::Alignment& alignment = report.alignment;
+    const bool isKnown = worstSigma(report).has_value();
     return {{"model", name(alignment.model)},
             {"reason", alignment.reason},
             {"effort", name(report.effort)},
@@ -108,11 +122,12 @@ Json toJson(const AlignReport& report) {
             {"photos_from_cache", report.fromCache},
             {"pairs", report.pairs},
             {"holding_pairs", report.holdingPairs},
+            {"pairs_tried_again", report.pairsTriedAgain},
             {"components", alignment.components},
             {"residual_deg", Degrees(Radians(alignment.residualRad)).value()},
             {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},
-            {"sigma_common_yaw_deg", Degrees(alignment.sigmaCommonYaw).value()},
-            {"sigma_common_lean_deg", Degrees(commonLeanSigma(alignment)).value()},
+            {"sigma_common_yaw_deg", sigmaDegrees(alignment.sigmaCommonYaw, isKnown)},
+            {"sigma_common_lean_deg", sigmaDegrees(alignment.sigmaCommonLean, isKnown)},
             {"trials", trialsJson(alignment)},
             {"warnings", alignment.warnings},
             {"photos", photos}};
@@ -126,10 +141,7 @@ std::string alignText(const AlignReport& report) {
              secondsText(report.seconds), " (features ", secondsText(report.featureSeconds), ", matching ",
              secondsText(report.matchSeconds), ", solving ", secondsText(report.solveSeconds), "): ", good,
              " good, ", doubtful, " doubtful, ", countOf(survey::Quality::Failed, report), " failed.\n",
-             "Model ", name(report.alignment.model), ". ", report.alignment.reason, "\nYaw is known to ",
-             degreesText(worstSigma(report)), " at worst (one standard deviation); the ",
-             "heading of the whole to ", degreesText(report.alignment.sigmaCommonYaw), ", its lean to ",
-             degreesText(commonLeanSigma(report.alignment)), ".");
+             "Model ", name(report.alignment.model), ". ", report.alignment.reason, "\n", knownText(report));
     for (const std::string& warning : report.alignment.warnings) {
         words += "\n" + warning;
     }

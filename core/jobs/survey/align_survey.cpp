@@ -14,9 +14,11 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace spherewalk::jobs {
@@ -76,15 +78,14 @@ void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignmen
         propose(Cure::Retake, photo);
         return;
     }
-    const double lean = commonLeanSigma(alignment).value();
-    const double tilt = std::max(pose.sigmaPitch, pose.sigmaRoll).value();
-    const Radians ownTilt(std::sqrt(std::max(0.0, tilt * tilt - lean * lean)));
-    const Radians sigma = std::max(pose.sigmaYaw, ownTilt);
-    if (sigma > kDoubtfulSigma) {
+    if (!pose.doubt.empty()) {
+        photo.flags.push_back(pose.doubt);
+    } else if (pose.sigmaOwn > kDoubtfulSigma) {
         propose(Cure::Retake, photo);
-        photo.flags.push_back(text("Its rotation is known to ", fixed(Degrees(sigma).value(), 3), " deg",
-                                   " only: it shares too little with its neighbours; retake it with more "
-                                   "light, or with more to see."));
+        photo.flags.push_back(text("Its rotation against its neighbours is known to ",
+                                   fixed(Degrees(pose.sigmaOwn).value(), 3),
+                                   " deg only: it shares too little with them; retake it with more light, or "
+                                   "with more to see."));
     }
     if (pose.outlierShare > kMostOutliers) {
         propose(Cure::Mask, photo);
@@ -172,21 +173,29 @@ class AlignRun {
         }
     }
 
-    void findFeatures() {
-        const auto begin = SteadyClock::now();
+    align::FoundFeatures featuresOf(const std::vector<int>& photos, const align::FeatureOptions& features,
+                                    ProgressSink& progress) const {
         std::vector<align::PhotoFile> files;
-        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+        for (const int photo : photos) {
+            const auto i = static_cast<std::size_t>(photo);
             files.push_back(
                 {m_store.photoFolder() / m_photos[i].fileName, m_priors[i].name, m_photos[i].fileSha256});
         }
         align::FindOptions find;
-        find.features = m_effort.features;
+        find.features = features;
         find.mask = readMask(m_options.mask);
         find.cacheFolder =
             m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
         find.threads = m_options.threads;
+        return align::findFeatures(files, find, progress, m_stop);
+    }
+
+    void findFeatures() {
+        const auto begin = SteadyClock::now();
+        std::vector<int> all(m_photos.size());
+        std::iota(all.begin(), all.end(), 0);
         ProgressStep step(m_progress, 0.02, 0.6);
-        m_features = align::findFeatures(files, find, step, m_stop);
+        m_features = featuresOf(all, m_effort.features, step);
         m_report.fromCache = m_features.fromCache;
         for (const align::Features& features : m_features.photos) {
             m_report.features += static_cast<std::size_t>(features.count());
@@ -200,21 +209,111 @@ class AlignRun {
         for (const align::PhotoPrior& prior : m_priors) {
             positions.push_back(prior.positionM);
         }
-        ProgressStep step(m_progress, 0.6, 0.82);
+        ProgressStep step(m_progress, 0.6, 0.76);
         m_pairs = align::matchPairs(m_features.photos, align::neighbours(positions, m_effort.neighbours),
                                     m_effort.match, m_options.threads, step, m_stop);
+        for (const align::Features& features : m_features.photos) {
+            m_featureCounts.push_back(features.count());
+        }
         m_features.photos.clear();
-        m_progress.progress(0.82, "Estimating how neighbours are turned to each other");
-        align::PairOptions pairs;
-        pairs.threads = m_options.threads;
-        m_estimates = align::estimatePairs(m_pairs, pairs);
-        throwIfStopped(m_stop);
+        m_progress.progress(0.76, "Estimating how neighbours are turned to each other");
+        m_estimates = estimates(m_pairs);
+        joinParts(positions);
         m_report.pairs = m_pairs.size();
         m_report.holdingPairs = static_cast<std::size_t>(
             std::count_if(m_estimates.begin(), m_estimates.end(), [](const align::PairEstimate& pair) {
                 return pair.verdict == align::PairVerdict::Constraint;
             }));
         m_report.matchSeconds = secondsSince(begin);
+    }
+
+    std::vector<align::PairEstimate> estimates(const std::vector<align::PhotoPair>& pairs) const {
+        align::PairOptions options;
+        options.threads = m_options.threads;
+        std::vector<align::PairEstimate> made = align::estimatePairs(pairs, options);
+        throwIfStopped(m_stop);
+        return made;
+    }
+
+    /// Looks again, with more effort, at pairs that would join parts of the survey. That takes seconds; to
+    /// take photos between the parts takes a person.
+    void joinParts(const std::vector<Eigen::Vector3d>& positions) {
+        constexpr std::array kHarder = {align::Effort::Normal, align::Effort::Fine, align::Effort::Exact};
+        const std::vector<int> counts = m_featureCounts; // What shows nothing is not looked at again.
+        double begin = 0.76;
+        for (const align::Effort effort : kHarder) {
+            if (effort <= m_options.effort) {
+                continue;
+            }
+            const align::EffortOptions harder = align::optionsFor(effort);
+            std::vector<std::pair<int, int>> apart =
+                align::neighboursApart(positions, m_estimates, harder.neighbours);
+            std::erase_if(apart, [&](const auto& pair) {
+                return std::min(counts[static_cast<std::size_t>(pair.first)],
+                                counts[static_cast<std::size_t>(pair.second)]) <
+                       align::PairOptions().leastInliers;
+            });
+            if (!apart.empty()) {
+                ProgressStep step(m_progress, begin, begin + 0.03);
+                begin += 0.03;
+                matchAgain(apart, harder, step);
+                m_report.pairsTriedAgain += apart.size();
+            }
+        }
+    }
+
+    void matchAgain(const std::vector<std::pair<int, int>>& apart, const align::EffortOptions& harder,
+                    ProgressSink& progress) {
+        std::map<int, int> placeOf; // Of each photo that has to be looked at again.
+        std::vector<std::pair<int, int>> places = apart;
+        for (const auto& [a, b] : apart) {
+            placeOf.try_emplace(a, 0);
+            placeOf.try_emplace(b, 0);
+        }
+        std::vector<int> photos;
+        for (auto& [photo, place] : placeOf) {
+            place = static_cast<int>(photos.size());
+            photos.push_back(photo);
+        }
+        for (auto& [a, b] : places) {
+            a = placeOf.at(a);
+            b = placeOf.at(b);
+        }
+        ProgressStep finding(progress, 0, 0.8);
+        const align::FoundFeatures found = featuresOf(photos, harder.features, finding);
+        ProgressStep matching(progress, 0.8, 1);
+        std::vector<align::PhotoPair> pairs =
+            align::matchPairs(found.photos, places, harder.match, m_options.threads, matching, m_stop);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            pairs[i].a = apart[i].first;
+            pairs[i].b = apart[i].second;
+            // Features of each look are counted on, so that no number stands for two features.
+            for (align::Correspondence& match : pairs[i].matches) {
+                match.featureA += m_featureCounts[static_cast<std::size_t>(pairs[i].a)];
+                match.featureB += m_featureCounts[static_cast<std::size_t>(pairs[i].b)];
+            }
+        }
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            m_featureCounts[static_cast<std::size_t>(photos[i])] += found.photos[i].count();
+        }
+        takeBetter(std::move(pairs));
+    }
+
+    /// Of a pair that was compared twice the estimate that holds counts, the later one if both do.
+    void takeBetter(std::vector<align::PhotoPair> pairs) {
+        const std::vector<align::PairEstimate> made = estimates(pairs);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const auto present = std::ranges::find_if(m_pairs, [&](const align::PhotoPair& pair) {
+                return pair.a == pairs[i].a && pair.b == pairs[i].b;
+            });
+            if (present == m_pairs.end()) {
+                m_pairs.push_back(std::move(pairs[i]));
+                m_estimates.push_back(made[i]);
+            } else if (made[i].verdict == align::PairVerdict::Constraint) {
+                m_estimates[static_cast<std::size_t>(present - m_pairs.begin())] = made[i];
+                *present = std::move(pairs[i]);
+            }
+        }
     }
 
     void solve() {
@@ -268,6 +367,11 @@ class AlignRun {
         }
         for (std::size_t i = 0; i < poses.size(); ++i) {
             giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
+            // Its own accelerometer is the better witness: such a pose is not handed on.
+            if (m_priors[i].levelFromPhoto && poses[i].leanFromStated > align::kContradictingLean) {
+                m_report.photos[i].quality = survey::Quality::Failed;
+                propose(Cure::Retake, m_report.photos[i]);
+            }
         }
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
@@ -283,16 +387,18 @@ class AlignRun {
         solution.source = "align";
         solution.model = align::name(m_report.alignment.model);
         for (const AlignedPhoto& photo : m_report.photos) {
-            if (!photo.pose.isSolved) {
+            if (!photo.pose.isSolved || photo.quality == survey::Quality::Failed) {
                 continue;
             }
             store::SolvedPhoto solved;
             solved.photo = photo.photo;
             solved.roomFromPhoto = photo.pose.roomFromPhoto.rotation;
             solved.positionM = photo.pose.roomFromPhoto.translation;
-            solved.sigmaYawRad = photo.pose.sigmaYaw.value();
-            solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
-            solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+            if (photo.pose.hasSigmas()) {
+                solved.sigmaYawRad = photo.pose.sigmaYaw.value();
+                solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
+                solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+            }
             solved.sigmaPositionM = photo.pose.sigmaPositionM;
             solved.quality = photo.quality;
             solved.flags = Json(photo.flags).dump();
@@ -316,6 +422,7 @@ class AlignRun {
     std::vector<align::PlannedPosition> m_planned;
     std::vector<align::PhotoPrior> m_priors; ///< one a photo, as all below
     align::FoundFeatures m_features;
+    std::vector<int> m_featureCounts; ///< of all looks
     std::vector<align::PhotoPair> m_pairs;
     std::vector<align::PairEstimate> m_estimates; ///< one a pair
     AlignReport m_report;

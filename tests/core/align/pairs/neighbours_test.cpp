@@ -138,4 +138,21 @@ TEST(Neighbours, RefusePositionsThatAreNotFinite) {
     });
 }
 
+TEST(NeighboursApart, AreThosePairsThatNoEstimateJoins) {
+    const Positions positions = grid(4, 1, 0.5);
+    const auto all = neighbours(positions);
+    EXPECT_EQ(neighboursApart(positions, {}), all);
+    const auto held = [](int a, int b) {
+        PairEstimate estimate;
+        estimate.a = a;
+        estimate.b = b;
+        estimate.verdict = PairVerdict::Constraint;
+        return estimate;
+    };
+    for (const auto& [a, b] : neighboursApart(positions, std::vector{held(0, 1), held(2, 3)})) {
+        EXPECT_TRUE(a < 2 && b >= 2) << a << " and " << b;
+    }
+    EXPECT_TRUE(neighboursApart(positions, std::vector{held(0, 1), held(1, 2), held(2, 3)}).empty());
+}
+
 } // namespace spherewalk::align

@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/align_trade.h"
@@ -19,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace spherewalk::jobs {
 
@@ -66,7 +68,7 @@ class AlignSurvey : public testing::Test {
             practice::ThetaTags tags; // which say how the camera leaned, to a tenth of a degree
             if (i < truth.size()) {
                 const YawPitchRoll angles = yawPitchRoll(truth[i].rotation);
-                tags.posePitchDeg = -Degrees(angles.pitch).value();
+                tags.posePitchDeg = -Degrees(angles.pitch).value() + (i == liar ? 40 : 0);
                 tags.poseRollDeg = Degrees(angles.roll).value();
             }
             writeFile(folder / "in" / name, practice::thetaJpeg(pictures[i], tags));
@@ -95,6 +97,7 @@ class AlignSurvey : public testing::Test {
     std::vector<Rigid3> truth;
     std::vector<Eigen::Vector3d> places;
     std::vector<RgbImage> pictures;
+    std::optional<std::size_t> liar; ///< photo whose metadata state a pitch that is 40 degrees off
 };
 
 /// Asks to stop when so much is done.
@@ -210,6 +213,40 @@ TEST_F(AlignSurvey, SaysWhatToDoWithoutPhotosAndWithOne) {
     EXPECT_EQ(report.photos.front().quality, survey::Quality::Failed);
     EXPECT_THAT(report.photos.front().flags.front(), testing::EndsWith("."));
     EXPECT_EQ(report.solution, 0);
+    EXPECT_THAT(alignText(report), HasSubstr("How the photos are turned is not known."));
+    EXPECT_THAT(alignText(report), testing::Not(HasSubstr("0.000 deg")));
+    EXPECT_TRUE(toJson(report)["sigma_common_yaw_deg"].is_null());
+    EXPECT_TRUE(toJson(report)["sigma_common_lean_deg"].is_null());
+}
+
+TEST_F(AlignSurvey, HandsOnNoPoseThatContradictsThePhotosOwnTilt) {
+    photograph();
+    liar = 4;
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    const AlignedPhoto& photo = photoOf(report, "R4.JPG");
+    EXPECT_EQ(photo.quality, survey::Quality::Failed);
+    EXPECT_THAT(photo.flags, testing::Contains(HasSubstr("what its camera states of its tilt")));
+    EXPECT_TRUE(toJson(report)["photos"][4]["sigma_deg"].is_null());
+    EXPECT_EQ(store.solvedPhotos(report.solution).size(), 5U);
+}
+
+TEST_F(AlignSurvey, LooksAgainWithMoreEffortBeforeAPartIsGivenUp) {
+    const practice::PracticeRoom room;
+    const practice::PhotoErrors errors;
+    for (int i = 0; i < 3; ++i) { // so far apart that a first look joins none
+        places.emplace_back(0.7 + 1.8 * i, 1.1, 1.2);
+        truth.push_back(errors.truePose(places.back(), i + 1));
+        pictures.push_back(room.spherical(truth.back(), {kWidth, kWidth / 2}));
+    }
+    auto store = newSurvey();
+    AlignOptions draft;
+    draft.effort = align::Effort::Draft;
+    const AlignReport report = alignSurvey(store, draft, noProgress(), {});
+    EXPECT_GT(report.pairsTriedAgain, 0U);
+    const AlignmentError error = alignmentError(report, truePoses(store));
+    EXPECT_EQ(error.photos, 3);
+    EXPECT_LT(error.yawRmsDeg, 0.5);
 }
 
 TEST_F(AlignSurvey, MeasuresWhatEachEffortAndModelCosts) {

@@ -36,6 +36,13 @@ struct NeighbourOptions {
 std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> positionsM,
                                             const NeighbourOptions& options = {});
 
+/// The neighbours that are worth another look: the pairs of neighbours() whose photos these estimates leave
+/// in different parts of the survey. Photos that no estimate joins to any other are parts of their own.
+/// Errors: those of neighbours(); InvalidInput for an estimate of photos that do not exist.
+std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d> positionsM,
+                                                 std::span<const PairEstimate> estimates,
+                                                 const NeighbourOptions& options = {});
+
 struct MatchOptions {
     double mostRatio = 0.8;      ///< Largest ratio of the best to the second best distance, (0, 1].
     Radians reach = Degrees(30); ///< How far a thing may move between two photos that are turned alike.

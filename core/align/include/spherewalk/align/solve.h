@@ -43,18 +43,32 @@ struct SolveOptions {
 /// The pose of one photo and how far it is to be believed: standard deviations.
 struct SolvedPose {
     bool isSolved = false;
-    std::string why;      ///< A sentence if not solved: "No neighbour shares enough with it."
-    int component = 0;    ///< Index of the connected component: 0 for the largest, and for photos in none.
+    std::string why; ///< A sentence if not solved: "No neighbour shares enough with it."
+    /// A sentence if solved, but a quite different rotation may be the right one. Such a photo has no
+    /// standard deviations: those of its turn are pi.
+    std::string doubt;
+    /// Angle between what the solution calls up and what the photo says is up (its metadata, or upright where
+    /// they say nothing).
+    Radians leanFromStated;
+    int component = 0;    ///< Index of the connected component; 0 for the largest, and for photos in none.
     Rigid3 roomFromPhoto; ///< Without a solution: the planned position, not turned.
     Radians sigmaYaw;     ///< Against all other photos; Alignment::sigmaCommonYaw holds the common part.
     Radians sigmaPitch;
     Radians sigmaRoll;
+    /// The standard deviation of its turn against the other photos of its component, about the worst axis.
+    /// Yaw and lean that all of them share are no part of it.
+    Radians sigmaOwn;
     /// Standard deviation along each axis: the root mean square over the three.
     double sigmaPositionM = 0;
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
     double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts; 1 if none counts.
+
+    bool hasSigmas() const { return isSolved && doubt.empty(); }
 };
+
+/// A photo that leans farther than this from what it states contradicts itself. SolvedPose::doubt says so.
+inline constexpr Radians kContradictingLean = Degrees(20);
 
 /// How well one model predicts matches that were held out.
 struct ModelTrial {
@@ -71,6 +85,7 @@ struct Alignment {
     std::vector<ModelTrial> trials; ///< Empty unless the model was Auto.
     int components = 0;
     Radians sigmaCommonYaw;            ///< Of the largest component's common yaw; pi if nothing fixes it.
+    Radians sigmaCommonLean;           ///< Of the largest component's common lean, about the worst axis.
     double residualRad = 0;            ///< Robust root mean square over the largest component's matches.
     double cycleErrorRad = 0;          ///< Median turn around triangles of pair estimates; 0 without any.
     std::vector<std::string> warnings; ///< Sentences for people.

@@ -73,6 +73,8 @@ struct AlignReport {
     int fromCache = 0;            ///< Number of photos whose features an earlier run has found.
     std::size_t pairs = 0;        ///< Number of pairs that were compared.
     std::size_t holdingPairs = 0; ///< Number of pairs that constrain the solution.
+    /// Number of comparisons with more effort than was asked for, because parts were not joined.
+    std::size_t pairsTriedAgain = 0;
     double featureSeconds = 0;
     double matchSeconds = 0; ///< Time for matching, and for the estimate of each pair.
     double solveSeconds = 0; ///< Time for the solver, and for the checks.
@@ -87,10 +89,6 @@ struct AlignReport {
 /// Stop: Stopped, with the survey unchanged; the cache keeps what was found.
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
-
-/// How far the photos may all lean together: the smallest standard deviation of a tilt. 0 if no photo is
-/// solved.
-Radians commonLeanSigma(const align::Alignment& alignment);
 
 /// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);
