@@ -118,7 +118,8 @@ class RobotComparison {
 
     static PictureLikeness likeness(const RgbImage& picture, const RgbImage& view,
                                     const std::optional<double>& colourError) {
-        const std::vector<compare::Displacement> moved = compare::matchedDisplacements(picture, view);
+        const std::vector<compare::Displacement> moved = compare::matchedDisplacements(
+            compare::PictureFeatures(picture), compare::PictureFeatures(view));
         return {photo::psnr(picture, view), quantile(moved, 0.5), quantile(moved, 0.95), moved.size(),
                 colourError};
     }

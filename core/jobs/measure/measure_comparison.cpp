@@ -8,6 +8,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/compare/picture_looks.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/renderer.h"
@@ -165,7 +166,7 @@ Comparison compared(const TruePicture& truth, const compare::PictureFeatures& fe
     Comparison result;
     result.photo = view.report.photo;
     result.psnrDb = std::min(kMostDb, photo::psnr(truth.picture, view.picture));
-    result.ssim = photo::structuralSimilarity(truth.picture, view.picture);
+    result.ssim = compare::structuralSimilarity(truth.picture, view.picture).value_or(0);
     result.matched =
         hundredths(compare::matchedDisplacements(features, compare::PictureFeatures(view.picture)));
     if (!truth.depth.empty()) {
