@@ -181,16 +181,24 @@ constexpr int kPatch = 10;       ///< pixels to each side
 constexpr int kPatchReach = 16;  ///< pixels
 constexpr int kPlaceBorder = 16; ///< pixels
 constexpr double kLeastContrast = 5;
-constexpr double kLeastCorrelation = 0.7;
+constexpr double kLeastLikeness = 0.65;
+constexpr double kLikenessAPixel = 0.02; ///< that a farther place must be more alike
 
-struct Correlation {
-    double value = -1;
+/// Where a patch is in another picture.
+struct FoundPatch {
+    double likeness = -1; ///< correlation, less what its distance from the expected place costs
     Vector2d by = Vector2d::Zero();
 };
 
-/// Where the patch about a pixel correlates best, within reach of a move.
-Correlation bestCorrelation(const cv::Mat& truth, const cv::Mat& computed, const cv::Point& at,
-                            const cv::Point& move) {
+/// Of a maximum between its neighbours, in steps.
+double peakOffset(double before, double at, double after) {
+    const double bend = before - 2 * at + after;
+    return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
+}
+
+/// Where the patch about a pixel is most alike, within reach of the place that a move leads to.
+FoundPatch foundPatch(const cv::Mat& truth, const cv::Mat& computed, const cv::Point& at,
+                      const cv::Point& move) {
     const cv::Rect patch(at.x - kPatch, at.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1);
     const cv::Rect area = cv::Rect(patch.x + move.x - kPatchReach, patch.y + move.y - kPatchReach,
                                    patch.width + 2 * kPatchReach, patch.height + 2 * kPatchReach) &
@@ -200,10 +208,26 @@ Correlation bestCorrelation(const cv::Mat& truth, const cv::Mat& computed, const
     }
     cv::Mat correlations;
     cv::matchTemplate(computed(area), truth(patch), correlations, cv::TM_CCOEFF_NORMED);
-    Correlation best;
+    FoundPatch best;
     cv::Point where;
-    cv::minMaxLoc(correlations, nullptr, &best.value, nullptr, &where);
-    best.by = Vector2d(where.x + area.x - patch.x, where.y + area.y - patch.y);
+    for (int y = 0; y < correlations.rows; ++y) {
+        for (int x = 0; x < correlations.cols; ++x) {
+            const Vector2d by(x + area.x - patch.x, y + area.y - patch.y);
+            const double likeness = static_cast<double>(correlations.at<float>(y, x)) -
+                                    kLikenessAPixel * (by - Vector2d(move.x, move.y)).norm();
+            if (likeness > best.likeness) {
+                best = {likeness, by};
+                where = {x, y};
+            }
+        }
+    }
+    const auto value = [&](int x, int y) {
+        return static_cast<double>(correlations.at<float>(std::clamp(y, 0, correlations.rows - 1),
+                                                          std::clamp(x, 0, correlations.cols - 1)));
+    };
+    const double peak = value(where.x, where.y);
+    best.by.x() += peakOffset(value(where.x - 1, where.y), peak, value(where.x + 1, where.y));
+    best.by.y() += peakOffset(value(where.x, where.y - 1), peak, value(where.x, where.y + 1));
     return best;
 }
 
@@ -255,14 +279,14 @@ PlaceDisplacements placeDisplacements(const PictureFeatures& truth, const Pictur
             if (matched.at<std::uint8_t>(at) != 0 || !isPlace(grey, at)) {
                 continue;
             }
-            Correlation best = bestCorrelation(grey, computed.m_found->grey, at, {0, 0});
+            FoundPatch best = foundPatch(grey, computed.m_found->grey, at, {0, 0});
             const Vector2d pixel(at.x, at.y);
             const std::vector<Vector2d> moves = movesBeside(moved, pixel);
-            if (best.value < kLeastCorrelation && !moves.empty()) {
+            if (best.likeness < kLeastLikeness && !moves.empty()) {
                 const cv::Point near(cvRound(moves[0].x()), cvRound(moves[0].y()));
-                best = bestCorrelation(grey, computed.m_found->grey, at, near);
+                best = foundPatch(grey, computed.m_found->grey, at, near);
             }
-            if (best.value >= kLeastCorrelation) {
+            if (best.likeness >= kLeastLikeness) {
                 result.found.push_back({pixel, best.by.norm()});
             } else {
                 ++result.missed;

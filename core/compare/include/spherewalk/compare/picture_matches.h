@@ -73,8 +73,9 @@ struct PlaceDisplacements {
 };
 
 /// Finds each place of the true picture in the computed one. A place is found by a witnessed match, or else
-/// by the patch of 21 x 21 pixels about it. The patch is sought within 16 pixels of the place itself and of
-/// where neighbours moved, and its correlation must reach 0.7. All other places are missed. Unmatched places
+/// by the patch of 21 x 21 pixels about it. The patch is sought within 16 pixels of the place itself, and then
+/// of where its nearest neighbour moved to. Its correlation must reach 0.65, and 0.02 more for each pixel of
+/// distance, because patterns repeat. All other places are missed. Unmatched places
 /// within 16 pixels of the border or with a contrast below 5 grey levels do not count at all. Errors: as
 /// above. Cost: 0.1 s for 640 x 480.
 PlaceDisplacements placeDisplacements(const PictureFeatures& truth, const PictureFeatures& computed);
