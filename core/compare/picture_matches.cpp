@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/compare/picture_matches.h"
 
-#include "spherewalk/base/error.h"
+#include "grey_picture.h"
+
 #include "spherewalk/base/statistics.h"
 
 #include <opencv2/features2d.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cfloat>
@@ -47,11 +47,6 @@ struct Partners {
     bool isByFar() const { return best >= 0 && distance < kByFar * kByFar * second; }
 };
 
-[[noreturn]] void refused(const cv::Exception& error) {
-    throw Error(ErrorKind::Internal, "Could not match pictures: OpenCV refused them; please report this.",
-                error.what());
-}
-
 constexpr std::size_t kBeside = 6;
 constexpr int kWitnesses = 2;
 
@@ -60,19 +55,28 @@ struct Moved {
     Vector2d by;
 };
 
-/// Whether neighbours moved alike.
-bool hasWitnesses(const std::vector<Moved>& all, std::size_t of) {
+/// How the features nearest to a pixel moved; those at the pixel itself are left out.
+std::vector<Vector2d> movesBeside(const std::vector<Moved>& all, const Vector2d& pixel) {
     std::vector<std::pair<double, std::size_t>> near;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i != of) {
-            near.emplace_back((all[i].from - all[of].from).squaredNorm(), i);
+        if (all[i].from != pixel) {
+            near.emplace_back((all[i].from - pixel).squaredNorm(), i);
         }
     }
     const std::size_t count = std::min(near.size(), kBeside);
     std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
-    const double tolerance = 2 + 0.25 * all[of].by.norm();
-    return std::count_if(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), [&](const auto& n) {
-               return (all[n.second].by - all[of].by).norm() < tolerance;
+    std::vector<Vector2d> moves;
+    for (std::size_t i = 0; i < count; ++i) {
+        moves.push_back(all[near[i].second].by);
+    }
+    return moves;
+}
+
+bool hasWitnesses(const std::vector<Moved>& all, const Moved& one) {
+    const std::vector<Vector2d> beside = movesBeside(all, one.from);
+    const double tolerance = 2 + 0.25 * one.by.norm();
+    return std::count_if(beside.begin(), beside.end(), [&](const Vector2d& move) {
+               return (move - one.by).norm() < tolerance;
            }) >= kWitnesses;
 }
 
@@ -81,26 +85,22 @@ bool hasWitnesses(const std::vector<Moved>& all, std::size_t of) {
 struct PictureFeatures::Found {
     int width = 0;
     int height = 0;
+    cv::Mat grey;
     std::vector<cv::KeyPoint> points;
     cv::Mat descriptors;
     cv::Mat squares; ///< of the descriptors' lengths, a row
 };
 
 PictureFeatures::PictureFeatures(const RgbImage& picture, double leastContrast) {
-    Found found{picture.width(), picture.height(), {}, {}, {}};
-    try {
-        const cv::Mat rgb(picture.height(), picture.width(), CV_8UC3,
-                          const_cast<std::uint8_t*>(picture.values().data()));
-        cv::Mat grey;
-        cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+    Found found{picture.width(), picture.height(), {}, {}, {}, {}};
+    withOpenCv([&] {
+        found.grey = greyPicture(picture);
         cv::SIFT::create(kFeatures, kSiftLayers, leastContrast)
-            ->detectAndCompute(grey, cv::noArray(), found.points, found.descriptors);
+            ->detectAndCompute(found.grey, cv::noArray(), found.points, found.descriptors);
         if (!found.points.empty()) {
             cv::reduce(found.descriptors.mul(found.descriptors), found.squares, 1, cv::REDUCE_SUM);
         }
-    } catch (const cv::Exception& error) {
-        refused(error);
-    }
+    });
     m_found = std::make_shared<const Found>(std::move(found));
 }
 
@@ -148,25 +148,151 @@ std::vector<PictureMatch> pictureMatches(const PictureFeatures& a, const Picture
     return result;
 }
 
-std::vector<Displacement> matchedDisplacements(const RgbImage& truth, const RgbImage& computed) {
-    return matchedDisplacements(PictureFeatures(truth), PictureFeatures(computed));
+std::vector<PictureMatch> witnessedMatches(const PictureFeatures& a, const PictureFeatures& b) {
+    if (a.width() != b.width() || a.height() != b.height()) {
+        throw Error(ErrorKind::InvalidInput, "Pictures of different sizes cannot be compared.");
+    }
+    const std::vector<PictureMatch> matches = pictureMatches(a, b);
+    std::vector<Moved> all;
+    for (const PictureMatch& match : matches) {
+        all.push_back({match.inA, match.inB - match.inA});
+    }
+    std::vector<PictureMatch> result;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (hasWitnesses(all, all[i])) {
+            result.push_back(matches[i]);
+        }
+    }
+    return result;
 }
 
 std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth,
                                                const PictureFeatures& computed) {
-    if (truth.width() != computed.width() || truth.height() != computed.height()) {
-        throw Error(ErrorKind::InvalidInput, "Pictures of different sizes cannot be compared.");
-    }
-    std::vector<Moved> all;
-    for (const PictureMatch& match : pictureMatches(truth, computed)) {
-        all.push_back({match.inA, match.inB - match.inA});
-    }
     std::vector<Displacement> result;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (hasWitnesses(all, i)) {
-            result.push_back({all[i].from, all[i].by.norm()});
+    for (const PictureMatch& match : witnessedMatches(truth, computed)) {
+        result.push_back({match.inA, (match.inB - match.inA).norm()});
+    }
+    return result;
+}
+
+namespace {
+
+constexpr int kPatch = 10;       ///< pixels to each side
+constexpr int kPatchReach = 16;  ///< pixels
+constexpr int kPlaceBorder = 16; ///< pixels
+constexpr double kLeastContrast = 5;
+constexpr double kLeastLikeness = 0.65;
+constexpr double kLikenessAPixel = 0.02; ///< that a farther place must be more alike
+
+/// Where a patch is in another picture.
+struct FoundPatch {
+    double likeness = -1; ///< correlation, less what its distance from the expected place costs
+    Vector2d by = Vector2d::Zero();
+};
+
+/// Of a maximum between its neighbours, in steps.
+double peakOffset(double before, double at, double after) {
+    const double bend = before - 2 * at + after;
+    return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
+}
+
+/// Where the patch about a pixel is most alike, within reach of the place that a move leads to.
+FoundPatch foundPatch(const cv::Mat& truth, const cv::Mat& computed, const cv::Point& at,
+                      const cv::Point& move) {
+    const cv::Rect patch(at.x - kPatch, at.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1);
+    const cv::Rect area = cv::Rect(patch.x + move.x - kPatchReach, patch.y + move.y - kPatchReach,
+                                   patch.width + 2 * kPatchReach, patch.height + 2 * kPatchReach) &
+                          cv::Rect(0, 0, computed.cols, computed.rows);
+    if (area.width < patch.width || area.height < patch.height) {
+        return {};
+    }
+    cv::Mat correlations;
+    cv::matchTemplate(computed(area), truth(patch), correlations, cv::TM_CCOEFF_NORMED);
+    FoundPatch best;
+    cv::Point where;
+    for (int y = 0; y < correlations.rows; ++y) {
+        for (int x = 0; x < correlations.cols; ++x) {
+            const Vector2d by(x + area.x - patch.x, y + area.y - patch.y);
+            const double likeness = static_cast<double>(correlations.at<float>(y, x)) -
+                                    kLikenessAPixel * (by - Vector2d(move.x, move.y)).norm();
+            if (likeness > best.likeness) {
+                best = {likeness, by};
+                where = {x, y};
+            }
         }
     }
+    const auto value = [&](int x, int y) {
+        return static_cast<double>(correlations.at<float>(std::clamp(y, 0, correlations.rows - 1),
+                                                          std::clamp(x, 0, correlations.cols - 1)));
+    };
+    const double peak = value(where.x, where.y);
+    best.by.x() += peakOffset(value(where.x - 1, where.y), peak, value(where.x + 1, where.y));
+    best.by.y() += peakOffset(value(where.x, where.y - 1), peak, value(where.x, where.y + 1));
+    return best;
+}
+
+/// The pixels of a picture's features, each once.
+std::vector<cv::Point> placesOf(const std::vector<cv::KeyPoint>& points) {
+    std::vector<cv::Point> places;
+    for (const cv::KeyPoint& point : points) {
+        places.emplace_back(cvRound(point.pt.x), cvRound(point.pt.y));
+    }
+    const auto before = [](const cv::Point& a, const cv::Point& b) {
+        return a.y != b.y ? a.y < b.y : a.x < b.x;
+    };
+    std::sort(places.begin(), places.end(), before);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
+
+bool isPlace(const cv::Mat& grey, const cv::Point& at) {
+    if (at.x < kPlaceBorder || at.y < kPlaceBorder || at.x >= grey.cols - kPlaceBorder ||
+        at.y >= grey.rows - kPlaceBorder) {
+        return false;
+    }
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(grey(cv::Rect(at.x - kPatch, at.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1)), mean,
+                   deviation);
+    return deviation[0] >= kLeastContrast;
+}
+
+} // namespace
+
+double PlaceDisplacements::missedShare() const {
+    const std::size_t all = found.size() + missed;
+    return all == 0 ? 0 : static_cast<double>(missed) / static_cast<double>(all);
+}
+
+PlaceDisplacements placeDisplacements(const PictureFeatures& truth, const PictureFeatures& computed) {
+    PlaceDisplacements result;
+    std::vector<Moved> moved;
+    cv::Mat matched(truth.height(), truth.width(), CV_8UC1, cv::Scalar(0));
+    for (const PictureMatch& match : witnessedMatches(truth, computed)) {
+        moved.push_back({match.inA, match.inB - match.inA});
+        result.found.push_back({match.inA, moved.back().by.norm()});
+        matched.at<std::uint8_t>(cvRound(match.inA.y()), cvRound(match.inA.x())) = 1;
+    }
+    const cv::Mat& grey = truth.m_found->grey;
+    withOpenCv([&] {
+        for (const cv::Point& at : placesOf(truth.m_found->points)) {
+            if (matched.at<std::uint8_t>(at) != 0 || !isPlace(grey, at)) {
+                continue;
+            }
+            FoundPatch best = foundPatch(grey, computed.m_found->grey, at, {0, 0});
+            const Vector2d pixel(at.x, at.y);
+            const std::vector<Vector2d> moves = movesBeside(moved, pixel);
+            if (best.likeness < kLeastLikeness && !moves.empty()) {
+                const cv::Point near(cvRound(moves[0].x()), cvRound(moves[0].y()));
+                best = foundPatch(grey, computed.m_found->grey, at, near);
+            }
+            if (best.likeness >= kLeastLikeness) {
+                result.found.push_back({pixel, best.by.norm()});
+            } else {
+                ++result.missed;
+            }
+        }
+    });
     return result;
 }
 

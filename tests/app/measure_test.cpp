@@ -49,7 +49,8 @@ TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
     ASSERT_EQ(viewed.status, 0) << viewed.errors;
     const Json choice = parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json")["choice"];
     EXPECT_EQ(viewed.json()["scene"], choice["scene"]);
-    EXPECT_LE(choice["error_px"].get<double>(), 900);
+    EXPECT_EQ(choice["tolerance_px"], 900);
+    EXPECT_THAT(stored.output, HasSubstr(choice["reason"].get<std::string>()));
 }
 
 TEST(GridStudyCommand, SaysWhatBlockItNeeds) {

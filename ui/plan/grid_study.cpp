@@ -19,6 +19,7 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <cmath>
 
 namespace spherewalk::ui {
 
@@ -75,7 +76,7 @@ void GridStudyModel::setStudy(const jobs::GridStudy& study) {
             m_lines.push_back(std::move(line));
         }
         const auto scene = std::find(m_scenes.begin(), m_scenes.end(), row.scene);
-        if (scene != m_scenes.end()) {
+        if (scene != m_scenes.end() && row.p95Px && std::isfinite(*row.p95Px)) { // else too much is missed
             m_lines.back().errorsPx[static_cast<std::size_t>(scene - m_scenes.begin())] = row.p95Px;
         }
     }

@@ -28,8 +28,9 @@ double movedM(const ComparedPicture& picture) {
     return (picture.used().translation - picture.given.translation).norm();
 }
 
-const std::vector<std::string> kTitles{"picture", "agree",     "moved mm", "+-",      "turned deg",
-                                       "+-",      "median px", "95 % px",  "PSNR dB", "colour"};
+const std::vector<std::string> kTitles{"picture", "agree",     "moved mm", "+-",       "turned deg",
+                                       "+-",      "median px", "95 % px",  "missed %", "PSNR dB",
+                                       "SSIM",    "false %",   "lost %",   "colour"};
 
 std::vector<std::string> poseCells(const ComparedPicture& picture) {
     if (!picture.refined) {
@@ -44,10 +45,35 @@ std::vector<std::string> poseCells(const ComparedPicture& picture) {
             fixed(Degrees(fit.sigmaRotation).value(), 3)};
 }
 
+double missedShareOf(const PictureLikeness& likeness) {
+    const std::size_t places = likeness.matches + likeness.missed;
+    return places == 0 ? 0 : static_cast<double>(likeness.missed) / static_cast<double>(places);
+}
+
+double missedShareOf(const CompareSummary& summary) {
+    return summary.missedShare;
+}
+
+const Looks& looksIn(const PictureLikeness& likeness) {
+    return likeness.looks;
+}
+
+const Looks& looksIn(const CompareSummary& summary) {
+    return summary.looks.mean;
+}
+
 template <class Likeness>
 std::vector<std::string> likenessCells(const Likeness& before, const Likeness& after) {
-    return {change(before.medianPx, after.medianPx, 2), change(before.p95Px, after.p95Px, 1),
-            change(before.psnrDb, after.psnrDb, 1), change(before.colourError, after.colourError, 1)};
+    const Looks& was = looksIn(before);
+    const Looks& is = looksIn(after);
+    return {change(before.medianPx, after.medianPx, 2),
+            change(before.p95Px, after.p95Px, 1),
+            change(100 * missedShareOf(before), 100 * missedShareOf(after), 0),
+            change(was.psnrDb, is.psnrDb, 1),
+            change(was.ssim, is.ssim, 3),
+            change(100 * was.falseEdges, 100 * is.falseEdges, 1),
+            change(100 * was.missedEdges, 100 * is.missedEdges, 1),
+            change(before.colourError, after.colourError, 1)};
 }
 
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
@@ -57,10 +83,12 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
 
 template <class Likeness>
 Json likenessJson(const Likeness& likeness) {
-    return {{"psnr_db", likeness.psnrDb},
-            {"median_px", orNull(likeness.medianPx)},
-            {"p95_px", orNull(likeness.p95Px)},
-            {"colour_error", orNull(likeness.colourError)}};
+    Json json = toJson(looksIn(likeness));
+    json["median_px"] = orNull(likeness.medianPx);
+    json["p95_px"] = orNull(likeness.p95Px);
+    json["missed_share"] = missedShareOf(likeness);
+    json["colour_error"] = orNull(likeness.colourError);
+    return json;
 }
 
 Json poseJson(const Rigid3& pose) {
@@ -80,6 +108,12 @@ Json refinementJson(const compare::PoseFit& fit) {
             {"sigma_rotation_deg", fit.isFitted ? Json(Degrees(fit.sigmaRotation).value()) : Json()}};
 }
 
+Json steadinessJson(const compare::Steadiness& steadiness) {
+    return {{"median_px", orNull(steadiness.medianPx)},
+            {"p95_px", orNull(steadiness.p95Px)},
+            {"things", steadiness.things}};
+}
+
 Json pictureJson(const ComparedPicture& picture) {
     return {{"picture", picture.file.filename().string()},
             {"photo", picture.photo},
@@ -87,7 +121,8 @@ Json pictureJson(const ComparedPicture& picture) {
             {"pose", poseJson(picture.used())},
             {"refinement", picture.refined ? refinementJson(*picture.refined) : Json()},
             {"before", likenessJson(picture.before)},
-            {"after", likenessJson(picture.after)}};
+            {"after", likenessJson(picture.after)},
+            {"steadiness", picture.steadiness ? steadinessJson(*picture.steadiness) : Json()}};
 }
 
 Json fitJson(const CompareReport& report) {
@@ -121,6 +156,12 @@ std::vector<std::string> compareSentences(const CompareReport& report) {
                                   " keeps the pose that was given: ", picture.refined->why));
         }
     }
+    if (report.steadyMedianPx) {
+        result.push_back(text("From one picture to the next, a view's displacements change by ",
+                              fixed(*report.steadyMedianPx, 2), " px at the median and ",
+                              fixed(*report.steadyP95Px, 1),
+                              " px in 95 of 100 places; that is what trembles beside the camera's motion."));
+    }
     if (report.fit && report.fit->correction) {
         result.push_back(text("The colour correction takes the spots' mean error from ",
                               fixed(report.fit->errorBefore, 1), " to ", fixed(report.fit->errorAfter, 1),
@@ -137,12 +178,15 @@ std::vector<std::string> compareSentences(const CompareReport& report) {
 
 Document comparisonDocument(const CompareReport& report) {
     Document document{"Views and the robot's pictures", {}};
-    document.blocks.emplace_back(Paragraph{
-        text(report.pictures.size(), " pictures",
-             report.refined > 0 ? text(", ", report.refined, " with refined poses") : "",
-             ". Pairs are before and after: from the given pose in the photos' colours, and from the refined "
-             "pose in "
-             "corrected colours. Colour is the mean distance of even spots' colours, in grey levels.")});
+    document.blocks.emplace_back(Paragraph{text(
+        report.pictures.size(), " pictures",
+        report.refined > 0 ? text(", ", report.refined, " with refined poses") : "",
+        ". Pairs are before and after: from the given pose in the photos' colours, and from the refined "
+        "pose in "
+        "corrected colours. Features that the view does not show are missed, and median and 95 % are of "
+        "all features. False edges are edge pixels of the view that the picture does not have within 2 "
+        "px; lost ones are the picture's that the view does not have. Colour is the mean distance of even "
+        "spots' colours, in grey levels.")});
     document.blocks.emplace_back(compareTable(report));
     for (const std::string& sentence : compareSentences(report)) {
         document.blocks.emplace_back(Paragraph{sentence});
@@ -174,6 +218,8 @@ Json toJson(const CompareReport& report) {
             {"refined", report.refined},
             {"before", likenessJson(report.before)},
             {"after", likenessJson(report.after)},
+            {"steadiness",
+             {{"median_px", orNull(report.steadyMedianPx)}, {"p95_px", orNull(report.steadyP95Px)}}},
             {"colour_fit", fitJson(report)},
             {"colour_correction", report.colour ? toJson(*report.colour) : Json()},
             {"seconds", report.seconds}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/compare_robot.h"
 
+#include "measure/looks.h"
+#include "measure/place_errors.h"
 #include "parts/report_parts.h"
 
 #include "spherewalk/base/error.h"
@@ -40,20 +42,22 @@ class Mean {
     int m_count = 0;
 };
 
-CompareSummary summary(const std::vector<ComparedPicture>& pictures,
-                       PictureLikeness ComparedPicture::*which) {
-    Mean psnr;
-    Mean median;
-    Mean p95;
+/// A picture's likeness, and the errors of its places.
+struct LikenessAndErrors {
+    PictureLikeness likeness;
+    PlaceErrors errors;
+};
+
+CompareSummary summary(const std::vector<LikenessAndErrors>& pictures) {
+    PlaceErrors all;
     Mean colour;
-    for (const ComparedPicture& picture : pictures) {
-        const PictureLikeness& likeness = picture.*which;
-        psnr.add(likeness.psnrDb);
-        median.add(likeness.medianPx);
-        p95.add(likeness.p95Px);
-        colour.add(likeness.colourError);
+    std::vector<Looks> looks;
+    for (const LikenessAndErrors& picture : pictures) {
+        looks.push_back(picture.likeness.looks);
+        colour.add(picture.likeness.colourError);
+        all.add(picture.errors);
     }
-    return {psnr.value().value_or(0), median.value(), p95.value(), colour.value()};
+    return {summaryOf(looks), quantilePx(all, 0.5), quantilePx(all, 0.95), all.missedShare(), colour.value()};
 }
 
 /// The error of each half's colours after the correction that the other half tells.
@@ -103,8 +107,9 @@ class RobotComparison {
             second.progress(static_cast<double>(i + 1) / static_cast<double>(count),
                             text("Comparing picture ", i + 1, " of ", count, " again"));
         }
-        m_report.before = summary(m_report.pictures, &ComparedPicture::before);
-        m_report.after = summary(m_report.pictures, &ComparedPicture::after);
+        m_report.before = summary(m_before);
+        m_report.after = summary(m_after);
+        summariseSteadiness();
         return std::move(m_report);
     }
 
@@ -116,11 +121,35 @@ class RobotComparison {
         return m_renderer.render(m_camera, pose, view);
     }
 
-    static PictureLikeness likeness(const RgbImage& picture, const RgbImage& view,
-                                    const std::optional<double>& colourError) {
-        const std::vector<compare::Displacement> moved = compare::matchedDisplacements(picture, view);
-        return {photo::psnr(picture, view), quantile(moved, 0.5), quantile(moved, 0.95), moved.size(),
-                colourError};
+    static LikenessAndErrors likeness(const compare::Frame& frame, const RgbImage& picture,
+                                      const RgbImage& view, const std::optional<double>& colourError) {
+        const PlaceErrors errors = placeErrors(compare::placeDisplacements(frame.truth, frame.view));
+        return {{looksOf(picture, compare::straightLines(picture), view), quantilePx(errors, 0.5),
+                 quantilePx(errors, 0.95), errors.found.size(), errors.missed, colourError},
+                errors};
+    }
+
+    /// Compares with the picture before, which is kept until then.
+    void follow(ComparedPicture& compared, compare::Frame frame) {
+        if (m_last) {
+            compared.steadiness = compare::steadiness(*m_last, frame);
+        }
+        m_last = std::move(frame);
+    }
+
+    void summariseSteadiness() {
+        std::vector<double> medians;
+        std::vector<double> p95s;
+        for (const ComparedPicture& picture : m_report.pictures) {
+            if (picture.steadiness && picture.steadiness->medianPx) {
+                medians.push_back(*picture.steadiness->medianPx);
+                p95s.push_back(*picture.steadiness->p95Px);
+            }
+        }
+        if (!medians.empty()) {
+            m_report.steadyMedianPx = median(medians);
+            m_report.steadyP95Px = median(p95s);
+        }
     }
 
     /// From the given pose; and its refined pose, and its colours.
@@ -132,7 +161,12 @@ class RobotComparison {
         const render::View view = viewFrom(compared.given);
         compared.photo = view.report.file;
         compare::ColourSamples colours = compare::colourSamples(view.picture, view.trust, taken);
-        compared.before = likeness(taken, view.picture, compare::colourError(colours.samples));
+        compare::Frame frame{compare::PictureFeatures(taken), compare::PictureFeatures(view.picture)};
+        m_before.push_back(likeness(frame, taken, view.picture, compare::colourError(colours.samples)));
+        compared.before = m_before.back().likeness;
+        if (!m_options.refinesPoses) {
+            follow(compared, std::move(frame));
+        }
         if (m_options.refinesPoses) {
             compare::PoseRefinementOptions refinement;
             refinement.view = m_options.view;
@@ -171,8 +205,8 @@ class RobotComparison {
     /// From the pose that was found, in the colours that were found.
     void lookAgain(std::size_t index) {
         ComparedPicture& compared = m_report.pictures[index];
-        const bool isMoved = compared.refined && compared.refined->isFitted;
-        if (!isMoved && !m_tables && !isShown(index)) {
+        if (!m_options.refinesPoses && !m_tables && !isShown(index)) {
+            m_after.push_back(m_before[index]);
             compared.after = compared.before;
             return;
         }
@@ -182,9 +216,14 @@ class RobotComparison {
         if (m_tables) {
             m_tables->apply(view.picture, m_rays, m_pool);
         }
-        compared.after = likeness(taken, view.picture,
-                                  m_report.colour ? compare::colourError(colours.samples, *m_report.colour)
-                                                  : compare::colourError(colours.samples));
+        compare::Frame frame{compare::PictureFeatures(taken), compare::PictureFeatures(view.picture)};
+        m_after.push_back(likeness(frame, taken, view.picture,
+                                   m_report.colour ? compare::colourError(colours.samples, *m_report.colour)
+                                                   : compare::colourError(colours.samples)));
+        compared.after = m_after.back().likeness;
+        if (m_options.refinesPoses) {
+            follow(compared, std::move(frame));
+        }
         if (isShown(index)) {
             show(taken, view.picture, compared);
         }
@@ -215,6 +254,9 @@ class RobotComparison {
     render::PixelRays m_rays;
     std::vector<compare::ColourSamples> m_colours; ///< of pictures whose pose is good
     std::optional<render::ColourTables> m_tables;
+    std::vector<LikenessAndErrors> m_before; ///< one a picture, as in the report
+    std::vector<LikenessAndErrors> m_after;
+    std::optional<compare::Frame> m_last;
     CompareReport m_report;
 };
 

@@ -163,7 +163,7 @@ class Study {
         for (const auto& [scene, summary] : summaries) {
             const SceneLikeness found = summary.result();
             study.rows.push_back({splits.front().grid.stepM(gridStepM), scene, kept, found.views.size(),
-                                  found.meanPsnrDb, found.medianPx, found.p95Px});
+                                  found.looks.mean, found.medianPx, found.p95Px, found.missedShare});
         }
     }
 
@@ -263,7 +263,7 @@ GridAnswer answerOf(const GridStudy& study, SceneKind scene, const GridStudyOpti
         }
         if (!row.p95Px || *row.p95Px > study.tolerancePx) {
             answer.isLargest = false;
-            if (last != nullptr && row.p95Px) {
+            if (last != nullptr && row.p95Px && std::isfinite(*row.p95Px)) {
                 answer.stepM = crossing(*last, row, study.tolerancePx);
             }
             break;

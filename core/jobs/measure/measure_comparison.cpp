@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/measure_comparison.h"
 
+#include "measure/looks.h"
 #include "parts/cache_key.h"
 
 #include "spherewalk/base/digest.h"
@@ -21,22 +22,11 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kComparisonMethod = 5; ///< grows when the same dataset and picture give other comparisons
-constexpr double kMostDb = 99;
+constexpr int kComparisonMethod = 6; ///< grows when the same dataset and picture give other comparisons
 constexpr std::uint64_t kLargestCacheFile = 64ULL << 20;
-constexpr int kMostHundredths = 10'000'000;
+constexpr int kMostHundredths = PlaceErrors::kMostHundredths;
 constexpr int kMostMillimetres = 10'000'000;
 constexpr std::size_t kMostValues = 10'000'000;
-
-std::vector<int> hundredths(const std::vector<compare::Displacement>& displacements) {
-    std::vector<int> result;
-    result.reserve(displacements.size());
-    for (const compare::Displacement& displacement : displacements) {
-        result.push_back(
-            static_cast<int>(std::lround(std::min(100 * displacement.errorPx, double{kMostHundredths}))));
-    }
-    return result;
-}
 
 std::vector<int> integers(const JsonReader& list) {
     std::vector<int> result;
@@ -80,9 +70,9 @@ Json jsonOf(const Comparisons& comparisons) {
         views.push_back({{"scene", name(with.first)},
                          {"sampling", name(with.second)},
                          {"photo", comparison.photo},
-                         {"psnr_db", comparison.psnrDb},
-                         {"ssim", comparison.ssim},
-                         {"matched", comparison.matched},
+                         {"looks", toJson(comparison.looks)},
+                         {"features", comparison.features.found},
+                         {"missed", comparison.features.missed},
                          {"exact", comparison.exact},
                          {"things", integersOf(comparison.things)}});
     }
@@ -100,9 +90,9 @@ Comparisons comparisonsOf(const JsonReader& reader, std::size_t photos) {
         const JsonReader entry = views.element(i);
         result.views[{render::sceneKind(entry.string("scene")), render::sampling(entry.string("sampling"))}] =
             {static_cast<std::size_t>(entry.integer("photo", 0, static_cast<std::int64_t>(photos) - 1)),
-             entry.number("psnr_db"),
-             entry.number("ssim"),
-             integers(entry.member("matched")),
+             looksOf(entry.member("looks")),
+             {integers(entry.member("features")),
+              static_cast<std::size_t>(entry.integer("missed", 0, kMostHundredths))},
              integers(entry.member("exact")),
              thingsOf(entry.member("things"))};
     }
@@ -159,15 +149,14 @@ std::vector<SeenThing> thingsAt(const std::vector<compare::Displacement>& displa
 }
 
 Comparison compared(const TruePicture& truth, const compare::PictureFeatures& features,
-                    const render::Renderer& renderer, const CameraModel& camera,
-                    const SceneAndSampling& with) {
+                    const std::vector<compare::PictureLine>& lines, const render::Renderer& renderer,
+                    const CameraModel& camera, const SceneAndSampling& with) {
     const render::View view = viewOf(truth, renderer, camera, with);
     Comparison result;
     result.photo = view.report.photo;
-    result.psnrDb = std::min(kMostDb, photo::psnr(truth.picture, view.picture));
-    result.ssim = photo::structuralSimilarity(truth.picture, view.picture);
-    result.matched =
-        hundredths(compare::matchedDisplacements(features, compare::PictureFeatures(view.picture)));
+    result.looks = looksOf(truth.picture, lines, view.picture);
+    result.features =
+        placeErrors(compare::placeDisplacements(features, compare::PictureFeatures(view.picture)));
     if (!truth.depth.empty()) {
         const Eigen::Vector3d photoAt =
             renderer.dataset().info().photos[result.photo].roomFromPhoto.translation;
@@ -196,9 +185,10 @@ bool compareMissing(const std::vector<render::SceneKind>& scenes, render::Sampli
     }
     const TruePicture truth = picture();
     const compare::PictureFeatures features(truth.picture);
+    const std::vector<compare::PictureLine> lines = compare::straightLines(truth.picture);
     for (const SceneAndSampling& rung : missing) {
         throwIfStopped(stop);
-        known.views[rung] = compared(truth, features, renderer, camera, rung);
+        known.views[rung] = compared(truth, features, lines, renderer, camera, rung);
     }
     return true;
 }

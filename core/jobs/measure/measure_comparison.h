@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/compare/picture_matches.h"
+#include "measure/place_errors.h"
+
 #include "spherewalk/jobs/measure_dataset.h"
 #include "spherewalk/render/renderer.h"
 
@@ -80,9 +81,8 @@ inline constexpr std::array kSamplings{render::Sampling::Nearest, render::Sampli
 /// A view compared with a true picture.
 struct Comparison {
     std::size_t photo = 0; ///< Photo that the view was made from, by its index.
-    double psnrDb = 0;
-    double ssim = 0;
-    std::vector<int> matched;      ///< Displacements of features, in hundredths of a pixel.
+    Looks looks;
+    PlaceErrors features;
     std::vector<int> exact;        ///< Displacements of pixels whose depth is known.
     std::vector<SeenThing> things; ///< Some of these pixels, to the millimetre.
 };

@@ -93,7 +93,9 @@ class Measurement {
         const std::size_t count = std::min(views.size(), m_options.worst);
         std::partial_sort(views.begin(), views.begin() + static_cast<std::ptrdiff_t>(count), views.end(),
                           [of = m_options.places](const ViewLikeness* a, const ViewLikeness* b) {
-                              return a->errorPx(of).value_or(0) > b->errorPx(of).value_or(0);
+                              const double errorA = a->errorPx(of).value_or(0);
+                              const double errorB = b->errorPx(of).value_or(0);
+                              return errorA != errorB ? errorA > errorB : a->looks.ssim < b->looks.ssim;
                           });
         views.resize(count);
         std::vector<ShownView> result;

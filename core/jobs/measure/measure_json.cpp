@@ -19,19 +19,20 @@ Json listOf(const Eigen::Vector3d& v) {
 }
 
 Json viewJson(const ViewLikeness& view) {
-    return {{"subject", view.subject},
-            {"photo", view.photo},
-            {"left_out", view.leftOut ? Json(*view.leftOut) : Json()},
-            {"position_m", listOf(view.at())},
-            {"axis", listOf(view.axis())},
-            {"offset_m", view.offset.norm()},
-            {"psnr_db", view.psnrDb},
-            {"ssim", view.ssim},
-            {"median_px", orNull(view.medianPx)},
-            {"p95_px", orNull(view.p95Px)},
-            {"matches", view.matches},
-            {"exact_median_px", orNull(view.exactMedianPx)},
-            {"exact_p95_px", orNull(view.exactP95Px)}};
+    Json json = {{"subject", view.subject},
+                 {"photo", view.photo},
+                 {"left_out", view.leftOut ? Json(*view.leftOut) : Json()},
+                 {"position_m", listOf(view.at())},
+                 {"axis", listOf(view.axis())},
+                 {"offset_m", view.offset.norm()},
+                 {"median_px", orNull(view.medianPx)},
+                 {"p95_px", orNull(view.p95Px)},
+                 {"matches", view.matches},
+                 {"missed", view.missed},
+                 {"exact_median_px", orNull(view.exactMedianPx)},
+                 {"exact_p95_px", orNull(view.exactP95Px)}};
+    putLooks(json, "", view.looks);
+    return json;
 }
 
 Json sceneJson(const SceneLikeness& scene) {
@@ -43,28 +44,41 @@ Json sceneJson(const SceneLikeness& scene) {
     for (const PhotoError& photo : scene.photos) {
         photos.push_back({{"photo", photo.photo}, {"p95_px", orNull(photo.p95Px)}, {"places", photo.places}});
     }
-    return {{"scene", name(scene.scene)},
-            {"sampling", name(scene.sampling)},
-            {"mean_psnr_db", scene.meanPsnrDb},
-            {"worst_psnr_db", scene.worstPsnrDb},
-            {"mean_ssim", scene.meanSsim},
-            {"median_px", orNull(scene.medianPx)},
-            {"p95_px", orNull(scene.p95Px)},
-            {"exact_median_px", orNull(scene.exactMedianPx)},
-            {"exact_p95_px", orNull(scene.exactP95Px)},
-            {"photos", photos},
-            {"views", views}};
+    Json json = {{"scene", name(scene.scene)},
+                 {"sampling", name(scene.sampling)},
+                 {"median_px", orNull(scene.medianPx)},
+                 {"p95_px", orNull(scene.p95Px)},
+                 {"missed_share", scene.missedShare},
+                 {"exact_median_px", orNull(scene.exactMedianPx)},
+                 {"exact_p95_px", orNull(scene.exactP95Px)},
+                 {"photos", photos},
+                 {"views", views}};
+    putLooks(json, "mean_", scene.looks.mean);
+    putLooks(json, "worst_", scene.looks.worst);
+    return json;
 }
 
 Json rungJson(const Rung& rung) {
-    return {{"scene", name(rung.scene)},
-            {"sampling", name(rung.sampling)},
-            {"p95_px", orNull(rung.errorPx)},
-            {"render_ms", rung.renderMs},
-            {"bytes", rung.bytes}};
+    return {{"scene", name(rung.scene)}, {"sampling", name(rung.sampling)}, {"p95_px", orNull(rung.errorPx)},
+            {"cost", rung.cost()},       {"render_ms", rung.renderMs},      {"bytes", rung.bytes}};
+}
+
+Json passedOverJson(const PassedOver& passed) {
+    const auto json = [](const PairedDifference& of) {
+        return Json{{"mean", of.mean}, {"margin", of.margin}};
+    };
+    return {{"scene", name(passed.scene)},
+            {"than", name(passed.than)},
+            {"views", passed.looks.views},
+            {"ssim_lower_by", json(passed.looks.ssim)},
+            {"false_edges_higher_by", json(passed.looks.falseEdges)}};
 }
 
 Json choiceJson(const MeasureReport& report, const Choice& choice) {
+    Json passed = Json::array();
+    for (const PassedOver& one : choice.passedOver) {
+        passed.push_back(passedOverJson(one));
+    }
     Json photos = Json::object();
     for (std::size_t i = 0; i < choice.photoScenes.size(); ++i) {
         if (choice.photoScenes[i]) {
@@ -76,6 +90,7 @@ Json choiceJson(const MeasureReport& report, const Choice& choice) {
             {"rung", choice.rung ? rungJson(report.rungs[*choice.rung]) : Json()},
             {"cheaper_photos", photos},
             {"mean_render_ms", choice.meanRenderMs},
+            {"passed_over", passed},
             {"reason", choice.reason}};
 }
 
@@ -99,7 +114,8 @@ Json toJson(const MeasureReport& report) {
         predictions.push_back({{"scene", name(prediction.scene)},
                                {"foretold_px", prediction.foretoldPx},
                                {"found_px", prediction.foundPx},
-                               {"rank_correlation", orNull(prediction.rankCorrelation)}});
+                               {"rank_correlation", orNull(prediction.rankCorrelation)},
+                               {"foretold_by_found", orNull(prediction.factor)}});
     }
     return {{"dataset", report.dataset},
             {"leave_one_out", report.isLeaveOneOut},
@@ -186,9 +202,10 @@ Json toJson(const GridStudy& study) {
                         {"scene", name(row.scene)},
                         {"kept_photos", row.keptPhotos},
                         {"views", row.views},
-                        {"mean_psnr_db", row.meanPsnrDb},
+                        {"missed_share", row.missedShare},
                         {"median_px", orNull(row.medianPx)},
                         {"p95_px", orNull(row.p95Px)}});
+        putLooks(rows.back(), "mean_", row.looks);
     }
     Json costs = Json::array();
     for (const GridCost& cost : study.costs) {

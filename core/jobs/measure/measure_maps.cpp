@@ -199,6 +199,13 @@ Vector2d placeOf(const render::DatasetInfo& info, std::size_t photo) {
     return info.photos[photo].roomFromPhoto.translation.head<2>();
 }
 
+/// An infinite error has the colour of the largest ones, since it is known to be too large.
+std::string colourOf(const std::optional<double>& errorPx, double tolerancePx) {
+    constexpr double kLargestPx = 1e9;
+    return report::errorColour(errorPx ? std::optional(std::min(*errorPx, kLargestPx)) : std::nullopt,
+                               tolerancePx);
+}
+
 std::map<std::size_t, std::optional<double>> errorsOf(const SceneLikeness& scene) {
     std::map<std::size_t, std::optional<double>> errors;
     for (const PhotoError& photo : scene.photos) {
@@ -253,7 +260,7 @@ std::string errorMap(const render::DatasetInfo& info, const SceneLikeness& scene
     const auto errors = errorsOf(scene);
     const auto colour = [&](std::size_t photo) {
         const auto found = errors.find(photo);
-        return found == errors.end() ? kNoError : report::errorColour(found->second, tolerancePx);
+        return found == errors.end() ? kNoError : colourOf(found->second, tolerancePx);
     };
     PlanDrawing plan(info, text("Error about each photo, scene model ", name(scene.scene)),
                      "95th percentile of displacement where the photo was left out");
@@ -282,7 +289,7 @@ std::string directionMap(const render::DatasetInfo& info, const SceneLikeness& s
     for (const ViewLikeness& view : scene.views) {
         const double angle = std::atan2(view.axis().y(), view.axis().x());
         plan.svg().polygon(sector(plan, view.at().head<2>(), radiusM, angle - half, angle + half),
-                           report::errorColour(view.errorPx(report.places), tolerancePx), Svg::Line::Grid);
+                           colourOf(view.errorPx(report.places), tolerancePx), Svg::Line::Grid);
     }
     errorLegend(plan, tolerancePx);
     return plan.str();

@@ -23,13 +23,29 @@ using report::Paragraph;
 
 namespace {
 
+constexpr const char* kColumnWords =
+    "False edges are edge pixels of the view that the truth does not have within 2 px; missed edges are the "
+    "truth's that the view does not have. The bend is how far straight lines of the truth are from straight "
+    "in "
+    "the view. Features that the view does not show are missed; median and 95 % are of all features, and "
+    "\"lost\" means that too many are missed. A view in the second table may be another for each column.";
+
 std::string stepText(double metres) {
     return text(fixed(100 * metres, 0), " cm");
 }
 
+std::string percent(double share) {
+    return fixed(100 * share, 1);
+}
+
+void append(std::vector<std::string>& cells, const std::vector<std::string>& more) {
+    cells.insert(cells.end(), more.begin(), more.end());
+}
+
 report::Table gridTable(const GridStudy& study) {
-    report::Table table{
-        {"step", "scene model", "kept", "views", "PSNR dB", "median px", "95 % px", "photos", "time"}, {}, 2};
+    report::Table table{{"step", "scene model", "kept", "views"}, {}, 2};
+    append(table.titles, looksTitles());
+    append(table.titles, {"median px", "95 % px", "missed %", "photos", "time"});
     double last = 0;
     for (const GridRow& row : study.rows) {
         const auto cost = std::find_if(study.costs.begin(), study.costs.end(),
@@ -37,12 +53,14 @@ report::Table gridTable(const GridStudy& study) {
         const bool isFirst = row.stepM != last;
         const bool hasCost = isFirst && cost != study.costs.end();
         last = row.stepM;
-        table.rows.push_back(
-            {isFirst ? stepText(row.stepM) : "", std::string(name(row.scene)),
-             isFirst ? std::to_string(row.keptPhotos) : "", std::to_string(row.views),
-             fixed(row.meanPsnrDb, 2), orDash(row.medianPx), orDash(row.p95Px),
-             hasCost ? std::to_string(cost->photos) : "",
-             hasCost ? humanDuration(std::chrono::duration<double>(60 * cost->minutes)) : ""});
+        std::vector<std::string> cells{isFirst ? stepText(row.stepM) : "", std::string(name(row.scene)),
+                                       isFirst ? std::to_string(row.keptPhotos) : "",
+                                       std::to_string(row.views)};
+        append(cells, looksCells(row.looks));
+        append(cells, {orDash(row.medianPx), orDash(row.p95Px), percent(row.missedShare),
+                       hasCost ? std::to_string(cost->photos) : "",
+                       hasCost ? humanDuration(std::chrono::duration<double>(60 * cost->minutes)) : ""});
+        table.rows.push_back(std::move(cells));
     }
     return table;
 }
@@ -97,27 +115,39 @@ std::string subjectWords(const MeasureReport& report) {
 }
 
 report::Table sceneTable(const MeasureReport& report) {
-    report::Table table{
-        {"scene model", "PSNR dB", "worst", "SSIM", "median px", "95 % px", "exact px", "exact 95 %", "ms"},
-        {}};
+    report::Table table{{"scene model"}, {}};
+    append(table.titles, looksTitles());
+    append(table.titles, {"median px", "95 % px", "missed %", "exact px", "exact 95 %", "ms"});
     for (const SceneLikeness& scene : report.scenes) {
         double ms = 0;
         for (const Rung& rung : report.rungs) {
             ms = rung.scene == scene.scene && rung.sampling == scene.sampling ? rung.renderMs : ms;
         }
-        table.rows.push_back({std::string(name(scene.scene)), fixed(scene.meanPsnrDb, 2),
-                              fixed(scene.worstPsnrDb, 2), fixed(scene.meanSsim, 3), orDash(scene.medianPx),
-                              orDash(scene.p95Px), orDash(scene.exactMedianPx), orDash(scene.exactP95Px),
-                              fixed(ms, 1)});
+        std::vector<std::string> cells{std::string(name(scene.scene))};
+        append(cells, looksCells(scene.looks.mean));
+        append(cells, {orDash(scene.medianPx), orDash(scene.p95Px), percent(scene.missedShare),
+                       orDash(scene.exactMedianPx), orDash(scene.exactP95Px), fixed(ms, 1)});
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+report::Table worstTable(const MeasureReport& report) {
+    report::Table table{{"worst view"}, {}};
+    append(table.titles, looksTitles());
+    for (const SceneLikeness& scene : report.scenes) {
+        std::vector<std::string> cells{std::string(name(scene.scene))};
+        append(cells, looksCells(scene.looks.worst));
+        table.rows.push_back(std::move(cells));
     }
     return table;
 }
 
 report::Table rungTable(const MeasureReport& report) {
-    report::Table table{{"scene model", "sampling", "ms", "95 % px"}, {}, 2};
+    report::Table table{{"scene model", "sampling", "cost", "ms", "95 % px"}, {}, 2};
     for (const Rung& rung : report.rungs) {
         table.rows.push_back({std::string(name(rung.scene)), std::string(name(rung.sampling)),
-                              fixed(rung.renderMs, 2), orDash(rung.errorPx)});
+                              fixed(rung.cost(), 1), fixed(rung.renderMs, 2), orDash(rung.errorPx)});
     }
     return table;
 }
@@ -159,7 +189,11 @@ std::vector<std::string> predictionWords(const MeasureReport& report) {
             text("Scene model ", name(prediction.scene),
                  ": errors foretold by leaving photos out and errors found on ", prediction.foundPx.size(),
                  " pictures have a rank correlation of ",
-                 prediction.rankCorrelation ? fixed(*prediction.rankCorrelation, 2) : "(not known)", "."));
+                 prediction.rankCorrelation ? fixed(*prediction.rankCorrelation, 2) : "(not known)",
+                 prediction.factor ? text("; the foretold error is ", fixed(*prediction.factor, 2),
+                                          " times the found one, at the median")
+                                   : "",
+                 "."));
     }
     return result;
 }
@@ -208,10 +242,11 @@ void addWorst(const MeasureReport& report, Document& document) {
     document.blocks.emplace_back(Paragraph{
         "Truth, view, and difference (grey where they agree), with the scene model that was chosen."});
     for (const ShownView& shown : report.worst) {
-        document.blocks.emplace_back(
-            report::PictureRow{{shown.truth, shown.view, shown.difference},
-                               {shown.subject, text("95 %: ", orDash(shown.errorPx), " px"),
-                                text("PSNR ", fixed(shown.psnrDb, 1), " dB")}});
+        document.blocks.emplace_back(report::PictureRow{
+            {shown.truth, shown.view, shown.difference},
+            {shown.subject, text("95 %: ", orDash(shown.errorPx), " px"),
+             text("PSNR ", fixed(shown.looks.psnrDb, 1), " dB, SSIM ", fixed(shown.looks.ssim, 2),
+                  ", false edges ", percent(shown.looks.falseEdges), " %")}});
     }
 }
 
@@ -221,14 +256,22 @@ void addMeasured(const ReportContents& contents, Document& document) {
     document.blocks.emplace_back(Paragraph{report.choice.reason});
     document.blocks.emplace_back(Paragraph{text("By tolerance", choiceBasis(report), ":")});
     document.blocks.emplace_back(choiceTable(report));
-    document.blocks.emplace_back(report::Drawing{tradePlot(report)});
+    if (std::any_of(report.rungs.begin(), report.rungs.end(),
+                    [](const Rung& rung) { return rung.errorPx && std::isfinite(*rung.errorPx); })) {
+        document.blocks.emplace_back(report::Drawing{tradePlot(report)});
+    }
     document.blocks.emplace_back(Heading{"How right views are"});
     document.blocks.emplace_back(Paragraph{text("Compared: ", subjectWords(report), ".")});
     document.blocks.emplace_back(sceneTable(report));
+    document.blocks.emplace_back(worstTable(report));
+    document.blocks.emplace_back(Paragraph{kColumnWords});
     if (report.leaveOneOut) {
         document.blocks.emplace_back(Heading{"What leaving photos out foretold"});
         document.blocks.emplace_back(Paragraph{text("Compared: ", subjectWords(*report.leaveOneOut), ".")});
         document.blocks.emplace_back(sceneTable(*report.leaveOneOut));
+        for (const std::string& sentence : predictionWords(report)) {
+            document.blocks.emplace_back(Paragraph{sentence});
+        }
         document.blocks.emplace_back(report::Drawing{predictionPlot(report)});
     }
     addMaps(*contents.dataset, report.leaveOneOut ? *report.leaveOneOut : report, document);
@@ -242,7 +285,10 @@ void addMeasured(const ReportContents& contents, Document& document) {
 void addGrid(const GridStudy& study, Document& document) {
     document.blocks.emplace_back(Heading{"How dense the grid must be"});
     document.blocks.emplace_back(Paragraph{study.reason});
-    document.blocks.emplace_back(report::Drawing{gridPlot(study)});
+    if (std::any_of(study.rows.begin(), study.rows.end(),
+                    [](const GridRow& row) { return row.p95Px && std::isfinite(*row.p95Px); })) {
+        document.blocks.emplace_back(report::Drawing{gridPlot(study)});
+    }
     document.blocks.emplace_back(gridAnswerTable(study));
     document.blocks.emplace_back(gridTable(study));
 }
@@ -285,8 +331,9 @@ std::string gridStudyText(const GridStudy& study) {
 }
 
 std::string measureText(const MeasureReport& report) {
-    std::string result = text(subjectWords(report), ":\n", sceneTable(report).text(), "\n",
-                              choicesText(report), "\n", report.choice.reason);
+    std::string result =
+        text(subjectWords(report), ":\n", sceneTable(report).text(), "\n", worstTable(report).text(), "\n",
+             choicesText(report), "\n", report.choice.reason);
     if (!report.predictions.empty()) {
         result += "\n";
         for (const std::string& sentence : predictionWords(report)) {

@@ -5,6 +5,7 @@
 #include "spherewalk/report/chart.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace spherewalk::jobs {
@@ -111,7 +112,7 @@ std::string linesPlot(const std::string& title, const std::string& below, const 
 std::string tradePlot(const MeasureReport& report) {
     Lines lines;
     for (const Rung& rung : report.rungs) {
-        if (rung.errorPx) {
+        if (rung.errorPx && std::isfinite(*rung.errorPx)) {
             lines[rung.scene].push_back({std::max(kLeastMs, rung.renderMs), std::max(kLeastPx, *rung.errorPx),
                                          std::string(name(rung.sampling))});
         }
@@ -126,7 +127,7 @@ std::string tradePlot(const MeasureReport& report) {
 std::string gridPlot(const GridStudy& study) {
     Lines lines;
     for (const GridRow& row : study.rows) {
-        if (row.p95Px) {
+        if (row.p95Px && std::isfinite(*row.p95Px)) {
             lines[row.scene].push_back({100 * row.stepM, std::max(kLeastPx, *row.p95Px), ""});
         }
     }

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace spherewalk::jobs {
 
@@ -19,16 +17,13 @@ namespace {
 constexpr EnumNames<Places, 2> kPlaces{{{Places::Features, "features"}, {Places::Pixels, "pixels"}}};
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.95;
-constexpr std::size_t kFewestMatches = 20; ///< for a view's median to say something of the view
-
-std::optional<double> meanOf(const std::vector<double>& values) {
-    return values.empty() ? std::nullopt
-                          : std::optional(std::accumulate(values.begin(), values.end(), 0.0) /
-                                          static_cast<double>(values.size()));
-}
 
 void append(std::vector<int>& all, const std::vector<int>& more) {
     all.insert(all.end(), more.begin(), more.end());
+}
+
+bool isFinite(const std::optional<double>& value) {
+    return value && std::isfinite(*value);
 }
 
 } // namespace
@@ -48,13 +43,6 @@ std::optional<double> errorPx(Places places, const std::optional<double>& featur
     return wanted ? wanted : isFeatures ? pixels : features;
 }
 
-std::optional<double> quantilePx(std::vector<int> hundredths, double share) {
-    if (hundredths.empty()) {
-        return std::nullopt;
-    }
-    return 0.01 * quantileInPlace(hundredths, share);
-}
-
 SceneSummary::SceneSummary(render::SceneKind scene, render::Sampling sampling, Places places)
     : m_places(places) {
     m_result.scene = scene;
@@ -62,39 +50,33 @@ SceneSummary::SceneSummary(render::SceneKind scene, render::Sampling sampling, P
 }
 
 void SceneSummary::add(const Comparison& comparison, ViewLikeness view) {
-    view.psnrDb = comparison.psnrDb;
-    view.ssim = comparison.ssim;
-    view.matches = comparison.matched.size();
-    view.medianPx = quantilePx(comparison.matched, kMedian);
-    view.p95Px = quantilePx(comparison.matched, kNearlyAll);
+    view.looks = comparison.looks;
+    view.matches = comparison.features.found.size();
+    view.missed = comparison.features.missed;
+    view.medianPx = quantilePx(comparison.features, kMedian);
+    view.p95Px = quantilePx(comparison.features, kNearlyAll);
     view.exactMedianPx = quantilePx(comparison.exact, kMedian);
     view.exactP95Px = quantilePx(comparison.exact, kNearlyAll);
     view.things = comparison.things;
-    append(m_matched, comparison.matched);
+    m_features.add(comparison.features);
     append(m_exact, comparison.exact);
     if (view.leftOut) {
         const bool isExact = m_places == Places::Pixels && !comparison.exact.empty();
-        append(m_ofPhotos[*view.leftOut], isExact ? comparison.exact : comparison.matched);
+        m_ofPhotos[*view.leftOut].add(isExact ? PlaceErrors{comparison.exact, 0} : comparison.features);
     }
     m_result.views.push_back(std::move(view));
 }
 
 SceneLikeness SceneSummary::result() const {
     SceneLikeness result = m_result;
-    std::vector<double> medians;
-    std::vector<double> unsureMedians; // a handful of matches may all be wrong
-    const auto count = static_cast<double>(result.views.size());
-    result.worstPsnrDb = std::numeric_limits<double>::max();
+    std::vector<Looks> looks;
     for (const ViewLikeness& view : result.views) {
-        result.meanPsnrDb += view.psnrDb / count;
-        result.meanSsim += view.ssim / count;
-        result.worstPsnrDb = std::min(result.worstPsnrDb, view.psnrDb);
-        if (view.medianPx) {
-            (view.matches < kFewestMatches ? unsureMedians : medians).push_back(*view.medianPx);
-        }
+        looks.push_back(view.looks);
     }
-    result.medianPx = meanOf(medians.empty() ? unsureMedians : medians);
-    result.p95Px = quantilePx(m_matched, kNearlyAll);
+    result.looks = summaryOf(looks);
+    result.medianPx = quantilePx(m_features, kMedian);
+    result.p95Px = quantilePx(m_features, kNearlyAll);
+    result.missedShare = m_features.missedShare();
     result.exactMedianPx = quantilePx(m_exact, kMedian);
     result.exactP95Px = quantilePx(m_exact, kNearlyAll);
     for (const auto& [photo, errors] : m_ofPhotos) {
@@ -128,7 +110,7 @@ std::optional<double> SamplingSummary::errorWith(render::Sampling sampling, rend
 
 ShownView shownView(const ViewLikeness& likeness, Places places, const RgbImage& truth,
                     const RgbImage& view) {
-    return {likeness.subject,          likeness.errorPx(places), likeness.psnrDb, truth, view,
+    return {likeness.subject,          likeness.errorPx(places), likeness.looks, truth, view,
             difference(view, truth, 1)};
 }
 
@@ -237,7 +219,7 @@ std::optional<double> foretoldByViews(const SceneLikeness& leaveOneOut, const Vi
     double weights = 0;
     for (const ViewLikeness& from : leaveOneOut.views) {
         const std::optional<double>& found = from.exactMedianPx ? from.exactMedianPx : from.medianPx;
-        if (found) {
+        if (isFinite(found)) {
             const double w = weight(from, view);
             sum += w * *found / std::max(kLeastAcrossM, offsetAcross(from.offset, from.axis()));
             weights += w;
@@ -271,13 +253,20 @@ std::vector<Prediction> predictions(const MeasureReport& leaveOneOut, const Meas
         }
         Prediction prediction;
         prediction.scene = found.scene;
+        std::vector<double> factors;
         for (const ViewLikeness& view : found.views) {
             const std::optional<double> foretold = foretoldPx(*from, view, camera);
             const std::optional<double>& px = view.exactMedianPx ? view.exactMedianPx : view.medianPx;
-            if (foretold && px) {
+            if (isFinite(foretold) && isFinite(px)) {
                 prediction.foretoldPx.push_back(*foretold);
                 prediction.foundPx.push_back(*px);
+                if (*px > 0) {
+                    factors.push_back(*foretold / *px);
+                }
             }
+        }
+        if (!factors.empty()) {
+            prediction.factor = median(factors);
         }
         prediction.rankCorrelation = compare::rankCorrelation(prediction.foretoldPx, prediction.foundPx);
         result.push_back(std::move(prediction));

@@ -10,10 +10,6 @@
 
 namespace spherewalk::jobs {
 
-/// The quantile in pixels of displacements in hundredths of a pixel; nothing if there are none. Range: share
-/// from 0 to 1.
-std::optional<double> quantilePx(std::vector<int> hundredths, double share);
-
 /// Puts the views of one scene model together.
 class SceneSummary {
   public:
@@ -26,9 +22,9 @@ class SceneSummary {
   private:
     Places m_places;
     SceneLikeness m_result;
-    std::vector<int> m_matched;
+    PlaceErrors m_features;
     std::vector<int> m_exact;
-    std::map<std::size_t, std::vector<int>> m_ofPhotos;
+    std::map<std::size_t, PlaceErrors> m_ofPhotos;
 };
 
 /// Puts together how samplings displace what views show.

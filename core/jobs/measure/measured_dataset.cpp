@@ -14,6 +14,7 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -153,7 +154,8 @@ void storeChoice(const std::filesystem::path& dataset, const MeasureReport& repo
     }
     std::map<render::SceneKind, double> errors;
     for (const SceneLikeness& scene : report.scenes) {
-        if (const auto errorPx = scene.errorPx(report.places)) {
+        const auto errorPx = scene.errorPx(report.places);
+        if (errorPx && std::isfinite(*errorPx)) {
             errors[scene.scene] = *errorPx;
         }
     }

@@ -5,15 +5,16 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spherewalk::jobs {
 
 std::string orDash(const std::optional<double>& value, int digits) {
-    return value ? fixed(*value, digits) : "-";
+    return !value ? "-" : std::isinf(*value) ? "lost" : fixed(*value, digits);
 }
 
 Json orNull(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
+    return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
 RgbImage difference(const RgbImage& a, const RgbImage& b, int times) {

@@ -9,10 +9,10 @@
 
 namespace spherewalk::jobs {
 
-/// The value, or "-" if it is not known.
+/// The value, "-" if it is not known, or "lost" if it is infinite.
 std::string orDash(const std::optional<double>& value, int digits = 2);
 
-/// The value, or null if it is not known.
+/// The value, or null if it is not known or infinite.
 Json orNull(const std::optional<double>& value);
 
 /// The difference a - b, times a factor, on a grey of 128. Range: pictures of one size.

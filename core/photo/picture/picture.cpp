@@ -60,20 +60,6 @@ void checkSameSize(const RgbImage& a, const RgbImage& b) {
     }
 }
 
-cv::Mat greyOf(const RgbImage& picture) {
-    cv::Mat grey;
-    cv::cvtColor(matOver(picture), grey, cv::COLOR_RGB2GRAY);
-    cv::Mat result;
-    grey.convertTo(result, CV_32F);
-    return result;
-}
-
-cv::Mat smoothed(const cv::Mat& values) {
-    cv::Mat result;
-    cv::GaussianBlur(values, result, {11, 11}, 1.5);
-    return result;
-}
-
 } // namespace
 
 RgbImage resized(const RgbImage& picture, int width, int height) {
@@ -133,25 +119,6 @@ double psnr(const RgbImage& a, const RgbImage& b) {
     }
     const double mean = static_cast<double>(sum) / static_cast<double>(a.values().size());
     return 10 * std::log10(255.0 * 255.0 / mean);
-}
-
-double structuralSimilarity(const RgbImage& a, const RgbImage& b) {
-    checkSameSize(a, b);
-    return translated("compare pictures", [&] {
-        const cv::Mat x = greyOf(a);
-        const cv::Mat y = greyOf(b);
-        const cv::Mat meanX = smoothed(x);
-        const cv::Mat meanY = smoothed(y);
-        const cv::Mat varianceX = smoothed(x.mul(x)) - meanX.mul(meanX);
-        const cv::Mat varianceY = smoothed(y.mul(y)) - meanY.mul(meanY);
-        const cv::Mat covariance = smoothed(x.mul(y)) - meanX.mul(meanY);
-        constexpr double kMean = 0.01 * 255 * 0.01 * 255;
-        constexpr double kVariance = 0.03 * 255 * 0.03 * 255;
-        const cv::Mat top = (2 * meanX.mul(meanY) + kMean).mul(2 * covariance + kVariance);
-        const cv::Mat bottom =
-            (meanX.mul(meanX) + meanY.mul(meanY) + kMean).mul(varianceX + varianceY + kVariance);
-        return cv::mean(top / bottom)[0];
-    });
 }
 
 } // namespace spherewalk::photo

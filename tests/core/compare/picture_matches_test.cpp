@@ -106,16 +106,47 @@ TEST(ExactDisplacement, LeavesOutWhereNoDepthIsKnown) {
 }
 
 TEST(MatchedDisplacement, FindsHowFarAPictureWasMoved) {
-    const auto errors = matchedDisplacements(blobs(0, 0), blobs(6, 3));
+    const auto errors = matchedDisplacements(PictureFeatures(blobs(0, 0)), PictureFeatures(blobs(6, 3)));
     ASSERT_GT(errors.size(), 30U);
     EXPECT_NEAR(quantile(errors, 0.5).value(), std::hypot(6, 3), 0.3);
     EXPECT_NEAR(quantile(errors, 0.95).value(), std::hypot(6, 3), 1);
 }
 
 TEST(MatchedDisplacement, FindsNothingWithoutTexture) {
-    const auto none = matchedDisplacements(RgbImage(64, 64), RgbImage(64, 64));
+    const PictureFeatures even{RgbImage(64, 64)};
+    const auto none = matchedDisplacements(even, even);
     EXPECT_TRUE(none.empty());
     EXPECT_FALSE(quantile(none, 0.5)); // not known, which is not 0
+}
+
+TEST(PlaceDisplacement, FindsAllPlacesOfAPictureThatWasMoved) {
+    const PictureFeatures truth(blobs(0, 0));
+    const PlaceDisplacements places = placeDisplacements(truth, PictureFeatures(blobs(6, 3)));
+    EXPECT_LT(places.missedShare(), 0.02);
+    EXPECT_NEAR(quantile(places.found, 0.5).value(), std::hypot(6, 3), 0.3);
+    EXPECT_NEAR(quantile(places.found, 0.95).value(), std::hypot(6, 3), 1);
+    EXPECT_GT(places.found.size(), matchedDisplacements(truth, PictureFeatures(blobs(6, 3))).size());
+}
+
+TEST(PlaceDisplacement, CountsWhatTheViewLacksAsMissed) {
+    RgbImage half = blobs(0, 0);
+    for (int y = 0; y < half.height(); ++y) {
+        std::fill(half.at(0, y), half.at(half.width() / 2, y), std::uint8_t{0});
+    }
+    const PictureFeatures truth(blobs(0, 0));
+    const PlaceDisplacements lacking = placeDisplacements(truth, PictureFeatures(half));
+    EXPECT_NEAR(lacking.missedShare(), 0.5, 0.1);
+    EXPECT_NEAR(quantile(lacking.found, 0.5).value(), 0, 0.01);
+    const PlaceDisplacements other = placeDisplacements(truth, PictureFeatures(squares(9, 0, 0)));
+    EXPECT_GT(other.missedShare(), 0.9) << "another room";
+}
+
+TEST(PlaceDisplacement, HasNoPlacesWithoutTexture) {
+    const PictureFeatures even{RgbImage(64, 64)};
+    EXPECT_EQ(placeDisplacements(even, even).missedShare(), 0);
+    EXPECT_TRUE(placeDisplacements(even, even).found.empty());
+    const PictureFeatures pixel{RgbImage(1, 1)};
+    EXPECT_EQ(placeDisplacements(pixel, pixel).missed, 0U);
 }
 
 TEST(PictureMatches, KnowTheSizeOfTheirPicture) {
@@ -136,8 +167,12 @@ TEST(PictureMatches, ALowerContrastGivesMoreFeatures) {
 }
 
 TEST(Displacements, OfPicturesOfDifferentSizesAreRefused) {
-    test::expectError(ErrorKind::InvalidInput, "different sizes",
-                      [] { matchedDisplacements(RgbImage(64, 64), RgbImage(64, 32)); });
+    test::expectError(ErrorKind::InvalidInput, "different sizes", [] {
+        matchedDisplacements(PictureFeatures(RgbImage(64, 64)), PictureFeatures(RgbImage(64, 32)));
+    });
+    test::expectError(ErrorKind::InvalidInput, "different sizes", [] {
+        placeDisplacements(PictureFeatures(RgbImage(64, 64)), PictureFeatures(RgbImage(64, 32)));
+    });
     test::expectError(ErrorKind::InvalidInput, "different sizes", [] {
         exactDisplacements(kPlaneCamera, {}, {0, 0, 0}, DepthImage(8, 8), plane(2));
     });

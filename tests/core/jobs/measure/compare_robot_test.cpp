@@ -101,8 +101,37 @@ TEST_F(CompareRobot, FindsThePoseThatAPictureWasTakenFrom) {
         EXPECT_LT(angleBetween(picture.used().rotation, FlatRoom::view3().rotation), Radians(Degrees(0.12)));
         EXPECT_LT(picture.after.medianPx.value(), 0.5);
         EXPECT_GT(picture.before.medianPx.value(), 5);
-        EXPECT_GT(picture.after.psnrDb, picture.before.psnrDb + 5);
+        EXPECT_GT(picture.after.looks.psnrDb, picture.before.looks.psnrDb + 5);
     }
+}
+
+TEST_F(CompareRobot, SaysWhatPeopleSeeBesideDisplacement) {
+    CompareOptions options;
+    options.pictures = {truePicture(), truePicture()};
+    options.pictures[1].roomFromCamera.translation.x() += 0.03; // so the view is wrong there
+    const CompareReport report = compare(options);
+    const Looks& right = report.pictures[0].before.looks;
+    const Looks& wrong = report.pictures[1].before.looks;
+    EXPECT_GT(right.ssim, wrong.ssim + 0.05);
+    EXPECT_LT(right.falseEdges, wrong.falseEdges);
+    EXPECT_LT(right.missedEdges, wrong.missedEdges);
+    EXPECT_DOUBLE_EQ(report.before.looks.mean.ssim, (right.ssim + wrong.ssim) / 2);
+    EXPECT_FALSE(report.pictures[0].steadiness);
+    ASSERT_TRUE(report.pictures[1].steadiness);
+    EXPECT_NEAR(report.pictures[1].steadiness->medianPx.value(), report.pictures[1].before.medianPx.value(),
+                2)
+        << "the second view jumps by its whole displacement";
+    EXPECT_GT(report.steadyMedianPx.value(), 2);
+    const Json json = toJson(report);
+    EXPECT_EQ(json["pictures"][0]["before"]["ssim"], right.ssim);
+    EXPECT_EQ(json["before"]["false_edges"], report.before.looks.mean.falseEdges);
+    EXPECT_THAT(compareText(report), testing::HasSubstr("displacements change by"));
+}
+
+TEST_F(CompareRobot, SeesNoChangeWhereNothingMoves) {
+    CompareOptions options;
+    options.pictures = {truePicture(), truePicture()};
+    EXPECT_EQ(compare(options).steadyMedianPx, 0);
 }
 
 TEST_F(CompareRobot, SaysWhyAPoseCannotBeRefined) {

@@ -92,7 +92,7 @@ TEST(GridStudy, SaysWhatEachStepShowsAndCosts) {
     EXPECT_EQ(sphere.front().views, 4U); // the middle one in four directions
     EXPECT_EQ(sphere.back().views, 9U);
     EXPECT_EQ(sphere.back().keptPhotos, 4U);
-    EXPECT_GT(sphere.back().meanPsnrDb, 5);
+    EXPECT_GT(sphere.back().looks.psnrDb, 5);
     ASSERT_EQ(study.costs.size(), 2U);
     EXPECT_GT(study.costs.front().minutes, 1.5 * study.costs.back().minutes);
     const GridAnswer& answer = study.answers.at(1);

@@ -41,7 +41,9 @@ std::vector<double> errorsOf(const MeasureReport& report) {
     std::vector<double> errors;
     for (const SceneLikeness& scene : report.scenes) {
         for (const ViewLikeness& view : scene.views) {
-            errors.insert(errors.end(), {view.psnrDb, view.ssim, view.p95Px.value_or(-1)});
+            errors.insert(errors.end(), {view.looks.psnrDb, view.looks.ssim, view.looks.falseEdges,
+                                         view.looks.missedEdges, view.looks.bendPx.value_or(-1),
+                                         view.p95Px.value_or(-1), static_cast<double>(view.missed)});
         }
     }
     return errors;
@@ -59,7 +61,11 @@ TEST(MeasureDataset, RanksTheSceneModels) {
     ASSERT_EQ(report.scenes.size(), 4U);
     EXPECT_EQ(report.scenes.front().views.size(), 4U);
     EXPECT_GT(report.scenes[0].exactP95Px.value(), 2 * report.scenes[3].exactP95Px.value());
-    EXPECT_GT(report.scenes[3].meanPsnrDb, report.scenes[1].meanPsnrDb);
+    EXPECT_GT(report.scenes[3].looks.mean.psnrDb, report.scenes[1].looks.mean.psnrDb);
+    EXPECT_GT(report.scenes[3].looks.mean.ssim, report.scenes[1].looks.mean.ssim);
+    EXPECT_LT(report.scenes[3].looks.mean.falseEdges, report.scenes[1].looks.mean.falseEdges);
+    EXPECT_LT(report.scenes[3].looks.mean.missedEdges, report.scenes[1].looks.mean.missedEdges);
+    EXPECT_LT(report.scenes[3].missedShare, report.scenes[0].missedShare);
     EXPECT_EQ(report.rungs.size(), 20U);
     for (const Rung& rung : report.rungs) {
         EXPECT_GT(rung.renderMs, 0);
@@ -210,6 +216,9 @@ TEST(MeasureDataset, ForetellsTheErrorsOfPicturesFromBetweenThePhotos) {
     ASSERT_TRUE(report.leaveOneOut);
     ASSERT_EQ(report.predictions.size(), 1U);
     EXPECT_GT(report.predictions[0].rankCorrelation.value(), 0.8);
+    EXPECT_GT(report.predictions[0].factor.value(), 0.5);
+    EXPECT_LT(report.predictions[0].factor.value(), 2);
+    EXPECT_THAT(measureText(report), HasSubstr("times the found one, at the median"));
     for (const Choice& choice : report.leaveOneOut->choices) {
         if (choice.isWithin) {
             EXPECT_LE(report.rungs[*choice.rung].errorPx.value(), choice.tolerancePx);
@@ -241,7 +250,16 @@ TEST(MeasurePage, NeedsNoNetworkAndShowsWhatWasFound) {
         EXPECT_EQ(page.substr(at, 26), "http://www.w3.org/2000/svg"); // a name, never fetched
     }
     EXPECT_THAT(readTextFile(folder / "report.pdf"), testing::StartsWith("%PDF"));
-    EXPECT_EQ(parseJson(readTextFile(folder / "report.json"), "x")["measured"]["photos"], 4);
+    EXPECT_THAT(page, HasSubstr("false edges %"));
+    EXPECT_THAT(page, HasSubstr("missed %"));
+    const Json measured = parseJson(readTextFile(folder / "report.json"), "x")["measured"];
+    EXPECT_EQ(measured["photos"], 4);
+    const Json& scene = measured["scenes"][0];
+    EXPECT_EQ(scene["mean_ssim"], report.scenes[0].looks.mean.ssim);
+    EXPECT_EQ(scene["worst_false_edges"], report.scenes[0].looks.worst.falseEdges);
+    EXPECT_EQ(scene["missed_share"], report.scenes[0].missedShare);
+    EXPECT_EQ(scene["views"][0]["missed_edges"], report.scenes[0].views[0].looks.missedEdges);
+    EXPECT_EQ(measured["rungs"][0]["cost"], nominalCost(SceneKind::None, render::Sampling::Nearest));
 }
 
 } // namespace spherewalk::jobs

@@ -3,16 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace spherewalk::jobs {
 
 namespace {
 
-/// A view in which so many features are displaced by so many pixels each.
-Comparison displaced(std::size_t features, double px) {
+/// A view in which so many features are displaced by so many pixels each, and so many are missed.
+Comparison displaced(std::size_t features, double px, std::size_t missed = 0) {
     Comparison comparison;
-    comparison.matched = std::vector<int>(features, static_cast<int>(100 * px));
+    comparison.features = {std::vector<int>(features, static_cast<int>(100 * px)), missed};
     return comparison;
 }
 
@@ -26,19 +27,57 @@ SceneLikeness together(const std::vector<Comparison>& views) {
 
 } // namespace
 
-TEST(SceneSummary, IsNotLedByViewsInWhichAHandfulIsMatched) {
-    EXPECT_EQ(together({displaced(100, 1), displaced(20, 2), displaced(19, 500)}).medianPx, 1.5);
+TEST(SceneSummary, TakesBothFiguresFromTheSameFeatures) {
+    const SceneLikeness likeness = together({displaced(100, 1), displaced(20, 2), displaced(3, 500)});
+    EXPECT_EQ(likeness.medianPx, 1);
+    EXPECT_EQ(likeness.p95Px, 2);
+    EXPECT_LE(*likeness.medianPx, *likeness.p95Px);
 }
 
-TEST(SceneSummary, TakesWhatThereIsWhereLittleIsMatched) {
-    EXPECT_EQ(together({displaced(3, 1), displaced(19, 4)}).medianPx, 2.5);
+TEST(SceneSummary, CountsWhatIsMissedAsEndlesslyFarOff) {
+    EXPECT_EQ(together({displaced(96, 1, 4)}).p95Px, 1);
+    const SceneLikeness tenth = together({displaced(50, 1, 0), displaced(40, 2, 10)});
+    EXPECT_EQ(tenth.p95Px, HUGE_VAL);
+    EXPECT_EQ(tenth.medianPx, 2);
+    EXPECT_DOUBLE_EQ(tenth.missedShare, 0.1);
+    EXPECT_EQ(together({displaced(3, 1, 97)}).medianPx, HUGE_VAL) << "however well a handful matches";
 }
 
-TEST(SceneSummary, HasNoMedianWithoutMatches) {
+TEST(SceneSummary, HasNoMedianWithoutFeatures) {
     const SceneLikeness likeness = together({displaced(0, 0), displaced(0, 0)});
     EXPECT_EQ(likeness.medianPx, std::nullopt);
     EXPECT_EQ(likeness.p95Px, std::nullopt);
+    EXPECT_EQ(likeness.missedShare, 0);
     EXPECT_EQ(likeness.views.size(), 2U);
+}
+
+TEST(SceneSummary, CountsMissesAboutAPhotoToo) {
+    SceneSummary summary(render::SceneKind::Depth, render::Sampling::Bilinear, Places::Features);
+    ViewLikeness view;
+    view.leftOut = 3;
+    summary.add(displaced(80, 1, 20), view);
+    const SceneLikeness likeness = summary.result();
+    ASSERT_EQ(likeness.photos.size(), 1U);
+    EXPECT_EQ(likeness.photos[0].p95Px, HUGE_VAL);
+    EXPECT_EQ(likeness.photos[0].places, 100U);
+}
+
+TEST(LooksSummary, HasMeansAndTheWorstOfEach) {
+    const LooksSummary summary =
+        summaryOf({{30, 0.9, 0.01, 0.2, 0.5, 4, 3}, {20, 0.7, 0.05, 0.1, std::nullopt, 2, 0}});
+    EXPECT_EQ(summary.views, 2U);
+    EXPECT_DOUBLE_EQ(summary.mean.psnrDb, 25);
+    EXPECT_DOUBLE_EQ(summary.mean.ssim, 0.8);
+    EXPECT_DOUBLE_EQ(summary.mean.falseEdges, 0.03);
+    EXPECT_DOUBLE_EQ(summary.mean.missedEdges, 0.15);
+    EXPECT_EQ(summary.mean.bendPx, 0.5) << "of the view that shows lines";
+    EXPECT_EQ(summary.mean.lines, 6U);
+    EXPECT_EQ(summary.mean.linesFound, 3U);
+    EXPECT_EQ(summary.worst.psnrDb, 20);
+    EXPECT_EQ(summary.worst.ssim, 0.7);
+    EXPECT_EQ(summary.worst.falseEdges, 0.05);
+    EXPECT_EQ(summary.worst.missedEdges, 0.2);
+    EXPECT_EQ(summaryOf({}).mean.ssim, 0);
 }
 
 } // namespace spherewalk::jobs

@@ -19,6 +19,8 @@ struct PictureMatch {
     Eigen::Vector2d inB;
 };
 
+struct PlaceDisplacements;
+
 /// The SIFT features of a picture, found once for several matchings. Threads: const, any number.
 class PictureFeatures {
   public:
@@ -35,6 +37,8 @@ class PictureFeatures {
   private:
     friend std::vector<PictureMatch> pictureMatches(const PictureFeatures& a, const PictureFeatures& b,
                                                     double reachPx);
+    friend PlaceDisplacements placeDisplacements(const PictureFeatures& truth,
+                                                 const PictureFeatures& computed);
     struct Found;
     std::shared_ptr<const Found> m_found;
 };
@@ -45,17 +49,36 @@ class PictureFeatures {
 std::vector<PictureMatch> pictureMatches(const PictureFeatures& a, const PictureFeatures& b,
                                          double reachPx = 0);
 
+/// The matches that move like two of their nearest neighbours. Parallax is even on surfaces, and wrong
+/// matches are not. Errors: InvalidInput if the sizes differ.
+std::vector<PictureMatch> witnessedMatches(const PictureFeatures& a, const PictureFeatures& b);
+
 /// A pixel of the true picture, and how far away the computed picture shows the same thing. Units: pixels.
 struct Displacement {
     Eigen::Vector2d pixel;
     double errorPx = 0;
 };
 
-/// Displacements of features that match in both pictures and move like two of their nearest neighbours.
-/// Parallax is even on surfaces, and wrong matches are not. Errors: InvalidInput if the sizes differ;
-/// Internal if OpenCV refuses.
-std::vector<Displacement> matchedDisplacements(const RgbImage& truth, const RgbImage& computed);
+/// Displacements of the witnessed matches alone. What does not match has no say, so a picture in which little
+/// matches may look better than it is. Errors: InvalidInput if the sizes differ; Internal if OpenCV refuses.
 std::vector<Displacement> matchedDisplacements(const PictureFeatures& truth, const PictureFeatures& computed);
+
+/// The places of a true picture: its features with some contrast about them.
+struct PlaceDisplacements {
+    std::vector<Displacement> found; ///< The places that the computed picture shows.
+    std::size_t missed = 0;          ///< Number of places that it does not show.
+
+    /// Of all places; 0 if there are none.
+    double missedShare() const;
+};
+
+/// Finds each place of the true picture in the computed one. A place is found by a witnessed match, or else
+/// by the patch of 21 x 21 pixels about it. The patch is sought within 16 pixels of the place itself, and then
+/// of where its nearest neighbour moved to. Its correlation must reach 0.65, and 0.02 more for each pixel of
+/// distance, because patterns repeat. All other places are missed. Unmatched places
+/// within 16 pixels of the border or with a contrast below 5 grey levels do not count at all. Errors: as
+/// above. Cost: 0.1 s for 640 x 480.
+PlaceDisplacements placeDisplacements(const PictureFeatures& truth, const PictureFeatures& computed);
 
 /// Displacements by a known depth, for every `every`-th pixel of every `every`-th row. The taken depth leads
 /// from the pixel to a direction of the photo. The photo shows there a thing at about the true thing's

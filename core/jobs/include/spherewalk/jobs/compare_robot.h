@@ -5,6 +5,8 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/compare/colour_fit.h"
 #include "spherewalk/compare/pose_fit.h"
+#include "spherewalk/compare/steadiness.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/render/view.h"
 
@@ -30,10 +32,13 @@ struct CompareOptions {
 
 /// How like a robot's picture one view is.
 struct PictureLikeness {
-    double psnrDb = 0;
-    std::optional<double> medianPx; ///< Median displacement of matched features; nothing without matches.
-    std::optional<double> p95Px;
-    std::size_t matches = 0;
+    Looks looks;
+    /// Median displacement of the picture's features. Those that the view does not show are endlessly far
+    /// off. Nothing without features.
+    std::optional<double> medianPx;
+    std::optional<double> p95Px;       ///< 95th percentile of the same features.
+    std::size_t matches = 0;           ///< Number of features that were found.
+    std::size_t missed = 0;            ///< Number of features that were not.
     std::optional<double> colourError; ///< As compare::colourError(); nothing if no spot is even.
 };
 
@@ -45,6 +50,9 @@ struct ComparedPicture {
     PictureLikeness before;                  ///< The view from the given pose, in the photos' colours.
     /// The view from the refined pose and in corrected colours, as far as these are known.
     PictureLikeness after;
+    /// How steady the view is from the picture before to this one, as `after` shows them. Nothing for the
+    /// first picture.
+    std::optional<compare::Steadiness> steadiness;
 
     Rigid3 used() const { return refined ? refined->roomFromCamera : given; }
 };
@@ -58,12 +66,13 @@ struct ShownPicture {
     RgbImage difference; ///< Four times the difference of `after` and `picture`, on grey.
 };
 
-/// Means over the pictures that have a value.
+/// All pictures together.
 struct CompareSummary {
-    double psnrDb = 0;
-    std::optional<double> medianPx;
+    LooksSummary looks;
+    std::optional<double> medianPx; ///< Over the features of all pictures, those missed too.
     std::optional<double> p95Px;
-    std::optional<double> colourError;
+    double missedShare = 0;            ///< Share of those features that views do not show.
+    std::optional<double> colourError; ///< Mean of the pictures that have one.
 };
 
 struct CompareReport {
@@ -71,6 +80,8 @@ struct CompareReport {
     std::size_t refined = 0; ///< Number of pictures whose pose was refined.
     CompareSummary before;
     CompareSummary after;
+    std::optional<double> steadyMedianPx;  ///< Median over the pictures' steadiness; nothing without any.
+    std::optional<double> steadyP95Px;     ///< Of the 95th percentiles likewise.
     std::optional<compare::ColourFit> fit; ///< Nothing unless colours are fitted.
     /// Error of the fit on pictures that it was not made from: each half of the pictures by the other half.
     /// Nothing below four pictures.

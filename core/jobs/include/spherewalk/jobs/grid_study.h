@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/render/ladder.h"
 #include "spherewalk/survey/plan.h"
 
@@ -46,9 +47,10 @@ struct GridRow {
     render::SceneKind scene = render::SceneKind::None;
     std::size_t keptPhotos = 0; ///< Sum over all grids of this step.
     std::size_t views = 0;
-    double meanPsnrDb = 0;
-    std::optional<double> medianPx;
+    Looks looks;                    ///< Means over the views.
+    std::optional<double> medianPx; ///< As in SceneLikeness.
     std::optional<double> p95Px;
+    double missedShare = 0;
 };
 
 /// What a plan of the room with this step takes.

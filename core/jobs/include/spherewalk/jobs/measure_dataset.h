@@ -43,7 +43,7 @@ struct MeasureOptions {
 /// Some of the views show by which share a sampling makes the 95th percentile grow. The same dataset, camera
 /// and options give the same errors; times differ.
 ///
-/// Cost: about a quarter of a second of one core for each view and scene model.
+/// Cost: about a third of a second of one core for each view and scene model.
 /// Errors: InvalidInput; those of rendering, of reading the pictures, and of the cache folder.
 /// Stop: Stopped, between two views; the cache folder keeps the views so far.
 MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel& camera,

@@ -4,6 +4,7 @@
 #include "spherewalk/base/image.h"
 #include "spherewalk/base/json_fwd.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/render/dataset_format.h"
 
 #include <Eigen/Core>
@@ -17,11 +18,13 @@
 
 namespace spherewalk::jobs {
 
+struct MeasureReport;
+
 /// The places that a tolerance counts. It holds if 95 of 100 of them are displaced by no more.
 enum class Places {
-    Features, ///< Features that are found again; programs follow these from picture to picture.
-    Pixels,   ///< All pixels with a known depth. Pixels that the view cannot show right are among them, while
-              ///< features there are lost.
+    Features, ///< Features of the true picture; programs follow these from picture to picture. Features that
+              ///< the view does not show are endlessly far off.
+    Pixels,   ///< All pixels with a known depth. Pixels that the view cannot show right are among them.
 };
 
 /// "features" or "pixels".
@@ -30,7 +33,8 @@ std::string_view name(Places places);
 /// Errors: InvalidInput for another name.
 Places places(std::string_view name);
 
-/// The 95th percentile of the places that count; the other one where that is not known.
+/// The 95th percentile of the places that count; the other one where that is not known. It is infinite where
+/// more than 5 of 100 places are missed.
 std::optional<double> errorPx(Places places, const std::optional<double>& features,
                               const std::optional<double>& pixels);
 
@@ -48,11 +52,11 @@ struct ViewLikeness {
     std::optional<std::size_t> leftOut; ///< Index in the dataset of the photo that was left out.
     Rigid3 roomFromCamera;
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< From the photo to the camera, room frame.
-    double psnrDb = 0;                                ///< Range: at most 99.
-    double ssim = 0;
-    std::optional<double> medianPx; ///< Median displacement of matched features; nothing without matches.
+    Looks looks;
+    std::optional<double> medianPx; ///< Of all features, those missed too; nothing without features.
     std::optional<double> p95Px;
-    std::size_t matches = 0;
+    std::size_t matches = 0; ///< Number of features that were found.
+    std::size_t missed = 0;  ///< Number of features that were not.
     /// Displacement of all pixels with a true depth. Photos that are left out have an estimated depth
     /// instead.
     std::optional<double> exactMedianPx;
@@ -71,7 +75,7 @@ struct ViewLikeness {
 struct PhotoError {
     std::size_t photo = 0; ///< Index in the dataset.
     std::optional<double> p95Px;
-    std::size_t places = 0; ///< Number of places that were compared.
+    std::size_t places = 0; ///< Number of places that were compared, those missed too.
 };
 
 /// How like the truth the views of one scene model with one sampling are.
@@ -80,12 +84,10 @@ struct SceneLikeness {
     render::Sampling sampling = render::Sampling::Footprint;
     std::vector<ViewLikeness> views;
     std::vector<PhotoError> photos; ///< The photos that were left out.
-    double meanPsnrDb = 0;
-    double worstPsnrDb = 0;
-    double meanSsim = 0;
-    /// Mean of the medians of the views with 20 matches or more; of all views if none has so many.
-    std::optional<double> medianPx;
-    std::optional<double> p95Px; ///< 95th percentile over all views' displacements together.
+    LooksSummary looks;
+    std::optional<double> medianPx; ///< Over all views' features together, those missed too.
+    std::optional<double> p95Px;    ///< 95th percentile of the same features.
+    double missedShare = 0;         ///< Share of the features that views do not show.
     std::optional<double> exactMedianPx;
     std::optional<double> exactP95Px;
 
@@ -93,16 +95,35 @@ struct SceneLikeness {
     std::optional<double> errorPx(Places of) const { return jobs::errorPx(of, p95Px, exactP95Px); }
 };
 
+/// What a view costs, in multiples of one of the sphere with bilinear sampling. The numbers are stored, so
+/// that a choice does not depend on what else the machine does. Range: any sampling but Auto.
+double nominalCost(render::SceneKind scene, render::Sampling sampling);
+
 /// What a scene model with a sampling costs, and how far its views are off.
 struct Rung {
     render::SceneKind scene = render::SceneKind::None;
     render::Sampling sampling = render::Sampling::Footprint;
-    std::optional<double> errorPx; ///< 95th percentile.
+    std::optional<double> errorPx; ///< 95th percentile; infinite if more than 5 of 100 places are missed.
     double renderMs = 0;           ///< Median time of a view whose photos are decoded.
     std::uint64_t bytes = 0;       ///< Size of a dataset with this scene model and no richer one.
+
+    double cost() const { return nominalCost(scene, sampling); }
 };
 
-/// The cheapest rung within a tolerance, or the best one if none is.
+/// A scene model that is not chosen, because a cheaper one looks better.
+struct PassedOver {
+    render::SceneKind scene = render::SceneKind::None;
+    render::SceneKind than = render::SceneKind::None; ///< The cheaper one.
+    LooksBeside looks;                                ///< Of `scene` beside `than`.
+};
+
+/// The scene models whose views look worse than those of a cheaper one at the same places: lower SSIM or more
+/// false edges, beyond the margin of PairedDifference. Each is named once, with the one that beats it by
+/// most.
+std::vector<PassedOver> passedOver(const MeasureReport& report);
+
+/// The cheapest rung within a tolerance, or the best one if none is. Scene models that are passed over are
+/// not chosen.
 struct Choice {
     double tolerancePx = 0;
     std::optional<std::size_t> rung; ///< Index in MeasureReport::rungs; nothing if nothing was compared.
@@ -111,6 +132,7 @@ struct Choice {
     /// A cheaper scene model for each photo where that is enough. Empty if no photo has one.
     std::vector<std::optional<render::SceneKind>> photoScenes;
     double meanRenderMs = 0; ///< Time with photoScenes, over the photos that were left out.
+    std::vector<PassedOver> passedOver;
 };
 
 /// How well leaving photos out foretold the errors of a robot's pictures.
@@ -119,13 +141,14 @@ struct Prediction {
     std::vector<double> foretoldPx; ///< Median error of each picture that has both values.
     std::vector<double> foundPx;
     std::optional<double> rankCorrelation; ///< As compare::rankCorrelation() gives it.
+    std::optional<double> factor; ///< Median of foretold / found; nothing where nothing was found to be off.
 };
 
 /// A view that is among the farthest from the truth.
 struct ShownView {
     std::string subject;
     std::optional<double> errorPx;
-    double psnrDb = 0;
+    Looks looks;
     RgbImage truth;
     RgbImage view;
     RgbImage difference; ///< Grey where truth and view agree.
@@ -152,8 +175,9 @@ struct MeasureReport {
     std::vector<Prediction> predictions; ///< Only with a robot's pictures: one for each scene model.
 };
 
-/// The rung within the tolerance that takes the least time. Among rungs within a tenth of that time, the
-/// smallest dataset wins. Photos whose own views hold the tolerance with a cheaper scene model get that one.
+/// The rung within the tolerance that costs least by nominalCost(). Among rungs within a tenth of that cost,
+/// the smallest dataset wins, then the smallest error. Photos whose own views hold the tolerance with a
+/// cheaper scene model get that one. The same errors give the same choice on any machine.
 Choice chosen(const MeasureReport& report, double tolerancePx);
 
 /// The choice as dataset.json keeps it. Nothing if nothing could be compared.

@@ -36,8 +36,4 @@ RgbImage contactSheet(std::span<const RgbImage> pictures, int columns, int cellW
 /// Errors: InvalidInput if the sizes differ or are empty.
 double psnr(const RgbImage& a, const RgbImage& b);
 
-/// Structural similarity of two pictures' brightness, in [-1, 1], 1 for equal ones; a Gaussian window of
-/// 1.5 pixels. Errors: as psnr(). Source: Wang, Bovik, Sheikh, Simoncelli 2004.
-double structuralSimilarity(const RgbImage& a, const RgbImage& b);
-
 } // namespace spherewalk::photo
