@@ -52,7 +52,8 @@ class Exposer {
     ExposedPhoto drawn(const ExposureSettings& settings, const std::stop_token& stop) const;
     ExposedPhoto taken(const ExposureSettings& settings) const;
     Rigid3 poseOf(const ExposureSettings& settings) const;
-    RgbImage draw(const Rigid3& pose, const EquirectSize& size, const std::stop_token& stop) const;
+    RgbImage draw(const Rigid3& pose, int shot, const EquirectSize& size, const std::stop_token& stop) const;
+    std::optional<PracticeRoom> roomWithPerson(const Rigid3& pose, int shot) const;
     const PlacedPhoto& nearestPhoto(const Eigen::Vector3d& positionM) const;
 
     const PracticeCameraOptions& m_options;

@@ -133,6 +133,7 @@ inline constexpr int kWalls = 6;
 struct Furniture {
     std::array<Finish, kWalls> walls;
     std::vector<Shape> shapes;
+    std::vector<Shape> panes;       ///< Thin boxes of glass, which nobody meets but light.
     std::vector<Polygon> obstacles; ///< Outlines of the furniture that stands on the floor.
     Eigen::Vector3d windowCentre;
     Eigen::Vector3d windowHalf;
@@ -141,7 +142,7 @@ struct Furniture {
 };
 
 /// Furniture along the walls of a room of this size; the middle stays free.
-Furniture furnished(const Eigen::Vector3d& roomSize);
+Furniture furnished(RoomStyle style, const Eigen::Vector3d& roomSize);
 
 /// What a ray meets first. id: number of the surface, which differs across edges; -1 for nothing.
 struct Hit {
@@ -158,7 +159,7 @@ struct Candidate {
 /// The practice room with its corner at the origin. Threads: any.
 class Scene {
   public:
-    Scene(const Eigen::Vector3d& size, const std::vector<PracticeObject>& objects,
+    Scene(RoomStyle style, const Eigen::Vector3d& size, const std::vector<PracticeObject>& objects,
           const Eigen::Vector3d& origin);
 
     /// Finds the shapes that a cone from the eye may meet, nearest first. halfAngle: radians; from pi on, all
@@ -186,6 +187,9 @@ class Scene {
 
     Rgb radiance(const Hit& hit, const Eigen::Vector3d& eye, const Eigen::Vector3d& direction,
                  float footprint, bool mayMirror) const;
+    /// The light from behind, with what panes before it reflect.
+    Rgb throughPanes(const Rgb& behind, double distance, const Eigen::Vector3d& eye,
+                     const Eigen::Vector3d& direction, float footprint) const;
     Rgb wallLight(int wall, float u, float v) const;
     Rgb lightAt(const Eigen::Vector3d& point, const Eigen::Vector3f& normal) const;
     Rgb sunAt(const Eigen::Vector3d& point) const;
