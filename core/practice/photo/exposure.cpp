@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photo/exposure.h"
 
-#include "photo/flaws.h"
-
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"

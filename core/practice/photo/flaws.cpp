@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photo/flaws.h"
+#include "photo/exposure.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/fixed_random.h"

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "room/scene.h"
+#include "room/shape.h"
+
+#include "spherewalk/geometry/polygon.h"
+#include "spherewalk/practice/practice_room.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace spherewalk::practice {
+
+/// The faces of the room itself, in the order of their ids.
+enum class Wall { Floor, Ceiling, South, North, West, East };
+
+inline constexpr int kWalls = 6;
+
+/// The furniture of the practice room. Frames: origin at the room's corner. Units: metres.
+struct Furniture {
+    std::array<Finish, kWalls> walls;
+    std::vector<Shape> shapes;
+    std::vector<Shape> panes;       ///< Thin boxes of glass, which nobody meets but light.
+    std::vector<Polygon> obstacles; ///< Outlines of the furniture that stands on the floor.
+    Eigen::Vector3d windowCentre;
+    Eigen::Vector3d windowHalf;
+    Eigen::Vector3d ceilingLamp;
+    Eigen::Vector3d floorLamp;
+};
 
 /// A finish of two colours, which are given as pictures store them, 0xRRGGBB.
 Finish finish(Texture texture, std::uint32_t first, std::uint32_t second, std::uint32_t seed);
@@ -94,5 +116,8 @@ void addPane(Furniture& room, const Eigen::Vector3d& centre, const Eigen::Vector
 void addInnerWall(Furniture& room, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double height,
                   std::uint32_t seed);
 void addOverhang(Furniture& room, double x, double y);
+
+/// Furniture along the walls of a room of this size; the middle stays free.
+Furniture furnished(RoomStyle style, const Eigen::Vector3d& roomSize);
 
 } // namespace spherewalk::practice

@@ -2,6 +2,7 @@
 #include "spherewalk/practice/practice_room.h"
 
 #include "room/picture.h"
+#include "room/scene.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"

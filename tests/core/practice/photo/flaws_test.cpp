@@ -2,7 +2,6 @@
 // What a real camera does to pictures: exposure, colour, noise, a seam, a robot below it, people about it.
 #include "expect_error.h"
 #include "photo/exposure.h"
-#include "photo/flaws.h"
 
 #include "spherewalk/jpeg/jpeg.h"
 
