@@ -20,12 +20,29 @@ struct PracticeArguments {
     std::string photos;
     std::string positions;
     std::uint64_t seed = 1;
+    std::string room = "lively";
+    bool isReal = false;
+    double tiltDeg = 0.5;
 };
+
+practice::RoomStyle styleOf(const std::string& name) {
+    return name == "bare"   ? practice::RoomStyle::Bare
+           : name == "flat" ? practice::RoomStyle::Flat
+                            : practice::RoomStyle::Lively;
+}
 
 practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
     practice::PracticeCameraOptions camera = options.camera;
     camera.seed = options.seed;
     camera.errors.seed = options.seed;
+    camera.errors.tiltSigma = Degrees(options.tiltDeg);
+    camera.room.style = styleOf(options.room);
+    if (camera.room.style == practice::RoomStyle::Flat) {
+        camera.room.sizeM = {8, 6, 2.5};
+    }
+    if (options.isReal) {
+        camera.flaws = practice::PhotoFlaws::ofARealCamera(options.seed);
+    }
     if (options.photos.empty() != options.positions.empty()) {
         throw Error(ErrorKind::InvalidInput, "To serve photos, give both --photos and --positions.");
     }
@@ -96,6 +113,16 @@ void addPracticeCamera(Commands& commands) {
         .showDefault();
     command.option("--width", camera.width, "Of the photos, pixels").showDefault();
     command.option("--seed", options->seed, "Of the errors in yaw, tilt, and position").showDefault();
+    command
+        .option("--room", options->room,
+                "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
+        .among({"lively", "bare", "flat"})
+        .showDefault();
+    command.flag("--real", options->isReal,
+                 "Photos have the flaws of a real camera: exposure, colour, noise, a seam");
+    command.option("--tilt", options->tiltDeg, "Standard deviation of pitch and roll, degrees")
+        .range(0.0, 30.0)
+        .showDefault();
     command.option("--storage", camera.storageFolder,
                    "Folder of the camera's memory; default: a temporary one");
     command.option("--truth", camera.truthFile, "File for the truth about every picture");

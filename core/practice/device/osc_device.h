@@ -6,6 +6,8 @@
 #include "device/osc_protocol.h"
 #include "photo/exposure.h"
 
+#include "spherewalk/practice/fault.h"
+
 #include <chrono>
 #include <cstdint>
 #include <functional>

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::uint64_t kMaxGivenBytes = 256ULL << 20;
 constexpr int kPreviewQuality = 80;
-constexpr int kPreviewReduction = 4;  ///< of a photo that is shown as a preview
+constexpr int kPreviewReduction = 4; ///< of a photo that is shown as a preview
+constexpr std::uint64_t kPersonStream = 0xa54ff53a5f1d36f1ULL;
 constexpr double kPoseNoiseDeg = 0.3; ///< of the accelerometer behind GPano's pitch and roll
 
 /// GPano's signs: pitch > 0 looks up, which is our pitch below zero; roll is ours.
@@ -126,9 +127,41 @@ Rigid3 Exposer::poseOf(const ExposureSettings& settings) const {
     return pose;
 }
 
-RgbImage Exposer::draw(const Rigid3& pose, const EquirectSize& size, const std::stop_token& stop) const {
-    RgbImage picture =
-        m_room->spherical(pose, size, {Content::RoomAndObjects, m_options.threads}, noProgress(), stop);
+/// The room of this shot if a person is in it.
+std::optional<PracticeRoom> Exposer::roomWithPerson(const Rigid3& pose, int shot) const {
+    FixedRandom random(m_options.flaws.seed ^ kPersonStream, static_cast<std::uint64_t>(shot));
+    if (random.uniform(0, 1) >= m_options.flaws.personShare) {
+        return std::nullopt;
+    }
+    const double direction = random.uniform(-std::numbers::pi, std::numbers::pi);
+    const double away = random.uniform(0.8, 2.0);
+    PracticeRoomOptions room = m_options.room;
+    Eigen::Vector3d at =
+        pose.translation + away * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0);
+    const Eigen::Vector3d inside = room.originM + Eigen::Vector3d(0.3, 0.3, 0);
+    at = at.cwiseMax(inside).cwiseMin(room.originM + room.sizeM - Eigen::Vector3d(0.3, 0.3, 0));
+    at.z() = room.originM.z() + 0.75;
+    const Radians yaw(direction);
+    room.objects.push_back({PracticeObject::Shape::Box, at, {0.14, 0.23, 0.73}, yaw, {52, 60, 92}});
+    at.z() = room.originM.z() + 1.62;
+    room.objects.push_back({PracticeObject::Shape::Sphere, at, {0.12, 0.12, 0.12}, yaw, {205, 160, 130}});
+    return PracticeRoom(room);
+}
+
+RgbImage Exposer::draw(const Rigid3& pose, int shot, const EquirectSize& size,
+                       const std::stop_token& stop) const {
+    const PhotoFlaws& flaws = m_options.flaws;
+    const std::optional<PracticeRoom> peopled = roomWithPerson(pose, shot);
+    const PracticeRoom& room = peopled ? *peopled : *m_room;
+    const auto seenFrom = [&](double forwardM) {
+        Rigid3 lens = pose;
+        lens.translation += pose.rotation * Eigen::Vector3d(forwardM, 0, 0);
+        return room.spherical(lens, size, {Content::RoomAndObjects, m_options.threads}, noProgress(), stop);
+    };
+    RgbImage picture = flaws.lensOffsetM > 0
+                           ? stitched(seenFrom(flaws.lensOffsetM), seenFrom(-flaws.lensOffsetM))
+                           : seenFrom(0);
+    addFlaws(picture, flaws, shot);
     throwIfStopped(stop);
     return picture;
 }
@@ -136,7 +169,7 @@ RgbImage Exposer::draw(const Rigid3& pose, const EquirectSize& size, const std::
 Bytes Exposer::preview(const ExposureSettings& settings, const EquirectSize& size,
                        const std::stop_token& stop) const {
     if (m_room) {
-        return jpeg::encode(draw(poseOf(settings), size, stop), kPreviewQuality);
+        return jpeg::encode(draw(poseOf(settings), settings.shot, size, stop), kPreviewQuality);
     }
     const auto file = m_options.photoFolder / nearestPhoto(settings.nominalPositionM).file;
     const RgbImage photo = jpeg::decode(readFile(file, kMaxGivenBytes), file.string(), kPreviewReduction);
@@ -161,7 +194,8 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     tags.withMakerNote = settings.defect != PhotoDefect::NoMakerNote;
     tags.withHostileMakerNote = settings.defect == PhotoDefect::HostileMakerNote;
     const EquirectSize size{m_options.width, m_options.width / 2};
-    const RgbImage picture = m_options.isPlain ? plain(size, settings.shot) : draw(pose, size, stop);
+    const RgbImage picture =
+        m_options.isPlain ? plain(size, settings.shot) : draw(pose, settings.shot, size, stop);
     ExposedPhoto photo;
     photo.jpeg = settings.defect == PhotoDefect::Small
                      ? jpeg::encode(plain({640, 360}, settings.shot), m_options.jpegQuality)

@@ -4,6 +4,7 @@
 #include "photo/camera_time.h"
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/base/image.h"
 #include "spherewalk/practice/practice_options.h"
 #include "spherewalk/practice/truth.h"
 
@@ -34,6 +35,15 @@ struct ExposedPhoto {
     Truth truth; ///< File name and URL are still empty.
 };
 
+/// Joins the pictures of a camera's two lenses. The front lens shows what is less than 90 degrees from the
+/// picture's middle. Near the seam the pictures fade into each other over two degrees. Range: both pictures
+/// are equirectangular and of one size.
+RgbImage stitched(const RgbImage& front, const RgbImage& back);
+
+/// Gives a picture the exposure, the white balance and the noise of this shot, and the robot below the lens.
+/// The same flaws and shot always give the same picture. Shape: equirectangular.
+void addFlaws(RgbImage& picture, const PhotoFlaws& flaws, int shot);
+
 /// Makes photos: it draws the room, or takes the nearest photo of a folder. Threads: any.
 class Exposer {
   public:
@@ -52,7 +62,8 @@ class Exposer {
     ExposedPhoto drawn(const ExposureSettings& settings, const std::stop_token& stop) const;
     ExposedPhoto taken(const ExposureSettings& settings) const;
     Rigid3 poseOf(const ExposureSettings& settings) const;
-    RgbImage draw(const Rigid3& pose, const EquirectSize& size, const std::stop_token& stop) const;
+    RgbImage draw(const Rigid3& pose, int shot, const EquirectSize& size, const std::stop_token& stop) const;
+    std::optional<PracticeRoom> roomWithPerson(const Rigid3& pose, int shot) const;
     const PlacedPhoto& nearestPhoto(const Eigen::Vector3d& positionM) const;
 
     const PracticeCameraOptions& m_options;

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "room/noise.h"
-#include "room/scene.h"
+#include "room/furniture.h"
 
-#include <cmath>
-#include <numbers>
+#include "room/noise.h"
 
 namespace spherewalk::practice {
 
-namespace {
-
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Finish finish(Texture texture, std::uint32_t first, std::uint32_t second, std::uint32_t seed) {
     return {texture, linear(first), linear(second), seed, 0, 0, {}};
@@ -21,6 +15,8 @@ Finish plain(std::uint32_t colour) {
     return finish(Texture::Plain, colour, colour, 0);
 }
 
+namespace {
+
 Finish oak(std::uint32_t seed) {
     return finish(Texture::Wood, 0xC79A63, 0x8A5A2F, seed);
 }
@@ -29,62 +25,7 @@ Finish walnut(std::uint32_t seed) {
     return finish(Texture::Wood, 0x7A4F30, 0x3F2616, seed);
 }
 
-/// A piece of furniture: a frame on the floor in which its parts are placed.
-class Piece {
-  public:
-    Piece(Furniture& room, double x, double y, double yawDeg)
-        : m_room(room), m_x(x), m_y(y), m_yaw(yawDeg * kDegree) {}
-
-    Shape& box(const Vector3d& centre, const Vector3d& size, const Finish& made) {
-        Shape shape;
-        shape.kind = Shape::Kind::Box;
-        shape.half = size / 2;
-        return placed(shape, centre, made);
-    }
-
-    Shape& sphere(const Vector3d& centre, double radius, const Finish& made) {
-        Shape shape;
-        shape.kind = Shape::Kind::Sphere;
-        shape.half = {radius, radius, radius};
-        return placed(shape, centre, made);
-    }
-
-    Shape& cylinder(const Vector3d& bottom, double radius, double height, const Finish& made) {
-        Shape shape;
-        shape.kind = Shape::Kind::Cylinder;
-        shape.half = {radius, radius, height / 2};
-        return placed(shape, bottom + Vector3d(0, 0, height / 2), made);
-    }
-
-    /// What the piece covers on the floor: a rectangle of this size around its frame's origin.
-    void footprint(double width, double depth) {
-        Polygon polygon;
-        for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-            polygon.push_back(toRoom({sx * width / 2, sy * depth / 2, 0}).head<2>());
-        }
-        m_room.obstacles.push_back(polygon);
-    }
-
-  private:
-    Vector3d toRoom(const Vector3d& p) const {
-        return {m_x + std::cos(m_yaw) * p.x() - std::sin(m_yaw) * p.y(),
-                m_y + std::sin(m_yaw) * p.x() + std::cos(m_yaw) * p.y(), p.z()};
-    }
-
-    Shape& placed(Shape shape, const Vector3d& centre, const Finish& made) {
-        shape.centre = toRoom(centre);
-        shape.cosYaw = std::cos(m_yaw);
-        shape.sinYaw = std::sin(m_yaw);
-        shape.finish = made;
-        m_room.shapes.push_back(completed(shape));
-        return m_room.shapes.back();
-    }
-
-    Furniture& m_room;
-    double m_x;
-    double m_y;
-    double m_yaw;
-};
+} // namespace
 
 void addTable(Furniture& room, double x, double y) {
     Piece table(room, x, y, 12);
@@ -226,14 +167,16 @@ void addFloorLamp(Furniture& room, double x, double y) {
     room.floorLamp = {x, y, 1.5};
 }
 
-void addCeilingLamp(Furniture& room, double x, double y, double ceiling) {
+void addCeilingLamp(Furniture& room, double x, double y, double ceiling, float glow) {
     Piece lamp(room, x, y, 0);
     lamp.cylinder({0, 0, ceiling - 0.60}, 0.006, 0.60, plain(0x202020));
     Finish shade = plain(0xFFF4DC);
-    shade.glow = 2.4F;
+    shade.glow = glow;
     lamp.cylinder({0, 0, ceiling - 0.76}, 0.19, 0.16, shade).shade = 0;
     room.ceilingLamp = {x, y, ceiling - 0.70};
 }
+
+namespace {
 
 /// Frames around a rectangle on a wall; the piece's y axis points into the room.
 void addFrame(Piece& wall, double z, double width, double height, double bar, double depth,
@@ -245,13 +188,15 @@ void addFrame(Piece& wall, double z, double width, double height, double bar, do
     }
 }
 
-void addWindow(Furniture& room, double y) {
+} // namespace
+
+void addWindow(Furniture& room, double y, float glow) {
     Piece wall(room, 0, y, -90);
     constexpr double kMiddle = 1.5;
     constexpr double kWidth = 1.5;
     constexpr double kHeight = 1.2;
     Finish view = finish(Texture::Outside, 0, 0, 71);
-    view.glow = 1.0F;
+    view.glow = glow;
     wall.box({0, 0.004, kMiddle}, {kWidth, 0.008, kHeight}, view).shade = 0;
     const Finish white = plain(0xEFEDE6);
     addFrame(wall, kMiddle, kWidth, kHeight, 0.07, 0.05, white);
@@ -317,31 +262,30 @@ void addRug(Furniture& room, double x, double y) {
     rug.box({0, 0, 0.006}, {2.1, 1.5, 0.012}, finish(Texture::Rug, 0x8E3B34, 0x27476B, 85)).shade = 0.1F;
 }
 
-} // namespace
+void addPane(Furniture& room, const Vector3d& centre, const Vector3d& size) {
+    Shape pane;
+    pane.half = size / 2;
+    pane.centre = centre;
+    room.panes.push_back(completed(pane));
+}
 
-Furniture furnished(const Vector3d& size) {
-    Furniture room;
-    room.walls = {
-        finish(Texture::Planks, 0xD0A26A, 0x8F6036, 1), plain(0xF4F2EC),
-        finish(Texture::Plaster, 0xE9E4D6, 0, 3),       finish(Texture::Wallpaper, 0xD9E0D2, 0x7F9C86, 4),
-        finish(Texture::Plaster, 0xDDE3E6, 0, 5),       finish(Texture::Plaster, 0xEADCC4, 0, 6)};
-    room.walls[static_cast<int>(Wall::Ceiling)].texture = Texture::Plaster;
-    addRug(room, size.x() * 0.42, size.y() * 0.5);
-    addTable(room, size.x() - 1.15, 1.15);
-    addChair(room, size.x() - 1.58, 0.50, 192);
-    addChair(room, size.x() - 0.75, 0.62, 170);
-    addChair(room, size.x() - 1.62, 1.72, 25);
-    addChair(room, size.x() - 0.72, 1.88, 8);
-    addShelf(room, 1.35, size.y() - 0.15);
-    addCabinet(room, size.x() - 0.25, size.y() - 1.10);
-    addArmchair(room, size.x() - 1.75, size.y() - 0.60);
-    addPlant(room, 0.35, 0.38);
-    addFloorLamp(room, 0.35, size.y() - 0.32);
-    addCeilingLamp(room, size.x() - 1.15, 1.15, size.z());
-    addWindow(room, size.y() / 2);
-    addDoor(room, 1.10);
-    addPictures(room, size);
-    return room;
+/// A wall from the floor to this height, with its outline on the floor.
+void addInnerWall(Furniture& room, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double height,
+                  std::uint32_t seed) {
+    const Eigen::Vector2d middle = (from + to) / 2;
+    const Eigen::Vector2d size = to - from;
+    Piece wall(room, middle.x(), middle.y(), 0);
+    wall.box({0, 0, height / 2}, {size.x(), size.y(), height}, finish(Texture::Plaster, 0xE9E4D6, 0, seed));
+    wall.footprint(size.x(), size.y());
+}
+
+/// Cupboards whose doors stand out at the lens's height, over the floor that is free.
+void addOverhang(Furniture& room, double x, double y) {
+    Piece shelf(room, x, y, 0);
+    shelf.box({0, 0, 0.45}, {0.60, 0.35, 0.90}, plain(0xEDEBE6));
+    shelf.box({0, -0.20, 1.25}, {0.50, 0.30, 0.04}, oak(87));
+    shelf.cylinder({0.12, -0.28, 1.27}, 0.035, 0.16, finish(Texture::Stripes, 0xE9E4D8, 0x2F5D8C, 88));
+    shelf.footprint(0.60, 0.35);
 }
 
 } // namespace spherewalk::practice

@@ -2,6 +2,7 @@
 #include "spherewalk/practice/practice_room.h"
 
 #include "room/picture.h"
+#include "room/scene.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -27,6 +28,9 @@ void PracticeRoomOptions::validate() const {
         refuse(text("its size must be between 4 x 3.5 x 2.3 m and 12 x 12 x 5 m, not ", sizeM.x(), " x ",
                     sizeM.y(), " x ", sizeM.z(), " m."));
     }
+    if (style == RoomStyle::Flat && (sizeM.x() < 7 || sizeM.y() < 5.5)) {
+        refuse(text("a flat needs at least 7 x 5.5 m, not ", sizeM.x(), " x ", sizeM.y(), " m."));
+    }
     if (!(originM.cwiseAbs().maxCoeff() <= 1e8) || !originM.allFinite()) {
         refuse("its corner must lie within 100000 km of the origin.");
     }
@@ -44,7 +48,7 @@ void PracticeRoomOptions::validate() const {
 
 struct PracticeRoom::State {
     explicit State(PracticeRoomOptions given)
-        : options(std::move(given)), scene(options.sizeM, options.objects, options.originM) {}
+        : options(std::move(given)), scene(options.style, options.sizeM, options.objects, options.originM) {}
 
     /// In the frame of the room's corner: subtracted in double, before anything else.
     Rigid3 local(const Rigid3& roomFromEye) const {

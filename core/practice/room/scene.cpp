@@ -54,8 +54,9 @@ Shape shapeOf(const PracticeObject& object, const Vector3d& origin) {
 
 } // namespace
 
-Scene::Scene(const Vector3d& size, const std::vector<PracticeObject>& objects, const Vector3d& origin)
-    : m_size(size), m_furniture(furnished(size)) {
+Scene::Scene(RoomStyle style, const Vector3d& size, const std::vector<PracticeObject>& objects,
+             const Vector3d& origin)
+    : m_size(size), m_furniture(furnished(style, size)) {
     for (std::size_t i = 0; i < m_furniture.shapes.size(); ++i) {
         m_all.push_back(static_cast<std::uint16_t>(i));
         m_allUnsorted.push_back({-kNothing, static_cast<std::uint16_t>(i)});
@@ -148,7 +149,32 @@ Hit Scene::hit(const Vector3d& eye, const Vector3d& direction, std::span<const C
 }
 
 Rgb Scene::colour(const Hit& hit, const Vector3d& eye, const Vector3d& direction, float footprint) const {
-    return hit.id < 0 ? Rgb(Rgb::Zero()) : stored(radiance(hit, eye, direction, footprint, true));
+    if (hit.id < 0) {
+        return Rgb::Zero();
+    }
+    const Rgb behind = radiance(hit, eye, direction, footprint, true);
+    return stored(throughPanes(behind, hit.distance, eye, direction, footprint));
+}
+
+Rgb Scene::throughPanes(const Rgb& behind, double distance, const Vector3d& eye, const Vector3d& direction,
+                        float footprint) const {
+    constexpr float kReflected = 0.08F; // two faces of glass at normal incidence
+    Rgb result = behind;
+    for (const Shape& pane : m_furniture.panes) {
+        const double away = distanceTo(pane, eye, direction);
+        if (away >= distance) {
+            continue;
+        }
+        const Vector3d point = eye + away * direction;
+        const Vector3d normal = surfaceAt(pane, point).normal.cast<double>();
+        const Vector3d mirrored = (direction - 2 * direction.dot(normal) * normal).normalized();
+        const Vector3d from = point + kMirrorNudge * normal;
+        const auto facing = static_cast<float>(-normal.dot(direction));
+        const float share = kReflected + (1 - kReflected) * squared(squared(1 - facing)) * (1 - facing);
+        const Hit seen = hit(from, mirrored, m_allUnsorted, true);
+        result = result * (1 - share) + radiance(seen, from, mirrored, footprint, false) * share;
+    }
+    return result;
 }
 
 Rgb Scene::radiance(const Hit& hit, const Vector3d& eye, const Vector3d& direction, float footprint,

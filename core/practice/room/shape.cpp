@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "room/scene.h"
+#include "room/shape.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room/noise.h"
-#include "room/scene.h"
+#include "room/shape.h"
 
 #include <array>
 

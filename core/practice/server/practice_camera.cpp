@@ -46,6 +46,7 @@ void PracticeCameraOptions::validate() const {
     require(nonceRequests >= 0,
             text("a nonce must be good for 0 (for ever) or more requests, not ", nonceRequests, "."));
     errors.validate();
+    flaws.validate();
     room.validate();
 }
 

@@ -29,6 +29,24 @@ struct PhotoErrors {
     Rigid3 truePose(const Eigen::Vector3d& nominalPositionM, int shot) const;
 };
 
+/// What a real camera does to its pictures. By default, nothing is done to them. The same seed and shot
+/// always give the same flaws.
+struct PhotoFlaws {
+    double exposureSigmaEv = 0;   ///< Standard deviation of the automatic exposure between photos, stops.
+    double whiteBalanceSigma = 0; ///< Standard deviation of red's and of blue's gain, as a share.
+    double noiseSigma = 0;        ///< Standard deviation of a pixel's noise, grey levels.
+    double lensOffsetM = 0; ///< Distance of each of two lenses from the middle: near things tear at the seam.
+    double robotHalfAngleDeg = 0; ///< Half angle under which the lens sees its robot below; 0: no robot.
+    double personShare = 0;       ///< Share of the photos with a person in the room, another place each time.
+    std::uint64_t seed = 1;
+
+    /// Flaws as large as those of a hand-held Theta with automatic exposure.
+    static PhotoFlaws ofARealCamera(std::uint64_t seed);
+
+    /// Errors: InvalidInput for numbers below 0 or too large, naming the range.
+    void validate() const;
+};
+
 /// A photo that the practice camera serves instead of drawing the room.
 struct PlacedPhoto {
     std::string file; ///< Path within the photo folder.
@@ -52,6 +70,7 @@ struct PracticeCameraOptions {
     std::uint64_t seed =
         1; ///< For ids, the serial number and the scatter of times; the errors have a seed of their own.
     PhotoErrors errors;
+    PhotoFlaws flaws;
     bool isPlain = false;  ///< Photos show stripes instead of the room, which is much quicker.
     bool levelled = false; ///< The zenith correction is on at first, so that the pixels have no tilt.
     Eigen::Vector3d positionM = {2.0, 1.8, 1.2}; ///< First place of the cart, room frame, metres.

@@ -31,13 +31,22 @@ struct PracticeObject {
     std::array<std::uint8_t, 3> colour = {200, 30, 30};
 };
 
+/// How the practice room is built and furnished.
+enum class RoomStyle {
+    Lively, ///< One room with textured walls in an even light, in which depth is easily found.
+    Bare,   ///< One room with white walls and ceiling, a burnt-out window, glaring lamps, a glossy floor, a
+            ///< mirror, panes of glass, and things close to where a camera stands.
+    Flat,   ///< Two rooms and a corridor, between walls of 10 cm with open doorways.
+};
+
 struct PracticeRoomOptions {
     Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< South-west corner of the floor, metres.
     Eigen::Vector3d sizeM = {5, 4, 2.6};               ///< Along x (east), y (north) and z (up), metres.
     std::vector<PracticeObject> objects;
+    RoomStyle style = RoomStyle::Lively;
 
-    /// Errors: InvalidInput for sizes outside 4 x 3.5 x 2.3 to 12 x 12 x 5 m, an origin farther than 10^8 m,
-    /// and objects that have no size or lie outside the room.
+    /// Errors: InvalidInput for sizes outside 4 x 3.5 x 2.3 to 12 x 12 x 5 m (a flat is at least 7 x 5.5 m
+    /// large), an origin farther than 10^8 m, and objects that have no size or lie outside the room.
     void validate() const;
 };
 
@@ -68,7 +77,8 @@ struct PictureOptions {
 
 /// A furnished, lit room that exists only as formulas, so that its pictures and depths are exact from any
 /// position. It has a wood floor, a rug, a wall with a repeated pattern, plain plaster, paintings, books, a
-/// window, a mirroring ball and a glossy cabinet.
+/// window, a mirroring ball and a glossy cabinet. RoomStyle names rooms that are harder. A pane of glass
+/// reflects, and its distance is that of what lies behind it.
 ///
 /// Pictures: a pixel is the average of the scene over the pixel's area, in the values that pictures store
 /// (not in linear light), so that resampling one picture gives another. Textures fade where a pixel cannot
