@@ -28,10 +28,6 @@ using SteadyClock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* kCacheFolder = "align-cache";
-/// A rotation worse than this is told: three of it are about what a robot's camera of 640 pixels can see.
-constexpr Radians kDoubtfulSigma = Degrees(0.15);
-/// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
-constexpr double kMostOutliers = 0.5;
 /// What cameras say of their own tilt agrees with their pictures to about a degree.
 constexpr Degrees kStatedTiltSigma{1};
 constexpr Degrees kLevelledTiltSigma{0.5};
@@ -60,46 +56,6 @@ MaskImage readMask(const std::filesystem::path& file) {
         }
     }
     return mask;
-}
-
-/// Notes what helps the photo, unless something that should be tried first is noted already.
-void propose(Cure cure, AlignedPhoto& photo) {
-    if (photo.cure == Cure::None || cure < photo.cure) { // in the order of the list
-        photo.cure = cure;
-    }
-}
-
-/// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
-void giveVerdict(const align::SolvedPose& pose, const align::Alignment& alignment, AlignedPhoto& photo) {
-    photo.pose = pose;
-    if (!pose.isSolved) {
-        photo.quality = survey::Quality::Failed;
-        photo.flags.push_back(pose.why);
-        propose(Cure::Retake, photo);
-        return;
-    }
-    if (!pose.doubt.empty()) {
-        photo.flags.push_back(pose.doubt);
-    } else if (pose.sigmaOwn > kDoubtfulSigma) {
-        propose(Cure::Retake, photo);
-        photo.flags.push_back(text("Its rotation against its neighbours is known to ",
-                                   fixed(Degrees(pose.sigmaOwn).value(), 3),
-                                   " deg only: it shares too little with them; retake it with more light, or "
-                                   "with more to see."));
-    }
-    if (pose.outlierShare > kMostOutliers) {
-        propose(Cure::Mask, photo);
-        photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
-                                   " % of what it shows; look at the picture, and retake it if it is not of "
-                                   "this place."));
-    }
-    if (pose.component > 0) {
-        photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
-                                   alignment.components,
-                                   " parts): headings are right within the part, and the part's own rests on "
-                                   "its positions alone; take photos between the parts."));
-    }
-    photo.quality = photo.flags.empty() ? survey::Quality::Good : survey::Quality::Doubtful;
 }
 
 /// One run, step by step.
@@ -365,14 +321,7 @@ class AlignRun {
             }
             propose(Cure::Retake, photo);
         }
-        for (std::size_t i = 0; i < poses.size(); ++i) {
-            giveVerdict(poses[i], m_report.alignment, m_report.photos[i]);
-            // Its own accelerometer is the better witness: such a pose is not handed on.
-            if (m_priors[i].levelFromPhoto && poses[i].leanFromStated > align::kContradictingLean) {
-                m_report.photos[i].quality = survey::Quality::Failed;
-                propose(Cure::Retake, m_report.photos[i]);
-            }
-        }
+        giveVerdicts(m_priors, m_report);
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
             damaged.quality = survey::Quality::Failed;

@@ -231,6 +231,20 @@ TEST_F(AlignSurvey, HandsOnNoPoseThatContradictsThePhotosOwnTilt) {
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 5U);
 }
 
+TEST_F(AlignSurvey, NamesAPhotoThatItMovedFarFromItsTag) {
+    photograph();
+    places[4] += Eigen::Vector3d(0.05, 0.03, 0);
+    auto store = newSurvey();
+    AlignOptions options;
+    options.checksPositions = false; // This move is smaller than what that check looks for.
+    const AlignReport report = alignSurvey(store, options, noProgress(), {});
+    for (const AlignedPhoto& photo : report.photos) {
+        const bool isNamed = std::ranges::any_of(
+            photo.flags, [](const auto& flag) { return flag.find("from where it is tagged") != flag.npos; });
+        EXPECT_EQ(isNamed, photo.file == "R4.JPG") << photo.file;
+    }
+}
+
 TEST_F(AlignSurvey, LooksAgainWithMoreEffortBeforeAPartIsGivenUp) {
     const practice::PracticeRoom room;
     const practice::PhotoErrors errors;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -89,6 +90,14 @@ struct AlignReport {
 /// Stop: Stopped, with the survey unchanged; the cache keeps what was found.
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
+
+/// Notes what helps the photo, unless something that should be tried first is noted already.
+void propose(Cure cure, AlignedPhoto& photo);
+
+/// Fills in the pose, the status and the flags of all photos from the report's alignment. A photo is judged
+/// by its own turn against the others. What all photos share is said once, by the alignment's warnings.
+/// Shape: priors are those that were solved with, one a photo.
+void giveVerdicts(std::span<const align::PhotoPrior> priors, AlignReport& report);
 
 /// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/statistics.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_survey.h"
+
+#include <algorithm>
+
+namespace spherewalk::jobs {
+
+void propose(Cure cure, AlignedPhoto& photo) {
+    if (photo.cure == Cure::None || cure < photo.cure) { // in the order of the list
+        photo.cure = cure;
+    }
+}
+
+namespace {
+
+/// A rotation worse than this is told: three of it are about what a robot's camera of 640 pixels can see.
+constexpr Radians kDoubtfulSigma = Degrees(0.15);
+/// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
+constexpr double kMostOutliers = 0.5;
+/// A photo that was moved farther from its tag than this was not where its tag says.
+constexpr double kMovedSigmas = 5;
+
+/// Names photos that the solution moved farther from their tags than tags err in this survey.
+void tellMoved(std::span<const align::PhotoPrior> priors, AlignReport& report) {
+    std::vector<double> movedM;
+    std::vector<double> solvedM;
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        const align::SolvedPose& pose = report.alignment.photos[i];
+        movedM.push_back((pose.roomFromPhoto.translation - priors[i].positionM).head<2>().norm());
+        if (pose.isSolved) {
+            solvedM.push_back(movedM.back());
+        }
+    }
+    // Of a length in two dimensions the median is 1.18 standard deviations along either axis.
+    const double usualM = solvedM.empty() ? 0 : median(std::move(solvedM)) / 1.18;
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        if (report.alignment.photos[i].hasSigmas() &&
+            movedM[i] > kMovedSigmas * std::max(usualM, priors[i].positionSigmaM)) {
+            propose(Cure::Retake, report.photos[i]);
+            report.photos[i].flags.push_back(text(
+                "It seems to stand ", fixed(100 * movedM[i], 1),
+                " cm from where it is tagged, farther off than the others: correct its position, or retake "
+                "it at its station."));
+        }
+    }
+}
+
+/// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
+void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, int components,
+                 AlignedPhoto& photo) {
+    photo.pose = pose;
+    if (!pose.isSolved) {
+        photo.quality = survey::Quality::Failed;
+        photo.flags.push_back(pose.why);
+        propose(Cure::Retake, photo);
+        return;
+    }
+    if (!pose.doubt.empty()) {
+        photo.flags.push_back(pose.doubt);
+    } else if (pose.sigmaOwn > kDoubtfulSigma) {
+        propose(Cure::Retake, photo);
+        photo.flags.push_back(text("Its rotation against its neighbours is known to ",
+                                   fixed(Degrees(pose.sigmaOwn).value(), 3),
+                                   " deg only: it shares too little with them; retake it with more light, or "
+                                   "with more to see."));
+    }
+    if (pose.outlierShare > kMostOutliers) {
+        propose(Cure::Mask, photo);
+        photo.flags.push_back(text("Its neighbours contradict ", fixed(100 * pose.outlierShare, 0),
+                                   " % of what it shows; look at the picture, and retake it if it is not of "
+                                   "this place."));
+    }
+    if (pose.component > 0) {
+        photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
+                                   components,
+                                   " parts): headings are right within the part, and the part's own rests on "
+                                   "its positions alone; take photos between the parts."));
+    }
+    photo.quality = photo.flags.empty() ? survey::Quality::Good : survey::Quality::Doubtful;
+    // Its own accelerometer is the better witness: such a pose is not handed on.
+    if (prior.levelFromPhoto && pose.leanFromStated > align::kContradictingLean) {
+        photo.quality = survey::Quality::Failed;
+        propose(Cure::Retake, photo);
+    }
+}
+
+} // namespace
+
+void giveVerdicts(std::span<const align::PhotoPrior> priors, AlignReport& report) {
+    tellMoved(priors, report);
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        giveVerdict(report.alignment.photos[i], priors[i], report.alignment.components, report.photos[i]);
+    }
+}
+
+} // namespace spherewalk::jobs
