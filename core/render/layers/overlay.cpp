@@ -127,7 +127,15 @@ void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y
         const OverlayLayer::Span span = space.spans.emplace_back(layer.span(y, picture.width()));
         row = {std::min(row.begin, span.begin), std::max(row.end, span.end)};
     }
+    const bool isAlone = layers.size() == 1 && !layers.front().map;
     for (int x = row.begin; x < row.end; ++x) {
+        if (const std::uint8_t* colour = isAlone ? layers.front().pixels.opaque(x, y) : nullptr) {
+            std::copy_n(colour, RgbImage::kChannels, picture.at(x, y));
+            if (shown != nullptr) {
+                *shown->at(x, y) = 255;
+            }
+            continue;
+        }
         gather(layers, space.spans, x, y, viewDepth.empty() ? 0 : *viewDepth.at(x, y), space.pile);
         if (!space.pile.empty()) {
             const std::uint8_t covered = lay(space.pile, picture.at(x, y));

@@ -44,7 +44,7 @@ OverlayMap::OverlayMap(const CameraModel& view, const CameraModel& other, Worker
 }
 
 int DepthTest::shown(float object, float room) const {
-    if (!isDepth(room)) {
+    if (!(object > room) || !isDepth(room)) { // in front of the room, or of nothing
         return 255;
     }
     const double tolerance = std::max(m_toleranceM, m_toleranceShare * static_cast<double>(room));
@@ -76,9 +76,16 @@ OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, 
     }
     const int rows = m_rows.end - m_rows.begin;
     Tested tested(m_columns.end - m_columns.begin, rows);
-    pool.run(rows, options.threads, [&](int row, int) { testRow(m_rows.begin + row, roomDepth, tested); });
+    std::vector<std::uint8_t> isHidden(static_cast<std::size_t>(rows) + 2); // with a row above and one below
+    pool.run(rows, options.threads, [&](int row, int) {
+        const bool isInFront = testRow(m_rows.begin + row, roomDepth, tested);
+        isHidden[static_cast<std::size_t>(row) + 1] = isInFront ? 0 : 1;
+    });
     m_shown = MaskImage(tested.width(), rows);
-    pool.run(rows, options.threads, [&](int row, int) { softenRow(m_rows.begin + row, tested); });
+    pool.run(rows, options.threads, [&](int row, int) {
+        const std::uint8_t* above = isHidden.data() + row;
+        softenRow(m_rows.begin + row, tested, (above[0] | above[1] | above[2]) != 0);
+    });
 }
 
 OverlayLayer::Span OverlayLayer::found(int y) const {
@@ -107,18 +114,27 @@ float OverlayLayer::depth(int x, int y) const {
     return nearest;
 }
 
-void OverlayLayer::testRow(int y, const DepthImage& roomDepth, Tested& tested) const {
-    for (int x = m_columns.begin; x < m_columns.end; ++x) {
+bool OverlayLayer::testRow(int y, const DepthImage& roomDepth, Tested& tested) const {
+    bool isInFront = true;
+    std::int16_t* row = tested.at(0, y - m_rows.begin);
+    std::fill_n(row, tested.width(), kNotThere);
+    for (int x = span(y).begin; x < span(y).end; ++x) {
         const float object = m_overlay.picture.at(x, y)[3] != 0 ? depth(x, y) : kNoDepth;
-        const int shown = isDepth(object) ? m_test.shown(object, *roomDepth.at(x, y)) : kNotThere;
-        *tested.at(x - m_columns.begin, y - m_rows.begin) = static_cast<std::int16_t>(shown);
+        if (isDepth(object)) {
+            const int shown = m_test.shown(object, *roomDepth.at(x, y));
+            row[x - m_columns.begin] = static_cast<std::int16_t>(shown);
+            isInFront = isInFront && shown == 255;
+        }
     }
+    return isInFront;
 }
 
-void OverlayLayer::softenRow(int y, const Tested& tested) {
+void OverlayLayer::softenRow(int y, const Tested& tested, bool isHidden) {
     for (int x = span(y).begin; x < span(y).end; ++x) {
         const int own = *tested.at(x - m_columns.begin, y - m_rows.begin);
-        if (own != kNotThere) {
+        if (own != kNotThere && !isHidden) {
+            *m_shown.at(x - m_columns.begin, y - m_rows.begin) = 255;
+        } else if (own != kNotThere) {
             *m_shown.at(x - m_columns.begin, y - m_rows.begin) =
                 static_cast<std::uint8_t>(m_edges == Edges::Soft ? softened(x, y, tested) : own);
         }
@@ -166,6 +182,12 @@ void OverlayLayer::add(int x, int y, std::uint64_t weight, float viewDepth, std:
         heaviest = weight * rgba[3];
         sum.depth = object;
     }
+}
+
+const std::uint8_t* OverlayLayer::opaque(int x, int y) const {
+    const std::uint8_t* rgba = m_overlay.picture.at(x, y);
+    const bool isShown = m_shown.empty() || *m_shown.at(x - m_columns.begin, y - m_rows.begin) == 255;
+    return rgba[3] == 255 && isShown && isDepth(depth(x, y)) ? rgba : nullptr;
 }
 
 Shown OverlayLayer::pixel(int x, int y) const {

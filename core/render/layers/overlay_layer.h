@@ -89,6 +89,9 @@ class OverlayLayer {
     /// What one of the overlay's own pixels shows. Without a roomDepth it is in front of everything.
     Shown pixel(int x, int y) const;
 
+    /// The pixel's colour if it hides all that is behind it, else null.
+    const std::uint8_t* opaque(int x, int y) const;
+
     /// False only where between() surely shows nothing.
     bool mayShow(const OverlayMap::Position& position) const {
         const int x = position.u >> 8;
@@ -106,8 +109,10 @@ class OverlayLayer {
 
     float depth(int x, int y) const;
     Span found(int y) const;
-    void testRow(int y, const DepthImage& roomDepth, Tested& tested) const;
-    void softenRow(int y, const Tested& tested);
+    /// Whether the room hides no part of the row's objects.
+    bool testRow(int y, const DepthImage& roomDepth, Tested& tested) const;
+    /// isHidden: whether the room hides some of this row or of those beside it.
+    void softenRow(int y, const Tested& tested, bool isHidden);
     int softened(int x, int y, const Tested& tested) const;
     void add(int x, int y, std::uint64_t weight, float viewDepth, std::uint64_t& heaviest, Shown& sum) const;
 

@@ -171,6 +171,29 @@ void TrustRows::compute(int begin, int end, PixelTrust& trust) const {
     }
 }
 
+/// Depths of a row's pixels in the sphere, without distortion. With rays that are not normalised, the depth
+/// along the axis is radius * t of |from + t * ray| = 1, whose root has two forms that do not cancel.
+void pinholeRow(const CameraIntrinsics& camera, const DisplacedCamera& inCamera, double radiusM, int y,
+                float* depth) {
+    const double perPixel = 1 / camera.fx;
+    const double down = (y - camera.cy) / camera.fy;
+    const double forward = inCamera.fromPhoto().y() * down + inCamera.fromPhoto().z();
+    const double across = inCamera.fromPhoto().x();
+    const double inside = inCamera.inside();
+    const double rest = down * down + 1;
+    const double left = camera.cx;
+    const int width = camera.width;
+    for (int x = 0; x < width; ++x) {
+        const double right = (x - left) * perPixel;
+        const double along = across * right + forward;
+        const double lengthSquared = right * right + rest;
+        const double root = std::sqrt(along * along + inside * lengthSquared);
+        const double above = along > 0 ? inside : root - along;
+        const double below = along > 0 ? along + root : lengthSquared;
+        depth[x] = static_cast<float>(radiusM * above / below);
+    }
+}
+
 } // namespace
 
 void ViewGeometry::validate() const {
@@ -193,7 +216,12 @@ DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads) {
     }
     const SceneRays scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM);
     DepthImage depth(view.rays.camera().width(), view.rays.camera().height());
+    const CameraIntrinsics& camera = view.rays.camera().intrinsics();
     pool.run(depth.height(), threads, [&](int y, int) {
+        if (camera.lens == LensModel::Pinhole) {
+            pinholeRow(camera, scene.inCamera(), view.sphereRadiusM, y, depth.at(0, y));
+            return;
+        }
         for (int x = 0; x < depth.width(); ++x) {
             const Vector3d ray = view.rays.ray(x, y);
             *depth.at(x, y) = ray.z() > 0 ? static_cast<float>(ray.z() * scene.distanceM(ray))

@@ -40,6 +40,12 @@ class DisplacedCamera {
         return along > 0 ? m_inside / (along + root) : root - along;
     }
 
+    /// The camera's position minus the photo's, in radii, shortened if need be.
+    const Eigen::Vector3d& fromPhoto() const { return m_from; }
+
+    /// 1 - |fromPhoto()|^2. Range: > 0.
+    double inside() const { return m_inside; }
+
     /// The direction in which the photo sees the point where the ray meets the sphere. Shape: a unit vector,
     /// but for rounding.
     Eigen::Vector3d direction(const Eigen::Vector3d& ray) const { return m_from + distance(ray) * ray; }
@@ -69,6 +75,9 @@ class SceneRays {
     /// The distance from the camera along the ray to its point, in metres. It is +infinity where the scene
     /// model has no point.
     double distanceM(const Eigen::Vector3d& rayInCamera) const;
+
+    /// The camera in the optical frame, for SceneKind::Sphere.
+    const DisplacedCamera& inCamera() const { return m_inCamera; }
 
     /// The camera's position minus the photo's, in the optical frame, in metres. It is never shortened.
     const Eigen::Vector3d& offsetInCamera() const { return m_offsetInCamera; }

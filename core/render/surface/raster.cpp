@@ -50,10 +50,14 @@ class SurfaceProjector {
 
     Vertex throughLens(const Eigen::Vector3f& direction, float inverseM) const;
 
+    /// The cosine of the largest angle to the axis at which vertices are projected.
+    static float leastCosine(const CameraModel& camera);
+
     Eigen::Matrix3f m_rotation;
     Eigen::Vector3f m_translation;
     const CameraModel& m_camera;
     bool m_isPinhole;
+    float m_leastCosine; ///< For a lens.
     simd::SurfaceCamera m_pinhole;
     /// Inward normals of the sides of what the pinhole sees, with a pixel more.
     std::array<Eigen::Vector3f, 5> m_sides;
@@ -63,7 +67,8 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
     : m_rotation(cameraFromPhoto.rotation.toRotationMatrix().cast<float>()),
       m_translation(cameraFromPhoto.translation.cast<float>()),
       m_camera(camera),
-      m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole) {
+      m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole),
+      m_leastCosine(m_isPinhole ? 0 : leastCosine(camera)) {
     const CameraIntrinsics& k = camera.intrinsics();
     for (int i = 0; i < 9; ++i) {
         m_pinhole.rotation[static_cast<std::size_t>(i)] = m_rotation(i / 3, i % 3);
@@ -84,10 +89,32 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
                Vector3f(0, -m_pinhole.fy, height - m_pinhole.cy).normalized()};
 }
 
+/// A lens may project directions far beyond its picture, up to the one straight behind it. The corners of the
+/// quad there lie all around the picture, so that the quad would cover all of it.
+float SurfaceProjector::leastCosine(const CameraModel& camera) {
+    constexpr int kSteps = 8;          // along each side of the picture
+    constexpr double kMarginRad = 0.2; // more than a quad spans, so that quads at the border are whole
+    constexpr double kMostRad = 3.05;
+    double most = 0;
+    const auto see = [&](double x, double y) {
+        const auto ray = camera.ray({x, y});
+        most = std::max(most, ray ? std::atan2(ray->head<2>().norm(), ray->z()) : kMostRad);
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+        const double x = static_cast<double>(camera.width()) * i / kSteps - 0.5;
+        const double y = static_cast<double>(camera.height()) * i / kSteps - 0.5;
+        see(x, -0.5);
+        see(x, camera.height() - 0.5);
+        see(-0.5, y);
+        see(camera.width() - 0.5, y);
+    }
+    return static_cast<float>(std::cos(std::min(most + kMarginRad, kMostRad)));
+}
+
 SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction, float inverseM) const {
     const Vector3f q = m_rotation * direction + inverseM * m_translation; // the point, times inverseM
     const float length = q.norm();
-    if (!(length > kNearestM * inverseM)) {
+    if (!(length > kNearestM * inverseM) || q.z() < m_leastCosine * length) {
         return {};
     }
     const auto pixel = m_camera.project(q.cast<double>());

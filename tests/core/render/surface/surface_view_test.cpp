@@ -117,6 +117,49 @@ TEST(SurfaceView, ShowsTheDepthOfTheRoomThatItWasGiven) {
     }
 }
 
+/// A fisheye of this field with its edge at the left and the right of the picture.
+CameraModel fisheye(double fieldDeg, const std::vector<double>& distortion) {
+    CameraIntrinsics camera = CameraIntrinsics::pinhole(161, 121, 1.1);
+    camera.lens = LensModel::Equidistant;
+    camera.fx = camera.fy = 80 / Radians(Degrees(fieldDeg / 2)).value();
+    camera.distortion = distortion;
+    return CameraModel(camera);
+}
+
+TEST(SurfaceView, AFisheyeSeesTheDepthAheadAndNotThatBehind) {
+    // What lies behind the camera is near, what lies ahead is far.
+    const RoomShape room{{{-0.6, -2}, {5, -2}, {5, 2}, {-0.6, 2}}, -1, 1.5};
+    Scene scene(std::make_shared<const SurfaceMesh>(roomDepth(room, {}, 512)));
+    const std::vector<std::vector<double>> lenses = {
+        {0, 0, 0, 0}, {-0.0062, 0.0445, -0.0420, 0.0081}, {-0.013, -0.02, 0.017, -0.0046}};
+    for (const double fieldDeg : {100.0, 180.0, 220.0}) {
+        for (const std::vector<double>& lens : lenses) {
+            const CameraModel camera = fisheye(fieldDeg, lens);
+            const PixelRays rays(camera, scene.pool);
+            for (const double pitch : {-1.5, 0.0, 0.9}) {
+                const Rigid3 pose = lookingFrom({0.1, 0.2, 0.1}, 0.2, pitch);
+                scene.view(camera, pose);
+                const DepthImage depth = scene.surfaceView.depth(rays);
+                int wrong = 0;
+                int seen = 0;
+                for (int y = 0; y < depth.height(); y += 3) {
+                    for (int x = 0; x < depth.width(); x += 3) {
+                        const Eigen::Vector3d ray = rays.ray(x, y);
+                        if (ray.z() > 0.1) {
+                            const double expected =
+                                ray.z() / inverseDistance(room, pose.translation, pose.rotation * ray);
+                            wrong += std::abs(*depth.at(x, y) / expected - 1) < 0.05 ? 0 : 1;
+                            ++seen;
+                        }
+                    }
+                }
+                EXPECT_LE(wrong, 0.01 * seen)
+                    << fieldDeg << " degrees, pitch " << pitch << ", k1 " << lens[0];
+            }
+        }
+    }
+}
+
 TEST(SurfaceView, HidesWhatLiesBehindFromTheCamera) {
     // A wall at 3 m, and before it a strip at 1 m, from 0.1 rad to the left to 0.1 rad to the right.
     Image<float, 1> inverse(512, 256);
