@@ -3,23 +3,33 @@
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/equirect.h"
+#include "spherewalk/photo/picture_file.h"
 #include "spherewalk/scene/depth_sweep.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
-#include <optional>
+#include <vector>
 
 namespace spherewalk::scene {
 
 namespace {
 
-constexpr double kShare = 0.015; ///< Share of 1 / distance by which two depths may differ.
-constexpr double kPixels = 0.75; ///< Parallax in pixels by which two depths may differ.
-constexpr int kReach = 48;       ///< In pixels; nothing is taken over from farther away.
-constexpr int kAlike = 24; ///< Grey levels in a channel; pixels that differ by more show different things.
+constexpr double kShare = 0.015;  ///< Share of 1 / distance by which two depths may differ.
+constexpr double kPixels = 0.75;  ///< Parallax in pixels by which two depths may differ.
+constexpr int kUsualWidth = 1024; ///< Numbers of pixels below are for depths of this width.
+constexpr int kBeside = 2;        ///< Half the sides of the squares in which confirmed pixels are counted.
+constexpr int kAbout = 10;
+constexpr int kWidely = 60;
+constexpr float kChance = 0.35F;      ///< Share of the pixels that neighbours may confirm by chance.
+constexpr float kCertain = 0.7F;      ///< Share from which the pixels' depth counts in full.
+constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
+constexpr int kFewestTogether = 12;   ///< Pixels of a surface that stands by itself.
+constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
+constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth may differ from the surface's.
+constexpr float kNearestM = 0.2F;
+constexpr float kFarthestM = 100;
 
 /// Whether the neighbour's depth says the same of the point.
 bool agrees(const Eigen::Vector3d& pInRoom, const PosedDepth& neighbour, double baselineM) {
@@ -34,106 +44,182 @@ bool agrees(const Eigen::Vector3d& pInRoom, const PosedDepth& neighbour, double 
     return std::abs(*inverse.at(x, y) - expected) < kShare * expected + kPixels * pixelRad / baselineM;
 }
 
-MaskImage agreement(const PosedDepth& photo, std::span<const PosedDepth> neighbours, int threads) {
-    const Image<float, 1>& inverse = photo.depth->inverseM;
-    const EquirectSize size{inverse.width(), inverse.height()};
-    MaskImage sure(size.width, size.height);
+/// Where a neighbour says the same.
+MaskImage confirmed(const PosedDepth& photo, std::span<const PosedDepth> neighbours, int threads) {
+    const PhotoDepth& depth = *photo.depth;
+    const EquirectSize size{depth.inverseM.width(), depth.inverseM.height()};
+    const auto isConfirmed = [&](int x, int y) {
+        const Eigen::Vector3d point = photo.roomFromPhoto * (direction(size, Eigen::Vector2d(x, y)) /
+                                                             static_cast<double>(*depth.inverseM.at(x, y)));
+        return std::any_of(neighbours.begin(), neighbours.end(), [&](const PosedDepth& neighbour) {
+            const double baselineM =
+                (neighbour.roomFromPhoto.translation - photo.roomFromPhoto.translation).norm();
+            return agrees(point, neighbour, std::max(baselineM, 1e-3));
+        });
+    };
+    MaskImage result(size.width, size.height);
     parallelFor(size.height, 8, threads, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             for (int x = 0; x < size.width; ++x) {
-                const Eigen::Vector3d point = photo.roomFromPhoto * (direction(size, Eigen::Vector2d(x, y)) /
-                                                                     static_cast<double>(*inverse.at(x, y)));
-                for (const PosedDepth& neighbour : neighbours) {
-                    const double baseline =
-                        (neighbour.roomFromPhoto.translation - photo.roomFromPhoto.translation).norm();
-                    if (agrees(point, neighbour, std::max(baseline, 1e-3))) {
-                        *sure.at(x, y) = 255;
-                        break;
-                    }
-                }
+                *result.at(x, y) = isConfirmed(x, y) ? 255 : 0;
             }
         }
     });
-    return sure;
+    return result;
 }
 
-/// The inverse distance that an unsure pixel takes over from sure ones in eight directions.
-class Filling {
-  public:
-    Filling(const PhotoDepth& depth, const RgbImage& picture) : m_depth(depth), m_picture(picture) {}
+Plane sharesAbout(const MaskImage& mask, int radius, int threads) {
+    Plane result(mask.width(), mask.height());
+    std::transform(mask.values().begin(), mask.values().end(), result.values().begin(),
+                   [](std::uint8_t value) { return value != 0 ? 1.0F : 0.0F; });
+    blur(result, radius, threads);
+    return result;
+}
 
-    float at(int x, int y) const {
-        std::optional<float> alike;
-        std::optional<float> any;
-        for (int way = 0; way < 9; ++way) {
-            const int dx = way % 3 - 1;
-            const int dy = way / 3 - 1;
-            if (dx == 0 && dy == 0) {
-                continue;
-            }
-            const auto found = firstSure(x, y, dx, dy);
-            if (!found) {
-                continue;
-            }
-            const float value = *m_depth.inverseM.at((*found)[0], (*found)[1]);
-            any = std::min(any.value_or(value), value);
-            if (lookAlike({x, y}, *found)) {
-                alike = std::min(alike.value_or(value), value);
+/// How far a share is above what chance makes, from 0 to 1.
+float aboveChance(float share) {
+    return std::clamp((share - kChance) / (kCertain - kChance), 0.0F, 1.0F);
+}
+
+/// How much each confirmed depth counts, from 0 to 1. Where neighbours contradict most of what lies about,
+/// the rest was confirmed by chance. At the border of what is confirmed a depth may belong to the thing
+/// beside.
+Plane weights(const MaskImage& evident, const MaskImage& confirmed, int threads) {
+    const auto sharesWithin = [&](int reach) {
+        return sharesAbout(confirmed, std::max(1, reach * evident.width() / kUsualWidth), threads);
+    };
+    const Plane beside = sharesWithin(kBeside);
+    const Plane about = sharesWithin(kAbout);
+    const Plane widely = sharesWithin(kWidely);
+    Plane result(evident.width(), evident.height());
+    for (std::size_t i = 0; i < result.values().size(); ++i) {
+        if (confirmed.values()[i] != 0) {
+            const float share = aboveChance(about.values()[i]) * aboveChance(widely.values()[i]);
+            result.values()[i] = share * beside.values()[i] * beside.values()[i] *
+                                 (evident.values()[i] != 0 ? 1.0F : kBareWeight);
+        }
+    }
+    return result;
+}
+
+/// Surfaces by themselves: pixels that are joined, one of four beside each other.
+class Surfaces {
+  public:
+    explicit Surfaces(const Plane& inverseM) : m_inverseM(inverseM), m_isSeen(inverseM.values().size()) {}
+
+    /// Calls visit(pixels) for each surface.
+    template <class Visit>
+    void forEach(const Visit& visit) {
+        for (std::size_t i = 0; i < m_isSeen.size(); ++i) {
+            if (m_isSeen[i] == 0) {
+                grow(i);
+                visit(m_pixels);
             }
         }
-        return alike ? *alike : any.value_or(*m_depth.inverseM.at(x, y));
     }
 
   private:
-    using Place = std::array<int, 2>;
-
-    std::optional<Place> firstSure(int x, int y, int dx, int dy) const {
-        const int width = m_depth.sure.width();
-        for (int i = 1; i <= kReach; ++i) {
-            const int column = (x + i * dx + width) % width;
-            const int row = y + i * dy;
-            if (row < 0 || row >= m_depth.sure.height()) {
-                return std::nullopt;
-            }
-            if (*m_depth.sure.at(column, row) != 0) {
-                return Place{column, row};
-            }
+    void grow(std::size_t first) {
+        m_pixels.assign(1, first);
+        m_isSeen[first] = 1;
+        const int width = m_inverseM.width();
+        for (std::size_t k = 0; k < m_pixels.size(); ++k) {
+            const std::size_t from = m_pixels[k];
+            const int x = static_cast<int>(from) % width;
+            const int y = static_cast<int>(from) / width;
+            join(from, (x + 1) % width, y);
+            join(from, (x + width - 1) % width, y);
+            join(from, x, std::min(y + 1, m_inverseM.height() - 1));
+            join(from, x, std::max(y - 1, 0));
         }
-        return std::nullopt;
     }
 
-    const std::uint8_t* colour(const Place& place) const {
-        const double scale = static_cast<double>(m_picture.width()) / m_depth.sure.width();
-        return m_picture.at(static_cast<int>((place[0] + 0.5) * scale),
-                            static_cast<int>((place[1] + 0.5) * scale));
-    }
-
-    bool lookAlike(const Place& a, const Place& b) const {
-        int most = 0;
-        for (int c = 0; c < 3; ++c) {
-            most = std::max(most, std::abs(colour(a)[c] - colour(b)[c]));
+    void join(std::size_t from, int x, int y) {
+        const auto to = static_cast<std::size_t>(y * m_inverseM.width() + x);
+        const float a = m_inverseM.values()[from];
+        const float b = m_inverseM.values()[to];
+        if (m_isSeen[to] == 0 && std::fabs(a - b) < kJump * std::max(a, b)) {
+            m_isSeen[to] = 1;
+            m_pixels.push_back(to);
         }
-        return most < kAlike;
     }
 
-    const PhotoDepth& m_depth;
-    const RgbImage& m_picture;
+    static constexpr float kJump = 0.08F; ///< As views tear surfaces.
+
+    const Plane& m_inverseM;
+    std::vector<std::uint8_t> m_isSeen;
+    std::vector<std::size_t> m_pixels;
 };
+
+/// Calls visit(pixels) for each surface that is too small to stand by itself.
+template <class Visit>
+void forEachSpeck(const Plane& inverseM, const Visit& visit) {
+    const double scale = static_cast<double>(inverseM.width()) / kUsualWidth;
+    const double fewest = std::max(2.0, kFewestTogether * scale * scale);
+    Surfaces(inverseM).forEach([&](const std::vector<std::size_t>& pixels) {
+        if (static_cast<double>(pixels.size()) < fewest) {
+            visit(pixels);
+        }
+    });
+}
+
+/// What is known in small surfaces only does not count.
+void dropSpecks(const Plane& inverseM, Plane& weight) {
+    Plane known = inverseM;
+    for (std::size_t i = 0; i < weight.values().size(); ++i) {
+        known.values()[i] = weight.values()[i] > 0 ? inverseM.values()[i] : -1; // It is joined to nothing.
+    }
+    forEachSpeck(known, [&](const std::vector<std::size_t>& pixels) {
+        for (const std::size_t i : pixels) {
+            weight.values()[i] = 0;
+        }
+    });
+}
+
+/// The median of what is evident, or of all if nothing is. Rows count by their length on the sphere.
+float usualInverse(const PhotoDepth& depth) {
+    std::vector<float> evident;
+    std::vector<float> all;
+    for (int y = 0; y < depth.sure.height(); ++y) {
+        const double length = std::sin(std::numbers::pi * (y + 0.5) / depth.sure.height());
+        const int step = static_cast<int>(std::min(4 / length, static_cast<double>(depth.sure.width())));
+        for (int x = 0; x < depth.sure.width(); x += step) {
+            all.push_back(*depth.inverseM.at(x, y));
+            if (*depth.sure.at(x, y) != 0) {
+                evident.push_back(all.back());
+            }
+        }
+    }
+    std::vector<float>& values = evident.empty() ? all : evident;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
 
 } // namespace
 
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads) {
-    const PhotoDepth checked{photo.depth->inverseM, agreement(photo, neighbours, threads)};
-    PhotoDepth result = checked;
-    const Filling filling(checked, picture);
-    parallelFor(checked.sure.height(), 8, threads, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            for (int x = 0; x < checked.sure.width(); ++x) {
-                if (*checked.sure.at(x, y) == 0) {
-                    *result.inverseM.at(x, y) = filling.at(x, y);
-                }
-            }
+    const PhotoDepth& own = *photo.depth;
+    const MaskImage agreed = confirmed(photo, neighbours, threads);
+    Plane weight = weights(own.sure, agreed, threads);
+    dropSpecks(own.inverseM, weight);
+    const RgbImage guide = photo::resized(picture, own.sure.width(), own.sure.height());
+    const Plane completed = completedByPlanes(own.inverseM, weight, guide,
+                                              {usualInverse(own), 1 / kFarthestM, 1 / kNearestM}, threads);
+    PhotoDepth result{completed, MaskImage(own.sure.width(), own.sure.height())};
+    for (std::size_t i = 0; i < weight.values().size(); ++i) {
+        const float found = own.inverseM.values()[i];
+        const bool isEvident = own.sure.values()[i] != 0;
+        if (weight.values()[i] > (isEvident ? kLeastWeight : kBareWeight * kLeastWeight)) {
+            const bool fits = std::fabs(found - completed.values()[i]) < kOnSurface * found;
+            result.inverseM.values()[i] = isEvident ? found : completed.values()[i];
+            result.sure.values()[i] = isEvident || fits ? 255 : 0;
+        }
+    }
+    forEachSpeck(Plane(result.inverseM), [&](const std::vector<std::size_t>& pixels) {
+        for (const std::size_t i : pixels) {
+            result.inverseM.values()[i] = completed.values()[i];
         }
     });
     result.inverseM = smoothedSurfaces(result.inverseM, threads);

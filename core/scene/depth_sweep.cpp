@@ -21,7 +21,9 @@ constexpr float kBytesPerCost = 2.5F;
 constexpr float kLeastInverseM = 1e-3F; ///< Nothing is taken to be farther than a kilometre.
 constexpr int kFilterRadius = 4;
 constexpr float kFilterSmoothness = 1e-3F;
-constexpr int kOffsets = 4; ///< Number of steps tried to either side when a distance is refined.
+constexpr float kLeastRise = 0.5F;       ///< Of the cost from the best distance to the mean about it.
+constexpr float kLeastRiseShare = 0.15F; ///< The same as a share of the best cost.
+constexpr int kOffsets = 4;              ///< Number of steps tried to either side when a distance is refined.
 
 /// The place of the least of the parabola through three costs, in steps from the middle one.
 float leastBetween(float before, float here, float after) {
@@ -40,22 +42,30 @@ class Sweep {
           m_stop(stop),
           m_farthest(static_cast<float>(1 / options.farthestM)),
           m_step(
-              static_cast<float>((1 / options.nearestM - 1 / options.farthestM) / (options.distances - 1))) {}
+              static_cast<float>((1 / options.nearestM - 1 / options.farthestM) / (options.distances - 1))),
+          m_evident(options.width, options.width / 2) {
+        std::fill(m_evident.values().begin(), m_evident.values().end(), std::uint8_t{255});
+        const Eigen::Matrix3d roomFromPhoto = photo.roomFromPhoto.rotation.toRotationMatrix();
+        for (const PosedPicture& other : neighbours) {
+            const Eigen::Matrix3d otherFromRoom = other.roomFromPhoto.rotation.conjugate().toRotationMatrix();
+            m_gains.push_back(gainsTo(*photo.picture, *other.picture, otherFromRoom * roomFromPhoto));
+        }
+    }
 
-    Plane run() {
+    PhotoDepth run() {
         Plane inverse = coarse();
         float step = m_step;
         for (int width = 2 * m_options.coarseWidth; width <= m_options.width; width *= 2) {
             step *= 0.5F;
             inverse = finer(inverse, width, step);
         }
-        return inverse;
+        return {.inverseM = std::move(inverse), .sure = std::move(m_evident)};
     }
 
   private:
     SweepCost costsAt(int width) const {
         throwIfStopped(m_stop);
-        return SweepCost(m_photo, m_neighbours, m_options.keptShare, width, m_options.threads);
+        return SweepCost(m_photo, m_neighbours, m_options.keptShare, width, m_options.threads, m_gains);
     }
 
     CostVolume<std::uint8_t> volume(const SweepCost& cost) const {
@@ -157,7 +167,7 @@ class Sweep {
         return costs;
     }
 
-    Plane finer(const Plane& coarse, int width, float step) const {
+    Plane finer(const Plane& coarse, int width, float step) {
         const SweepCost cost = costsAt(width);
         const GuidedFilter filter = filterFor(cost);
         const Plane base = chosen(coarse, cost, filter);
@@ -168,6 +178,7 @@ class Sweep {
         Plane before = best;
         Plane after = best;
         Plane last = best;
+        Plane sum(width, width / 2);
         for (int k = -kOffsets; k <= kOffsets; ++k) {
             Plane tried = base;
             for (float& value : tried.values()) {
@@ -176,6 +187,7 @@ class Sweep {
             Plane costs = filteredCosts(tried, cost, filter);
             for (std::size_t i = 0; i < costs.values().size(); ++i) {
                 const float here = costs.values()[i];
+                sum.values()[i] += here;
                 if (offset.values()[i] == static_cast<float>(k - 1)) {
                     after.values()[i] = here;
                 }
@@ -187,6 +199,9 @@ class Sweep {
                 }
             }
             last = std::move(costs);
+        }
+        if (width == m_options.width) {
+            judge(best, offset, sum);
         }
         Plane inverse(width, width / 2);
         for (std::size_t i = 0; i < inverse.values().size(); ++i) {
@@ -200,12 +215,26 @@ class Sweep {
         return median3x3(inverse, m_options.threads);
     }
 
+    /// A distance is evident where those beside it fit much less well. On a bare wall all fit alike, and
+    /// what remains is noise.
+    void judge(const Plane& best, const Plane& offset, const Plane& sum) {
+        for (std::size_t i = 0; i < best.values().size(); ++i) {
+            const float least = best.values()[i];
+            const float rise = sum.values()[i] / (2 * kOffsets + 1) - least;
+            const bool isWithin = std::fabs(offset.values()[i]) < kOffsets;
+            m_evident.values()[i] =
+                isWithin && rise > std::max(kLeastRise, kLeastRiseShare * least) ? 255 : 0;
+        }
+    }
+
     const PosedPicture& m_photo;
     std::span<const PosedPicture> m_neighbours;
+    std::vector<Gains> m_gains;
     SweepOptions m_options;
     std::stop_token m_stop;
     float m_farthest; ///< 1 / distance.
     float m_step;
+    MaskImage m_evident;
 };
 
 void checkPose(const Rigid3& pose) {
@@ -271,9 +300,7 @@ PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> n
     for (const PosedPicture& neighbour : neighbours) {
         checkPicture(neighbour);
     }
-    PhotoDepth depth{Sweep(photo, neighbours, options, stop).run(), {}};
-    depth.sure = MaskImage(depth.inverseM.width(), depth.inverseM.height());
-    return depth;
+    return Sweep(photo, neighbours, options, stop).run();
 }
 
 } // namespace spherewalk::scene

@@ -38,4 +38,21 @@ Plane median3x3(const Plane& plane, int threads);
 /// percent (more at farther pixels) lie on another surface. threads: the result is the same for any number.
 Plane smoothedSurfaces(const Plane& inverseM, int threads);
 
+/// What a completed value may be, and is where nothing is known.
+struct CompletionRange {
+    float usual;
+    float least;
+    float most;
+};
+
+/// A value for each pixel of an equirectangular picture, where only some are known. A plane's 1 / distance is
+/// the product of one vector with the unit direction, whatever the direction. So each pixel gets a vector.
+/// Neighbours want the same one, less so across edges of the picture, and a known value pulls with its
+/// weight. A plane that is known along its borders is continued over its middle; where nothing is known, the
+/// values fade to `usual`. Shape: all of one size, the width a multiple of 32. weight: in [0, 1]; 0 where
+/// nothing is known. Range: the result lies between `least` and `most`. threads: the result is the same for
+/// any number. Cost: 0.4 s of one core at 1024 x 512.
+Plane completedByPlanes(const Plane& known, const Plane& weight, const RgbImage& picture,
+                        const CompletionRange& range, int threads);
+
 } // namespace spherewalk::scene

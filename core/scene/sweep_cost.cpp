@@ -95,6 +95,16 @@ Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFr
     return picture;
 }
 
+void brighten(Image<float, 3>& picture, const Gains& gains) {
+    if (gains == Gains{1, 1, 1}) {
+        return;
+    }
+    const std::span<float> values = picture.values();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::min(255.0F, gains[i % 3] * values[i]);
+    }
+}
+
 float brightnessOf(const float* rgb) {
     return 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
 }
@@ -102,14 +112,14 @@ float brightnessOf(const float* rgb) {
 } // namespace
 
 SweepPicture::SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width,
-                           int threads)
+                           int threads, const Gains& gains)
     : m_width(width),
       m_values(4 * static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(width / 2 + 1)) {
     // At twice the width a bilinear sample in the middle of a wanted pixel is about the mean over it.
-    const Image<float, 3> picture =
-        photo.width() >= 4 * width
-            ? turned(photo::resized(photo, 2 * width, width), photoFromFrame, width, threads)
-            : turned(photo, photoFromFrame, width, threads);
+    Image<float, 3> picture = photo.width() >= 4 * width ? turned(photo::resized(photo, 2 * width, width),
+                                                                  photoFromFrame, width, threads)
+                                                         : turned(photo, photoFromFrame, width, threads);
+    brighten(picture, gains);
     parallelFor(height(), 32, threads, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             differentiate(picture, y);
@@ -243,19 +253,20 @@ void sortSmallest(std::vector<std::vector<float>>& rows, std::size_t kept, int w
 } // namespace
 
 SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
-                     int width, int threads)
+                     int width, int threads, std::span<const Gains> gains)
     : m_photo(*photo.picture, Eigen::Matrix3d::Identity(), width, threads),
       m_kept(std::max<std::size_t>(
           1, static_cast<std::size_t>(std::lround(static_cast<double>(neighbours.size()) * keptShare)))) {
     const Eigen::Quaterniond photoFromRoom = photo.roomFromPhoto.rotation.conjugate();
-    for (const PosedPicture& other : neighbours) {
+    for (std::size_t i = 0; i < neighbours.size(); ++i) {
+        const PosedPicture& other = neighbours[i];
         const Eigen::Quaterniond otherFromPhoto =
             other.roomFromPhoto.rotation.conjugate() * photo.roomFromPhoto.rotation;
         const Eigen::Vector3d offset =
             photoFromRoom * (other.roomFromPhoto.translation - photo.roomFromPhoto.translation);
-        m_neighbours.push_back(
-            {SweepPicture(*other.picture, otherFromPhoto.toRotationMatrix(), width, threads),
-             offset.cast<float>()});
+        m_neighbours.push_back({SweepPicture(*other.picture, otherFromPhoto.toRotationMatrix(), width,
+                                             threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
+                                offset.cast<float>()});
     }
     const double step = 2 * std::numbers::pi / width;
     for (int x = 0; x < width; ++x) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <stop_token>
@@ -13,14 +14,24 @@
 
 namespace spherewalk::scene {
 
+/// What the values of a photo's red, green and blue are multiplied by.
+using Gains = std::array<float, 3>;
+
+/// The gains with which another photo is as bright as this one. Values that follow a power of the light
+/// differ by a factor, whatever the exposure. The gain is the median of this factor over directions, since
+/// two photos of a room mostly show the same wall in a direction. Burnt and black pixels do not count. A gain
+/// that cannot be told from 1 is 1. otherFromPhoto: a rotation.
+Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto);
+
 /// The values that are compared between photos: brightness, its two slopes, and red minus blue. Units: grey
 /// levels. Shape: four values a pixel; one column and one row more than the picture repeat its first column
 /// and its last row, so that four neighbours can be read at any place.
 class SweepPicture {
   public:
     /// The photo as seen in another frame, at this width. The rotation takes the frame to the photo's frame.
-    /// Pixels are means over the area that they cover.
-    SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads);
+    /// Pixels are means over the area that they cover, times the gains, but never brighter than white.
+    SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads,
+                 const Gains& gains = {1, 1, 1});
 
     int width() const { return m_width; }
 
@@ -53,8 +64,9 @@ class SweepCost {
     /// Upper bound of a cost.
     static constexpr float kMost = 68.8F;
 
+    /// gains: one of each neighbour; none if no photo is brighter than the others.
     SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
-              int width, int threads);
+              int width, int threads, std::span<const Gains> gains = {});
 
     int width() const { return m_photo.width(); }
 

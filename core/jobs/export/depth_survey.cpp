@@ -20,7 +20,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 2; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 3; ///< grows when the same photos and options give another depth
 constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace spherewalk::scene {
 
@@ -84,6 +85,40 @@ TEST(DepthSweep, FindsTheDepthOfThePracticeRoom) {
     const Survey& survey = Survey::made();
     const PhotoDepth depth = sweptDepth(survey.photo(0), survey.others(0), quick());
     EXPECT_GT(rightShare(depth, survey.range, 0.05), 0.85);
+}
+
+TEST(DepthSweep, IsAsRightWhenNeighboursAreAStopDarker) {
+    const Survey& survey = Survey::made();
+    std::vector<RgbImage> darker;
+    std::vector<PosedPicture> others = survey.others(0);
+    for (PosedPicture& other : others) {
+        darker.push_back(*other.picture);
+        for (std::uint8_t& value : darker.back().values()) {
+            value = static_cast<std::uint8_t>(std::lround(0.73 * value)); // 2^(-1 / 2.2)
+        }
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        others[i].picture = &darker[i];
+    }
+    const double as = rightShare(sweptDepth(survey.photo(0), survey.others(0), quick()), survey.range, 0.05);
+    EXPECT_GT(rightShare(sweptDepth(survey.photo(0), others, quick()), survey.range, 0.05), as - 0.08);
+}
+
+TEST(DepthSweep, FindsNoEvidenceInNoise) {
+    std::mt19937 random(3);
+    std::vector<RgbImage> walls(5, RgbImage(2 * kSweepWidth, kSweepWidth));
+    for (RgbImage& wall : walls) {
+        for (std::uint8_t& value : wall.values()) {
+            value = static_cast<std::uint8_t>(200 + random() % 5);
+        }
+    }
+    std::vector<PosedPicture> others;
+    for (std::size_t i = 1; i < walls.size(); ++i) {
+        others.push_back({&walls[i], Survey::made().poses[i]});
+    }
+    const PhotoDepth depth = sweptDepth({walls.data(), Survey::made().poses[0]}, others, quick());
+    const auto evident = std::count(depth.sure.values().begin(), depth.sure.values().end(), 255);
+    EXPECT_LT(static_cast<double>(evident), 0.02 * static_cast<double>(depth.sure.values().size()));
 }
 
 TEST(DepthSweep, IsTheSameForAnyNumberOfThreads) {
@@ -167,7 +202,35 @@ TEST(DepthAgreement, TakesOverWhatLiesBesideWhereNobodyAgrees) {
     *depths.first.inverseM.at(100, 64) = 2;
     const PhotoDepth depth = depths.agreed();
     EXPECT_EQ(*depth.sure.at(100, 64), 0);
-    EXPECT_NEAR(*depth.inverseM.at(100, 64), 0.5F, 1e-4F);
+    EXPECT_NEAR(*depth.inverseM.at(100, 64), 0.5F, 0.01F);
+}
+
+TEST(DepthAgreement, DropsWhatNeighboursConfirmByChance) {
+    TwoDepths depths;
+    std::mt19937 random(7);
+    for (PhotoDepth* depth : {&depths.first, &depths.second}) {
+        std::fill(depth->sure.values().begin(), depth->sure.values().end(), std::uint8_t{255});
+        for (float& value : depth->inverseM.values()) {
+            value = 0.1F + 1.5F * static_cast<float>(random()) / static_cast<float>(std::mt19937::max());
+        }
+    }
+    const PhotoDepth depth = depths.agreed();
+    EXPECT_EQ(std::count(depth.sure.values().begin(), depth.sure.values().end(), 255), 0);
+    const auto [least, most] =
+        std::minmax_element(depth.inverseM.values().begin(), depth.inverseM.values().end());
+    EXPECT_LT(*most, 1.3F * *least); // The noise spans a factor of 16.
+}
+
+TEST(DepthAgreement, LeavesNoSpeckThatStandsByItself) {
+    TwoDepths depths;
+    for (PhotoDepth* depth : {&depths.first, &depths.second}) {
+        std::fill(depth->sure.values().begin(), depth->sure.values().end(), std::uint8_t{255});
+        *depth->inverseM.at(100, 64) = 2; // Where both look alike, both may be wrong alike.
+    }
+    depths.second.inverseM = depths.first.inverseM;
+    const std::vector<PosedDepth> same{{&depths.second, {}}};
+    const PhotoDepth depth = agreeingDepth({&depths.first, {}}, depths.picture, same);
+    EXPECT_NEAR(*depth.inverseM.at(100, 64), 0.5F, 0.01F);
 }
 
 } // namespace spherewalk::scene

@@ -22,7 +22,7 @@ struct PosedPicture {
 /// / 2.
 struct PhotoDepth {
     Image<float, 1> inverseM; ///< 1 / distance along the pixel's ray, above 0; 1 / metres.
-    MaskImage sure;           ///< 255 where a neighbour confirms it, 0 where it is filled in from beside.
+    MaskImage sure;           ///< 255 where it was measured, 0 where it continues what lies beside.
 };
 
 struct SweepOptions {
@@ -47,8 +47,9 @@ std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos,
 
 /// The depth of a photo from neighbours whose poses are known. A sphere about the photo is swept from far to
 /// near. Each pixel gets the distance at which the neighbours that fit best show the same there. Pixels
-/// around count too: semi-globally at the coarse width, with an edge-aware filter at finer ones. No pixel is
-/// `sure` yet; see agreeingDepth(). Cost: with the usual options about 2.5 s of one core and 150 MB. Errors:
+/// around count too: semi-globally at the coarse width, with an edge-aware filter at finer ones. A pixel is
+/// `sure` where distances beside the best one fit much less well; on a bare wall none is. Neighbours are made
+/// as bright as the photo first. Cost: with the usual options about 2.5 s of one core and 150 MB. Errors:
 /// InvalidInput for no neighbours, empty pictures, poses that are not finite; Stopped. Source: Collins 1996
 /// (sweep), Hirschmueller 2008 (semi-global), He 2010 (guided filter).
 PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> neighbours,
@@ -60,10 +61,12 @@ struct PosedDepth {
     Rigid3 roomFromPhoto;
 };
 
-/// The depth with `sure` set where at least one neighbour's depth says the same. The tolerance is 1.5 % of
-/// 1 / distance plus 0.75 pixels of parallax. The other pixels take over the depth of sure pixels beside them
-/// that look alike; of several the farthest, since a thing that only one photo sees lies behind. Surfaces are
-/// smoothed at the end.
+/// The depth that neighbours confirm, and planes where they do not. A neighbour confirms what it gives the
+/// same distance to, within 1.5 % of 1 / distance plus 0.75 pixels of parallax. What is confirmed counts as
+/// much as exceeds chance: where neighbours contradict most of what lies about, or the poses are rough,
+/// nothing counts. Elsewhere planes are continued up to edges of the picture, and fade to a sphere far from
+/// all that is known. Small surfaces that stand by themselves are taken off. Of the result, a pixel is `sure`
+/// where it was confirmed and either evident in the sweep or on the plane of what lies about.
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads = 0);
 

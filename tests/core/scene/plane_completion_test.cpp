@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_filters.h"
+
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/render/scene_depth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr int kPartWidth = 256;
+constexpr CompletionRange kRange{0.5F, 0.01F, 5};
+
+/// A room of 4 x 4 x 2.6 m as a photo sees it. A part of a wall or of the ceiling is not known.
+struct PartlyKnown {
+    Plane truth;
+    Plane weight{kPartWidth, kPartWidth / 2};
+    RgbImage picture{kPartWidth, kPartWidth / 2};
+
+    /// The part lies within so many degrees of the direction.
+    PartlyKnown(const Eigen::Vector3d& towards, double degrees) {
+        const render::RoomShape room{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -1.2, 1.4};
+        truth =
+            render::roomDepth(room, {Eigen::Quaterniond::Identity(), {0.3, 0.2, 0}}, kPartWidth).inverseM();
+        for (int y = 0; y < kPartWidth / 2; ++y) {
+            for (int x = 0; x < kPartWidth; ++x) {
+                const Eigen::Vector3d ray = direction({kPartWidth, kPartWidth / 2}, Eigen::Vector2d(x, y));
+                const double cosine = ray.dot(towards.normalized());
+                *weight.at(x, y) = cosine > std::cos(degrees * std::numbers::pi / 180) ? 0.0F : 1.0F;
+                std::fill_n(picture.at(x, y), 3, shade(ray / static_cast<double>(*truth.at(x, y))));
+            }
+        }
+    }
+
+    /// Walls, floor and ceiling are lit differently.
+    static std::uint8_t shade(const Eigen::Vector3d& atM) {
+        if (atM.z() < -1.19 || atM.z() > 1.39) {
+            return atM.z() < 0 ? 60 : 220;
+        }
+        return std::abs(atM.x() + 0.3) > std::abs(atM.y() + 0.2) ? 120 : 170;
+    }
+
+    /// The worst error of what was not known, as a share of 1 / distance.
+    float worst(const Plane& found) const {
+        float most = 0;
+        for (std::size_t i = 0; i < truth.values().size(); ++i) {
+            const float right = truth.values()[i];
+            most =
+                weight.values()[i] > 0 ? most : std::max(most, std::fabs(found.values()[i] - right) / right);
+        }
+        return most;
+    }
+
+    /// What is not known is garbage, which nobody may read.
+    Plane known() const {
+        Plane result = truth;
+        for (std::size_t i = 0; i < truth.values().size(); ++i) {
+            result.values()[i] = weight.values()[i] > 0 ? truth.values()[i] : 77;
+        }
+        return result;
+    }
+
+    Plane completed(int threads = 0) const {
+        return completedByPlanes(known(), weight, picture, kRange, threads);
+    }
+};
+
+} // namespace
+
+TEST(PlaneCompletion, ContinuesAWallOverWhatIsNotKnown) {
+    const PartlyKnown room({1, 0, 0.1}, 25);
+    EXPECT_LT(room.worst(room.completed()), 0.02F);
+}
+
+TEST(PlaneCompletion, ContinuesACeilingAtThePole) {
+    const PartlyKnown room({0, 0, 1}, 25);
+    EXPECT_LT(room.worst(room.completed()), 0.04F);
+}
+
+TEST(PlaneCompletion, CrossesTheSeam) {
+    const PartlyKnown room({-1, 0, 0}, 25);
+    EXPECT_LT(room.worst(room.completed()), 0.02F);
+}
+
+TEST(PlaneCompletion, EndsAtAnEdgeOfThePicture) {
+    // Left of the middle column all is at 1 m and known; so is the right edge of a strip at 2 m.
+    PartlyKnown room({0, 0, 1}, 0);
+    Plane known(kPartWidth, kPartWidth / 2);
+    for (int y = 0; y < kPartWidth / 2; ++y) {
+        for (int x = 0; x < kPartWidth; ++x) {
+            const bool isNear = x < kPartWidth / 2;
+            *known.at(x, y) = isNear ? 1.0F : 0.5F;
+            *room.weight.at(x, y) = x >= kPartWidth / 2 && x < kPartWidth / 2 + 6 ? 0.0F : 1.0F;
+            std::fill_n(room.picture.at(x, y), 3, isNear ? std::uint8_t{40} : std::uint8_t{200});
+        }
+    }
+    const Plane found = completedByPlanes(known, room.weight, room.picture, kRange, 0);
+    for (int x = kPartWidth / 2; x < kPartWidth / 2 + 6; ++x) {
+        EXPECT_NEAR(*found.at(x, kPartWidth / 4), 0.5F, 0.02F) << x;
+    }
+}
+
+TEST(PlaneCompletion, IsTheUsualValueWhereNothingIsKnown) {
+    const Plane nothing(kPartWidth, kPartWidth / 2);
+    const Plane found =
+        completedByPlanes(nothing, nothing, RgbImage(kPartWidth, kPartWidth / 2), {0.4F, 0.01F, 5}, 0);
+    const auto [least, most] = std::minmax_element(found.values().begin(), found.values().end());
+    EXPECT_NEAR(*least, 0.4F, 0.02F);
+    EXPECT_NEAR(*most, 0.4F, 0.02F);
+}
+
+TEST(PlaneCompletion, IsTheSameForAnyNumberOfThreads) {
+    const PartlyKnown room({1, 0, 0.1}, 25);
+    EXPECT_EQ(room.completed(1), room.completed(4));
+}
+
+} // namespace spherewalk::scene
