@@ -22,8 +22,10 @@ constexpr int kUsualWidth = 1024; ///< Numbers of pixels below are for depths of
 constexpr int kBeside = 2;        ///< Half the sides of the squares in which confirmed pixels are counted.
 constexpr int kAbout = 10;
 constexpr int kWidely = 60;
-constexpr float kChance = 0.35F;      ///< Share of the pixels that neighbours may confirm by chance.
-constexpr float kCertain = 0.7F;      ///< Share from which the pixels' depth counts in full.
+constexpr float kChance = 0.35F;        ///< Share of the pixels that neighbours may confirm by chance.
+constexpr float kCertain = 0.7F;        ///< Share from which the pixels' depth counts in full.
+constexpr float kChanceOfPhoto = 0.25F; ///< The same of a whole photo.
+constexpr float kCertainOfPhoto = 0.5F;
 constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
 constexpr int kFewestTogether = 12;   ///< Pixels of a surface that stands by itself.
 constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
@@ -81,6 +83,21 @@ float aboveChance(float share) {
     return std::clamp((share - kChance) / (kCertain - kChance), 0.0F, 1.0F);
 }
 
+/// The same for the share of a whole photo, which may look into rooms that no other photo sees. Rows count by
+/// their length on the sphere.
+float aboveChance(const MaskImage& confirmed) {
+    double all = 0;
+    double sum = 0;
+    for (int y = 0; y < confirmed.height(); ++y) {
+        const auto row = confirmed.row(y);
+        const double length = std::sin(std::numbers::pi * (y + 0.5) / confirmed.height());
+        sum += length * static_cast<double>(std::count(row.begin(), row.end(), std::uint8_t{255}));
+        all += length * confirmed.width();
+    }
+    const auto share = static_cast<float>(sum / all);
+    return std::clamp((share - kChanceOfPhoto) / (kCertainOfPhoto - kChanceOfPhoto), 0.0F, 1.0F);
+}
+
 /// How much each confirmed depth counts, from 0 to 1. Where neighbours contradict most of what lies about,
 /// the rest was confirmed by chance. At the border of what is confirmed a depth may belong to the thing
 /// beside.
@@ -91,10 +108,11 @@ Plane weights(const MaskImage& evident, const MaskImage& confirmed, int threads)
     const Plane beside = sharesWithin(kBeside);
     const Plane about = sharesWithin(kAbout);
     const Plane widely = sharesWithin(kWidely);
+    const float ofPhoto = aboveChance(confirmed);
     Plane result(evident.width(), evident.height());
     for (std::size_t i = 0; i < result.values().size(); ++i) {
         if (confirmed.values()[i] != 0) {
-            const float share = aboveChance(about.values()[i]) * aboveChance(widely.values()[i]);
+            const float share = ofPhoto * aboveChance(about.values()[i]) * aboveChance(widely.values()[i]);
             result.values()[i] = share * beside.values()[i] * beside.values()[i] *
                                  (evident.values()[i] != 0 ? 1.0F : kBareWeight);
         }

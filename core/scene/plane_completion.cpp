@@ -165,8 +165,8 @@ class Completion {
             invert(level);
             const int rounds = k + 1 == m_levels.size() ? 100
                                : level.width <= 128     ? 40
-                               : level.width <= 512     ? 16
-                                                        : 6;
+                               : level.width <= 512     ? 10
+                                                        : 3;
             for (int round = 0; round < 2 * rounds; ++round) {
                 relax(level, round % 2);
             }

@@ -24,7 +24,7 @@ constexpr int kDepthMethod = 3; ///< grows when the same photos and options give
 constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;
-constexpr double kWithAgreement = 1.15;     ///< a depth's time with the neighbours' agreement, of the sweep's
+constexpr double kWithAgreement = 1.25;     ///< a depth's time with the neighbours' agreement, of the sweep's
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
 /// Files are written under another name and renamed: those that are there are whole.

@@ -218,7 +218,7 @@ TEST(DepthAgreement, DropsWhatNeighboursConfirmByChance) {
     EXPECT_EQ(std::count(depth.sure.values().begin(), depth.sure.values().end(), 255), 0);
     const auto [least, most] =
         std::minmax_element(depth.inverseM.values().begin(), depth.inverseM.values().end());
-    EXPECT_LT(*most, 1.3F * *least); // The noise spans a factor of 16.
+    EXPECT_LT(*most, 1.02F * *least);
 }
 
 TEST(DepthAgreement, LeavesNoSpeckThatStandsByItself) {
