@@ -16,6 +16,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include <optional>
+
 namespace spherewalk::ui {
 
 namespace {
@@ -30,14 +32,21 @@ std::unique_ptr<SurveySession> opened(const std::filesystem::path& survey) {
     return SurveySession::open(QString::fromStdString(survey.string()));
 }
 
+jobs::GridRow rowOf(double stepM, SceneKind scene, std::optional<double> p95Px) {
+    jobs::GridRow row;
+    row.stepM = stepM;
+    row.scene = scene;
+    row.views = 8;
+    row.p95Px = p95Px;
+    return row;
+}
+
 /// Of steps of 40 and 80 cm with two scene models.
 jobs::GridStudy madeStudy() {
     jobs::GridStudy study;
     study.tolerancePx = 2;
-    study.rows = {{0.4, SceneKind::Sphere, 9, 8, 20, 1, 5},
-                  {0.4, SceneKind::Depth, 9, 8, 28, 0.3, 1.5},
-                  {0.8, SceneKind::Sphere, 4, 8, 18, 3, 9},
-                  {0.8, SceneKind::Depth, 4, 8, 26, 0.6, {}}};
+    study.rows = {rowOf(0.4, SceneKind::Sphere, 5), rowOf(0.4, SceneKind::Depth, 1.5),
+                  rowOf(0.8, SceneKind::Sphere, 9), rowOf(0.8, SceneKind::Depth, {})};
     study.costs = {{0.4, 60, 20}, {0.8, 15, 6}};
     study.answers = {{SceneKind::Sphere, {}, false, {}},
                      {SceneKind::Depth, 0.53, false, jobs::GridCost{0.53, 38, 12}}};
