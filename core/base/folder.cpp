@@ -8,11 +8,12 @@
 #include "spherewalk/base/text.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
-#include <stdlib.h> // mkdtemp
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace spherewalk {
 
@@ -30,7 +31,7 @@ void throwIfFaulty(FileOperation operation, const fs::path& path) {
 /// Removed with all its content, unless it was moved to its final place.
 class UnfinishedFolder {
   public:
-    explicit UnfinishedFolder(const fs::path& finalPlace) : m_finalPlace(finalPlace) {
+    explicit UnfinishedFolder(fs::path finalPlace) : m_finalPlace(std::move(finalPlace)) {
         m_path = m_finalPlace;
         m_path += text(".", ::getpid(), ".part");
         throwIfFaulty(FileOperation::MakeFolder, m_path);

@@ -100,7 +100,7 @@ void Trap::raise() const {
                            printable(m_message.data(), m_message.size()), ")."));
 }
 
-Decompressor::Decompressor(ByteView jpeg, std::string tried, Keep keep) : m_trap(tried) {
+Decompressor::Decompressor(ByteView jpeg, const std::string& tried, Keep keep) : m_trap(tried) {
     m_info.err = m_trap.manager();
     m_info.client_data = &m_trap;
     try {

@@ -61,7 +61,7 @@ class Decompressor {
     enum class Keep { Nothing, AllMarkers };
 
     /// Errors: Corrupt; Unsupported for more than 2^28 pixels, CMYK, or arithmetic coding.
-    Decompressor(ByteView jpeg, std::string tried, Keep keep = Keep::Nothing);
+    Decompressor(ByteView jpeg, const std::string& tried, Keep keep = Keep::Nothing);
     ~Decompressor();
     Decompressor(const Decompressor&) = delete;
     Decompressor& operator=(const Decompressor&) = delete;

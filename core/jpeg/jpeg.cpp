@@ -58,7 +58,7 @@ void writeRows(jpeg_compress_struct* info, const RgbImage& picture, int quality)
     jpeg_start_compress(info, TRUE);
     while (info->next_scanline < info->image_height) {
         // libjpeg takes rows that are not const, and does not write to them.
-        JSAMPROW row = const_cast<JSAMPROW>(picture.at(0, static_cast<int>(info->next_scanline)));
+        auto* row = const_cast<JSAMPROW>(picture.at(0, static_cast<int>(info->next_scanline)));
         jpeg_write_scanlines(info, &row, 1);
     }
     jpeg_finish_compress(info);
