@@ -156,7 +156,7 @@ std::optional<LineShape> shapeIn(const cv::Mat& grey, const PictureLine& line, d
     }
     auto [points, others] = edgePoints(grey, line, reachPx);
     // Of two signs that are about as frequent (a thin line has both), the evener one is the line's.
-    const auto [fewer, more] = std::minmax(points.size(), others.size());
+    const auto [fewer, more] = std::minmax({points.size(), others.size()});
     const bool areAlike = static_cast<double>(fewer) >= kAboutAsMany * static_cast<double>(more);
     if (areAlike ? meanBend(others) < meanBend(points) : others.size() > points.size()) {
         std::swap(points, others);

@@ -108,7 +108,9 @@ TiffWriter::Place TiffWriter::directory(const std::vector<Entry>& entries) {
         } else {
             put(m_bytes, behindOffset + behind.size(), 4);
             behind.insert(behind.end(), entry.value.begin(), entry.value.end());
-            behind.resize(behind.size() + behind.size() % 2);
+            if (behind.size() % 2 != 0) {
+                behind.push_back(0); // values begin at even places
+            }
         }
     }
     place.nextOffset = size();

@@ -66,7 +66,7 @@ constexpr Numbers<LatePolicy, 3> kPolicyNumbers{{{SPHEREWALK_LATE_WAIT, LatePoli
                                                  {SPHEREWALK_LATE_PREVIOUS, LatePolicy::Previous}}};
 
 template <class Enum, std::size_t kCount>
-Enum valueOf(const Numbers<Enum, kCount>& numbers, const char* what, std::int32_t number) {
+Enum valueNumbered(const Numbers<Enum, kCount>& numbers, const char* what, std::int32_t number) {
     for (const auto& [known, value] : numbers) {
         if (known == number) {
             return value;
@@ -102,15 +102,15 @@ std::optional<ErrorKind> errorKindOf(spherewalk_status status) {
 }
 
 Verify verifyOf(std::int32_t number) {
-    return valueOf(kVerifyNumbers, "check of a dataset", number);
+    return valueNumbered(kVerifyNumbers, "check of a dataset", number);
 }
 
 VerifyPhotos verifyPhotosOf(std::int32_t number) {
-    return valueOf(kVerifyPhotosNumbers, "check of photos", number);
+    return valueNumbered(kVerifyPhotosNumbers, "check of photos", number);
 }
 
 LensModel lensOf(std::int32_t number) {
-    return valueOf(kLensNumbers, "lens model", number);
+    return valueNumbered(kLensNumbers, "lens model", number);
 }
 
 std::int32_t cLens(LensModel lens) {
@@ -121,7 +121,7 @@ std::optional<SceneKind> sceneOf(std::int32_t number) {
     if (number == SPHEREWALK_SCENE_BEST) {
         return std::nullopt;
     }
-    return valueOf(kSceneNumbers, "scene model", number);
+    return valueNumbered(kSceneNumbers, "scene model", number);
 }
 
 std::int32_t cScene(SceneKind scene) {
@@ -130,7 +130,7 @@ std::int32_t cScene(SceneKind scene) {
 
 Sampling samplingOf(std::int32_t number) {
     return number == SPHEREWALK_SAMPLING_DEFAULT ? ViewOptions{}.sampling
-                                                 : valueOf(kSamplingNumbers, "sampling", number);
+                                                 : valueNumbered(kSamplingNumbers, "sampling", number);
 }
 
 std::int32_t cSampling(Sampling sampling) {
@@ -138,7 +138,7 @@ std::int32_t cSampling(Sampling sampling) {
 }
 
 ViewOrigin originOf(std::int32_t number) {
-    return valueOf(kOriginNumbers, "origin of a view", number);
+    return valueNumbered(kOriginNumbers, "origin of a view", number);
 }
 
 std::int32_t cOrigin(ViewOrigin origin) {
@@ -146,15 +146,15 @@ std::int32_t cOrigin(ViewOrigin origin) {
 }
 
 Alpha alphaOf(std::int32_t number) {
-    return valueOf(kAlphaNumbers, "kind of alpha", number);
+    return valueNumbered(kAlphaNumbers, "kind of alpha", number);
 }
 
 Edges edgesOf(std::int32_t number) {
-    return valueOf(kEdgeNumbers, "kind of edges", number);
+    return valueNumbered(kEdgeNumbers, "kind of edges", number);
 }
 
 LatePolicy lateOf(std::int32_t number) {
-    return valueOf(kPolicyNumbers, "policy for late views", number);
+    return valueNumbered(kPolicyNumbers, "policy for late views", number);
 }
 
 std::int32_t cLate(LatePolicy policy) {
