@@ -41,6 +41,7 @@ std::vector<MatchedSketch> matched(const Sketch& photo, std::span<const Neighbou
     std::ranges::stable_sort(near, {}, &Neighbour::distanceM);
     near.resize(std::min(near.size(), kMostNeighbours));
     std::vector<MatchedSketch> result;
+    result.reserve(near.size());
     for (const Neighbour& one : near) {
         result.push_back({one.sketch, match(photo, *one.sketch), one.distanceM});
     }

@@ -173,7 +173,7 @@ TEST(ViewDepth, IsTheSameForAnyNumberOfThreads) {
     test::Random random(64);
     WorkerPool pool(4);
     const Made made(test::everyLens(67, 51)[3], {random.rotation(), {0.3, 0.2, -0.4}},
-                    {random.rotation(), {}}, 2, pool);
+                    {random.rotation(), Eigen::Vector3d::Zero()}, 2, pool);
     const DepthImage one = viewDepth(made.view, pool, 1);
     for (const int threads : {0, 2, 3}) {
         EXPECT_EQ(viewDepth(made.view, pool, threads), one) << threads;
