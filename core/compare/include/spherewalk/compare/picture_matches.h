@@ -73,11 +73,11 @@ struct PlaceDisplacements {
 };
 
 /// Finds each place of the true picture in the computed one. A place is found by a witnessed match, or else
-/// by the patch of 21 x 21 pixels about it. The patch is sought within 16 pixels of the place itself, and then
-/// of where its nearest neighbour moved to. Its correlation must reach 0.65, and 0.02 more for each pixel of
-/// distance, because patterns repeat. All other places are missed. Unmatched places
-/// within 16 pixels of the border or with a contrast below 5 grey levels do not count at all. Errors: as
-/// above. Cost: 0.1 s for 640 x 480.
+/// by the patch of 21 x 21 pixels about it. The patch is sought within 16 pixels of the place itself, and
+/// then of where its nearest neighbour moved to. Its correlation must reach 0.65, and 0.02 more for each
+/// pixel of distance, because patterns repeat. All other places are missed. Unmatched places within 16 pixels
+/// of the border or with a contrast below 5 grey levels do not count at all. Errors: as above. Cost: 0.1 s
+/// for 640 x 480.
 PlaceDisplacements placeDisplacements(const PictureFeatures& truth, const PictureFeatures& computed);
 
 /// Displacements by a known depth, for every `every`-th pixel of every `every`-th row. The taken depth leads
