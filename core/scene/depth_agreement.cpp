@@ -2,6 +2,7 @@
 #include "plane_filters.h"
 
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/scene/depth_sweep.h"
@@ -208,10 +209,7 @@ float usualInverse(const PhotoDepth& depth) {
             }
         }
     }
-    std::vector<float>& values = evident.empty() ? all : evident;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return quantileInPlace(evident.empty() ? all : evident, 0.5);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_cost.h"
 
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
 
@@ -24,21 +25,15 @@ bool isWithin(int value) {
     return value > kDarkest && value < kBrightest;
 }
 
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 float gainFrom(std::vector<double>& logs) {
     if (logs.size() < kFewest) {
         return 1;
     }
-    const double middle = median(logs);
+    const double middle = quantileInPlace(logs, 0.5);
     for (double& value : logs) {
         value = std::abs(value - middle);
     }
-    const double sigma = 1.4826 * median(logs) / std::sqrt(kPatches);
+    const double sigma = 1.4826 * quantileInPlace(logs, 0.5) / std::sqrt(kPatches);
     return std::abs(middle) < kSigmas * sigma
                ? 1.0F
                : static_cast<float>(std::exp(std::clamp(middle, -kMostLog, kMostLog)));

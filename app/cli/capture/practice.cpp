@@ -2,6 +2,7 @@
 #include "options/command.h"
 
 #include "spherewalk/base/clock.h"
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
@@ -22,21 +23,19 @@ struct PracticeArguments {
     std::uint64_t seed = 1;
     std::string room = "lively";
     bool isReal = false;
-    double tiltDeg = 0.5;
+    double tiltDeg = Degrees(practice::PhotoErrors().tiltSigma).value();
 };
 
-practice::RoomStyle styleOf(const std::string& name) {
-    return name == "bare"   ? practice::RoomStyle::Bare
-           : name == "flat" ? practice::RoomStyle::Flat
-                            : practice::RoomStyle::Lively;
-}
+constexpr EnumNames<practice::RoomStyle, 3> kRooms{{{practice::RoomStyle::Lively, "lively"},
+                                                    {practice::RoomStyle::Bare, "bare"},
+                                                    {practice::RoomStyle::Flat, "flat"}}};
 
 practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
     practice::PracticeCameraOptions camera = options.camera;
     camera.seed = options.seed;
     camera.errors.seed = options.seed;
     camera.errors.tiltSigma = Degrees(options.tiltDeg);
-    camera.room.style = styleOf(options.room);
+    camera.room.style = valueOf(kRooms, "The practice room", options.room);
     if (camera.room.style == practice::RoomStyle::Flat) {
         camera.room.sizeM = {8, 6, 2.5};
     }
@@ -116,7 +115,6 @@ void addPracticeCamera(Commands& commands) {
     command
         .option("--room", options->room,
                 "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
-        .among({"lively", "bare", "flat"})
         .showDefault();
     command.flag("--real", options->isReal,
                  "Photos have the flaws of a real camera: exposure, colour, noise, a seam");

@@ -39,12 +39,12 @@ struct LineShape {
     double foundShare = 0;  ///< Share of the line's points that have an edge point.
 };
 
-/// The shape of the line in the view. At each of its points the strongest slope of brightness across it, at
-/// most `reachPx` away, is an edge point, to a tenth of a pixel. Only slopes of one sign
-/// count, the one that more of the line has or, for a thin line, that is straighter; and only those of 4 grey
-/// levels a pixel or more. A line that is moved or turned as a whole
-/// is still straight. Nothing if fewer than half of the points, or fewer than 8, have an edge point. Range:
-/// reachPx in [1, 100]. Errors: InvalidInput for an empty view or another reach.
+/// The shape of the line in the view. At each of the line's points the strongest slope of brightness across
+/// the line, at most `reachPx` away, is an edge point, to a tenth of a pixel. Slopes count from 4 grey levels
+/// a pixel on, and of one sign only: the sign that more of the line has or, for a thin line, the straighter
+/// one. A line that is moved or turned as a whole is still straight. Nothing if fewer than half of the
+/// points, or fewer than 8, have an edge point. Range: reachPx in [1, 100]. Errors: InvalidInput for an empty
+/// view or another reach.
 std::optional<LineShape> lineShape(const RgbImage& view, const PictureLine& line, double reachPx = 6);
 
 /// The shapes of several lines together.
