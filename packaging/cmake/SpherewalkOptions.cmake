@@ -46,7 +46,7 @@ target_compile_options(spherewalk_flags INTERFACE
   $<BUILD_INTERFACE:-ffp-contract=off>
   $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:${spherewalk_warnings}>>
   # A unity build includes sources, whose anonymous namespaces GCC then takes for those of a header.
-  $<BUILD_INTERFACE:$<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>>
+  $<BUILD_INTERFACE:$<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>>
   $<BUILD_INTERFACE:$<$<BOOL:${SPHEREWALK_WERROR}>:-Werror>>)
 if(SPHEREWALK_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

@@ -4,9 +4,11 @@
 #include "temporary_folder.h"
 
 #include <QApplication>
+#include <QTest>
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <stdexcept>
 
 namespace spherewalk::test {
 
@@ -38,5 +40,13 @@ class QtApplication : public testing::Environment {
 
 /// Owner: GoogleTest.
 inline testing::Environment* const qtApplication = testing::AddGlobalTestEnvironment(new QtApplication);
+
+/// Gives a window the keyboard, as a person who clicks it.
+inline void activate(QWidget& window) {
+    window.activateWindow();
+    if (!QTest::qWaitForWindowActive(&window)) {
+        throw std::runtime_error("the window did not become active");
+    }
+}
 
 } // namespace spherewalk::test

@@ -30,7 +30,7 @@ class PreviewTest : public testing::Test {
         mode.resize(1100, 700);
         mode.setSession(session.get());
         mode.show();
-        QApplication::setActiveWindow(&mode);
+        test::activate(mode);
         mode.activated();
     }
 

@@ -28,7 +28,7 @@ class ReviewModeTest : public testing::Test {
         mode.resize(1100, 700);
         mode.setSession(session.get());
         mode.show();
-        QApplication::setActiveWindow(&mode);
+        test::activate(mode);
         mode.activated();
     }
 

@@ -27,7 +27,7 @@ class Person {
                         .width = 1024, .timeScale = 0.001, .keepsPhotos = false}) {
         m_window.resize(1280, 800);
         m_window.show();
-        QApplication::setActiveWindow(&m_window);
+        test::activate(m_window);
         page<CaptureMode>().desk().setPracticeSettings(practice);
     }
 
@@ -71,7 +71,7 @@ class Person {
 
     void type(const char* name, const QString& text) {
         auto& found = widget<QWidget>(name);
-        QApplication::setActiveWindow(&m_window); // a dialog may have been
+        test::activate(m_window); // a dialog may have been
         found.setFocus();
         QTest::keyClick(&found, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&found, text);

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 
 namespace spherewalk::jobs {
 
@@ -88,7 +89,7 @@ class AlignSurvey : public testing::Test {
         return poses;
     }
 
-    static const AlignedPhoto& photoOf(const AlignReport& report, const std::string& file) {
+    static const AlignedPhoto& photoOf(const AlignReport& report, std::string_view file) {
         return *std::find_if(report.photos.begin(), report.photos.end(),
                              [&](const AlignedPhoto& photo) { return photo.file == file; });
     }
