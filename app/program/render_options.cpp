@@ -13,8 +13,8 @@ void RenderOptions::declare(const Command& command, const std::string& datasetHe
     command.option("--camera", m_camera, "Camera: a ROS camera-info YAML").required();
     command
         .option("--scene", m_scene,
-                "Scene model for places between photos: none, sphere, room, depth, or auto")
-        .among({"none", "sphere", "room", "depth", "auto"})
+                "Scene model for places between photos: none, sphere, room, depth, blend, or auto")
+        .among({"none", "sphere", "room", "depth", "blend", "auto"})
         .showDefault();
     command
         .option(

@@ -157,10 +157,7 @@ std::vector<BenchRow> measureScenes(const BenchPhoto& photo, int rounds, Progres
                                     const std::stop_token& stop) {
     std::vector<BenchRow> rows;
     const std::vector<render::SceneKind> scenes = scenesOf(photo.dataset().info());
-    const auto isSurface = [](render::SceneKind scene) {
-        return scene == render::SceneKind::Room || scene == render::SceneKind::Depth;
-    };
-    if (!photo.radiusM() || std::none_of(scenes.begin(), scenes.end(), isSurface)) {
+    if (!photo.radiusM() || std::none_of(scenes.begin(), scenes.end(), render::hasSurfaces)) {
         return rows;
     }
     const CameraModel camera = standardCamera(57);
@@ -175,7 +172,7 @@ std::vector<BenchRow> measureScenes(const BenchPhoto& photo, int rounds, Progres
         contest.run(rounds, std::clamp(rounds / 4, 1, 10), progress, "Timing scene models", stop);
         const Measured sphere = contest.of(sceneRowName(render::SceneKind::Sphere, sampling));
         for (const render::SceneKind scene : scenes) {
-            if (isSurface(scene)) {
+            if (render::hasSurfaces(scene)) {
                 BenchRow row;
                 row.name = sceneRowName(scene, sampling);
                 row.own = contest.of(row.name);

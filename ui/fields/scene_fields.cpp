@@ -30,6 +30,8 @@ QString sceneWord(render::SceneKind scene) {
         return RungWords::tr("room");
     case render::SceneKind::Depth:
         return RungWords::tr("depth");
+    case render::SceneKind::Blend:
+        return RungWords::tr("blend");
     }
     return {};
 }

@@ -118,6 +118,7 @@ PreviewMode::SideChoice PreviewMode::makeSide(const QString& name, QGridLayout& 
     side.scene->addItem(tr("Sphere"), static_cast<int>(render::SceneKind::Sphere));
     side.scene->addItem(tr("Room: walls, floor, ceiling"), static_cast<int>(render::SceneKind::Room));
     side.scene->addItem(tr("Depth of each pixel"), static_cast<int>(render::SceneKind::Depth));
+    side.scene->addItem(tr("Blend: depth, photos mixed"), static_cast<int>(render::SceneKind::Blend));
     side.sampling = new QComboBox(this);
     side.sampling->setAccessibleName(tr("Sampling of view %1").arg(name));
     side.sampling->setToolTip(tr("How pixels are made, cheap to exact"));

@@ -49,7 +49,8 @@ jobs::MeasureOptions measureOptions(const MeasureArguments& options, Context& co
 
 /// What a survey is to be exported with, so that this scene model can be compared; nothing: all of them.
 render::SceneKind richest(const std::optional<render::SceneKind>& scene) {
-    return std::max(scene.value_or(render::SceneKind::Depth), render::SceneKind::Sphere);
+    return std::clamp(scene.value_or(render::SceneKind::Depth), render::SceneKind::Sphere,
+                      render::SceneKind::Depth);
 }
 
 Result measureViews(const MeasureArguments& options, Context& context) {

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 _Path = str | os.PathLike[str]
 _Frame = Literal["optical", "body"]
-_Scene = Literal["auto", "none", "sphere", "room", "depth"]
+_Scene = Literal["auto", "none", "sphere", "room", "depth", "blend"]
 _Sampling = Literal["nearest", "bilinear", "reduced", "footprint", "bicubic", "auto"]
 _Lens = Literal["none", "plumb_bob", "rational_polynomial", "equidistant"]
 

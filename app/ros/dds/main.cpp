@@ -192,7 +192,7 @@ void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOp
     command.option("--camera-frame", node.cameraFrame, "Optical frame of the camera").showDefault();
     command.option("--rate", node.rate, "Frames a second of simulation time; 0: one for each pose")
         .showDefault();
-    command.option("--scene", node.scene, "none, sphere, room, depth, or auto").showDefault();
+    command.option("--scene", node.scene, "none, sphere, room, depth, blend, or auto").showDefault();
     command.option("--sampling", node.sampling, "nearest, bilinear, reduced, footprint, bicubic, or auto")
         .showDefault();
     command

@@ -329,7 +329,8 @@ GridStudy gridStudy(const render::Renderer& renderer, const CameraModel& camera,
             }
         }
     }
-    for (const SceneKind scene : {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth}) {
+    for (const SceneKind scene :
+         {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth, SceneKind::Blend}) {
         if (std::any_of(study.rows.begin(), study.rows.end(),
                         [&](const GridRow& row) { return row.scene == scene; })) {
             study.answers.push_back(answerOf(study, scene, options));

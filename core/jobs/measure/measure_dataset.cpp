@@ -215,7 +215,7 @@ class Measurement {
         std::uint64_t bytes = 0;
         for (const render::DatasetPhoto& photo : m_renderer.dataset().info().photos) {
             bytes += photo.sizeBytes;
-            if (scene == SceneKind::Depth && !photo.depth.empty()) {
+            if (render::usesDepths(scene) && !photo.depth.empty()) {
                 bytes += std::filesystem::file_size(m_renderer.dataset().folder() / photo.depth);
             }
         }

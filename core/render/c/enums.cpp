@@ -39,10 +39,11 @@ constexpr Numbers<LensModel, 4> kLensNumbers{
      {SPHEREWALK_LENS_RATIONAL_POLYNOMIAL, LensModel::RationalPolynomial},
      {SPHEREWALK_LENS_EQUIDISTANT, LensModel::Equidistant}}};
 
-constexpr Numbers<SceneKind, 4> kSceneNumbers{{{SPHEREWALK_SCENE_NONE, SceneKind::None},
+constexpr Numbers<SceneKind, 5> kSceneNumbers{{{SPHEREWALK_SCENE_NONE, SceneKind::None},
                                                {SPHEREWALK_SCENE_SPHERE, SceneKind::Sphere},
                                                {SPHEREWALK_SCENE_ROOM, SceneKind::Room},
-                                               {SPHEREWALK_SCENE_DEPTH, SceneKind::Depth}}};
+                                               {SPHEREWALK_SCENE_DEPTH, SceneKind::Depth},
+                                               {SPHEREWALK_SCENE_BLEND, SceneKind::Blend}}};
 
 constexpr Numbers<Sampling, 6> kSamplingNumbers{{{SPHEREWALK_SAMPLING_NEAREST, Sampling::Nearest},
                                                  {SPHEREWALK_SAMPLING_BILINEAR, Sampling::Bilinear},

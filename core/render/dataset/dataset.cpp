@@ -45,6 +45,7 @@ bool hasScene(const DatasetInfo& info, std::size_t photo, SceneKind kind) {
     case SceneKind::Room:
         return info.roomShape.has_value();
     case SceneKind::Depth:
+    case SceneKind::Blend:
         return !info.photos[photo].depth.empty();
     default:
         return true;
@@ -63,14 +64,14 @@ std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
     }
     if (std::any_of(info.photos.begin(), info.photos.end(),
                     [](const DatasetPhoto& photo) { return !photo.depth.empty(); })) {
-        scenes.push_back(SceneKind::Depth);
+        scenes.insert(scenes.end(), {SceneKind::Depth, SceneKind::Blend});
     }
     return scenes;
 }
 
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
     if (!info.photos[photo].depth.empty()) {
-        return SceneKind::Depth;
+        return SceneKind::Blend;
     }
     if (info.roomShape) {
         return SceneKind::Room;

@@ -246,7 +246,7 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
     for (std::size_t i = 0; i < models.arraySize(100); ++i) {
         const JsonReader model = models.element(i);
         const std::string kind = model.string("kind"); // kinds of later versions are left out
-        if (kind != "sphere" && kind != "room" && kind != "depth") {
+        if (kind != "sphere" && kind != "room" && kind != "depth" && kind != "blend") {
             continue;
         }
         if (!model.isAbsent("measured_error_px")) {
@@ -328,8 +328,10 @@ Json toJson(const DatasetInfo& info) {
                           {"ceiling_m", info.roomShape->ceilingM},
                           {"measured_error_px", measuredErrorPx(info, SceneKind::Room)}});
     }
-    if (scenesOf(info).back() == SceneKind::Depth) {
-        models.push_back({{"kind", "depth"}, {"measured_error_px", measuredErrorPx(info, SceneKind::Depth)}});
+    for (const SceneKind kind : scenesOf(info)) {
+        if (usesDepths(kind)) {
+            models.push_back({{"kind", name(kind)}, {"measured_error_px", measuredErrorPx(info, kind)}});
+        }
     }
     Json cameras = Json::array();
     for (const SuggestedCamera& camera : info.cameras) {

@@ -15,10 +15,11 @@ namespace spherewalk::render {
 
 namespace {
 
-constexpr EnumNames<SceneKind, 4> kSceneNames{{{SceneKind::None, "none"},
+constexpr EnumNames<SceneKind, 5> kSceneNames{{{SceneKind::None, "none"},
                                                {SceneKind::Sphere, "sphere"},
                                                {SceneKind::Room, "room"},
-                                               {SceneKind::Depth, "depth"}}};
+                                               {SceneKind::Depth, "depth"},
+                                               {SceneKind::Blend, "blend"}}};
 
 constexpr EnumNames<Sampling, 6> kSamplingNames{{{Sampling::Nearest, "nearest"},
                                                  {Sampling::Bilinear, "bilinear"},

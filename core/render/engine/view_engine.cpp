@@ -23,7 +23,7 @@ constexpr double kDepthResidual = 0.02;
 
 /// See ViewReport::parallaxPx: offset times the error of the inverse distance times the focal length.
 double parallax(SceneKind scene, double radiusM, double offsetM, const CameraModel& camera) {
-    const double inverseDistanceError = scene == SceneKind::Depth  ? kDepthResidual / radiusM
+    const double inverseDistanceError = usesDepths(scene)          ? kDepthResidual / radiusM
                                         : scene == SceneKind::None ? 1 / radiusM
                                                                    : 1 / (0.5 * radiusM) - 1 / radiusM;
     return std::max(camera.intrinsics().fx, camera.intrinsics().fy) * offsetM * inverseDistanceError;
@@ -195,12 +195,20 @@ void ViewEngine::draw(const ViewRequest& request, const Plan& plan, const PlaneV
 /// Makes all of a view whose plan has surfaces, from the photos nearest to the camera.
 void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view) {
     const auto begin = std::chrono::steady_clock::now();
-    withTools(request.options.threads, [&](const Tools& tools) { drawSurfaces(request, plan, tools, view); });
+    withTools(request.options.threads, [&](const Tools& tools) {
+        if (plan.surface == SceneKind::Blend) {
+            drawSurfaces(request, plan, tools, tools.memory.blendedView, view);
+        } else {
+            drawSurfaces(request, plan, tools, tools.memory.surfaceView, view);
+        }
+    });
     view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
 }
 
-void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools, View& view) {
-    SurfaceView& surfaceView = tools.memory.surfaceView;
+/// surfaceView: what draws surfaces, a SurfaceView or a BlendedView.
+template <class Surface>
+void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
+                              Surface& surfaceView, View& view) {
     const auto rays = pixelRaysOf(request.camera, tools);
     std::vector<SurfacePhoto> photos;
     for (const std::size_t photo :
@@ -248,7 +256,7 @@ void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Serv
     report.origin = served.origin;
     report.isLate = served.isLate;
     report.offsetM = (request.roomFromCamera.translation - photo.roomFromPhoto.translation).norm();
-    report.parallaxPx = parallax(plan.surface == SceneKind::Depth ? SceneKind::Depth : plan.scene,
+    report.parallaxPx = parallax(plan.surface && usesDepths(*plan.surface) ? SceneKind::Depth : plan.scene,
                                  plan.radiusM, report.offsetM, request.camera);
     report.blurPx =
         served.coarse
@@ -294,7 +302,7 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
     if (options.wantsTrust) {
         TrustOptions trust;
         trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
-        trust.distanceResidual = plan.surface == SceneKind::Depth ? kDepthResidual : 1;
+        trust.distanceResidual = plan.surface && usesDepths(*plan.surface) ? kDepthResidual : 1;
         trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
         view.trust = pixelTrust(geometry, trust, tools.pool, tools.threads);
     }

@@ -69,6 +69,7 @@ class ViewEngine {
     struct Memory {
         Workspace workspace;
         SurfaceView surfaceView;
+        BlendedView blendedView;
     };
 
     /// What one view is drawn with. threads: the most to use of the pool.
@@ -93,7 +94,9 @@ class ViewEngine {
     void draw(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
               View& view);
     void makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view);
-    void drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools, View& view);
+    template <class Surface>
+    void drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools, Surface& surfaceView,
+                      View& view);
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
     void addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
                    DepthImage depth, View& view);

@@ -126,6 +126,28 @@ void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::i
     }
 }
 
+void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::int32_t* v,
+                 std::int32_t* places) {
+    const F df;
+    const I d;
+    const V first = hn::Set(df, placing.first);
+    const V scale = hn::Set(df, placing.scale);
+    const VI width = hn::Set(d, placing.width);
+    const VI lastColumn = hn::Set(d, placing.width - 1);
+    const VI lastRow = hn::Set(d, placing.height - 1);
+    const VI zero = hn::Zero(d);
+    for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+        const V right = hn::Mul(hn::Sub(hn::ConvertTo(df, hn::LoadU(d, u + x)), first), scale);
+        const V down = hn::Mul(hn::Sub(hn::ConvertTo(df, hn::LoadU(d, v + x)), first), scale);
+        VI column = hn::ConvertTo(d, right);
+        column = hn::Add(column, hn::IfThenElseZero(hn::Lt(column, zero), width));
+        column = hn::Sub(column, hn::IfThenElseZero(hn::Gt(column, lastColumn), width));
+        column = hn::Min(hn::Max(column, zero), lastColumn);
+        const VI row = hn::Min(hn::Max(hn::ConvertTo(d, down), zero), lastRow);
+        hn::StoreU(hn::Add(hn::Mul(row, width), column), d, places + x);
+    }
+}
+
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
              std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v) {
     const I d;
@@ -199,6 +221,7 @@ HWY_EXPORT(range);
 HWY_EXPORT(zeros);
 HWY_EXPORT(takeUnseen);
 HWY_EXPORT(placeRows);
+HWY_EXPORT(placeInMask);
 HWY_EXPORT(takeOwn);
 HWY_EXPORT(boxOfAll);
 HWY_EXPORT(boxOfPhoto);
@@ -219,6 +242,11 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
 void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
                int apart, std::int32_t* places, std::int32_t* fractions) {
     HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
+}
+
+void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::int32_t* v,
+                 std::int32_t* places) {
+    HWY_DYNAMIC_DISPATCH(placeInMask)(placing, u, v, places);
 }
 
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,

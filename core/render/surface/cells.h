@@ -96,6 +96,18 @@ struct SamplePlacing {
 void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
                int apart, std::int32_t* places, std::int32_t* fractions);
 
+/// How coordinates in a photo become places in a mask of the photo that may have another size.
+struct MaskPlacing {
+    float first; ///< The coordinate of the photo's left and upper edge.
+    float scale; ///< Pixels of the mask in a unit of fixed point.
+    std::int32_t width;
+    std::int32_t height;
+};
+
+/// Computes the numbers of the nearest pixels in the mask, row after row, of a row of sixteen pixels.
+void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::int32_t* v,
+                 std::int32_t* places);
+
 /// Takes coordinates of a cell's pixels where the pixels come from that photo. sources: 16 rows.
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,
              std::ptrdiff_t pitch, std::uint8_t photo, std::int32_t* u, std::int32_t* v);

@@ -12,7 +12,76 @@
 
 namespace spherewalk::render {
 
-SurfaceMesh::SurfaceMesh(const DepthMap& map) : m_width(map.width()), m_height(map.height()) {
+namespace {
+
+/// The weight beside a nearer thing, at a distance of 1, 2 and 3 pixels.
+constexpr std::array<std::uint8_t, 3> kRimWeights{1, 8, 64};
+/// A thing is nearer if its 1 / distance is larger by this share, and by more than a slanted surface would
+/// rise.
+constexpr float kNearer = 0.08F;
+constexpr float kSlant = 1.5F;
+/// The weight of a pixel whose depth was filled in.
+constexpr int kUnsureWeight = 96;
+
+using Values = Image<float, 1>;
+
+/// The extreme of each pixel and its eight neighbours. The first column goes on after the last. pick: the
+/// greater or the lesser of two values.
+template <class Pick>
+Values extremeAround(const Values& of, Pick&& pick) {
+    const int width = of.width();
+    Values rows(width, of.height());
+    for (int y = 0; y < of.height(); ++y) {
+        const float* from = of.at(0, y);
+        float* to = rows.at(0, y);
+        for (int x = 1; x + 1 < width; ++x) {
+            to[x] = pick(from[x], pick(from[x - 1], from[x + 1]));
+        }
+        to[0] = pick(from[0], pick(from[width - 1], from[1]));
+        to[width - 1] = pick(from[width - 1], pick(from[width - 2], from[0]));
+    }
+    Values all(width, of.height());
+    for (int y = 0; y < of.height(); ++y) {
+        const float* above = rows.at(0, std::max(0, y - 1));
+        const float* own = rows.at(0, y);
+        const float* below = rows.at(0, std::min(of.height() - 1, y + 1));
+        float* to = all.at(0, y);
+        for (int x = 0; x < width; ++x) {
+            to[x] = pick(own[x], pick(above[x], below[x]));
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+MaskImage colourWeights(const DepthMap& map) {
+    const std::span<const float> inverse = map.inverseM().values();
+    MaskImage weights(map.width(), map.height());
+    std::fill(weights.values().begin(), weights.values().end(), std::uint8_t{255});
+    for (std::size_t i = 0; i < map.sure().values().size(); ++i) {
+        if (map.sure().values()[i] == 0) {
+            weights.values()[i] = kUnsureWeight;
+        }
+    }
+    Values greatest = map.inverseM();
+    Values least = map.inverseM();
+    for (const std::uint8_t weight : kRimWeights) {
+        greatest = extremeAround(greatest, [](float a, float b) { return std::max(a, b); });
+        least = extremeAround(least, [](float a, float b) { return std::min(a, b); });
+        const float* most = greatest.values().data();
+        const float* fewest = least.values().data();
+        for (std::size_t i = 0; i < inverse.size(); ++i) {
+            const bool isRim =
+                most[i] - inverse[i] > kNearer * inverse[i] + kSlant * (inverse[i] - fewest[i]);
+            weights.values()[i] = std::min(weights.values()[i], isRim ? weight : std::uint8_t{255});
+        }
+    }
+    return weights;
+}
+
+SurfaceMesh::SurfaceMesh(const DepthMap& map)
+    : m_width(map.width()), m_height(map.height()), m_colourWeights(render::colourWeights(map)) {
     if (m_width % kBlock != 0) {
         throw Error(ErrorKind::InvalidInput, "A depth's width must be a multiple of 16 pixels.");
     }

@@ -19,6 +19,11 @@ namespace spherewalk::render {
 
 class SurfaceMesh;
 
+/// How much the colour of each of a photo's pixels counts where other photos show the same: from 1 for the
+/// rim behind a nearer thing, where pixels mix both, to 255. Pixels whose depth was filled in count less,
+/// too. Shape: the map's.
+MaskImage colourWeights(const DepthMap& map);
+
 /// The patches of a photo's surface at the edges of things, where it is torn. A patch is a rectangle of the
 /// photo with 1 / distance at its corners. Where distances of four pixels jump too much, the pixels are not
 /// joined into one surface. Each pixel then gets patches, alone or with one neighbour, that end halfway to
@@ -156,6 +161,9 @@ class SurfaceMesh {
 
     const EdgePatches& patches() const { return m_patches; }
 
+    /// colourWeights() of the map.
+    const MaskImage& colourWeights() const { return m_colourWeights; }
+
     /// The bound of a block's vertices. Their directions end within the chord `radius` of the unit vector
     /// `centre`. Their 1 / distance, in 1/m, lies between `least` and `most`.
     struct Bound {
@@ -190,6 +198,7 @@ class SurfaceMesh {
         m_centres;                  ///< Every second one of these four, which is at the pixels' centres.
     std::vector<float> m_deviation; ///< Block after block.
     EdgePatches m_patches;
+    MaskImage m_colourWeights;
     std::vector<Bound> m_bounds;
 };
 

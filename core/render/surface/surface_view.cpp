@@ -49,6 +49,12 @@ struct Box {
 
 } // namespace
 
+Rigid3 between(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto) {
+    const Eigen::Quaterniond cameraFromRoom = roomFromCamera.rotation.conjugate();
+    return {(cameraFromRoom * roomFromPhoto.rotation).normalized(),
+            cameraFromRoom * (roomFromPhoto.translation - roomFromCamera.translation)};
+}
+
 SurfaceView::Cell SurfaceView::cell(int column, int row) const {
     return {column, row, std::min(kCell, m_width - column * kCell), std::min(kCell, m_height - row * kCell)};
 }
@@ -95,14 +101,9 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
                                                  std::span<const SurfacePhoto> photos, WorkerPool& pool,
                                                  int threads) {
     const CameraModel& camera = rays.camera();
-    const Rigid3 cameraFromRoom = roomFromCamera.inverse();
     std::vector<SourcePhoto> drawn;
     for (std::size_t i = 0; i < photos.size() && m_open.any(); ++i) {
-        // Positions are subtracted first: a room may lie at 10^6 m.
-        const Rigid3 cameraFromPhoto{
-            (cameraFromRoom.rotation * photos[i].roomFromPhoto.rotation).normalized(),
-            cameraFromRoom.rotation * (photos[i].roomFromPhoto.translation - roomFromCamera.translation)};
-        m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open,
+        m_raster.draw(*photos[i].mesh, between(roomFromCamera, photos[i].roomFromPhoto), camera, m_open,
                       i == 0 ? kTolerancePx : kFurtherTolerancePx, pool, threads,
                       i == 0 ? m_coordinates.inverse : m_seen);
         if (i > 0) {
@@ -121,15 +122,52 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
     return drawn;
 }
 
-std::vector<TileSet> SurfaceView::prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                          std::span<const SurfacePhoto> photos, double usualDistanceM,
-                                          int samplesPerAxis, WorkerPool& pool, int threads) {
+void SurfaceView::begin(const PixelRays& rays, int samplesPerAxis) {
     m_width = rays.camera().width();
     m_height = rays.camera().height();
     m_samples = samplesPerAxis;
     m_coordinates.reset(m_width, m_height);
     m_open = OpenCells(m_width, m_height);
+}
+
+std::vector<TileSet> SurfaceView::prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                          std::span<const SurfacePhoto> photos, double usualDistanceM,
+                                          int samplesPerAxis, WorkerPool& pool, int threads) {
+    begin(rays, samplesPerAxis);
     const std::vector<SourcePhoto> drawn = drawPhotos(rays, roomFromCamera, photos, pool, threads);
+    return locate(rays, roomFromCamera, photos, drawn, usualDistanceM, pool, threads);
+}
+
+/// Marks the cells in which the photo has a share as its own.
+void SurfaceView::mark(const MaskImage& share) {
+    for (int row = 0; row < m_coordinates.rows(); ++row) {
+        for (int column = 0; column < m_coordinates.columns(); ++column) {
+            bool hasShare = false;
+            for (int y = row * kCell; y < (row + 1) * kCell && !hasShare; ++y) {
+                const std::uint8_t* of = share.at(column * kCell, y);
+                hasShare = std::any_of(of, of + kCell, [](std::uint8_t part) { return part > 0; });
+            }
+            m_coordinates.sources[m_coordinates.index(column, row)] = hasShare ? 1U : 0U;
+        }
+    }
+}
+
+TileSet SurfaceView::prepareKnown(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                  const SurfacePhoto& photo, const KnownDistances& known,
+                                  double usualDistanceM, int samplesPerAxis, WorkerPool& pool, int threads) {
+    begin(rays, samplesPerAxis);
+    m_coordinates.inverse = known.inverse;
+    m_open = known.open;
+    mark(known.share);
+    const SourcePhoto source{photo.roomFromPhoto, photo.grid.photo()};
+    return locate(rays, roomFromCamera, {&photo, 1}, {&source, 1}, usualDistanceM, pool, threads).front();
+}
+
+/// Finds the coordinates and tells which tiles of each photo are needed.
+std::vector<TileSet> SurfaceView::locate(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                         std::span<const SurfacePhoto> photos,
+                                         std::span<const SourcePhoto> drawn, double usualDistanceM,
+                                         WorkerPool& pool, int threads) {
     m_photos = drawn.size();
     std::vector<TileSet> needs;
     for (const SurfacePhoto& photo : photos) {
@@ -276,6 +314,35 @@ void SurfaceView::sampleOthers(const Cell& at, std::span<const PlaneView> planes
     }
 }
 
+void SurfaceView::look(const MaskImage& ofPhoto, const EquirectSize& photo, int row,
+                       std::span<std::uint8_t> values) const {
+    const simd::MaskPlacing placing{(PlaneLayout::kGuard - 0.5F) * kFixedOne,
+                                    static_cast<float>(ofPhoto.width()) / static_cast<float>(photo.width) /
+                                        kFixedOne,
+                                    ofPhoto.width(), ofPhoto.height()};
+    const std::uint8_t* from = ofPhoto.at(0, 0);
+    for (int column = 0; column < m_coordinates.columns(); ++column) {
+        std::uint8_t* to = values.data() + static_cast<std::ptrdiff_t>(column) * kCell;
+        const int count = std::min(kCell, m_width - column * kCell);
+        if (!shows(column, row / kCell)) {
+            std::fill_n(to, count, std::uint8_t{0});
+            continue;
+        }
+        const std::size_t at = m_coordinates.index(column, row / kCell) * SurfaceCoordinates::kCellPixels +
+                               static_cast<std::size_t>(row % kCell * kCell);
+        std::array<std::int32_t, kCell> places;
+        simd::placeInMask(placing, m_coordinates.u.data() + at, m_coordinates.v.data() + at, places.data());
+        for (int x = 0; x < count; ++x) {
+            to[x] = from[places[static_cast<std::size_t>(x)]];
+        }
+    }
+}
+
+/// Whether the first photo shows in a cell.
+bool SurfaceView::shows(int column, int row) const {
+    return (m_coordinates.sources[m_coordinates.index(column, row)] & 1U) != 0;
+}
+
 void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling,
                          WorkerPool& pool, int threads, RgbImage& picture) const {
     if (picture.width() != rays.camera().width() || picture.height() != rays.camera().height()) {
@@ -285,7 +352,9 @@ void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> plane
         std::array<SampleSpace, 2> first{SampleSpace(m_samples), SampleSpace(m_samples)};
         SampleSpace others(m_samples);
         // A cell's pixels are on their way from memory while the cell before it is sampled.
-        fillFirst(cell(0, row), planes[0], sampling, first[0]);
+        if (shows(0, row)) {
+            fillFirst(cell(0, row), planes[0], sampling, first[0]);
+        }
         for (int column = 0; column < m_coordinates.columns(); ++column) {
             const Cell at = cell(column, row);
             const SampleSpace& now = first[static_cast<std::size_t>(column % 2)];
@@ -297,13 +366,15 @@ void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> plane
                                       at.width,
                                       at.height,
                                       (column + 1) * kCell + 2 <= m_width};
-            if (column + 1 < m_coordinates.columns()) {
+            if (column + 1 < m_coordinates.columns() && shows(column + 1, row)) {
                 SampleSpace& next = first[static_cast<std::size_t>((column + 1) % 2)];
                 fillFirst(cell(column + 1, row), planes[0], sampling, next);
                 samples.next = next.places.data();
                 samples.nextStep = next.step;
             }
-            simd::sample(planes[0], sampling, samples);
+            if (shows(column, row)) {
+                simd::sample(planes[0], sampling, samples);
+            }
             sampleOthers(at, planes, sampling, others, picture);
         }
     });
@@ -329,7 +400,7 @@ Surfaces::Surfaces(std::shared_ptr<const Dataset> dataset) : m_dataset(std::move
 bool Surfaces::has(SceneKind kind, std::size_t photo) const {
     const DatasetInfo& info = m_dataset->info();
     return kind == SceneKind::Room ? info.roomShape.has_value()
-                                   : kind == SceneKind::Depth && !info.photos[photo].depth.empty();
+                                   : usesDepths(kind) && !info.photos[photo].depth.empty();
 }
 
 SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
@@ -348,7 +419,8 @@ SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
 }
 
 std::shared_ptr<const SurfaceMesh> Surfaces::get(SceneKind kind, std::size_t photo) {
-    return m_meshes.get({kind, photo}, [&] { return made(kind, photo); });
+    const SceneKind of = usesDepths(kind) ? SceneKind::Depth : kind;
+    return m_meshes.get({of, photo}, [&] { return made(of, photo); });
 }
 
 std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
@@ -363,7 +435,8 @@ std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector
     const auto distance = [&](std::size_t i) {
         return (photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
     };
-    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kPhotosOfView));
+    const std::size_t most = kind == SceneKind::Blend ? kPhotosOfBlend : kPhotosOfView;
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), most));
     std::partial_sort(order.begin(), middle, order.end(), [&](std::size_t a, std::size_t b) {
         return distance(a) != distance(b) ? distance(a) < distance(b) : a < b;
     });

@@ -34,6 +34,8 @@ class Surfaces {
   public:
     /// A view takes so many photos at most.
     static constexpr std::size_t kPhotosOfView = 3;
+    /// A view takes so many photos at most where photos are mixed.
+    static constexpr std::size_t kPhotosOfBlend = 4;
 
     explicit Surfaces(std::shared_ptr<const Dataset> dataset);
 
@@ -44,8 +46,8 @@ class Surfaces {
     /// and for one whose width is no multiple of 16; InvalidInput for a room that cannot be.
     std::shared_ptr<const SurfaceMesh> get(SceneKind kind, std::size_t photo);
 
-    /// The photos for a view from the point, the nearest first, at most kPhotosOfView. The list is empty if
-    /// none has a surface. without: a photo that is left out.
+    /// The photos for a view from the point, the nearest first, at most kPhotosOfView or kPhotosOfBlend. The
+    /// list is empty if none has a surface. without: a photo that is left out.
     std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
                                        std::optional<std::size_t> without = std::nullopt) const;
 
@@ -56,6 +58,16 @@ class Surfaces {
 
     std::shared_ptr<const Dataset> m_dataset;
     RecentlyUsed<std::pair<SceneKind, std::size_t>, SurfaceMesh> m_meshes{kKept};
+};
+
+/// The camera from the photo. Positions are subtracted first, since a room may lie at 10^6 m.
+Rigid3 between(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto);
+
+/// What a view is known to see.
+struct KnownDistances {
+    const InverseBuffer& inverse; ///< 0 is a hole.
+    const OpenCells& open;        ///< The cells with holes.
+    const MaskImage& share;       ///< Cells that are all 0 are not sampled. Shape: that of `inverse`.
 };
 
 /// Draws surfaces as a camera sees them. It keeps its memory. The values are the same for any number of
@@ -98,6 +110,18 @@ class SurfaceView {
                                  std::span<const SurfacePhoto> photos, double usualDistanceM,
                                  int samplesPerAxis, WorkerPool& pool, int threads);
 
+    /// As prepare(), for one photo and distances that are known. Where cells are not sampled, sample() leaves
+    /// the picture as it is.
+    TileSet prepareKnown(const PixelRays& rays, const Rigid3& roomFromCamera, const SurfacePhoto& photo,
+                         const KnownDistances& known, double usualDistanceM, int samplesPerAxis,
+                         WorkerPool& pool, int threads);
+
+    /// Looks up what a row of the view's pixels has in a mask of the first photo: the nearest pixel's value,
+    /// and 0 in cells that do not show the photo. ofPhoto: 2:1, of any size. photo: the size of the level
+    /// that is sampled. values: it has the view's width.
+    void look(const MaskImage& ofPhoto, const EquirectSize& photo, int row,
+              std::span<std::uint8_t> values) const;
+
     /// Makes the picture. rays: those of prepare(). planes: those of the photos of prepare(), in its order.
     /// sampling: not Auto. picture: it gets the view's size.
     void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
@@ -137,6 +161,12 @@ class SurfaceView {
                     const PixelRows& rows, SampleSpace& space) const;
     void samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
                     SampleSpace& space, RgbImage& picture) const;
+    void begin(const PixelRays& rays, int samplesPerAxis);
+    void mark(const MaskImage& share);
+    bool shows(int column, int row) const;
+    std::vector<TileSet> locate(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                std::span<const SurfacePhoto> photos, std::span<const SourcePhoto> drawn,
+                                double usualDistanceM, WorkerPool& pool, int threads);
     std::vector<SourcePhoto> drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
                                         std::span<const SurfacePhoto> photos, WorkerPool& pool, int threads);
 
@@ -148,6 +178,72 @@ class SurfaceView {
     SurfaceRaster m_raster;
     SurfaceCoordinates m_coordinates;
     std::size_t m_photos = 0; ///< The number of photos that were drawn.
+    double m_filledShare = 0;
+};
+
+/// What one photo says about a view's distances, and what part it gets in the view.
+struct DepthWitness {
+    double offsetM = 0;                  ///< The distance from the photo to the camera.
+    const InverseBuffer* seen = nullptr; ///< What the camera sees of the photo's surface.
+    MaskImage* share = nullptr; ///< Output: the photo's share of each pixel; the view in whole cells.
+};
+
+/// Finds one distance for each pixel, and which photos show it. The first photo with a surface there decides.
+/// Photos whose 1 / s differ by less than 6 % are mixed, less the more they differ. Each counts by 1 / its
+/// squared distance from the camera, so at a photo that photo alone decides. witnesses: 1 to 8, the nearest
+/// first, of views of the same size. width, height: the view's size. inverse: it gets the view's 1 / s, 0
+/// where no photo sees anything. The shares of a pixel add up to 255; a pixel that no photo sees is the first
+/// photo's. The values are the same for any number of threads.
+void fuseDepths(std::span<const DepthWitness> witnesses, int width, int height, WorkerPool& pool, int threads,
+                InverseBuffer& inverse);
+
+/// Fills what no photo shows with the colours around it, softly. Each pixel gets a mean of the nearest known
+/// pixels in eight directions. Near ones count more, and so do far surfaces, since what is hidden lies
+/// behind. known: 0 where a pixel is to be filled. inverse: 1 / s of the pixels around. The bytes are the
+/// same for any number of threads.
+void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool& pool, int threads,
+                RgbImage& picture);
+
+/// A view from the surfaces of several photos, in which photos that agree about a pixel's distance are mixed.
+/// Each counts by 1 / its squared distance from the camera, so the view at a photo is that photo. It is used
+/// as a SurfaceView is. The bytes are the same for any number of threads. Threads: one at a time.
+class BlendedView {
+  public:
+    /// As SurfaceView::prepare().
+    std::vector<TileSet> prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
+                                 std::span<const SurfacePhoto> photos, double usualDistanceM,
+                                 int samplesPerAxis, WorkerPool& pool, int threads);
+
+    /// As SurfaceView::sample().
+    void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
+                int threads, RgbImage& picture);
+
+    /// As SurfaceView::depth().
+    DepthImage depth(const PixelRays& rays) const { return m_layers.front().view.depth(rays); }
+
+    /// As SurfaceView::filledShare().
+    double filledShare() const { return m_filledShare; }
+
+  private:
+    /// What one photo gives to the view.
+    struct Layer {
+        std::shared_ptr<const SurfaceMesh> mesh;
+        EquirectSize photo; ///< The size of the level that is sampled.
+        InverseBuffer seen;
+        MaskImage share;
+        SurfaceView view;
+        RgbImage picture;
+    };
+
+    void mixRow(int y, RgbImage& picture);
+    void mix(int y, std::span<const std::vector<float>> weights, std::span<const float> factors,
+             RgbImage& picture) const;
+
+    std::vector<Layer> m_layers;
+    std::size_t m_photos = 0;
+    SurfaceRaster m_raster;
+    InverseBuffer m_inverse;
+    MaskImage m_known; ///< 0 where no photo shows more than the rim of a thing.
     double m_filledShare = 0;
 };
 

@@ -84,10 +84,10 @@ TEST(CameraBox, KeepsItsCameraAndSaysWhyIfAFileCannotBeRead) {
 TEST(SceneFields, EachSceneModelAndSamplingHasAWordOfItsOwn) {
     std::set<QString> scenes;
     for (const auto scene : {render::SceneKind::None, render::SceneKind::Sphere, render::SceneKind::Room,
-                             render::SceneKind::Depth}) {
+                             render::SceneKind::Depth, render::SceneKind::Blend}) {
         scenes.insert(sceneWord(scene));
     }
-    EXPECT_EQ(scenes.size(), 4U);
+    EXPECT_EQ(scenes.size(), 5U);
     std::set<QString> samplings;
     for (const auto sampling :
          {render::Sampling::Nearest, render::Sampling::Bilinear, render::Sampling::Reduced,

@@ -223,7 +223,8 @@ enum {
     SPHEREWALK_SCENE_NONE = 1,   ///< Everything is infinitely far: the nearest photo is only turned.
     SPHEREWALK_SCENE_SPHERE = 2, ///< Everything lies on a sphere about the photo.
     SPHEREWALK_SCENE_ROOM = 3,   ///< There are walls, a floor and a ceiling, and nothing else.
-    SPHEREWALK_SCENE_DEPTH = 4   ///< The distance of each of the photo's pixels was measured.
+    SPHEREWALK_SCENE_DEPTH = 4,  ///< The distance of each of the photo's pixels was measured.
+    SPHEREWALK_SCENE_BLEND = 5   ///< The distances are those of depth, and photos that agree are mixed.
 };
 
 /// How a view's pixel is made from the photo's pixels, cheap to exact. The C++ header ladder.h explains them.

@@ -127,6 +127,7 @@ TEST(MeasureChoice, KnowsTheCostOfEveryRungAndGrowsWithTheSceneModel) {
         EXPECT_GE(nominalCost(SceneKind::Sphere, sampling), nominalCost(SceneKind::None, sampling));
         EXPECT_GT(nominalCost(SceneKind::Room, sampling), nominalCost(SceneKind::Sphere, sampling));
         EXPECT_GT(nominalCost(SceneKind::Depth, sampling), nominalCost(SceneKind::Room, sampling));
+        EXPECT_GT(nominalCost(SceneKind::Blend, sampling), nominalCost(SceneKind::Depth, sampling));
     }
     EXPECT_EQ(nominalCost(SceneKind::Sphere, Sampling::Bilinear), 1);
 }

@@ -96,7 +96,8 @@ TEST(Ladder, AutoIsNeverCheaperForASmallerError) {
 }
 
 TEST(ViewChoice, IsReadAsItWasWritten) {
-    for (const SceneKind scene : {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth}) {
+    for (const SceneKind scene :
+         {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth, SceneKind::Blend}) {
         for (const Sampling each : kFixedSamplings) {
             ViewChoice choice = madeChoice();
             choice.scene = scene;

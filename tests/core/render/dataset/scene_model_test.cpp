@@ -91,7 +91,8 @@ TEST(SphereModel, StaysFiniteOutsideOfTheSphere) {
 }
 
 TEST(SceneKind, IsSpeltOneWay) {
-    for (const SceneKind kind : {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth}) {
+    for (const SceneKind kind :
+         {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth, SceneKind::Blend}) {
         EXPECT_EQ(sceneKind(name(kind)), kind);
     }
     test::expectError(ErrorKind::InvalidInput, "\"cube\" is unknown", [] { sceneKind("cube"); });

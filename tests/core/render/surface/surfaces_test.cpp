@@ -63,7 +63,7 @@ ViewOptions with(SceneKind scene) {
 
 TEST(Surfaces, AreUsedWhereTheDatasetHasThem) {
     const DepthDataset dataset;
-    EXPECT_EQ(dataset.renderer().render(kCamera, pose()).report.scene, SceneKind::Depth);
+    EXPECT_EQ(dataset.renderer().render(kCamera, pose()).report.scene, SceneKind::Blend);
 }
 
 TEST(Surfaces, OfTheRoomAndOfItsDepthGiveTheSameView) {
@@ -99,7 +99,7 @@ TEST(Surfaces, AreRefusedWhereADatasetHasNone) {
     const test::TemporaryFolder folder;
     test::writeTestDataset(folder.path(), {Rigid3{}}, test::smoothWorld, 64);
     const Renderer renderer(std::make_shared<const Dataset>(Dataset::open(folder.path())));
-    for (const SceneKind kind : {SceneKind::Room, SceneKind::Depth}) {
+    for (const SceneKind kind : {SceneKind::Room, SceneKind::Depth, SceneKind::Blend}) {
         test::expectError(ErrorKind::InvalidInput, "no " + std::string(name(kind)) + " scene model",
                           [&] { renderer.render(kCamera, pose(), with(kind)); });
     }

@@ -18,14 +18,20 @@ enum class SceneKind {
     Sphere, ///< Everything lies on a sphere about the photo. Source: Chachula and Stefanczyk.
     Room,   ///< There are walls, a floor and a ceiling, and nothing else.
     Depth,  ///< The distance of each of the photo's pixels was measured.
+    Blend,  ///< The distances are those of Depth, and photos that agree are mixed.
 };
 
 /// Whether a model of this kind gives each photo a surface, so that things hide each other.
 constexpr bool hasSurfaces(SceneKind kind) {
-    return kind == SceneKind::Room || kind == SceneKind::Depth;
+    return kind == SceneKind::Room || kind == SceneKind::Depth || kind == SceneKind::Blend;
 }
 
-/// The word that options and files use: "none", "sphere", "room", "depth".
+/// Whether a model of this kind is made of the distances that were measured for each of the photo's pixels.
+constexpr bool usesDepths(SceneKind kind) {
+    return kind == SceneKind::Depth || kind == SceneKind::Blend;
+}
+
+/// The word that options and files use: "none", "sphere", "room", "depth", "blend".
 std::string_view name(SceneKind kind);
 
 /// The scene model of that word. Errors: InvalidInput, with all the words.
