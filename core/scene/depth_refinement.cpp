@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plane_filters.h"
+#include "small_surfaces.h"
 #include "sweep_cost.h"
 #include "vector_math.h"
 
@@ -20,6 +21,7 @@ constexpr int kFilterRadius = 3;
 constexpr float kFilterSmoothness = 3e-4F;
 constexpr float kNearestM = 0.05F;
 constexpr float kBetter = 0.5F; ///< By how much another distance must fit better to be taken.
+constexpr float kTexture = 6; ///< Grey levels; with less the pictures tell no distance. A standard deviation.
 
 /// Cosine and sine of angles that begin at a half step and go down evenly.
 struct Angles {
@@ -82,7 +84,8 @@ class Refinement {
           m_depth(*photo.depth),
           m_cost(costFor(photo, neighbours, threads)),
           m_filter(guide(m_cost.photo()), kFilterRadius, kFilterSmoothness, threads),
-          m_best(costsOf(m_depth.inverseM)) {}
+          m_best(costsOf(m_depth.inverseM)),
+          m_texture(textureOf(m_cost.photo(), threads)) {}
 
     PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours) {
         std::vector<Plane> known(neighbours.size());
@@ -99,6 +102,7 @@ class Refinement {
             tryAbout(reach, [](float a, float b) { return std::min(a, b); });
             tryAbout(reach, [](float a, float b) { return std::max(a, b); });
         }
+        dropSpecks(*photo.depth);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
         return std::move(m_depth);
     }
@@ -129,6 +133,25 @@ class Refinement {
         return guide;
     }
 
+    /// The variance of brightness about each pixel, in squared grey levels.
+    static Plane textureOf(const SweepPicture& photo, int threads) {
+        Plane mean(photo.width(), photo.height());
+        Plane squares = mean;
+        for (int y = 0; y < photo.height(); ++y) {
+            for (int x = 0; x < photo.width(); ++x) {
+                const float value = photo.brightness(x, y);
+                *mean.at(x, y) = value;
+                *squares.at(x, y) = value * value;
+            }
+        }
+        blur(mean, kFilterRadius, threads);
+        blur(squares, kFilterRadius, threads);
+        for (std::size_t i = 0; i < squares.values().size(); ++i) {
+            squares.values()[i] -= mean.values()[i] * mean.values()[i];
+        }
+        return squares;
+    }
+
     Plane costsOf(const Plane& inverse) const {
         Plane costs(inverse.width(), inverse.height());
         m_cost.all(inverse, m_threads, m_stop, costs);
@@ -136,17 +159,29 @@ class Refinement {
         return costs;
     }
 
-    /// Takes a candidate's distances where they fit better. Calls taken(i) for each such pixel.
+    /// Takes a candidate's distances where they fit better and the picture is not bare. Calls taken(i) for
+    /// each such pixel.
     template <class Taken>
     void takeBetter(const Plane& candidate, const Taken& taken) {
         const Plane costs = costsOf(candidate);
         for (std::size_t i = 0; i < costs.values().size(); ++i) {
-            if (costs.values()[i] < m_best.values()[i] - kBetter) {
+            if (m_texture.values()[i] > kTexture * kTexture &&
+                costs.values()[i] < m_best.values()[i] - kBetter) {
                 m_best.values()[i] = costs.values()[i];
                 m_depth.inverseM.values()[i] = candidate.values()[i];
                 taken(i);
             }
         }
+    }
+
+    /// A surface that came about and is too small to stand by itself is what it was before.
+    void dropSpecks(const PhotoDepth& before) {
+        forEachSpeck(Plane(m_depth.inverseM), [&](const std::vector<std::size_t>& pixels) {
+            for (const std::size_t i : pixels) {
+                m_depth.inverseM.values()[i] = before.inverseM.values()[i];
+                m_depth.sure.values()[i] = before.sure.values()[i];
+            }
+        });
     }
 
     /// Tries what a neighbour knows; 0 where it knows nothing.
@@ -184,7 +219,8 @@ class Refinement {
     PhotoDepth m_depth;
     SweepCost m_cost;
     GuidedFilter m_filter;
-    Plane m_best; ///< The costs of m_depth.
+    Plane m_best;    ///< The costs of m_depth.
+    Plane m_texture; ///< See textureOf().
 };
 
 } // namespace

@@ -95,20 +95,26 @@ Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFr
     return picture;
 }
 
-/// The values of a plane in another frame, each the nearest one.
-Image<float, 1> turned(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame, int threads) {
-    Image<float, 1> result(plane.width(), plane.height());
+/// The values of a plane in another frame, each the nearest one. Shape: as that of a SweepPicture, one column
+/// and one row more.
+std::vector<float> turned(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame, int threads) {
+    const auto pitch = static_cast<std::size_t>(plane.width() + 1);
+    std::vector<float> result(pitch * static_cast<std::size_t>(plane.height() + 1));
     parallelFor(plane.height(), 32, threads, [&](int begin, int end) {
         TurnedRow row(planeFromFrame.cast<float>(), plane.width());
         for (int y = begin; y < end; ++y) {
             row.place(y, plane.width());
+            float* out = result.data() + pitch * static_cast<std::size_t>(y);
             for (int x = 0; x < plane.width(); ++x) {
                 const int column = static_cast<int>(row.u(x) + 0.5F) % plane.width();
                 const int line = std::min(static_cast<int>(row.v(x) + 0.5F), plane.height() - 1);
-                *result.at(x, y) = *plane.at(column, line);
+                out[x] = *plane.at(column, line);
             }
+            out[plane.width()] = out[0];
         }
     });
+    std::copy_n(result.end() - 2 * static_cast<std::ptrdiff_t>(pitch), pitch,
+                result.end() - static_cast<std::ptrdiff_t>(pitch));
     return result;
 }
 
@@ -297,7 +303,7 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
         const Eigen::Matrix3d turn = otherFromPhoto.toRotationMatrix();
         m_neighbours.push_back(
             {SweepPicture(*other.picture, turn, width, threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
-             offset.cast<float>(), m_knowsDepth ? turned(*depths[i], turn, threads) : Image<float, 1>()});
+             offset.cast<float>(), m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
     }
     const double step = 2 * std::numbers::pi / width;
     for (int x = 0; x < width; ++x) {
@@ -339,26 +345,21 @@ void SweepCost::judgeByDepth(const Neighbour& neighbour, int y, const float* inv
     const float square = offset.squaredNorm();
     const float pixelM =
         2 * std::numbers::pi_v<float> / static_cast<float>(width()) / std::max(1e-3F, std::sqrt(square));
-    const int stride = neighbour.picture.stride();
-    for (int x = 0; x < width(); ++x) {
-        const auto i = static_cast<std::size_t>(x);
+    for (std::size_t i = 0; i < scratch.m_first.size(); ++i) {
         const float along =
             m_cosElevation[row] * (m_cosAzimuth[i] * offset.x() + m_sinAzimuth[i] * offset.y()) +
             m_sinElevation[row] * offset.z();
-        const float inverse = inverseM[x];
+        const float inverse = inverseM[i];
         const float expected =
             inverse / std::sqrt(std::max(1e-6F, 1 - 2 * inverse * along + inverse * inverse * square));
-        const int column = scratch.m_first[i] % stride / 4 + (scratch.m_right[i] < 0.5F ? 0 : 1);
-        const int line = scratch.m_first[i] / stride + (scratch.m_down[i] < 0.5F ? 0 : 1);
-        const float seen =
-            *neighbour.inverseM.at(column < width() ? column : 0, std::min(line, height() - 1));
+        const int nearest = scratch.m_first[i] / 4 + (scratch.m_right[i] < 0.5F ? 0 : 1) +
+                            (scratch.m_down[i] < 0.5F ? 0 : width() + 1);
+        const float seen = neighbour.inverseM[static_cast<std::size_t>(nearest)];
         const float same = kSamePx * pixelM + kSameShare * expected;
-        if (seen > expected + same) {
-            costs[x] = HUGE_VALF;
-            ++scratch.m_hidden[i];
-        } else if (seen < expected - same) {
-            costs[x] += kSeenThrough;
-        }
+        const bool isHidden = seen > expected + same;
+        const float through = seen < expected - same ? kSeenThrough : 0.0F;
+        costs[i] = isHidden ? HUGE_VALF : costs[i] + through;
+        scratch.m_hidden[i] += isHidden ? 1.0F : 0.0F;
     }
 }
 

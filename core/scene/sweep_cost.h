@@ -104,7 +104,7 @@ class SweepCost {
     struct Neighbour {
         SweepPicture picture; ///< Turned as the photo is.
         Eigen::Vector3f fromPhotoM;
-        Image<float, 1> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
+        std::vector<float> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
     };
 
     void judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,

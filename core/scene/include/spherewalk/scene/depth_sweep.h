@@ -78,9 +78,10 @@ struct KnownPhoto {
 
 /// A photo's depth, made better by what its neighbours know. What the neighbours are sure of is seen from the
 /// photo, and taken over where it fits the pictures better than the photo's own depth. Edges go where they
-/// fit best, by up to three pixels. A neighbour has no say where its own depth shows something nearer. What
-/// is taken over is `sure`. Shape: all depths are of one width, a multiple of 4. Cost: half a second of one
-/// core with four neighbours. Errors: InvalidInput if sizes differ; Stopped.
+/// fit best, by up to three pixels. A neighbour has no say where its own depth shows something nearer. Bare
+/// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. Shape:
+/// all depths are of one width, a multiple of 4. Cost: half a second of one core with four neighbours.
+/// Errors: InvalidInput if sizes differ; Stopped.
 PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads = 0,
                         const std::stop_token& stop = {});
 
