@@ -26,6 +26,7 @@ constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;
 constexpr int kRefinement = 1;              ///< grows when the same agreed depths are refined another way
 constexpr double kWithAgreement = 1.25;     ///< a depth's time with the neighbours' agreement, of the sweep's
+constexpr double kWithRefinement = 1.5;     ///< the same with refinement, too
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
 /// Files are written under another name and renamed: those that are there are whole.
@@ -144,7 +145,7 @@ class DepthJob {
         const std::chrono::duration<double> reading = read - begin;
         const std::chrono::duration<double> sweeping = Clock::now() - read;
         return reading.count() / static_cast<double>(1 + m_neighbours[photo].size()) +
-               kWithAgreement * sweeping.count();
+               (m_options.onlyForScene ? kWithAgreement : kWithRefinement) * sweeping.count();
     }
 
     /// All that a photo's own depth depends on.
