@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plane_filters.h"
+#include "small_surfaces.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/statistics.h"
@@ -28,7 +29,6 @@ constexpr float kCertain = 0.7F;        ///< Share from which the pixels' depth 
 constexpr float kChanceOfPhoto = 0.25F; ///< The same of a whole photo.
 constexpr float kCertainOfPhoto = 0.5F;
 constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
-constexpr int kFewestTogether = 12;   ///< Pixels of a surface that stands by itself.
 constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
 constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth may differ from the surface's.
 constexpr float kNearestM = 0.2F;
@@ -119,67 +119,6 @@ Plane weights(const MaskImage& evident, const MaskImage& confirmed, int threads)
         }
     }
     return result;
-}
-
-/// Surfaces by themselves: pixels that are joined, one of four beside each other.
-class Surfaces {
-  public:
-    explicit Surfaces(const Plane& inverseM) : m_inverseM(inverseM), m_isSeen(inverseM.values().size()) {}
-
-    /// Calls visit(pixels) for each surface.
-    template <class Visit>
-    void forEach(const Visit& visit) {
-        for (std::size_t i = 0; i < m_isSeen.size(); ++i) {
-            if (m_isSeen[i] == 0) {
-                grow(i);
-                visit(m_pixels);
-            }
-        }
-    }
-
-  private:
-    void grow(std::size_t first) {
-        m_pixels.assign(1, first);
-        m_isSeen[first] = 1;
-        const int width = m_inverseM.width();
-        for (std::size_t k = 0; k < m_pixels.size(); ++k) {
-            const std::size_t from = m_pixels[k];
-            const int x = static_cast<int>(from) % width;
-            const int y = static_cast<int>(from) / width;
-            join(from, (x + 1) % width, y);
-            join(from, (x + width - 1) % width, y);
-            join(from, x, std::min(y + 1, m_inverseM.height() - 1));
-            join(from, x, std::max(y - 1, 0));
-        }
-    }
-
-    void join(std::size_t from, int x, int y) {
-        const auto to = static_cast<std::size_t>(y * m_inverseM.width() + x);
-        const float a = m_inverseM.values()[from];
-        const float b = m_inverseM.values()[to];
-        if (m_isSeen[to] == 0 && std::fabs(a - b) < kJump * std::max(a, b)) {
-            m_isSeen[to] = 1;
-            m_pixels.push_back(to);
-        }
-    }
-
-    static constexpr float kJump = 0.08F; ///< As views tear surfaces.
-
-    const Plane& m_inverseM;
-    std::vector<std::uint8_t> m_isSeen;
-    std::vector<std::size_t> m_pixels;
-};
-
-/// Calls visit(pixels) for each surface that is too small to stand by itself.
-template <class Visit>
-void forEachSpeck(const Plane& inverseM, const Visit& visit) {
-    const double scale = static_cast<double>(inverseM.width()) / kUsualWidth;
-    const double fewest = std::max(2.0, kFewestTogether * scale * scale);
-    Surfaces(inverseM).forEach([&](const std::vector<std::size_t>& pixels) {
-        if (static_cast<double>(pixels.size()) < fewest) {
-            visit(pixels);
-        }
-    });
 }
 
 /// What is known in small surfaces only does not count.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -141,79 +142,110 @@ constexpr float kSameSurface = 0.02F;
 constexpr float kFewestInPlane = 6;
 constexpr float kRidge = 1e-3F; ///< Decides where all values lie in one line.
 
-/// Fits a plane to the values around each pixel of a row. All sums are as long as the row.
-class RowOfPlanes {
-  public:
-    explicit RowOfPlanes(int width) {
-        for (auto* sum : {&m_count, &m_x, &m_y, &m_xx, &m_xy, &m_yy, &m_rise, &m_riseX, &m_riseY}) {
-            sum->resize(static_cast<std::size_t>(width));
-        }
-        m_wrapped.resize(static_cast<std::size_t>(width + 2 * kRadius));
-    }
+constexpr int kAround = 2 * kRadius + 1;
+constexpr int kAtATime = 8;
 
-    void fit(const Plane& inverse, int y) {
-        for (auto* sum : {&m_count, &m_x, &m_y, &m_xx, &m_xy, &m_yy, &m_rise, &m_riseX, &m_riseY}) {
-            std::fill(sum->begin(), sum->end(), 0.0F);
-        }
-        for (int j = std::max(-kRadius, -y); j <= std::min(kRadius, inverse.height() - 1 - y); ++j) {
-            wrap(inverse.row(y + j));
-            for (int i = -kRadius; i <= kRadius; ++i) {
-                add(inverse.at(0, y), i, j);
-            }
-        }
-    }
+using Eight = float __attribute__((vector_size(32)));
+
+/// Vectors go by reference: how they go by value depends on the processor.
+inline void load(const float* values, Eight& eight) {
+    std::memcpy(&eight, values, sizeof eight);
+}
+
+/// The sums over values that belong to the same surface, of eight pixels. Differences from the pixel's own
+/// value keep the digits of small numbers.
+struct PlaneSums {
+    Eight count{}, x{}, y{}, xx{}, xy{}, yy{}, rise{}, riseX{}, riseY{};
 
     /// Stores the plane's value at each pixel, or the old value if too few belong to the same surface.
-    void store(const float* here, float* out) const {
-        for (std::size_t x = 0; x < m_count.size(); ++x) {
-            const float xx = m_xx[x] + kRidge;
-            const float yy = m_yy[x] + kRidge;
-            const float xy = m_xy[x];
-            const float first = xx * yy - xy * xy; // Cofactors of the normal equations' first row.
-            const float second = xy * m_y[x] - m_x[x] * yy;
-            const float third = m_x[x] * xy - xx * m_y[x];
-            const float middle = (first * m_rise[x] + second * m_riseX[x] + third * m_riseY[x]) /
-                                 (first * m_count[x] + second * m_x[x] + third * m_y[x]);
-            const float value = here[x] + middle;
-            out[x] = m_count[x] >= kFewestInPlane && value > 0 ? value : here[x];
+    void store(const Eight& here, float* out) const {
+        const Eight a = xx + kRidge;
+        const Eight d = yy + kRidge;
+        const Eight first = a * d - xy * xy; // Cofactors of the normal equations' first row.
+        const Eight second = xy * y - x * d;
+        const Eight third = x * xy - a * y;
+        const Eight middle =
+            (first * rise + second * riseX + third * riseY) / (first * count + second * x + third * y);
+        const Eight fitted = here + middle;
+        const auto isFitted = (count >= kFewestInPlane) & (fitted > 0.0F);
+        const Eight values = isFitted ? fitted : here;
+        std::memcpy(out, &values, sizeof values);
+    }
+};
+
+/// Fits a plane to the values around each pixel of a row.
+class RowOfPlanes {
+  public:
+    explicit RowOfPlanes(int width)
+        : m_width(width),
+          m_pitch(static_cast<std::size_t>(width + 2 * kRadius + kAtATime)),
+          m_wrapped(kAround * m_pitch),
+          m_fitted(m_pitch) {}
+
+    void fit(const Plane& inverse, int y, float* out) {
+        const int first = std::max(-kRadius, -y);
+        const int last = std::min(kRadius, inverse.height() - 1 - y);
+        for (int j = first; j <= last; ++j) {
+            wrap(inverse.row(y + j), row(j));
         }
+        fitEights(first, last);
+        std::copy_n(m_fitted.begin(), m_width, out);
     }
 
   private:
-    void wrap(std::span<const float> row) {
-        std::copy(row.end() - kRadius, row.end(), m_wrapped.begin());
-        std::copy(row.begin(), row.end(), m_wrapped.begin() + kRadius);
-        std::copy_n(row.begin(), kRadius, m_wrapped.end() - kRadius);
+    /// A row that goes on at both ends, by its offset from the middle one.
+    float* row(int down) { return m_wrapped.data() + static_cast<std::size_t>(down + kRadius) * m_pitch; }
+
+    static void wrap(std::span<const float> from, float* to) {
+        std::copy(from.end() - kRadius, from.end(), to);
+        std::copy(from.begin(), from.end(), to + kRadius);
+        std::copy_n(from.begin(), kRadius, to + kRadius + from.size());
     }
 
-    /// Adds the values at this offset from the row's pixels. Differences keep the digits of small numbers.
     SPHEREWALK_VECTOR_CLONES
-    void add(const float* here, int right, int down) {
-        const float tolerance =
-            kSameSurface *
-            std::max(1.0F, 0.5F * static_cast<float>(std::max(std::abs(right), std::abs(down))));
-        const auto i = static_cast<float>(right);
-        const auto j = static_cast<float>(down);
-        const float* values = m_wrapped.data() + kRadius + right;
-        for (std::size_t x = 0; x < m_count.size(); ++x) {
-            const float difference = values[x] - here[x];
-            const bool isSame = std::fabs(difference) < tolerance * here[x];
-            const float one = isSame ? 1.0F : 0.0F;
-            const float rise = isSame ? difference : 0.0F;
-            m_count[x] += one;
-            m_x[x] += i * one;
-            m_y[x] += j * one;
-            m_xx[x] += i * i * one;
-            m_xy[x] += i * j * one;
-            m_yy[x] += j * j * one;
-            m_rise[x] += rise;
-            m_riseX[x] += i * rise;
-            m_riseY[x] += j * rise;
+    void fitEights(int first, int last) {
+        for (int x = 0; x < m_width; x += kAtATime) {
+            Eight here;
+            load(row(0) + kRadius + x, here);
+            PlaneSums sums;
+            for (int right = -kRadius; right <= kRadius; ++right) {
+                Eight count{}, down{}, downDown{}, rise{}, riseDown{};
+                for (int j = first; j <= last; ++j) {
+                    const int reach = std::max(std::abs(right), std::abs(j));
+                    const float tolerance = kSameSurface * std::max(1.0F, 0.5F * static_cast<float>(reach));
+                    const auto fromMiddle = static_cast<float>(j);
+                    Eight difference;
+                    load(row(j) + kRadius + x + right, difference);
+                    difference -= here;
+                    const Eight size = difference < 0.0F ? -difference : difference;
+                    const auto isSame = size < tolerance * here;
+                    const Eight one = isSame ? Eight{} + 1.0F : Eight{};
+                    const Eight step = isSame ? difference : Eight{};
+                    count += one;
+                    down += fromMiddle * one;
+                    downDown += fromMiddle * fromMiddle * one;
+                    rise += step;
+                    riseDown += fromMiddle * step;
+                }
+                const auto i = static_cast<float>(right);
+                sums.count += count;
+                sums.x += i * count;
+                sums.y += down;
+                sums.xx += i * i * count;
+                sums.xy += i * down;
+                sums.yy += downDown;
+                sums.rise += rise;
+                sums.riseX += i * rise;
+                sums.riseY += riseDown;
+            }
+            sums.store(here, m_fitted.data() + x);
         }
     }
 
-    std::vector<float> m_count, m_x, m_y, m_xx, m_xy, m_yy, m_rise, m_riseX, m_riseY;
-    std::vector<float> m_wrapped; ///< A row of values that goes on at both ends.
+    int m_width;
+    std::size_t m_pitch;
+    std::vector<float> m_wrapped; ///< The rows about the middle one.
+    std::vector<float> m_fitted;
 };
 
 } // namespace
@@ -223,8 +255,7 @@ Plane smoothedSurfaces(const Plane& inverseM, int threads) {
     parallelFor(result.height(), 8, threads, [&](int begin, int end) {
         RowOfPlanes planes(result.width());
         for (int y = begin; y < end; ++y) {
-            planes.fit(inverseM, y);
-            planes.store(inverseM.at(0, y), result.at(0, y));
+            planes.fit(inverseM, y, result.at(0, y));
         }
     });
     return result;

@@ -95,6 +95,29 @@ Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFr
     return picture;
 }
 
+/// The values of a plane in another frame, each the nearest one. Shape: as that of a SweepPicture, one column
+/// and one row more.
+std::vector<float> turned(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame, int threads) {
+    const auto pitch = static_cast<std::size_t>(plane.width() + 1);
+    std::vector<float> result(pitch * static_cast<std::size_t>(plane.height() + 1));
+    parallelFor(plane.height(), 32, threads, [&](int begin, int end) {
+        TurnedRow row(planeFromFrame.cast<float>(), plane.width());
+        for (int y = begin; y < end; ++y) {
+            row.place(y, plane.width());
+            float* out = result.data() + pitch * static_cast<std::size_t>(y);
+            for (int x = 0; x < plane.width(); ++x) {
+                const int column = static_cast<int>(row.u(x) + 0.5F) % plane.width();
+                const int line = std::min(static_cast<int>(row.v(x) + 0.5F), plane.height() - 1);
+                out[x] = *plane.at(column, line);
+            }
+            out[plane.width()] = out[0];
+        }
+    });
+    std::copy_n(result.end() - 2 * static_cast<std::ptrdiff_t>(pitch), pitch,
+                result.end() - static_cast<std::ptrdiff_t>(pitch));
+    return result;
+}
+
 void brighten(Image<float, 3>& picture, const Gains& gains) {
     if (gains == Gains{1, 1, 1}) {
         return;
@@ -250,13 +273,26 @@ void sortSmallest(std::vector<std::vector<float>>& rows, std::size_t kept, int w
     }
 }
 
+std::size_t keptOf(std::size_t count, double share) {
+    return std::max<std::size_t>(1,
+                                 static_cast<std::size_t>(std::lround(static_cast<double>(count) * share)));
+}
+
+constexpr float kSamePx = 2;        ///< Parallax by which two photos' depths of one thing may differ,
+constexpr float kSameShare = 0.03F; ///< and the same as a share of 1 / distance.
+constexpr float kSeenThrough = 6;   ///< What a neighbour that sees through a place adds to its cost.
+constexpr float kHidden = 10;       ///< What neighbours add from which a place is hidden, if all are.
+constexpr float kUnseen = 30;       ///< The cost of a place that no neighbour sees.
+
 } // namespace
 
 SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
-                     int width, int threads, std::span<const Gains> gains)
+                     int width, int threads, std::span<const Gains> gains,
+                     std::span<const Image<float, 1>* const> depths)
     : m_photo(*photo.picture, Eigen::Matrix3d::Identity(), width, threads),
-      m_kept(std::max<std::size_t>(
-          1, static_cast<std::size_t>(std::lround(static_cast<double>(neighbours.size()) * keptShare)))) {
+      m_keptShare(keptShare),
+      m_kept(keptOf(neighbours.size(), keptShare)),
+      m_knowsDepth(!depths.empty()) {
     const Eigen::Quaterniond photoFromRoom = photo.roomFromPhoto.rotation.conjugate();
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
         const PosedPicture& other = neighbours[i];
@@ -264,9 +300,10 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
             other.roomFromPhoto.rotation.conjugate() * photo.roomFromPhoto.rotation;
         const Eigen::Vector3d offset =
             photoFromRoom * (other.roomFromPhoto.translation - photo.roomFromPhoto.translation);
-        m_neighbours.push_back({SweepPicture(*other.picture, otherFromPhoto.toRotationMatrix(), width,
-                                             threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
-                                offset.cast<float>()});
+        const Eigen::Matrix3d turn = otherFromPhoto.toRotationMatrix();
+        m_neighbours.push_back(
+            {SweepPicture(*other.picture, turn, width, threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
+             offset.cast<float>(), m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
     }
     const double step = 2 * std::numbers::pi / width;
     for (int x = 0; x < width; ++x) {
@@ -283,7 +320,8 @@ SweepCost::Scratch::Scratch(const SweepCost& cost)
     : m_first(static_cast<std::size_t>(cost.width())),
       m_right(m_first.size()),
       m_down(m_first.size()),
-      m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())) {
+      m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())),
+      m_hidden(m_first.size()) {
 }
 
 void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
@@ -294,13 +332,63 @@ void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inv
     findPlaces({m_cosAzimuth.data(), m_sinAzimuth.data(), m_cosElevation[row], m_sinElevation[row]}, inverseM,
                neighbour.fromPhotoM, width(), stride, places);
     costsAt(places, m_photo.at(0, y), neighbour.picture.at(0, 0), stride, width(), costs);
+    if (m_knowsDepth) {
+        judgeByDepth(neighbour, y, inverseM, scratch, costs);
+    }
+}
+
+/// Follows neighbourRow(), which found the places.
+void SweepCost::judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
+                             float* costs) const {
+    const auto row = static_cast<std::size_t>(y);
+    const Eigen::Vector3f& offset = neighbour.fromPhotoM;
+    const float square = offset.squaredNorm();
+    const float pixelM =
+        2 * std::numbers::pi_v<float> / static_cast<float>(width()) / std::max(1e-3F, std::sqrt(square));
+    for (std::size_t i = 0; i < scratch.m_first.size(); ++i) {
+        const float along =
+            m_cosElevation[row] * (m_cosAzimuth[i] * offset.x() + m_sinAzimuth[i] * offset.y()) +
+            m_sinElevation[row] * offset.z();
+        const float inverse = inverseM[i];
+        const float expected =
+            inverse / std::sqrt(std::max(1e-6F, 1 - 2 * inverse * along + inverse * inverse * square));
+        const int nearest = scratch.m_first[i] / 4 + (scratch.m_right[i] < 0.5F ? 0 : 1) +
+                            (scratch.m_down[i] < 0.5F ? 0 : width() + 1);
+        const float seen = neighbour.inverseM[static_cast<std::size_t>(nearest)];
+        const float same = kSamePx * pixelM + kSameShare * expected;
+        const bool isHidden = seen > expected + same;
+        const float through = seen < expected - same ? kSeenThrough : 0.0F;
+        costs[i] = isHidden ? HUGE_VALF : costs[i] + through;
+        scratch.m_hidden[i] += isHidden ? 1.0F : 0.0F;
+    }
+}
+
+/// The mean over the better neighbours of those that see a place. Range: costs are sorted.
+void SweepCost::meanOfSeen(Scratch& scratch, float* costs) const {
+    const std::size_t count = m_neighbours.size();
+    for (std::size_t x = 0; x < scratch.m_hidden.size(); ++x) {
+        const auto seen = count - static_cast<std::size_t>(scratch.m_hidden[x]);
+        const std::size_t kept = keptOf(seen, m_keptShare);
+        float sum = 0;
+        for (std::size_t i = 0; i < kept; ++i) {
+            sum += scratch.m_costs[i][x];
+        }
+        costs[x] = seen == 0 ? kUnseen
+                             : sum / static_cast<float>(kept) +
+                                   kHidden * scratch.m_hidden[x] / static_cast<float>(count);
+    }
 }
 
 void SweepCost::row(int y, const float* inverseM, Scratch& scratch, float* costs) const {
+    std::fill(scratch.m_hidden.begin(), scratch.m_hidden.end(), 0.0F);
     for (std::size_t i = 0; i < m_neighbours.size(); ++i) {
         neighbourRow(m_neighbours[i], y, inverseM, scratch, scratch.m_costs[i].data());
     }
     sortSmallest(scratch.m_costs, m_kept, width());
+    if (m_knowsDepth) {
+        meanOfSeen(scratch, costs);
+        return;
+    }
     const float share = 1 / static_cast<float>(m_kept);
     std::fill_n(costs, width(), 0.0F);
     for (std::size_t i = 0; i < m_kept; ++i) {

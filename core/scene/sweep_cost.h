@@ -57,16 +57,20 @@ class SweepPicture {
     std::vector<float> m_values;
 };
 
-/// How well neighbours confirm distances of a photo's pixels, at one size. Low costs are good. Threads:
-/// const, any number.
+/// How well neighbours confirm distances of a photo's pixels, at one size. Low costs are good. If the
+/// neighbours' own depths are known, a neighbour has no say in a place that something nearer hides from it. A
+/// place through which a neighbour sees costs more, and so does one that is hidden from some. Threads: const,
+/// any number.
 class SweepCost {
   public:
-    /// Upper bound of a cost.
+    /// Upper bound of a cost without depths.
     static constexpr float kMost = 68.8F;
 
-    /// gains: one of each neighbour; none if no photo is brighter than the others.
+    /// gains: one of each neighbour; none if no photo is brighter than the others. depths: 1 / distance of
+    /// each neighbour's pixels, in the neighbour's own frame and of this width; none if they are not known.
     SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
-              int width, int threads, std::span<const Gains> gains = {});
+              int width, int threads, std::span<const Gains> gains = {},
+              std::span<const Image<float, 1>* const> depths = {});
 
     int width() const { return m_photo.width(); }
 
@@ -85,6 +89,7 @@ class SweepCost {
         std::vector<float> m_right;
         std::vector<float> m_down;
         std::vector<std::vector<float>> m_costs; ///< One row of costs for each neighbour.
+        std::vector<float> m_hidden;             ///< From how many neighbours a row's places are hidden.
     };
 
     /// The costs of a row's pixels at these inverse distances, one value a pixel: the mean over the
@@ -99,14 +104,21 @@ class SweepCost {
     struct Neighbour {
         SweepPicture picture; ///< Turned as the photo is.
         Eigen::Vector3f fromPhotoM;
+        std::vector<float> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
     };
+
+    void judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
+                      float* costs) const;
+    void meanOfSeen(Scratch& scratch, float* costs) const;
 
     void neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
                       float* costs) const;
 
     SweepPicture m_photo;
     std::vector<Neighbour> m_neighbours;
+    double m_keptShare;
     std::size_t m_kept;
+    bool m_knowsDepth;
     std::vector<float> m_cosAzimuth; ///< One a column.
     std::vector<float> m_sinAzimuth;
     std::vector<float> m_cosElevation; ///< One a row.

@@ -24,7 +24,9 @@ constexpr int kDepthMethod = 3; ///< grows when the same photos and options give
 constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::uint64_t kBytesAPixel = 2;
+constexpr int kRefinement = 1;              ///< grows when the same agreed depths are refined another way
 constexpr double kWithAgreement = 1.25;     ///< a depth's time with the neighbours' agreement, of the sweep's
+constexpr double kWithRefinement = 1.5;     ///< the same with refinement, too
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
 /// Files are written under another name and renamed: those that are there are whole.
@@ -64,12 +66,14 @@ class DepthJob {
         const std::vector<std::size_t> photos = wanted();
         for (const std::size_t i : photos) {
             throwIfStopped(m_stop);
-            result.files[i] = fileOf(agreedKey(i));
+            result.files[i] = fileOf(wantedKey(i));
             ++result.report.photos;
             if (isThere(result.files[i])) {
                 ++result.report.reused;
+            } else if (m_options.onlyForScene) {
+                agreed(i);
             } else {
-                keep(result.files[i], agreed(i));
+                keep(result.files[i], refined(i));
             }
             m_progress.progress(
                 static_cast<double>(result.report.photos) / static_cast<double>(photos.size()),
@@ -86,10 +90,13 @@ class DepthJob {
         const std::vector<std::size_t> photos = wanted();
         std::set<std::size_t> missing;
         for (const std::size_t photo : photos) {
-            if (!isThere(fileOf(agreedKey(photo)))) {
-                addIfUnswept(photo, missing);
+            if (isThere(fileOf(wantedKey(photo)))) {
+                continue;
+            }
+            addIfDisagreed(photo, missing);
+            if (!m_options.onlyForScene) {
                 for (const std::size_t other : agreeing(photo)) {
-                    addIfUnswept(other, missing);
+                    addIfDisagreed(other, missing);
                 }
             }
         }
@@ -106,6 +113,17 @@ class DepthJob {
   private:
     std::vector<std::size_t> wanted() const {
         return m_options.onlyForScene ? photosForScene() : photosWithNeighbours();
+    }
+
+    /// Adds what must be swept yet for a photo's agreed depth.
+    void addIfDisagreed(std::size_t photo, std::set<std::size_t>& to) const {
+        if (isThere(fileOf(agreedKey(photo)))) {
+            return;
+        }
+        addIfUnswept(photo, to);
+        for (const std::size_t other : agreeing(photo)) {
+            addIfUnswept(other, to);
+        }
     }
 
     void addIfUnswept(std::size_t photo, std::set<std::size_t>& to) const {
@@ -127,7 +145,7 @@ class DepthJob {
         const std::chrono::duration<double> reading = read - begin;
         const std::chrono::duration<double> sweeping = Clock::now() - read;
         return reading.count() / static_cast<double>(1 + m_neighbours[photo].size()) +
-               kWithAgreement * sweeping.count();
+               (m_options.onlyForScene ? kWithAgreement : kWithRefinement) * sweeping.count();
     }
 
     /// All that a photo's own depth depends on.
@@ -153,6 +171,18 @@ class DepthJob {
             key += " " + sweptKey(other);
         }
         return sha256Hex(bytesOf(key));
+    }
+
+    std::string refinedKey(std::size_t photo) const {
+        std::string key = text("refined ", kRefinement, " ", agreedKey(photo));
+        for (const std::size_t other : agreeing(photo)) {
+            key += " " + agreedKey(other);
+        }
+        return sha256Hex(bytesOf(key));
+    }
+
+    std::string wantedKey(std::size_t photo) const {
+        return m_options.onlyForScene ? agreedKey(photo) : refinedKey(photo);
     }
 
     std::filesystem::path fileOf(const std::string& key) const {
@@ -190,7 +220,17 @@ class DepthJob {
         });
     }
 
-    scene::PhotoDepth agreed(std::size_t photo) {
+    std::shared_ptr<const scene::PhotoDepth> agreed(std::size_t photo) {
+        return m_agreed.get(photo, [&] {
+            const std::filesystem::path file = fileOf(agreedKey(photo));
+            if (!isThere(file)) {
+                keep(file, newlyAgreed(photo));
+            }
+            return kept(file);
+        });
+    }
+
+    scene::PhotoDepth newlyAgreed(std::size_t photo) {
         std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
         std::vector<scene::PosedDepth> neighbours;
         for (const std::size_t other : agreeing(photo)) {
@@ -200,6 +240,21 @@ class DepthJob {
         const auto own = swept(photo);
         return scene::agreeingDepth({own.get(), m_poses[photo]}, *picture(photo), neighbours,
                                     m_options.sweep.threads);
+    }
+
+    scene::PhotoDepth refined(std::size_t photo) {
+        std::vector<std::shared_ptr<const RgbImage>> pictures;
+        std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
+        const auto known = [&](std::size_t i) {
+            pictures.push_back(picture(i));
+            depths.push_back(agreed(i));
+            return scene::KnownPhoto{{pictures.back().get(), m_poses[i]}, depths.back().get()};
+        };
+        std::vector<scene::KnownPhoto> neighbours;
+        for (const std::size_t other : agreeing(photo)) {
+            neighbours.push_back(known(other));
+        }
+        return scene::refinedDepth(known(photo), neighbours, m_options.sweep.threads, m_stop);
     }
 
     std::vector<std::size_t> photosWithNeighbours() const {
@@ -230,7 +285,7 @@ class DepthJob {
         std::vector<scene::PhotoDepth> depths(photos.size());
         std::vector<scene::PosedDepth> posed;
         for (std::size_t k = 0; k < photos.size(); ++k) {
-            depths[k] = kept(result.files[photos[k]]);
+            depths[k] = kept(fileOf(agreedKey(photos[k]))); // as a run for the scene alone would find it
             posed.push_back({&depths[k], m_poses[photos[k]]});
         }
         result.radiusM = scene::sphereRadius(posed);
@@ -245,6 +300,7 @@ class DepthJob {
     std::vector<std::vector<std::size_t>> m_neighbours;
     RecentlyUsed<std::size_t, RgbImage> m_pictures{kPicturesKept};
     RecentlyUsed<std::size_t, scene::PhotoDepth> m_swept{kPicturesKept};
+    RecentlyUsed<std::size_t, scene::PhotoDepth> m_agreed{kPicturesKept};
 };
 
 } // namespace

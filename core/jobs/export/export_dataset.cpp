@@ -126,6 +126,20 @@ std::vector<DepthInput> depthInputs(const dataset::Contents& contents) {
     return inputs;
 }
 
+/// The room as a person drew it, in place of one that the photos do not show.
+std::optional<render::RoomShape> drawnRoom(const survey::Room& room, ProgressSink& progress) {
+    if (room.outline.size() < 3 || !(room.ceilingM > 0)) {
+        progress.warning(
+            "The photos do not show where walls, floor and ceiling are, and no room is drawn: the "
+            "dataset has no room.");
+        return std::nullopt;
+    }
+    progress.warning(
+        "The photos do not show where walls, floor and ceiling are: the dataset's room is the drawn "
+        "one.");
+    return render::RoomShape{room.outline, 0, room.ceilingM};
+}
+
 /// Radius, room and depths from what the photos show.
 void addScene(const store::SurveyStore& store, const ExportOptions& options, dataset::Contents& contents,
               ExportReport& report, ProgressSink& progress, const std::stop_token& stop) {
@@ -135,8 +149,8 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, dat
     if (found.radiusM) {
         contents.info.sphereRadiusM = found.radiusM;
     }
-    contents.info.roomShape = found.room;
-    report.roomShape = found.room;
+    report.roomShape = found.room ? found.room : drawnRoom(store.room(), progress);
+    contents.info.roomShape = report.roomShape;
     for (std::size_t i = 0; i < contents.photos.size() && !depth.onlyForScene; ++i) {
         contents.photos[i].depthFile = found.files[i];
     }

@@ -136,4 +136,19 @@ TEST_F(ImportExportTest, AnEmptySurveyHasNothingToExport) {
                 [&] { exportDataset(store, folder / "d", {}, noProgress(), {}); });
 }
 
+TEST_F(ImportExportTest, ExportsTheDrawnRoomWherePhotosShowNone) {
+    store::SurveyStore store = newSurvey();
+    import(store, "a.JPG,1,1,1.2,1,0,0,0\nb.JPG,2,1,1.2,1,0,0,0\nc.JPG,1,2,1.2,1,0,0,0\n");
+    ExportOptions wanted;
+    wanted.scene = render::SceneKind::Room;
+    wanted.depth.sweep.width = 64;
+    wanted.depth.sweep.coarseWidth = 64;
+    const ExportReport report = exportDataset(store, folder / "d", wanted, noProgress(), {});
+    ASSERT_TRUE(report.roomShape);
+    EXPECT_EQ(report.roomShape->outline, room.outline);
+    EXPECT_EQ(report.roomShape->floorM, 0);
+    EXPECT_EQ(report.roomShape->ceilingM, 2.5);
+    EXPECT_EQ(render::Dataset::open(folder / "d").info().roomShape, report.roomShape);
+}
+
 } // namespace spherewalk::jobs

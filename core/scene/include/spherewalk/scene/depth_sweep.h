@@ -70,4 +70,19 @@ struct PosedDepth {
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads = 0);
 
+/// A photo with its pose and its depth. Owner: both must outlive it.
+struct KnownPhoto {
+    PosedPicture photo;
+    const PhotoDepth* depth = nullptr;
+};
+
+/// A photo's depth, made better by what its neighbours know. What the neighbours are sure of is seen from the
+/// photo, and taken over where it fits the pictures better than the photo's own depth. Edges go where they
+/// fit best, by up to three pixels. A neighbour has no say where its own depth shows something nearer. Bare
+/// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. Shape:
+/// all depths are of one width, a multiple of 4. Cost: half a second of one core with four neighbours.
+/// Errors: InvalidInput if sizes differ; Stopped.
+PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads = 0,
+                        const std::stop_token& stop = {});
+
 } // namespace spherewalk::scene

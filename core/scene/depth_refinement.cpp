@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_filters.h"
+#include "small_surfaces.h"
+#include "sweep_cost.h"
+#include "vector_math.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr double kKeptShare = 0.5;
+constexpr int kFilterRadius = 3;
+constexpr float kFilterSmoothness = 3e-4F;
+constexpr float kNearestM = 0.05F;
+constexpr float kBetter = 0.5F; ///< By how much another distance must fit better to be taken.
+constexpr float kTexture = 6; ///< Grey levels; with less the pictures tell no distance. A standard deviation.
+
+/// Cosine and sine of angles that begin at a half step and go down evenly.
+struct Angles {
+    Angles(double first, double step, int count) {
+        for (int i = 0; i < count; ++i) {
+            cosines.push_back(static_cast<float>(std::cos(first - step * (i + 0.5))));
+            sines.push_back(static_cast<float>(std::sin(first - step * (i + 0.5))));
+        }
+    }
+
+    std::vector<float> cosines;
+    std::vector<float> sines;
+};
+
+/// Marks a point in a plane of 1 / distance. A point covers two by two pixels, so that a surface has no
+/// holes. The nearest point wins.
+void splat(const Eigen::Vector3f& point, Plane& plane) {
+    const FastPixel at = fastPixel(point.x(), point.y(), point.z(), static_cast<float>(plane.width()));
+    const float value = 1 / std::max(kNearestM, point.norm());
+    const int column = std::min(static_cast<int>(at.u), plane.width() - 1);
+    const int line = std::min(static_cast<int>(at.v), plane.height() - 1);
+    for (int i = 0; i < 4; ++i) {
+        float& out = *plane.at((column + i % 2) % plane.width(), std::min(line + i / 2, plane.height() - 1));
+        out = std::max(out, value);
+    }
+}
+
+/// What a neighbour is sure of, as the photo sees it: 1 / distance, and 0 where it shows nothing.
+Plane seenFromPhoto(const KnownPhoto& photo, const KnownPhoto& neighbour) {
+    const PhotoDepth& depth = *neighbour.depth;
+    Plane result(depth.inverseM.width(), depth.inverseM.height());
+    const Rigid3 photoFromNeighbour = photo.photo.roomFromPhoto.inverse() * neighbour.photo.roomFromPhoto;
+    const Eigen::Matrix3f turn = photoFromNeighbour.rotation.toRotationMatrix().cast<float>();
+    const Eigen::Vector3f offset = photoFromNeighbour.translation.cast<float>();
+    const double step = 2 * std::numbers::pi / result.width();
+    const Angles azimuths(std::numbers::pi, step, result.width());
+    const Angles elevations(std::numbers::pi / 2, step, result.height());
+    for (int y = 0; y < result.height(); ++y) {
+        const auto row = static_cast<std::size_t>(y);
+        const Eigen::Vector3f x = elevations.cosines[row] * turn.col(0);
+        const Eigen::Vector3f left = elevations.cosines[row] * turn.col(1);
+        const Eigen::Vector3f up = elevations.sines[row] * turn.col(2);
+        for (int i = 0; i < result.width(); ++i) {
+            if (*depth.sure.at(i, y) != 0) {
+                const auto column = static_cast<std::size_t>(i);
+                const Eigen::Vector3f ray = azimuths.cosines[column] * x + azimuths.sines[column] * left + up;
+                splat(ray / *depth.inverseM.at(i, y) + offset, result);
+            }
+        }
+    }
+    return result;
+}
+
+class Refinement {
+  public:
+    Refinement(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads,
+               const std::stop_token& stop)
+        : m_threads(threads),
+          m_stop(stop),
+          m_depth(*photo.depth),
+          m_cost(costFor(photo, neighbours, threads)),
+          m_filter(guide(m_cost.photo()), kFilterRadius, kFilterSmoothness, threads),
+          m_best(costsOf(m_depth.inverseM)),
+          m_texture(textureOf(m_cost.photo(), threads)) {}
+
+    PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours) {
+        std::vector<Plane> known(neighbours.size());
+        parallelFor(static_cast<int>(neighbours.size()), 1, m_threads, [&](int begin, int end) {
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+                throwIfStopped(m_stop);
+                known[i] = seenFromPhoto(photo, neighbours[i]);
+            }
+        });
+        for (Plane& candidate : known) {
+            takeOver(std::move(candidate));
+        }
+        for (const int reach : {1, 2}) {
+            tryAbout(reach, [](float a, float b) { return std::min(a, b); });
+            tryAbout(reach, [](float a, float b) { return std::max(a, b); });
+        }
+        dropSpecks(*photo.depth);
+        m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
+        return std::move(m_depth);
+    }
+
+  private:
+    static SweepCost costFor(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads) {
+        std::vector<PosedPicture> pictures;
+        std::vector<Gains> gains;
+        std::vector<const Plane*> depths;
+        const Eigen::Quaterniond roomFromPhoto = photo.photo.roomFromPhoto.rotation;
+        for (const KnownPhoto& neighbour : neighbours) {
+            const Rigid3& pose = neighbour.photo.roomFromPhoto;
+            pictures.push_back(neighbour.photo);
+            gains.push_back(gainsTo(*photo.photo.picture, *neighbour.photo.picture,
+                                    (pose.rotation.conjugate() * roomFromPhoto).toRotationMatrix()));
+            depths.push_back(&neighbour.depth->inverseM);
+        }
+        return {photo.photo, pictures, kKeptShare, photo.depth->inverseM.width(), threads, gains, depths};
+    }
+
+    static Plane guide(const SweepPicture& photo) {
+        Plane guide(photo.width(), photo.height());
+        for (int y = 0; y < guide.height(); ++y) {
+            for (int x = 0; x < guide.width(); ++x) {
+                *guide.at(x, y) = photo.brightness(x, y) / 255;
+            }
+        }
+        return guide;
+    }
+
+    /// The variance of brightness about each pixel, in squared grey levels.
+    static Plane textureOf(const SweepPicture& photo, int threads) {
+        Plane mean(photo.width(), photo.height());
+        Plane squares = mean;
+        for (int y = 0; y < photo.height(); ++y) {
+            for (int x = 0; x < photo.width(); ++x) {
+                const float value = photo.brightness(x, y);
+                *mean.at(x, y) = value;
+                *squares.at(x, y) = value * value;
+            }
+        }
+        blur(mean, kFilterRadius, threads);
+        blur(squares, kFilterRadius, threads);
+        for (std::size_t i = 0; i < squares.values().size(); ++i) {
+            squares.values()[i] -= mean.values()[i] * mean.values()[i];
+        }
+        return squares;
+    }
+
+    Plane costsOf(const Plane& inverse) const {
+        Plane costs(inverse.width(), inverse.height());
+        m_cost.all(inverse, m_threads, m_stop, costs);
+        m_filter.apply(costs);
+        return costs;
+    }
+
+    /// Takes a candidate's distances where they fit better and the picture is not bare. Calls taken(i) for
+    /// each such pixel.
+    template <class Taken>
+    void takeBetter(const Plane& candidate, const Taken& taken) {
+        const Plane costs = costsOf(candidate);
+        for (std::size_t i = 0; i < costs.values().size(); ++i) {
+            if (m_texture.values()[i] > kTexture * kTexture &&
+                costs.values()[i] < m_best.values()[i] - kBetter) {
+                m_best.values()[i] = costs.values()[i];
+                m_depth.inverseM.values()[i] = candidate.values()[i];
+                taken(i);
+            }
+        }
+    }
+
+    /// A surface that came about and is too small to stand by itself is what it was before.
+    void dropSpecks(const PhotoDepth& before) {
+        forEachSpeck(Plane(m_depth.inverseM), [&](const std::vector<std::size_t>& pixels) {
+            for (const std::size_t i : pixels) {
+                m_depth.inverseM.values()[i] = before.inverseM.values()[i];
+                m_depth.sure.values()[i] = before.sure.values()[i];
+            }
+        });
+    }
+
+    /// Tries what a neighbour knows; 0 where it knows nothing.
+    void takeOver(Plane candidate) {
+        for (std::size_t i = 0; i < candidate.values().size(); ++i) {
+            float& value = candidate.values()[i];
+            value = value > 0 ? value : m_depth.inverseM.values()[i];
+        }
+        takeBetter(candidate, [&](std::size_t i) { m_depth.sure.values()[i] = 255; });
+    }
+
+    /// Tries the nearest or the farthest of the distances at a pixel and so far from it.
+    template <class Choose>
+    void tryAbout(int reach, const Choose& choose) {
+        const Plane& last = m_depth.inverseM;
+        const int width = last.width();
+        Plane candidate = last;
+        parallelFor(last.height(), 32, m_threads, [&](int begin, int end) {
+            for (int y = begin; y < end; ++y) {
+                const float* here = last.at(0, y);
+                const float* above = last.at(0, std::max(0, y - reach));
+                const float* below = last.at(0, std::min(y + reach, last.height() - 1));
+                float* out = candidate.at(0, y);
+                for (int x = 0; x < width; ++x) {
+                    const float beside = choose(here[(x + width - reach) % width], here[(x + reach) % width]);
+                    out[x] = choose(choose(here[x], beside), choose(above[x], below[x]));
+                }
+            }
+        });
+        takeBetter(candidate, [](std::size_t) {});
+    }
+
+    int m_threads;
+    const std::stop_token& m_stop;
+    PhotoDepth m_depth;
+    SweepCost m_cost;
+    GuidedFilter m_filter;
+    Plane m_best;    ///< The costs of m_depth.
+    Plane m_texture; ///< See textureOf().
+};
+
+} // namespace
+
+PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads,
+                        const std::stop_token& stop) {
+    const int width = photo.depth->inverseM.width();
+    if (std::any_of(neighbours.begin(), neighbours.end(),
+                    [&](const KnownPhoto& other) { return other.depth->inverseM.width() != width; })) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not refine a depth: the neighbours' depths have another size.");
+    }
+    return neighbours.empty() ? *photo.depth
+                              : Refinement(photo, neighbours, threads, stop).run(photo, neighbours);
+}
+
+} // namespace spherewalk::scene

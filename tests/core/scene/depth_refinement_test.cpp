@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "sweep_cost.h"
+
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/scene/depth_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr int kRefinedWidth = 256;
+
+/// Photos of the practice room with their true depths.
+struct KnownRoom {
+    std::vector<Rigid3> poses;
+    std::vector<RgbImage> pictures;
+    std::vector<PhotoDepth> depths;
+
+    static const KnownRoom& made() {
+        static const KnownRoom room = [] {
+            const practice::PracticeRoom practice;
+            KnownRoom made;
+            double yaw = 0;
+            for (const auto& [x, y] : {std::pair{2.5, 2.0}, {2.9, 2.0}, {2.1, 2.0}, {2.5, 2.4}, {2.5, 1.6}}) {
+                made.poses.push_back(
+                    {Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {x, y, 1.2}});
+                made.pictures.push_back(
+                    practice.spherical(made.poses.back(), {2 * kRefinedWidth, kRefinedWidth}));
+                made.depths.push_back(
+                    exact(practice.sphericalRange(made.poses.back(), {kRefinedWidth, kRefinedWidth / 2})));
+                yaw += 0.9;
+            }
+            return made;
+        }();
+        return room;
+    }
+
+    static PhotoDepth exact(const DepthImage& range) {
+        PhotoDepth depth{Image<float, 1>(range.width(), range.height()),
+                         MaskImage(range.width(), range.height())};
+        std::transform(range.values().begin(), range.values().end(), depth.inverseM.values().begin(),
+                       [](float m) { return 1 / m; });
+        std::fill(depth.sure.values().begin(), depth.sure.values().end(), std::uint8_t{255});
+        return depth;
+    }
+
+    KnownPhoto photo(std::size_t i) const { return {{&pictures[i], poses[i]}, &depths[i]}; }
+
+    KnownPhoto photo(std::size_t i, const PhotoDepth& depth) const {
+        return {{&pictures[i], poses[i]}, &depth};
+    }
+
+    std::vector<KnownPhoto> others() const { return {photo(1), photo(2), photo(3), photo(4)}; }
+};
+
+/// The share of the pixels between two rows whose 1 / distance is off by less than 3 %.
+double shareRight(const PhotoDepth& depth, const PhotoDepth& truth) {
+    int right = 0;
+    int all = 0;
+    for (int y = depth.inverseM.height() / 8; y < depth.inverseM.height() * 7 / 8; ++y) {
+        for (int x = 0; x < depth.inverseM.width(); ++x) {
+            const float exact = *truth.inverseM.at(x, y);
+            right += std::abs(*depth.inverseM.at(x, y) - exact) < 0.03F * exact ? 1 : 0;
+            ++all;
+        }
+    }
+    return static_cast<double>(right) / all;
+}
+
+/// A depth that says the same distance everywhere and is sure of nothing.
+PhotoDepth unknown() {
+    PhotoDepth depth{Image<float, 1>(kRefinedWidth, kRefinedWidth / 2),
+                     MaskImage(kRefinedWidth, kRefinedWidth / 2)};
+    std::fill(depth.inverseM.values().begin(), depth.inverseM.values().end(), 0.9F);
+    return depth;
+}
+
+} // namespace
+
+TEST(DepthRefinement, TakesOverWhatNeighboursKnow) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth before = unknown();
+    ASSERT_LT(shareRight(before, room.depths[0]), 0.1);
+    const PhotoDepth refined = refinedDepth(room.photo(0, before), room.others());
+    EXPECT_GT(shareRight(refined, room.depths[0]), 0.5);
+    EXPECT_GT(std::count(refined.sure.values().begin(), refined.sure.values().end(), 255), 0);
+}
+
+TEST(DepthRefinement, LeavesATrueDepthAsItIs) {
+    const KnownRoom& room = KnownRoom::made();
+    EXPECT_GT(shareRight(refinedDepth(room.photo(0), room.others()), room.depths[0]), 0.93);
+}
+
+TEST(DepthRefinement, TakesNothingFromANeighbourThatIsSureOfNothing) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth nothing = unknown();
+    const PhotoDepth before = unknown();
+    const std::vector<KnownPhoto> others{room.photo(1, nothing), room.photo(3, nothing)};
+    const PhotoDepth refined = refinedDepth(room.photo(0, before), others);
+    EXPECT_EQ(std::count(refined.sure.values().begin(), refined.sure.values().end(), 255), 0);
+    EXPECT_TRUE(std::all_of(refined.inverseM.values().begin(), refined.inverseM.values().end(),
+                            [](float value) { return std::abs(value - 0.9F) < 1e-3F; }));
+}
+
+TEST(DepthRefinement, LeavesBareSurfacesAsTheyAre) {
+    const KnownRoom& room = KnownRoom::made();
+    std::mt19937 random(3);
+    std::vector<RgbImage> walls(3, RgbImage(2 * kRefinedWidth, kRefinedWidth));
+    for (RgbImage& wall : walls) {
+        for (std::uint8_t& value : wall.values()) {
+            value = static_cast<std::uint8_t>(200 + random() % 9);
+        }
+    }
+    PhotoDepth other = unknown();
+    for (float& value : other.inverseM.values()) {
+        value = 0.3F + 0.001F * static_cast<float>(random() % 1000);
+    }
+    std::fill(other.sure.values().begin(), other.sure.values().end(), std::uint8_t{255});
+    const PhotoDepth before = unknown();
+    const std::vector<KnownPhoto> others{{{&walls[1], room.poses[1]}, &other},
+                                         {{&walls[2], room.poses[2]}, &other}};
+    const PhotoDepth refined = refinedDepth({{walls.data(), room.poses[0]}, &before}, others);
+    EXPECT_TRUE(std::all_of(refined.inverseM.values().begin(), refined.inverseM.values().end(),
+                            [](float value) { return std::abs(value - 0.9F) < 1e-3F; }));
+}
+
+TEST(DepthRefinement, IsTheSameForAnyNumberOfThreads) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth before = unknown();
+    const PhotoDepth one = refinedDepth(room.photo(0, before), room.others(), 1);
+    const PhotoDepth three = refinedDepth(room.photo(0, before), room.others(), 3);
+    EXPECT_EQ(one.inverseM, three.inverseM);
+    EXPECT_EQ(one.sure, three.sure);
+}
+
+TEST(DepthRefinement, LeavesADepthWithoutNeighboursAsItIs) {
+    const KnownRoom& room = KnownRoom::made();
+    EXPECT_EQ(refinedDepth(room.photo(0), {}).inverseM, room.depths[0].inverseM);
+}
+
+TEST(DepthRefinement, RefusesDepthsOfAnotherSize) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth small{Image<float, 1>(128, 64), MaskImage(128, 64)};
+    const std::vector<KnownPhoto> others{room.photo(1, small)};
+    test::expectError(ErrorKind::InvalidInput, "another size", [&] { refinedDepth(room.photo(0), others); });
+}
+
+TEST(DepthRefinement, StopsWhenAsked) {
+    const KnownRoom& room = KnownRoom::made();
+    std::stop_source stop;
+    stop.request_stop();
+    test::expectError(ErrorKind::Stopped, "",
+                      [&] { refinedDepth(room.photo(0), room.others(), 1, stop.get_token()); });
+}
+
+namespace {
+
+/// The mean cost of a photo's true distances, for a neighbour whose own depth is this everywhere.
+double meanCost(float neighboursInverseM) {
+    const KnownRoom& room = KnownRoom::made();
+    PhotoDepth depth = unknown();
+    std::fill(depth.inverseM.values().begin(), depth.inverseM.values().end(), neighboursInverseM);
+    const std::vector<PosedPicture> neighbour{room.photo(1).photo};
+    const Image<float, 1>* known = &depth.inverseM;
+    const SweepCost cost(room.photo(0).photo, neighbour, 0.5, kRefinedWidth, 2, {}, {&known, 1});
+    Image<float, 1> costs(kRefinedWidth, kRefinedWidth / 2);
+    cost.all(room.depths[0].inverseM, 2, {}, costs);
+    double sum = 0;
+    for (const float value : costs.values()) {
+        sum += static_cast<double>(value);
+    }
+    return sum / static_cast<double>(costs.values().size());
+}
+
+} // namespace
+
+TEST(SweepCost, AsksNoNeighbourFromWhichSomethingHidesThePlace) {
+    EXPECT_FLOAT_EQ(static_cast<float>(meanCost(20)), 30); // all is hidden, whatever the pictures show
+}
+
+TEST(SweepCost, IsHigherWhereANeighbourSeesThroughThePlace) {
+    const KnownRoom& room = KnownRoom::made();
+    const std::vector<PosedPicture> neighbour{room.photo(1).photo};
+    const SweepCost blind(room.photo(0).photo, neighbour, 0.5, kRefinedWidth, 2);
+    Image<float, 1> costs(kRefinedWidth, kRefinedWidth / 2);
+    blind.all(room.depths[0].inverseM, 2, {}, costs);
+    double sum = 0;
+    for (const float value : costs.values()) {
+        sum += static_cast<double>(value);
+    }
+    EXPECT_NEAR(meanCost(1e-3F), sum / static_cast<double>(costs.values().size()) + 6, 1e-3);
+}
+
+} // namespace spherewalk::scene
