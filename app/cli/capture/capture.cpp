@@ -90,13 +90,16 @@ std::vector<std::int64_t> stationsToRetake(const store::SurveyStore& store, cons
 }
 
 Result resultOf(const jobs::CaptureSurveyReport& report) {
+    const std::string notCompared =
+        jobs::notComparedText(report.taken, report.notCompared, report.contentNotCompared);
     return {jobs::toJson(report),
             text("Took ", report.taken, " photos in ",
                  humanDuration(std::chrono::duration<double>(report.seconds)), "; ", report.remaining, " of ",
                  report.stations, " stations are still without a photo.",
                  report.flawed.empty()
                      ? ""
-                     : text(" ", report.flawed.size(), " photos are not good; review lists them.")),
+                     : text(" ", report.flawed.size(), " photos are not good; review lists them."),
+                 notCompared.empty() ? "" : "\n", notCompared),
             report.missed.empty()};
 }
 

@@ -221,6 +221,8 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
         return;
     }
     ++m_report.taken;
+    m_report.notCompared += verdict->isCompared ? 0 : 1;
+    m_report.contentNotCompared += verdict->isContentCompared ? 0 : 1;
     m_report.resumed += outcome.shot.id <= m_lastEarlierShot ? 1 : 0;
     if (verdict->quality() != survey::Quality::Good) {
         m_progress.warning(text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));

@@ -106,6 +106,8 @@ Json toJson(const CaptureSurveyReport& report) {
             {"remaining", report.remaining},
             {"missed", missed},
             {"flawed", flawed},
+            {"not_compared", report.notCompared},
+            {"content_not_compared", report.contentNotCompared},
             {"warnings", report.warnings},
             {"seconds", report.seconds},
             {"seconds_at_stations", report.secondsAtStations},

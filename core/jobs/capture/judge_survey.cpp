@@ -116,7 +116,10 @@ JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progr
         throwIfStopped(stop);
         progress.progress(static_cast<double>(report.judged) / static_cast<double>(photos.size()),
                           text("Judging photo ", report.judged + 1, " of ", photos.size()));
-        const survey::Quality quality = judge.judge(photo, stop).quality();
+        const photo::Verdict verdict = judge.judge(photo, stop);
+        const survey::Quality quality = verdict.quality();
+        report.notCompared += verdict.isCompared ? 0 : 1;
+        report.contentNotCompared += verdict.isContentCompared ? 0 : 1;
         ++report.judged;
         ++(quality == survey::Quality::Good       ? report.good
            : quality == survey::Quality::Doubtful ? report.doubtful
@@ -129,7 +132,24 @@ Json toJson(const JudgeReport& report) {
     return {{"judged", report.judged},
             {"good", report.good},
             {"doubtful", report.doubtful},
-            {"failed", report.failed}};
+            {"failed", report.failed},
+            {"not_compared", report.notCompared},
+            {"content_not_compared", report.contentNotCompared}};
+}
+
+std::string notComparedText(int photos, int notCompared, int contentNotCompared) {
+    std::string words;
+    if (contentNotCompared > 0) {
+        words = text("Persons were not looked for in ", contentNotCompared, " of ", photos,
+                     " photos yet, because no three others stood within ",
+                     fixed(100 * photo::kContentNeighbourhoodM, 0), " cm; align looks for them.");
+    }
+    if (notCompared > 0) {
+        words += text(words.empty() ? "" : " ", "Light and colour of ", notCompared,
+                      " photos were compared with none, because no other stood within ",
+                      fixed(100 * photo::kNeighbourhoodM, 0), " cm.");
+    }
+    return words;
 }
 
 std::vector<Retake> retakes(const store::SurveyStore& store) {

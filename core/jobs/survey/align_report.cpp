@@ -123,6 +123,7 @@ Json toJson(const AlignReport& report) {
             {"pairs", report.pairs},
             {"holding_pairs", report.holdingPairs},
             {"pairs_tried_again", report.pairsTriedAgain},
+            {"photos_not_searched", report.notSearched},
             {"components", alignment.components},
             {"residual_deg", Degrees(Radians(alignment.residualRad)).value()},
             {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},
@@ -144,6 +145,10 @@ std::string alignText(const AlignReport& report) {
              "Model ", name(report.alignment.model), ". ", report.alignment.reason, "\n", knownText(report));
     for (const std::string& warning : report.alignment.warnings) {
         words += "\n" + warning;
+    }
+    if (report.notSearched > 0) {
+        words += text("\nPersons were not looked for in ", report.notSearched, " of ", report.photos.size(),
+                      " photos: no other photo with a well-known pose stands between 8 cm and 3 m away.");
     }
     for (const AlignedPhoto& photo : report.photos) {
         for (const std::string& flag : photo.flags) {

@@ -321,6 +321,9 @@ class AlignRun {
             }
             propose(Cure::Retake, photo);
         }
+        ProgressStep searching(m_progress, 0.98, 0.995);
+        tellForeignThings(m_store.photoFolder(), {readMask(m_options.mask), m_options.threads}, m_report,
+                          searching, m_stop);
         giveVerdicts(m_priors, m_report);
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));

@@ -129,7 +129,7 @@ std::array<double, 3> gains(const RgbImage& photo, const RgbImage& other, int sh
     return result;
 }
 
-constexpr double kNearestM = 0.7; ///< Things farther from the camera must look alike in both photos.
+constexpr double kNearestM = 0.4; ///< Things farther from the camera must look alike in both photos.
 constexpr int kMostShift = 24;
 constexpr int kPatch = 5;
 constexpr int kStride = 2; ///< Step of the search; the sketches are softened as much.

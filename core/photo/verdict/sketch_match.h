@@ -42,7 +42,7 @@ struct ForeignArea {
     Radians elevation;
 };
 
-/// Finds the largest foreign area. Things closer than 0.7 m count as foreign; the areas right above and below
+/// Finds the largest foreign area. Things closer than 0.4 m count as foreign; the areas right above and below
 /// the camera are not searched.
 /// Cost: about 10 ms a neighbour 20 cm away, growing with the square of the distance.
 ForeignArea foreignArea(const Sketch& photo, std::span<const MatchedSketch> neighbours);

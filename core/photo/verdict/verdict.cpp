@@ -147,7 +147,20 @@ std::optional<survey::Quality> graded(double value, double doubtful, double fail
     return value < failed ? survey::Quality::Doubtful : survey::Quality::Failed;
 }
 
-void addBrightness(Findings& findings, const Sketch& photo, std::span<const MatchedSketch> neighbours) {
+/// How much brighter the photo is than its neighbours, in stops; 0 without any.
+double stopsBrighter(std::span<const MatchedSketch> neighbours) {
+    if (neighbours.empty()) {
+        return 0;
+    }
+    const double gain = median(each(neighbours, [](const MatchedSketch& one) {
+        return (one.match.gains[0] + one.match.gains[1] + one.match.gains[2]) / 3;
+    }));
+    constexpr double kStopsPerOctave = 2.2; // pictures store about the 2.2th root of light
+    return kStopsPerOctave * std::log2(gain);
+}
+
+void addBrightness(Findings& findings, const Sketch& photo, const ExpectedSettings& expected,
+                   std::span<const MatchedSketch> neighbours) {
     constexpr double kDark = 40;
     constexpr double kVeryDark = 18;
     constexpr double kBright = 215;
@@ -161,15 +174,10 @@ void addBrightness(Findings& findings, const Sketch& photo, std::span<const Matc
                        : "It is too bright; check the exposure."});
         return;
     }
-    if (neighbours.empty()) {
-        return;
-    }
-    const double gain = median(each(neighbours, [](const MatchedSketch& one) {
-        return (one.match.gains[0] + one.match.gains[1] + one.match.gains[2]) / 3;
-    }));
-    constexpr double kStopsPerOctave = 2.2; // pictures store about the 2.2th root of light
-    const double stops = kStopsPerOctave * std::log2(gain);
-    if (const auto quality = graded(std::abs(stops), 0.4, 1.2)) {
+    // A camera that chooses its own exposure chooses another one at each place.
+    const bool isFixed = expected.exposureS.has_value();
+    const double stops = stopsBrighter(neighbours);
+    if (const auto quality = graded(std::abs(stops), isFixed ? 0.4 : 1.6, isFixed ? 1.2 : 3)) {
         findings.push_back(
             {Flaw::Brightness, *quality,
              text("It is ", fixed(std::abs(stops), 1), " stops ", stops < 0 ? "darker" : "brighter",
@@ -177,7 +185,8 @@ void addBrightness(Findings& findings, const Sketch& photo, std::span<const Matc
     }
 }
 
-void addColour(Findings& findings, std::span<const MatchedSketch> neighbours) {
+void addColour(Findings& findings, const ExpectedSettings& expected,
+               std::span<const MatchedSketch> neighbours) {
     if (neighbours.empty()) {
         return;
     }
@@ -188,7 +197,8 @@ void addColour(Findings& findings, std::span<const MatchedSketch> neighbours) {
         return std::log(one.match.gains[2] / one.match.gains[1]);
     }));
     const double most = std::max(std::abs(red), std::abs(blue));
-    if (const auto quality = graded(most, 0.07, 0.35)) {
+    if (const auto quality =
+            graded(most, expected.hasFixedWhiteBalance.value_or(false) ? 0.07 : 0.17, 0.35)) {
         findings.push_back({Flaw::Colour, *quality,
                             text("Its colours differ by ", percent(std::exp(most) - 1),
                                  " from its neighbours'; fix the white balance, and check the lamps.")});
@@ -198,26 +208,34 @@ void addColour(Findings& findings, std::span<const MatchedSketch> neighbours) {
 /// More of it than the neighbours have.
 void addPart(Findings& findings, Flaw flaw, double part,
              const std::function<double(const MatchedSketch&)>& theirs,
-             std::span<const MatchedSketch> neighbours, std::string_view words) {
+             std::span<const MatchedSketch> neighbours, double allowance, std::string_view words) {
     const double usual = neighbours.empty() ? 0 : median(each(neighbours, theirs));
     // Alone, a window or a dark floor counts as much as a fault.
-    const double doubtful = neighbours.empty() ? 0.12 : 0.02;
-    const double failed = neighbours.empty() ? 0.45 : 0.15;
+    const double doubtful = neighbours.empty() ? 0.12 : 0.02 + allowance;
+    const double failed = neighbours.empty() ? 0.45 : 0.15 + allowance;
     if (const auto quality = graded(part - usual, doubtful, failed)) {
         findings.push_back({flaw, *quality, text(percent(part), words)});
     }
 }
 
-void addForeign(Findings& findings, const Sketch& photo, std::span<const MatchedSketch> neighbours) {
+/// Those that are near and alike enough to tell a person from what furniture hides; empty if too few.
+std::vector<MatchedSketch> forContent(std::span<const MatchedSketch> neighbours) {
+    constexpr std::size_t kEnough = 3;
     std::vector<MatchedSketch> alike(neighbours.begin(), neighbours.end());
-    std::erase_if(alike, [](const MatchedSketch& one) { return one.match.likeness < kAlike; });
+    std::erase_if(alike, [](const MatchedSketch& one) {
+        return one.match.likeness < kAlike || one.distanceM > kContentNeighbourhoodM;
+    });
+    return alike.size() < kEnough ? std::vector<MatchedSketch>() : alike;
+}
+
+void addForeign(Findings& findings, const Sketch& photo, std::span<const MatchedSketch> neighbours) {
+    constexpr double kDoubtful = 0.004; // Of the sphere. What only one photo shows between chairs is smaller.
+    const std::vector<MatchedSketch> alike = forContent(neighbours);
     if (alike.empty()) {
         return;
     }
     const ForeignArea area = foreignArea(photo, alike);
-    // A single neighbour does not show what furniture hides from it.
-    const double doubtful = alike.size() == 1 ? 0.005 : 0.0018;
-    if (area.part < doubtful) {
+    if (area.part < kDoubtful) {
         return;
     }
     const double degrees = Degrees(area.azimuth).value();
@@ -253,16 +271,20 @@ void addTurn(Findings& findings, std::span<const MatchedSketch> neighbours) {
 }
 
 /// Brightness, colour, black and burnt areas.
-void addLight(Findings& findings, const Sketch& photo, std::span<const MatchedSketch> neighbours) {
-    addBrightness(findings, photo, neighbours);
-    addColour(findings, neighbours);
+void addLight(Findings& findings, const Sketch& photo, const ExpectedSettings& expected,
+              std::span<const MatchedSketch> neighbours) {
+    constexpr double kBurntPerStop = 0.5; // Where walls are white, half a stop burns out a quarter of them.
+    const double burntByItself =
+        expected.exposureS ? 0 : kBurntPerStop * std::max(0.0, stopsBrighter(neighbours));
+    addBrightness(findings, photo, expected, neighbours);
+    addColour(findings, expected, neighbours);
     addPart(
         findings, Flaw::Black, photo.blackPart,
-        [](const MatchedSketch& one) { return one.sketch->blackPart; }, neighbours,
+        [](const MatchedSketch& one) { return one.sketch->blackPart; }, neighbours, 0,
         " of it is black; check that nothing covers a lens.");
     addPart(
         findings, Flaw::Burnt, photo.burntPart,
-        [](const MatchedSketch& one) { return one.sketch->burntPart; }, neighbours,
+        [](const MatchedSketch& one) { return one.sketch->burntPart; }, neighbours, burntByItself,
         " of it is burnt out; shorten the exposure, or keep the light out.");
 }
 
@@ -339,8 +361,10 @@ Verdict judge(const Sketch& photo, const PhotoMetadata& metadata, const Expected
               std::span<const Neighbour> neighbours) {
     const std::vector<MatchedSketch> near = matched(photo, neighbours);
     Verdict verdict;
+    verdict.isCompared = !near.empty();
+    verdict.isContentCompared = !forContent(near).empty();
     addWhatItSays(verdict.findings, photo, metadata, expected);
-    addLight(verdict.findings, photo, near);
+    addLight(verdict.findings, photo, expected, near);
     addBlur(verdict.findings, photo, near);
     addPlace(verdict.findings, photo, near);
     std::ranges::stable_sort(verdict.findings,

@@ -49,8 +49,10 @@ class VerdictsOf : public testing::Test {
         return result;
     }
 
+    /// Of a survey with a fixed exposure and white balance.
     Verdict verdictOf(const Photo& photo, const Bytes& jpeg) const {
-        return judgeJpeg(jpeg, "R0010001.JPG", {}, neighboursOf(photo)).verdict;
+        const ExpectedSettings fixed{.exposureS = 1.0 / 60, .hasFixedWhiteBalance = true};
+        return judgeJpeg(jpeg, "R0010001.JPG", fixed, neighboursOf(photo)).verdict;
     }
 
     /// The share of photos, each changed so many times, that get a verdict with this flaw. Those that do not
@@ -98,6 +100,35 @@ TEST_F(VerdictsOf, PhotosWithAPersonTellOfIt) {
                              return jpegOf(test::withPerson(picture, m_random.uniform(0.8, 2.2), m_random));
                          }),
               kFound);
+}
+
+TEST_F(VerdictsOf, PhotosWithoutNearNeighboursSayThatPersonsWereNotLookedFor) {
+    const Photo& photo = m_photos[5];
+    const Bytes person = jpegOf(test::withPerson(photo.clean.picture, 1, m_random));
+    std::vector<Neighbour> neighbours = neighboursOf(photo);
+    const Verdict near = judgeJpeg(person, "a.JPG", {}, neighbours).verdict;
+    EXPECT_TRUE(near.isCompared);
+    EXPECT_TRUE(near.isContentCompared);
+    for (Neighbour& neighbour : neighbours) {
+        neighbour.distanceM += 0.2; // As with longer steps: furniture may hide as much as a person.
+    }
+    const Verdict far = judgeJpeg(person, "a.JPG", {}, neighbours).verdict;
+    EXPECT_TRUE(far.isCompared);
+    EXPECT_FALSE(far.isContentCompared);
+    EXPECT_EQ(far.quality(), survey::Quality::Good) << far.sentence();
+    EXPECT_FALSE(judgeJpeg(person, "a.JPG", {}, {}).verdict.isCompared);
+}
+
+TEST_F(VerdictsOf, ACameraThatChoosesItsExposureMayDifferByAStop) {
+    int alarms = 0;
+    for (const Photo& photo : m_photos) {
+        const double stops = m_random.uniform(-0.9, 0.9);
+        const RgbImage tinted = test::tinted(photo.clean.picture, m_random.uniform(0.95, 1.05), 1);
+        const Verdict verdict =
+            judgeJpeg(jpegOf(test::exposed(tinted, stops)), "a.JPG", {}, neighboursOf(photo)).verdict;
+        alarms += verdict.quality() == survey::Quality::Good ? 0 : 1;
+    }
+    EXPECT_EQ(alarms, 0);
 }
 
 TEST_F(VerdictsOf, BlurredPhotosTellOfIt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/align/foreign_check.h"
 #include "spherewalk/align/match_pairs.h"
 #include "spherewalk/align/solve.h"
 #include "spherewalk/base/json_fwd.h"
@@ -76,6 +77,9 @@ struct AlignReport {
     std::size_t holdingPairs = 0; ///< Number of pairs that constrain the solution.
     /// Number of comparisons with more effort than was asked for, because parts were not joined.
     std::size_t pairsTriedAgain = 0;
+    /// Number of photos that were not searched for persons: their pose, or that of all photos near them, is
+    /// not known well enough.
+    std::size_t notSearched = 0;
     double featureSeconds = 0;
     double matchSeconds = 0; ///< Time for matching, and for the estimate of each pair.
     double solveSeconds = 0; ///< Time for the solver, and for the checks.
@@ -93,6 +97,12 @@ AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, 
 
 /// Notes what helps the photo, unless something that should be tried first is noted already.
 void propose(Cure cure, AlignedPhoto& photo);
+
+/// Flags the photos of the report that show a person or another thing where other photos look through, and
+/// counts those that nothing could be compared with. Only photos whose pose is well known take part, and
+/// those that can be read. folder: of the photos. Stop: Error{Stopped}.
+void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
+                       AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
 
 /// Fills in the pose, the status and the flags of all photos from the report's alignment. A photo is judged
 /// by its own turn against the others. What all photos share is said once, by the alignment's warnings.

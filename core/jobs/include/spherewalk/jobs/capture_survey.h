@@ -81,6 +81,8 @@ struct CaptureSurveyReport {
     int remaining = 0; ///< Stations that still have no photo.
     std::vector<MissedStation> missed;
     std::vector<FlawedPhoto> flawed;
+    int notCompared = 0;        ///< Photos among `taken` that no neighbour could be compared with.
+    int contentNotCompared = 0; ///< Photos among `taken` in which persons were not looked for.
     std::vector<std::string> warnings;
     double seconds = 0;
     double secondsAtStations = 0; ///< From the start towards the first station to the last exposure's end.

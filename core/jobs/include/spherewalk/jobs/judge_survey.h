@@ -22,6 +22,8 @@ struct JudgeReport {
     int good = 0;
     int doubtful = 0;
     int failed = 0;
+    int notCompared = 0;        ///< Number of photos without a neighbour to compare light and colour with.
+    int contentNotCompared = 0; ///< Number of photos in which persons were not looked for.
 };
 
 /// Judges photos of the survey, each against the photos that stand near it, and keeps the verdicts in the
@@ -33,6 +35,9 @@ JudgeReport judgeSurvey(store::SurveyStore& store, bool all, ProgressSink& progr
                         const std::stop_token& stop);
 
 Json toJson(const JudgeReport& report);
+
+/// Says what could not be compared, with what helps; "" if all was. contentNotCompared includes notCompared.
+std::string notComparedText(int photos, int notCompared, int contentNotCompared);
 
 /// The verdict that a record of the store holds. Errors: Corrupt.
 photo::Verdict verdictOf(const store::PhotoVerdict& record);

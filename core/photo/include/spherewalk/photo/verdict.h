@@ -47,6 +47,12 @@ struct Finding {
 /// The judgement on one photo, with its reasons.
 struct Verdict {
     std::vector<Finding> findings; ///< The flaws, the worst first; a good photo has none.
+    /// Whether neighbours stood near enough to compare light, colour and sharpness with. Records do not keep
+    /// it.
+    bool isCompared = false;
+    /// Whether enough of them stood so near that a person could be told from what furniture hides. Records do
+    /// not keep it.
+    bool isContentCompared = false;
 
     survey::Quality quality() const {
         return findings.empty() ? survey::Quality::Good : findings.front().quality;
@@ -55,15 +61,15 @@ struct Verdict {
     /// The sentences of all findings in one text; "" for a good photo.
     std::string sentence() const;
 
-    bool operator==(const Verdict&) const = default;
+    bool operator==(const Verdict& other) const { return findings == other.findings; }
 };
 
 /// How the camera was told to take the photo. The camera chose each setting that has no value.
 struct ExpectedSettings {
     std::optional<int> iso = {};
-    std::optional<double> exposureS = {};
+    std::optional<double> exposureS = {}; ///< If it is absent, brightness may differ by more.
     std::optional<int> width = {};
-    std::optional<bool> hasFixedWhiteBalance = {};
+    std::optional<bool> hasFixedWhiteBalance = {}; ///< Unless it is fixed, colours may differ by more.
 };
 
 /// A photo that was taken near the one that is judged.
@@ -74,6 +80,10 @@ struct Neighbour {
 
 /// Photos that are farther away are no neighbours.
 inline constexpr double kNeighbourhoodM = 0.75;
+/// Something foreign is looked for if at least three alike neighbours are this near, as on a grid of 25 cm.
+/// With longer steps, furniture hides as much from the neighbours as a person would; the alignment looks
+/// then.
+inline constexpr double kContentNeighbourhoodM = 0.36;
 /// Only so many of the nearest neighbours are used.
 inline constexpr std::size_t kMostNeighbours = 4;
 

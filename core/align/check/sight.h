@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/align/foreign_check.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace spherewalk::align {
+
+/// Directions of a photo are looked at on this grid, in the rows of an equirectangular picture.
+inline constexpr int kSightColumns = 256;
+inline constexpr int kSightRowsOfSphere = kSightColumns / 2;
+inline constexpr int kSightTop = 14; ///< The row of 70 degrees above the horizon.
+inline constexpr int kSightRows = 82;
+inline constexpr int kSightCells = kSightColumns * kSightRows;
+
+/// Distances are looked at at these steps of 1 / distance, the nearest first, the last at infinity.
+inline constexpr int kSightLevels = 56;
+inline constexpr double kNearestSightM = 0.35;
+
+/// 1 / distance of a level, per metre.
+inline double inverseOf(int level) {
+    return (kSightLevels - 1 - level) / ((kSightLevels - 1) * kNearestSightM);
+}
+
+/// The unit vector of a cell, in the photo's frame.
+Eigen::Vector3f sightDirection(int row, int column);
+
+/// The cell that shows a direction of any length; -1 above and below the rows.
+int sightCell(const Eigen::Vector3f& direction);
+
+/// What a photo's neighbours say of one of its cells. Bit k stands for level k.
+struct CellSight {
+    std::uint64_t shown = 0;      ///< A neighbour shows the same at this distance.
+    std::uint64_t shownTwice = 0; ///< Two neighbours do.
+    /// 1 / distance between which the surface lies, per metre. Both are negative where nothing tells.
+    float nearest = -1;
+    float farthest = -1;
+
+    bool isKnown() const { return nearest >= 0; }
+};
+
+/// A photo with what its neighbours say of it. Empty if the photo has no picture, pose or neighbours.
+using PhotoSight = std::vector<CellSight>;
+
+/// The gains that make the photos' colours alike, one for each photo and channel.
+using PhotoGains = std::vector<std::array<double, 3>>;
+
+/// Source: medians of the ratios of photos that stand near each other, averaged over the survey.
+PhotoGains gainsOf(std::span<const SightPhoto> photos, std::span<const std::vector<int>> neighbours);
+
+/// A pixel, and what lies between it and the pixels around it: a byte for each channel. Where the photo is
+/// burnt out, the true value may be any that is greater.
+struct SoftPixel {
+    std::uint32_t middle = 0;
+    std::uint32_t top = 0; ///< The middle, or 255 if it is burnt out.
+    std::uint32_t least = 0;
+    std::uint32_t greatest = 0;
+};
+
+using SoftPicture = std::vector<SoftPixel>;
+
+/// The same pictures, softened, and with their gains.
+std::vector<SoftPicture> softened(std::span<const SightPhoto> photos, const PhotoGains& gains);
+
+/// Compares one photo with its neighbours at all levels. pictures: as softened() makes them.
+PhotoSight sightOf(int photo, std::span<const SightPhoto> photos, std::span<const SoftPicture> pictures,
+                   std::span<const int> neighbours);
+
+/// A photo that tells what it sees of places in the room.
+struct Observer {
+    Eigen::Matrix3f photoFromRoom = Eigen::Matrix3f::Identity();
+    Eigen::Vector3f positionM = Eigen::Vector3f::Zero();
+    /// The nearest and the farthest surface of each cell and those around it, as 1 / distance. Both are
+    /// negative where nothing is known of the cell.
+    std::vector<float> nearest;
+    std::vector<float> farthest;
+};
+
+Observer observer(const SightPhoto& photo, const PhotoSight& sight);
+
+/// For each cell of a photo, whether it shows something that stands where the observers look through.
+std::vector<std::uint8_t> foreignCells(const SightPhoto& photo, const PhotoSight& sight,
+                                       std::span<const Observer* const> observers);
+
+} // namespace spherewalk::align
