@@ -69,6 +69,8 @@ if(SPHEREWALK_TESTS)
   if(NOT SPHEREWALK_RENDER_ONLY) # the client of the practice camera's tests
     pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
     add_library(spherewalk_httplib ALIAS PkgConfig::httplib)
+    pkg_check_modules(qpdf REQUIRED IMPORTED_TARGET libqpdf) # the reader of our PDFs
+    add_library(spherewalk_qpdf ALIAS PkgConfig::qpdf)
   endif()
   include(GoogleTest)
 endif()

@@ -53,6 +53,16 @@ std::vector<Json> lines(const std::string& output) {
     return all;
 }
 
+/// Whether ROS's own check of bags works here, tried on a bag that ROS wrote. That of Debian 13 fails on
+/// every bag, because Python 3.13 ended what it relies on.
+bool rosCanCheck(const std::string& folder) {
+    const std::string bag = folder + "/own.bag";
+    std::vector<std::string> command = kPython;
+    command.insert(command.end(), {script("write_rosbag.py"), bag});
+    return test::Program(command).wait() == 0 &&
+           test::Program({"/usr/bin/env", "rosbag", "check", bag}).wait() == 0;
+}
+
 bool hasPythonModule(const std::string& module) {
     std::vector<std::string> command = kPython;
     command.insert(command.end(), {"-c", "import " + module});
@@ -232,6 +242,9 @@ TEST_F(BagTest, RosReadsTheBagByItself) {
     const std::string bag = *s_survey / "w/walk.bag";
     expectTheWalk(lines(printed(kPython, {script("read_rosbag.py"), bag})), true);
     EXPECT_THAT(printed({"/usr/bin/env", "rosbag", "info"}, {bag}), HasSubstr("messages:    16"));
+    if (!rosCanCheck(s_survey->path())) {
+        GTEST_SKIP() << "rosbag cannot check a bag that it wrote itself; all else was read";
+    }
     printed({"/usr/bin/env", "rosbag", "check"}, {bag});
 }
 
@@ -263,7 +276,7 @@ TEST_F(BagTest, HoldsThePicturesAsPngWhereAsked) {
         EXPECT_EQ(decoded(images[i]["message"]["data"]), readFile(frame(i)));
         EXPECT_EQ(images[i]["message"]["format"], "rgb8; png compressed bgr8");
     }
-    if (hasPythonModule("rosbag")) {
+    if (hasPythonModule("rosbag") && rosCanCheck(s_survey->path())) {
         printed({"/usr/bin/env", "rosbag", "check"}, {*s_survey / "png/walk.bag"});
     }
 }

@@ -23,15 +23,19 @@ using testing::HasSubstr;
 class CaptureTrouble : public testing::Test {
   protected:
     CaptureTrouble() {
+        startCamera(0.02);
+        const auto made = runCli({"new", survey, "--rect", "0,0,2,1.6", "--ceiling", "2.6", "--step", "0.6"});
+        EXPECT_EQ(made.status, 0) << made.errors;
+    }
+
+    void startCamera(double timeScale) {
         practice::PracticeCameraOptions options;
         options.width = 1024;
         options.isPlain = true;
-        options.timeScale = 0.02;
+        options.timeScale = timeScale;
         options.truthFile = folder / "truth.jsonl";
         camera.emplace(options);
         camera->start();
-        const auto made = runCli({"new", survey, "--rect", "0,0,2,1.6", "--ceiling", "2.6", "--step", "0.6"});
-        EXPECT_EQ(made.status, 0) << made.errors;
     }
 
     std::vector<std::string> capture() const {
@@ -79,6 +83,7 @@ TEST_F(CaptureTrouble, ASurveyThatMayNotBeWrittenIsLeftAlone) {
 }
 
 TEST_F(CaptureTrouble, ASecondProgramOnTheSurveyIsSentAway) {
+    startCamera(0.1); // The first program is at work for some seconds.
     std::vector<std::string> command = capture();
     command.insert(command.begin(), SPHEREWALK_CLI);
     test::Program first(command);

@@ -5,16 +5,15 @@
 #include "spherewalk/base/text.h"
 
 #include <Eigen/Geometry>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <map>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
-#include <zlib.h>
 
 namespace spherewalk::test {
 
@@ -243,78 +242,46 @@ class PdfContents {
     std::vector<Eigen::Vector2d> m_curve;
 };
 
-/// Finds the objects of a PDF.
+/// Reads the pages of a PDF.
 class PdfReading {
   public:
-    explicit PdfReading(const Bytes& pdf) : m_pdf(textOf(pdf)) {}
+    explicit PdfReading(const Bytes& pdf) {
+        m_pdf.processMemoryFile("the PDF", reinterpret_cast<const char*>(pdf.data()), pdf.size());
+    }
 
-    std::vector<PdfPage> pages() const {
+    std::vector<PdfPage> pages() {
         std::vector<PdfPage> result;
-        for (std::size_t at = 0; (at = m_pdf.find("/Type /Page %", at)) != std::string_view::npos; ++at) {
-            result.push_back(page(m_pdf.substr(at, m_pdf.find("endobj", at) - at)));
+        for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(m_pdf).getAllPages()) {
+            QPDFObjectHandle box = page.getAttribute("/MediaBox", false);
+            result.push_back({box.getArrayItem(2).getNumericValue() * 25.4 / 72,
+                              box.getArrayItem(3).getNumericValue() * 25.4 / 72,
+                              {},
+                              {},
+                              {}});
+            std::string contents;
+            for (QPDFObjectHandle& part : page.getPageContents()) {
+                const auto data = part.getStreamData();
+                contents.append(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+            }
+            PdfContents(result.back(), fontsOf(page)).run(contents);
         }
         return result;
     }
 
   private:
-    PdfPage page(std::string_view object) const {
-        const std::vector<double> box = numbersAfter(object, "/MediaBox");
-        PdfPage result{box.at(2) * 25.4 / 72, box.at(3) * 25.4 / 72, {}, {}, {}};
-        PdfContents(result, fontsOf(from(idAfter(object, "/Resources"))))
-            .run(unpacked(from(idAfter(object, "/Contents"))));
-        return result;
-    }
-
-    static int idAfter(std::string_view object, std::string_view key) {
-        return std::atoi(object.substr(object.find(key) + key.size(), 12).data());
-    }
-
-    static std::vector<double> numbersAfter(std::string_view object, std::string_view key) {
-        const std::size_t begin = object.find('[', object.find(key)) + 1;
-        std::vector<double> numbers;
-        std::istringstream text{std::string(object.substr(begin, object.find(']', begin) - begin))};
-        for (double number = 0; text >> number;) {
-            numbers.push_back(number);
-        }
-        return numbers;
-    }
-
-    /// The PDF from the begin of this object on.
-    std::string_view from(int id) const {
-        return m_pdf.substr(m_pdf.find("\n" + std::to_string(id) + " 0 obj"));
-    }
-
-    std::map<std::string, PdfFont> fontsOf(std::string_view resources) const {
+    static std::map<std::string, PdfFont> fontsOf(QPDFPageObjectHelper& page) {
         std::map<std::string, PdfFont> fonts;
-        resources = resources.substr(0, resources.find("endobj"));
-        for (std::size_t at = 0; (at = resources.find("/f-", at)) != std::string_view::npos; ++at) {
-            const std::string name(resources.substr(at, resources.find(' ', at) - at));
-            const std::string_view font = from(idAfter(resources.substr(at), name));
-            fonts[name] = {static_cast<std::size_t>(idAfter(font, "/FirstChar")),
-                           numbersAfter(font, "/Widths")};
+        for (auto& [name, font] : page.getAttribute("/Resources", false).getKey("/Font").getDictAsMap()) {
+            QPDFObjectHandle of = font;
+            fonts[name].first = static_cast<std::size_t>(of.getKey("/FirstChar").getIntValue());
+            for (QPDFObjectHandle& width : of.getKey("/Widths").getArrayAsVector()) {
+                fonts[name].widths.push_back(width.getNumericValue());
+            }
         }
         return fonts;
     }
 
-    static std::string unpacked(std::string_view object) {
-        object.remove_prefix(object.find("stream\n") + 7);
-        z_stream stream{};
-        inflateInit(&stream);
-        stream.next_in = const_cast<Bytef*>(bytesOf(object).data());
-        stream.avail_in = static_cast<uInt>(object.size());
-        std::string result;
-        for (int status = Z_OK; status == Z_OK;) {
-            std::array<char, 4096> part{};
-            stream.next_out = reinterpret_cast<Bytef*>(part.data());
-            stream.avail_out = static_cast<uInt>(part.size());
-            status = inflate(&stream, Z_NO_FLUSH);
-            result.append(part.data(), part.size() - stream.avail_out);
-        }
-        inflateEnd(&stream);
-        return result;
-    }
-
-    std::string_view m_pdf;
+    QPDF m_pdf;
 };
 
 } // namespace spherewalk::test
