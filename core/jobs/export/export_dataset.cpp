@@ -114,7 +114,7 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
         depth.cacheFolder = store.folder() / kDepthCacheFolder;
     }
     depth.drawnOutline = store.room().outline;
-    depth.onlyForScene = options.scene != render::SceneKind::Depth;
+    depth.onlyForScene = !render::usesDepths(options.scene);
     return depth;
 }
 
@@ -306,7 +306,7 @@ class Look {
     void addDepth(const std::stop_token& stop) {
         const DepthForecast depth = exportForecast(m_store, m_options, true, stop);
         m_check.seconds += depth.seconds();
-        m_check.totalBytes += m_options.scene == render::SceneKind::Depth ? depth.bytes : 0;
+        m_check.totalBytes += render::usesDepths(m_options.scene) ? depth.bytes : 0;
     }
 
     void lookAtPlace(const fs::path& folder) {
