@@ -53,8 +53,8 @@ std::vector<Json> lines(const std::string& output) {
     return all;
 }
 
-/// Whether ROS's own check of bags works here, tried on a bag that ROS wrote. That of Debian 13 fails on
-/// every bag, because Python 3.13 ended what it relies on.
+/// Whether ROS's own check works here for a bag whose definitions have no comments, tried on one that ROS
+/// wrote. That of Debian 13 fails, because Python 3.13 ended what it relies on.
 bool rosCanCheck(const std::string& folder) {
     const std::string bag = folder + "/own.bag";
     std::vector<std::string> command = kPython;
