@@ -56,6 +56,14 @@ render::ViewOptions RenderOptions::viewOptions() const {
     return options;
 }
 
+render::ViewOptions RenderOptions::pictureOptions(const render::DatasetInfo& dataset) const {
+    render::ViewOptions options = viewOptions();
+    if (!options.scene && !(dataset.choice && dataset.choice->isFor(cameraModel().intrinsics()))) {
+        options.scene = render::scenesOf(dataset).back();
+    }
+    return options;
+}
+
 Rigid3 RenderOptions::opticalPose(const Rigid3& roomFromGiven) const {
     return m_frame == "body" ? roomFromGiven * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
                              : roomFromGiven;

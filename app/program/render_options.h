@@ -28,6 +28,10 @@ class RenderOptions {
     CameraModel cameraModel() const;
     render::ViewOptions viewOptions() const;
 
+    /// The same for pictures that are kept. Where no choice was measured for the camera, "auto" is the most
+    /// exact scene model that the dataset has, however long it takes.
+    render::ViewOptions pictureOptions(const render::DatasetInfo& dataset) const;
+
     /// Opens the dataset and makes its renderer. The hashes of all photos are compared now, or with
     /// --no-verify those of each photo before its first use. Errors: those of render::Dataset::open(). Stop:
     /// throws Error{Stopped}.

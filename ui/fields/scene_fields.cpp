@@ -59,7 +59,11 @@ QString autoSceneWords(const render::DatasetInfo* info, const CameraIntrinsics& 
         return RungWords::tr("Best there is");
     }
     if (!isMeasured(info, camera)) {
-        return RungWords::tr("Best there is: %1").arg(sceneWord(render::scenesOf(*info).back()));
+        render::SceneKind best = render::SceneKind::None;
+        for (std::size_t i = 0; i < info->photos.size(); ++i) {
+            best = std::max(best, render::bestScene(*info, i));
+        }
+        return RungWords::tr("Best there is: %1").arg(sceneWord(best));
     }
     const bool isMixed =
         std::any_of(info->photos.begin(), info->photos.end(),

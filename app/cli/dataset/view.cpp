@@ -27,7 +27,7 @@ Result renderView(const ViewArguments& options, Context& context) {
     const Rigid3 pose = options.dataset.opticalPose(parsePose(options.pose));
     const CameraModel camera = options.dataset.cameraModel();
     const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
-    render::ViewOptions viewOptions = options.dataset.viewOptions();
+    render::ViewOptions viewOptions = options.dataset.pictureOptions(renderer.dataset().info());
     std::vector<render::Overlay> overlays;
     if (!options.ball.empty()) {
         overlays.push_back(jobs::ballOverlay(jobs::parseBall(options.ball), camera, pose));
@@ -61,7 +61,8 @@ Result renderWalk(const WalkArguments& options, Context& context) {
     }
     const CameraModel camera = options.dataset.cameraModel();
     const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
-    jobs::WalkOptions walkOptions{options.dataset.viewOptions(), options.stream.options()};
+    jobs::WalkOptions walkOptions{options.dataset.pictureOptions(renderer.dataset().info()),
+                                  options.stream.options()};
     if (!options.ball.empty()) {
         walkOptions.ball = jobs::parseBall(options.ball);
     }

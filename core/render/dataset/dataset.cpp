@@ -71,7 +71,7 @@ std::vector<SceneKind> scenesOf(const DatasetInfo& info) {
 
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo) {
     if (!info.photos[photo].depth.empty()) {
-        return SceneKind::Blend;
+        return SceneKind::Depth;
     }
     if (info.roomShape) {
         return SceneKind::Room;

@@ -15,7 +15,80 @@ constexpr float kOther = 0.06F;
 /// Photos that are nearer to the camera than this count alike.
 constexpr double kNearestM = 0.002;
 
-/// Fuses rows of pixels. All loops are over the pixels of a row, so that they run several at a time.
+constexpr float kLeast = 1e-30F; ///< Less than any photo's weight.
+
+// Loops over the pixels of a row. Their arrays are not the same, so that the loops run several pixels at a
+// time.
+
+void keepFirst(const float* __restrict seen, float* __restrict first, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        first[x] = seen[x] > 0 ? seen[x] : first[x];
+    }
+}
+
+/// The weights of a photo, and their sums. own: that of the photo.
+void weigh(const float* __restrict seen, const float* __restrict first, float own, float* __restrict weights,
+           float* __restrict total, float* __restrict sum, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        const float apart = (seen[x] - first[x]) / (kOther * std::max(first[x], seen[x]) + kLeast);
+        const float alike = std::max(0.0F, 1 - apart * apart);
+        const float weight = seen[x] > 0 ? own * alike : 0;
+        weights[x] = weight;
+        total[x] += weight;
+        sum[x] += weight * seen[x];
+    }
+}
+
+/// sums become means, and totals the factors that make weights add up to 255.
+void divide(float* __restrict total, const float* __restrict sum, float* __restrict mean, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        const float factor = 1 / std::max(total[x], kLeast);
+        mean[x] = sum[x] * factor;
+        total[x] = 255 * factor;
+    }
+}
+
+/// What a photo gets of what is left of 255.
+void share(const float* __restrict weights, const float* __restrict factors, std::uint8_t* __restrict left,
+           std::uint8_t* __restrict shares, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        const int wanted = static_cast<int>(weights[x] * factors[x] + 0.5F);
+        const int given = std::min<int>(wanted, left[x]);
+        shares[x] = static_cast<std::uint8_t>(given);
+        left[x] = static_cast<std::uint8_t>(left[x] - given);
+    }
+}
+
+/// The weights of a photo's colours, and their sums.
+void weighColours(const std::uint8_t* __restrict shares, const std::uint8_t* __restrict looked,
+                  float* __restrict weights, float* __restrict totals, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        weights[x] = static_cast<float>(shares[x] * looked[x]);
+        totals[x] += weights[x];
+    }
+}
+
+/// Adds a photo's colours. parts: in 255 parts of each pixel.
+void addColours(const std::uint8_t* __restrict parts, const std::uint8_t* __restrict colours,
+                std::uint16_t* __restrict sums, std::uint8_t* __restrict triples, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+        triples[3 * x] = triples[3 * x + 1] = triples[3 * x + 2] = parts[x];
+    }
+    for (std::size_t k = 0; k < 3 * count; ++k) {
+        sums[k] = static_cast<std::uint16_t>(sums[k] + triples[k] * colours[k]);
+    }
+}
+
+/// Divides by 255. Range: sums up to 65279.
+void divideColours(const std::uint16_t* __restrict sums, std::uint8_t* __restrict colours,
+                   std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+        const int rounded = sums[k] + 1;
+        colours[k] = static_cast<std::uint8_t>((rounded + (rounded >> 8)) >> 8);
+    }
+}
+
+/// Fuses rows of pixels.
 class RowFusion {
   public:
     RowFusion(std::span<const DepthWitness> witnesses, int width)
@@ -23,63 +96,38 @@ class RowFusion {
           m_first(static_cast<std::size_t>(width)),
           m_total(m_first.size()),
           m_sum(m_first.size()),
+          m_left(m_first.size()),
           m_weights(witnesses.size(), std::vector<float>(m_first.size())) {}
 
     /// Writes the row's 1 / s and the photos' shares.
     void fuse(int y, float* inverse) {
-        findFirst(y);
+        const std::size_t width = m_first.size();
+        std::fill(m_first.begin(), m_first.end(), 0.0F);
         std::fill(m_total.begin(), m_total.end(), 0.0F);
         std::fill(m_sum.begin(), m_sum.end(), 0.0F);
+        std::fill(m_left.begin(), m_left.end(), std::uint8_t{255});
+        for (std::size_t i = m_witnesses.size(); i-- > 0;) {
+            keepFirst(m_witnesses[i].seen->at(0, y), m_first.data(), width);
+        }
         for (std::size_t i = 0; i < m_witnesses.size(); ++i) {
-            weigh(i, y);
+            const double offset = m_witnesses[i].offsetM;
+            const auto own = static_cast<float>(1 / (offset * offset + kNearestM * kNearestM));
+            weigh(m_witnesses[i].seen->at(0, y), m_first.data(), own, m_weights[i].data(), m_total.data(),
+                  m_sum.data(), width);
         }
-        for (std::size_t x = 0; x < m_first.size(); ++x) {
-            inverse[x] = m_sum[x] / std::max(m_total[x], kLeast);
-            m_total[x] = 255 / std::max(m_total[x], kLeast);
-        }
-        std::uint8_t* left = m_witnesses[0].share->at(0, y);
-        std::fill_n(left, m_first.size(), std::uint8_t{255});
+        divide(m_total.data(), m_sum.data(), inverse, width);
         for (std::size_t i = m_witnesses.size(); i-- > 1;) {
-            std::uint8_t* share = m_witnesses[i].share->at(0, y);
-            for (std::size_t x = 0; x < m_first.size(); ++x) {
-                const auto wanted = static_cast<std::uint8_t>(m_weights[i][x] * m_total[x] + 0.5F);
-                share[x] = std::min(wanted, left[x]);
-                left[x] = static_cast<std::uint8_t>(left[x] - share[x]);
-            }
+            share(m_weights[i].data(), m_total.data(), m_left.data(), m_witnesses[i].share->at(0, y), width);
         }
+        std::copy(m_left.begin(), m_left.end(), m_witnesses[0].share->at(0, y));
     }
 
   private:
-    static constexpr float kLeast = 1e-30F; ///< Less than any photo's weight.
-
-    void findFirst(int y) {
-        std::fill(m_first.begin(), m_first.end(), 0.0F);
-        for (std::size_t i = m_witnesses.size(); i-- > 0;) {
-            const float* seen = m_witnesses[i].seen->at(0, y);
-            for (std::size_t x = 0; x < m_first.size(); ++x) {
-                m_first[x] = seen[x] > 0 ? seen[x] : m_first[x];
-            }
-        }
-    }
-
-    void weigh(std::size_t i, int y) {
-        const double offset = m_witnesses[i].offsetM;
-        const auto own = static_cast<float>(1 / (offset * offset + kNearestM * kNearestM));
-        const float* seen = m_witnesses[i].seen->at(0, y);
-        for (std::size_t x = 0; x < m_first.size(); ++x) {
-            const float apart = (seen[x] - m_first[x]) / (kOther * std::max(m_first[x], seen[x]) + kLeast);
-            const float alike = std::max(0.0F, 1 - apart * apart);
-            const float weight = seen[x] > 0 ? own * alike : 0;
-            m_weights[i][x] = weight;
-            m_total[x] += weight;
-            m_sum[x] += weight * seen[x];
-        }
-    }
-
     std::span<const DepthWitness> m_witnesses;
     std::vector<float> m_first; ///< What the first photo says that sees anything.
     std::vector<float> m_total;
     std::vector<float> m_sum;
+    std::vector<std::uint8_t> m_left;
     std::vector<std::vector<float>> m_weights;
 };
 
@@ -243,52 +291,28 @@ void BlendedView::mixRow(int y, RgbImage& picture) {
     constexpr float kLeastWeight = 2 * 255; // a pixel of a rim alone is not known
     const auto width = static_cast<std::size_t>(picture.width());
     std::vector<std::uint8_t> looked(width);
-    std::vector<float> totals(width);
+    std::vector<float> factors(width);
     std::vector<std::vector<float>> weights(m_photos, std::vector<float>(width));
     for (std::size_t i = 0; i < m_photos; ++i) {
         const Layer& layer = m_layers[i];
         layer.view.look(layer.mesh->colourWeights(), layer.photo, y, looked);
-        const std::uint8_t* share = layer.share.at(0, y);
-        for (std::size_t x = 0; x < width; ++x) {
-            weights[i][x] = static_cast<float>(share[x] * looked[x]);
-            totals[x] += weights[i][x];
-        }
+        weighColours(layer.share.at(0, y), looked.data(), weights[i].data(), factors.data(), width);
     }
     const float* inverse = m_inverse.at(0, y);
     std::uint8_t* known = m_known.at(0, y);
     for (std::size_t x = 0; x < width; ++x) {
-        known[x] = inverse[x] > 0 && totals[x] >= kLeastWeight ? 1 : 0;
-        totals[x] = 255 / std::max(1.0F, totals[x]);
+        known[x] = inverse[x] > 0 && factors[x] >= kLeastWeight ? 1 : 0;
+        factors[x] = 255 / std::max(1.0F, factors[x]);
     }
-    mix(y, weights, totals, picture);
-}
-
-/// Adds up a row of the photos' pictures. weights: those of each photo, for each pixel. factors: what makes
-/// them add up to 255.
-void BlendedView::mix(int y, std::span<const std::vector<float>> weights, std::span<const float> factors,
-                      RgbImage& picture) const {
-    const std::size_t width = factors.size();
     std::vector<std::uint8_t> left(width, 255); // what later photos left to the first
-    std::vector<std::uint8_t> parts(3 * width);
+    std::vector<std::uint8_t> triples(3 * width);
     std::vector<std::uint16_t> sums(3 * width, 127);
-    for (std::size_t i = m_photos; i-- > 0;) {
-        for (std::size_t x = 0; x < width; ++x) {
-            const auto wanted = static_cast<std::uint8_t>(weights[i][x] * factors[x] + 0.5F);
-            const std::uint8_t part = i == 0 ? left[x] : std::min(wanted, left[x]);
-            left[x] = static_cast<std::uint8_t>(left[x] - part);
-            parts[3 * x] = part;
-            parts[3 * x + 1] = part;
-            parts[3 * x + 2] = part;
-        }
-        const std::uint8_t* colour = m_layers[i].picture.at(0, y);
-        for (std::size_t k = 0; k < 3 * width; ++k) {
-            sums[k] = static_cast<std::uint16_t>(sums[k] + parts[k] * colour[k]);
-        }
+    for (std::size_t i = m_photos; i-- > 1;) {
+        share(weights[i].data(), factors.data(), left.data(), looked.data(), width);
+        addColours(looked.data(), m_layers[i].picture.at(0, y), sums.data(), triples.data(), width);
     }
-    std::uint8_t* out = picture.at(0, y);
-    for (std::size_t k = 0; k < 3 * width; ++k) {
-        out[k] = static_cast<std::uint8_t>(sums[k] / 255);
-    }
+    addColours(left.data(), m_layers[0].picture.at(0, y), sums.data(), triples.data(), width);
+    divideColours(sums.data(), picture.at(0, y), 3 * width);
 }
 
 } // namespace spherewalk::render

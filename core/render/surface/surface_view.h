@@ -236,8 +236,6 @@ class BlendedView {
     };
 
     void mixRow(int y, RgbImage& picture);
-    void mix(int y, std::span<const std::vector<float>> weights, std::span<const float> factors,
-             RgbImage& picture) const;
 
     std::vector<Layer> m_layers;
     std::size_t m_photos = 0;

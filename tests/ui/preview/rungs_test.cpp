@@ -71,13 +71,13 @@ TEST_F(RungsTest, OfADatasetWithDepthStandBesideEachOther) {
     open(dataset);
     EXPECT_TRUE(isOffered("sceneA", SceneKind::Depth));
     EXPECT_TRUE(isOffered("sceneA", SceneKind::Blend));
-    EXPECT_EQ(box("sceneA").itemText(0), "Best there is: blend");
+    EXPECT_EQ(box("sceneA").itemText(0), "Best there is: depth");
     choose("sceneB", static_cast<int>(SceneKind::Room));
     choose("samplingB", static_cast<int>(Sampling::Bilinear));
     mode.findChild<QCheckBox*>("split")->setChecked(true);
     const auto& views = mode.presenter().views();
     ASSERT_TRUE(QTest::qWaitFor([&] { return views.size() == 2; }, 30'000));
-    EXPECT_EQ(views[0].report.scene, SceneKind::Blend);
+    EXPECT_EQ(views[0].report.scene, SceneKind::Depth);
     EXPECT_EQ(views[1].report.scene, SceneKind::Room);
     const QString words = DriveView::reportText(views[1].report);
     for (const char* part : {"scene model room", "sampling bilinear", "trust", "ms"}) {

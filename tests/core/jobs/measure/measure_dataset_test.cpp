@@ -180,7 +180,7 @@ TEST(MeasureDataset, StoresTheChoiceForViewsThatAskForNone) {
             .render(PracticeDataset::camera(), {bodyFromOptical(), {1.95, 1.7, 1.2}})
             .report.scene;
     };
-    EXPECT_EQ(sceneOf(), SceneKind::Blend); // the best
+    EXPECT_EQ(sceneOf(), SceneKind::Depth); // the best
     MeasureOptions options = quick();
     options.tolerancePx = 900;
     MeasureReport report =

@@ -63,7 +63,7 @@ ViewOptions with(SceneKind scene) {
 
 TEST(Surfaces, AreUsedWhereTheDatasetHasThem) {
     const DepthDataset dataset;
-    EXPECT_EQ(dataset.renderer().render(kCamera, pose()).report.scene, SceneKind::Blend);
+    EXPECT_EQ(dataset.renderer().render(kCamera, pose()).report.scene, SceneKind::Depth);
 }
 
 TEST(Surfaces, OfTheRoomAndOfItsDepthGiveTheSameView) {
