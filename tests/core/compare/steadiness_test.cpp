@@ -46,6 +46,16 @@ TEST(Steadiness, SeesHowMuchAViewJumps) {
     EXPECT_NEAR(jump.medianPx.value(), 4, 0.1);
 }
 
+TEST(Steadiness, IsTheSameInBothDirectionsOfTime) {
+    const Frame early{scatteredSquares(0), scatteredSquares(1)};
+    const Frame late{scatteredSquares(3), scatteredSquares(6)};
+    const Steadiness onward = steadiness(early, late);
+    const Steadiness back = steadiness(late, early);
+    EXPECT_NEAR(onward.medianPx.value(), back.medianPx.value(), 0.02);
+    EXPECT_NEAR(onward.medianPx.value(), 2, 0.1);
+    EXPECT_LE(onward.medianPx.value(), onward.p95Px.value());
+}
+
 TEST(Steadiness, IsUnknownWithoutThingsToFollow) {
     const PictureFeatures even{RgbImage(320, 240)};
     EXPECT_FALSE(steadiness({scatteredSquares(0), even}, {scatteredSquares(3), even}).medianPx);

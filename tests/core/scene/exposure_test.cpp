@@ -40,6 +40,16 @@ TEST(Exposure, FindsWhatMakesPhotosAsBrightAsEachOther) {
     }
 }
 
+TEST(Exposure, GoesByWhatIsSeenWhenThePhotoWasTurned) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()));
+    const RgbImage turned = practice::PracticeRoom().spherical({turn, {2.6, 2.1, 1.2}}, {256, 128});
+    const Gains darker{0.7F, 0.7F, 0.6F};
+    const Gains gains = gainsTo(photoAt(2.5, 2), times(turned, darker), turn.conjugate().toRotationMatrix());
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(gains[c] * darker[c], 1, 0.04) << c;
+    }
+}
+
 TEST(Exposure, SaysNothingWhereAllIsBurnt) {
     RgbImage white(256, 128);
     std::fill(white.values().begin(), white.values().end(), std::uint8_t{255});

@@ -62,6 +62,16 @@ TEST(CameraMount, ALevelCameraLooksAlongTheHeading) {
     EXPECT_LT((pose.rotation * Eigen::Vector3d::UnitY() + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
 }
 
+TEST(CameraMount, TheCameraTurnsWithTheRobotAndStaysUpright) {
+    for (const double heading : {-180.0, -90.0, 0.0, 37.0, 179.9}) {
+        const Rigid3 pose = roomFromOptical({{3, -2}, Degrees(heading)}, {0.7, Degrees(20)});
+        const Eigen::Vector3d ahead = pose.rotation * Eigen::Vector3d::UnitZ();
+        EXPECT_NEAR(std::cos(std::atan2(ahead.y(), ahead.x()) - Radians(Degrees(heading)).value()), 1, 1e-12);
+        EXPECT_NEAR((pose.rotation * Eigen::Vector3d::UnitX()).z(), 0, 1e-12) << "the horizon is level";
+        EXPECT_NEAR(pose.rotation.norm(), 1, 1e-12);
+    }
+}
+
 TEST(CameraMount, ATiltedCameraLooksBelowTheHorizon) {
     const Rigid3 pose = roomFromOptical({{0, 0}, Radians(0)}, {1, Degrees(30)});
     EXPECT_NEAR((pose.rotation * Eigen::Vector3d::UnitZ()).z(), -0.5, 1e-12);

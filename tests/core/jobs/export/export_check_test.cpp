@@ -2,6 +2,7 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
@@ -73,6 +74,24 @@ TEST(ExportScene, FindsTheSameRoomFromADozenPhotosWhetherDepthsAreExportedOrNot)
     EXPECT_EQ(depth.depth.photos, 14U);
     EXPECT_EQ(room.sphereRadiusM, depth.sphereRadiusM);
     EXPECT_EQ(room.roomShape, depth.roomShape);
+}
+
+TEST(ExportScene, OfBlendHasTheFilesOfDepth) {
+    const test::PhotographedSurvey survey{3};
+    ExportOptions options;
+    options.depth.sweep.width = 128;
+    options.depth.sweep.coarseWidth = 64;
+    options.scene = render::SceneKind::Blend;
+    const ExportCheck before = checkExport(survey.open(), survey / "d", options, noProgress(), {});
+    const ExportReport made = exportDataset(survey.open(), survey / "d", options, noProgress(), {});
+    EXPECT_EQ(made.depth.photos, 3U);
+    EXPECT_NEAR(static_cast<double>(before.totalBytes) / static_cast<double>(made.written.totalBytes), 1,
+                0.1);
+    const render::Dataset dataset = render::Dataset::open(survey / "d");
+    for (const render::DatasetPhoto& photo : dataset.info().photos) {
+        EXPECT_FALSE(photo.depth.empty()) << photo.file;
+    }
+    EXPECT_EQ(render::scenesOf(dataset.info()).back(), render::SceneKind::Blend);
 }
 
 TEST_F(ExportCheckTest, SaysWhyItCannotBeDone) {
