@@ -50,6 +50,17 @@ TEST(Exposure, GoesByWhatIsSeenWhenThePhotoWasTurned) {
     }
 }
 
+TEST(Exposure, OfTheOtherPhotoIsTheReciprocal) {
+    const RgbImage a = photoAt(2.5, 2);
+    const RgbImage b = times(photoAt(2.6, 2), {0.6F, 0.7F, 0.8F});
+    const Gains forth = gainsTo(a, b, Eigen::Matrix3d::Identity());
+    const Gains back = gainsTo(b, a, Eigen::Matrix3d::Identity());
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_GT(forth[c], 1.1F) << c;
+        EXPECT_NEAR(forth[c] * back[c], 1, 0.02) << c;
+    }
+}
+
 TEST(Exposure, SaysNothingWhereAllIsBurnt) {
     RgbImage white(256, 128);
     std::fill(white.values().begin(), white.values().end(), std::uint8_t{255});
