@@ -125,7 +125,13 @@ Result listedPhotos(const store::SurveyStore& store) {
 Result review(const ReviewArguments& options, Context& context) {
     if (options.judge != "none") {
         auto store = store::SurveyStore::open(options.survey, store::Access::Write);
-        jobs::judgeSurvey(store, options.judge == "all", context.progress, context.stop);
+        const jobs::JudgeReport judged =
+            jobs::judgeSurvey(store, options.judge == "all", context.progress, context.stop);
+        const std::string notCompared =
+            jobs::notComparedText(judged.judged, judged.notCompared, judged.contentNotCompared);
+        if (!notCompared.empty()) {
+            context.progress.warning(notCompared);
+        }
     }
     if (options.isChange()) {
         changeReviews(options);

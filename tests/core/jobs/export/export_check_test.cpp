@@ -15,6 +15,15 @@ using testing::HasSubstr;
 
 namespace {
 
+/// Small depths, which are soon there.
+ExportOptions coarse(render::SceneKind scene) {
+    ExportOptions options;
+    options.scene = scene;
+    options.depth.sweep.width = 128;
+    options.depth.sweep.coarseWidth = 64;
+    return options;
+}
+
 class ExportCheckTest : public testing::Test {
   protected:
     ExportCheck check(const std::filesystem::path& folder) const {
@@ -46,10 +55,7 @@ TEST_F(ExportCheckTest, SaysWhatTheDatasetWouldLack) {
 }
 
 TEST_F(ExportCheckTest, CountsTheDepthsThatAreNotKnownYet) {
-    ExportOptions options;
-    options.scene = render::SceneKind::Depth;
-    options.depth.sweep.width = 128;
-    options.depth.sweep.coarseWidth = 64;
+    const ExportOptions options = coarse(render::SceneKind::Depth);
     const auto store = survey.open();
     const ExportCheck before = checkExport(store, survey / "d", options, noProgress(), {});
     EXPECT_EQ(knownScene(store, options.depth), render::SceneKind::Sphere); // one of three was tried
@@ -63,13 +69,12 @@ TEST_F(ExportCheckTest, CountsTheDepthsThatAreNotKnownYet) {
 
 TEST(ExportScene, FindsTheSameRoomFromADozenPhotosWhetherDepthsAreExportedOrNot) {
     const test::PhotographedSurvey survey{14};
-    ExportOptions options;
-    options.depth.sweep.width = 128;
-    options.depth.sweep.coarseWidth = 64;
-    options.scene = render::SceneKind::Room;
-    const ExportReport room = exportDataset(survey.open(), survey / "room", options, noProgress(), {});
-    options.scene = render::SceneKind::Depth;
-    const ExportReport depth = exportDataset(survey.open(), survey / "depth", options, noProgress(), {});
+    const auto exported = [&](render::SceneKind scene) {
+        return exportDataset(survey.open(), survey / std::string(name(scene)), coarse(scene), noProgress(),
+                             {});
+    };
+    const ExportReport room = exported(render::SceneKind::Room);
+    const ExportReport depth = exported(render::SceneKind::Depth);
     EXPECT_EQ(room.depth.photos, 12U);
     EXPECT_EQ(depth.depth.photos, 14U);
     EXPECT_EQ(room.sphereRadiusM, depth.sphereRadiusM);
@@ -78,10 +83,7 @@ TEST(ExportScene, FindsTheSameRoomFromADozenPhotosWhetherDepthsAreExportedOrNot)
 
 TEST(ExportScene, OfBlendHasTheFilesOfDepth) {
     const test::PhotographedSurvey survey{3};
-    ExportOptions options;
-    options.depth.sweep.width = 128;
-    options.depth.sweep.coarseWidth = 64;
-    options.scene = render::SceneKind::Blend;
+    const ExportOptions options = coarse(render::SceneKind::Blend);
     const ExportCheck before = checkExport(survey.open(), survey / "d", options, noProgress(), {});
     const ExportReport made = exportDataset(survey.open(), survey / "d", options, noProgress(), {});
     EXPECT_EQ(made.depth.photos, 3U);
