@@ -196,19 +196,15 @@ void ViewEngine::draw(const ViewRequest& request, const Plan& plan, const PlaneV
 void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view) {
     const auto begin = std::chrono::steady_clock::now();
     withTools(request.options.threads, [&](const Tools& tools) {
-        if (plan.surface == SceneKind::Blend) {
-            drawSurfaces(request, plan, tools, tools.memory.blendedView, view);
-        } else {
-            drawSurfaces(request, plan, tools, tools.memory.surfaceView, view);
-        }
+        SurfaceView& surfaces =
+            plan.surface == SceneKind::Blend ? tools.memory.blendedView : tools.memory.surfaceView;
+        drawSurfaces(request, plan, tools, surfaces, view);
     });
     view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
 }
 
-/// surfaceView: what draws surfaces, a SurfaceView or a BlendedView.
-template <class Surface>
 void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
-                              Surface& surfaceView, View& view) {
+                              SurfaceView& surfaceView, View& view) {
     const auto rays = pixelRaysOf(request.camera, tools);
     std::vector<SurfacePhoto> photos;
     for (const std::size_t photo :

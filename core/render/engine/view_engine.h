@@ -69,7 +69,7 @@ class ViewEngine {
     struct Memory {
         Workspace workspace;
         SurfaceView surfaceView;
-        BlendedView blendedView;
+        SurfaceView blendedView{true};
     };
 
     /// What one view is drawn with. threads: the most to use of the pool.
@@ -94,9 +94,8 @@ class ViewEngine {
     void draw(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
               View& view);
     void makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view);
-    template <class Surface>
-    void drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools, Surface& surfaceView,
-                      View& view);
+    void drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
+                      SurfaceView& surfaceView, View& view);
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
     void addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
                    DepthImage depth, View& view);

@@ -1,145 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "pixels/sampler.h"
 #include "surface/surface_view.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace spherewalk::render {
 
 namespace {
 
-/// Distances that differ by so much, as a share of 1 / distance, are not of one thing.
-constexpr float kOther = 0.06F;
-/// Photos that are nearer to the camera than this count alike.
-constexpr double kNearestM = 0.002;
-
-constexpr float kLeast = 1e-30F; ///< Less than any photo's weight.
-
-// Loops over the pixels of a row. Their arrays are not the same, so that the loops run several pixels at a
-// time.
-
-void keepFirst(const float* __restrict seen, float* __restrict first, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        first[x] = seen[x] > 0 ? seen[x] : first[x];
-    }
-}
-
-/// The weights of a photo, and their sums. own: that of the photo.
-void weigh(const float* __restrict seen, const float* __restrict first, float own, float* __restrict weights,
-           float* __restrict total, float* __restrict sum, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        const float apart = (seen[x] - first[x]) / (kOther * std::max(first[x], seen[x]) + kLeast);
-        const float alike = std::max(0.0F, 1 - apart * apart);
-        const float weight = seen[x] > 0 ? own * alike : 0;
-        weights[x] = weight;
-        total[x] += weight;
-        sum[x] += weight * seen[x];
-    }
-}
-
-/// sums become means, and totals the factors that make weights add up to 255.
-void divide(float* __restrict total, const float* __restrict sum, float* __restrict mean, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        const float factor = 1 / std::max(total[x], kLeast);
-        mean[x] = sum[x] * factor;
-        total[x] = 255 * factor;
-    }
-}
-
-/// What a photo gets of what is left of 255.
-void share(const float* __restrict weights, const float* __restrict factors, std::uint8_t* __restrict left,
-           std::uint8_t* __restrict shares, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        const int wanted = static_cast<int>(weights[x] * factors[x] + 0.5F);
-        const int given = std::min<int>(wanted, left[x]);
-        shares[x] = static_cast<std::uint8_t>(given);
-        left[x] = static_cast<std::uint8_t>(left[x] - given);
-    }
-}
-
-/// The weights of a photo's colours, and their sums.
-void weighColours(const std::uint8_t* __restrict shares, const std::uint8_t* __restrict looked,
-                  float* __restrict weights, float* __restrict totals, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        weights[x] = static_cast<float>(shares[x] * looked[x]);
-        totals[x] += weights[x];
-    }
-}
-
-/// Adds a photo's colours. parts: in 255 parts of each pixel.
-void addColours(const std::uint8_t* __restrict parts, const std::uint8_t* __restrict colours,
-                std::uint16_t* __restrict sums, std::uint8_t* __restrict triples, std::size_t count) {
-    for (std::size_t x = 0; x < count; ++x) {
-        triples[3 * x] = triples[3 * x + 1] = triples[3 * x + 2] = parts[x];
-    }
-    for (std::size_t k = 0; k < 3 * count; ++k) {
-        sums[k] = static_cast<std::uint16_t>(sums[k] + triples[k] * colours[k]);
-    }
-}
-
-/// Divides by 255. Range: sums up to 65279.
-void divideColours(const std::uint16_t* __restrict sums, std::uint8_t* __restrict colours,
-                   std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const int rounded = sums[k] + 1;
-        colours[k] = static_cast<std::uint8_t>((rounded + (rounded >> 8)) >> 8);
-    }
-}
-
-/// Fuses rows of pixels.
-class RowFusion {
-  public:
-    RowFusion(std::span<const DepthWitness> witnesses, int width)
-        : m_witnesses(witnesses),
-          m_first(static_cast<std::size_t>(width)),
-          m_total(m_first.size()),
-          m_sum(m_first.size()),
-          m_left(m_first.size()),
-          m_weights(witnesses.size(), std::vector<float>(m_first.size())) {}
-
-    /// Writes the row's 1 / s and the photos' shares.
-    void fuse(int y, float* inverse) {
-        const std::size_t width = m_first.size();
-        std::fill(m_first.begin(), m_first.end(), 0.0F);
-        std::fill(m_total.begin(), m_total.end(), 0.0F);
-        std::fill(m_sum.begin(), m_sum.end(), 0.0F);
-        std::fill(m_left.begin(), m_left.end(), std::uint8_t{255});
-        for (std::size_t i = m_witnesses.size(); i-- > 0;) {
-            keepFirst(m_witnesses[i].seen->at(0, y), m_first.data(), width);
-        }
-        for (std::size_t i = 0; i < m_witnesses.size(); ++i) {
-            const double offset = m_witnesses[i].offsetM;
-            const auto own = static_cast<float>(1 / (offset * offset + kNearestM * kNearestM));
-            weigh(m_witnesses[i].seen->at(0, y), m_first.data(), own, m_weights[i].data(), m_total.data(),
-                  m_sum.data(), width);
-        }
-        divide(m_total.data(), m_sum.data(), inverse, width);
-        for (std::size_t i = m_witnesses.size(); i-- > 1;) {
-            share(m_weights[i].data(), m_total.data(), m_left.data(), m_witnesses[i].share->at(0, y), width);
-        }
-        std::copy(m_left.begin(), m_left.end(), m_witnesses[0].share->at(0, y));
-    }
-
-  private:
-    std::span<const DepthWitness> m_witnesses;
-    std::vector<float> m_first; ///< What the first photo says that sees anything.
-    std::vector<float> m_total;
-    std::vector<float> m_sum;
-    std::vector<std::uint8_t> m_left;
-    std::vector<std::vector<float>> m_weights;
-};
-
 constexpr int kFarthestPx = 96;
+/// Ends that are so many times farther than both sides of a hole have no say.
+constexpr int kFarther = 4;
+/// Opposite directions follow each other.
 constexpr std::array<std::pair<int, int>, 8> kDirections{
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, -1}}};
 
 /// What lies at the end of a hole in one direction.
 struct End {
     const std::uint8_t* colour = nullptr;
     float inverse = 0;
     float distance = 0;
+    int steps = 0;
 };
 
 class Filler {
@@ -150,12 +35,20 @@ class Filler {
     /// The colour of a pixel that is not known; nothing if no direction leads to a known one.
     bool fill(int x, int y, std::uint8_t* out) const {
         std::array<End, kDirections.size()> ends;
-        float least = HUGE_VALF;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            ends[i] = end(x, y, kDirections[i]);
-            if (ends[i].colour != nullptr) {
-                least = std::min(least, ends[i].inverse);
+        int farthest = kFarthestPx;
+        for (std::size_t i = 0; i < ends.size(); i += 2) {
+            End& one = ends[i] = end(x, y, kDirections[i], farthest);
+            End& opposite = ends[i + 1] = end(x, y, kDirections[i + 1], farthest);
+            if (one.colour != nullptr && opposite.colour != nullptr) {
+                farthest = std::min(farthest, kFarther * std::max(one.steps, opposite.steps));
             }
+        }
+        float least = HUGE_VALF;
+        for (End& at : ends) {
+            if (at.steps > farthest) {
+                at.colour = nullptr;
+            }
+            least = at.colour != nullptr ? std::min(least, at.inverse) : least;
         }
         std::array<float, 3> sum{};
         float total = 0;
@@ -178,16 +71,22 @@ class Filler {
     }
 
   private:
-    End end(int x, int y, std::pair<int, int> direction) const {
-        for (int step = 1; step <= kFarthestPx; ++step) {
-            const int atX = x + step * direction.first;
-            const int atY = y + step * direction.second;
-            if (atX < 0 || atY < 0 || atX >= m_picture.width() || atY >= m_picture.height()) {
-                return {};
-            }
-            if (*m_known.at(atX, atY) != 0 && *m_inverse.at(atX, atY) > 0) {
-                const float length = direction.first != 0 && direction.second != 0 ? 1.41421356F : 1;
-                return {m_picture.at(atX, atY), *m_inverse.at(atX, atY), length * static_cast<float>(step)};
+    End end(int x, int y, std::pair<int, int> direction, int farthest) const {
+        const auto [right, down] = direction;
+        const auto toBorder = [](int at, int step, int count) {
+            return step > 0 ? count - 1 - at : step < 0 ? at : kFarthestPx;
+        };
+        const int steps = std::min(
+            {farthest, toBorder(x, right, m_picture.width()), toBorder(y, down, m_picture.height())});
+        const std::ptrdiff_t stride = std::ptrdiff_t{down} * m_known.width() + right;
+        const std::uint8_t* known = m_known.at(x, y);
+        for (int step = 1; step <= steps; ++step) {
+            if (known[step * stride] == static_cast<std::uint8_t>(Known::Seen)) {
+                const int atX = x + step * right;
+                const int atY = y + step * down;
+                const float length = right != 0 && down != 0 ? 1.41421356F : 1;
+                return {m_picture.at(atX, atY), *m_inverse.at(atX, atY), length * static_cast<float>(step),
+                        step};
             }
         }
         return {};
@@ -200,119 +99,139 @@ class Filler {
 
 } // namespace
 
-void fuseDepths(std::span<const DepthWitness> witnesses, int width, int height, WorkerPool& pool, int threads,
-                InverseBuffer& inverse) {
-    fit(inverse, width, height);
-    for (const DepthWitness& witness : witnesses) {
-        if (witness.share->width() != inverse.width() || witness.share->height() != inverse.height()) {
-            *witness.share = MaskImage(inverse.width(), inverse.height());
-        }
-    }
-    pool.run(inverse.height() / kCell, threads, [&](int row, int) {
-        RowFusion fusion(witnesses, width);
-        for (int y = row * kCell; y < (row + 1) * kCell; ++y) {
-            const int end = y < height ? width : 0;
-            if (end > 0) {
-                fusion.fuse(y, inverse.at(0, y));
-            }
-            std::fill(inverse.at(0, y) + end, inverse.at(0, y) + inverse.width(), 1.0F); // beyond the view
-            for (const DepthWitness& witness : witnesses) {
-                std::fill(witness.share->at(0, y) + end, witness.share->at(0, y) + inverse.width(),
-                          std::uint8_t{0});
-            }
-        }
-    });
-}
-
 void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool& pool, int threads,
                 RgbImage& picture) {
     // Only known pixels are read and only the others are written, so rows may be filled in any order.
     const Filler filler(known, inverse, picture);
     pool.run(picture.height(), threads, [&](int y, int) {
-        const std::uint8_t* row = known.at(0, y);
-        const std::uint8_t* end = row + picture.width();
-        for (const std::uint8_t* hole = std::find(row, end, 0); hole != end;
-             hole = std::find(hole + 1, end, 0)) {
-            const int x = static_cast<int>(hole - row);
+        const std::uint8_t* begin = known.at(0, y);
+        const std::uint8_t* end = begin + picture.width();
+        const auto holeFrom = [&](const std::uint8_t* at) {
+            const void* hole =
+                std::memchr(at, static_cast<int>(Known::Nothing), static_cast<std::size_t>(end - at));
+            return static_cast<const std::uint8_t*>(hole);
+        };
+        for (const std::uint8_t* hole = holeFrom(begin); hole != nullptr; hole = holeFrom(hole + 1)) {
+            const int x = static_cast<int>(hole - begin);
             filler.fill(x, y, picture.at(x, y));
         }
     });
 }
 
-std::vector<TileSet> BlendedView::prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                          std::span<const SurfacePhoto> photos, double usualDistanceM,
-                                          int samplesPerAxis, WorkerPool& pool, int threads) {
-    m_photos = photos.size();
-    m_layers.resize(std::max(m_layers.size(), m_photos));
-    const CameraModel& camera = rays.camera();
-    OpenCells open(camera.width(), camera.height());
-    std::vector<DepthWitness> witnesses;
-    for (std::size_t i = 0; i < m_photos; ++i) {
-        Layer& layer = m_layers[i];
-        layer.mesh = photos[i].mesh;
-        layer.photo = photos[i].grid.photo();
-        const Rigid3 cameraFromPhoto = between(roomFromCamera, photos[i].roomFromPhoto);
-        m_raster.draw(*layer.mesh, cameraFromPhoto, camera, open, SurfaceView::kTolerancePx, pool, threads,
-                      layer.seen);
-        witnesses.push_back({cameraFromPhoto.translation.norm(), &layer.seen, &layer.share});
+/// Tells holes from what is seen, before holes get distances.
+void SurfaceView::markHoles(WorkerPool& pool, int threads) {
+    if (m_known.width() != m_coordinates.source.width() ||
+        m_known.height() != m_coordinates.source.height()) {
+        m_known = MaskImage(m_coordinates.source.width(), m_coordinates.source.height());
     }
-    fuseDepths(witnesses, camera.width(), camera.height(), pool, threads, m_inverse);
-    const int uncovered = open.update(m_layers.front().seen, pool, threads);
-    m_filledShare = uncovered / (static_cast<double>(camera.width()) * camera.height());
-    open.update(m_inverse, pool, threads);
-    std::vector<TileSet> needs;
-    for (std::size_t i = 0; i < m_photos; ++i) {
-        needs.push_back(m_layers[i].view.prepareKnown(rays, roomFromCamera, photos[i],
-                                                      {m_inverse, open, m_layers[i].share}, usualDistanceM,
-                                                      samplesPerAxis, pool, threads));
-    }
-    return needs;
+    pool.run(m_coordinates.rows(), threads, [&](int row, int) {
+        const auto width = static_cast<std::size_t>(m_known.width());
+        std::fill_n(m_known.at(0, row * kCell), kCell * width, static_cast<std::uint8_t>(Known::Seen));
+        for (int column = 0; column < m_coordinates.columns(); ++column) {
+            for (int y = row * kCell; y < (row + 1) * kCell && m_open.isOpen(column, row); ++y) {
+                const float* inverse = m_coordinates.inverse.at(column * kCell, y);
+                std::uint8_t* known = m_known.at(column * kCell, y);
+                for (int x = 0; x < kCell; ++x) {
+                    known[x] = static_cast<std::uint8_t>(inverse[x] > 0 ? Known::Seen : Known::Nothing);
+                }
+            }
+        }
+    });
 }
 
-void BlendedView::sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling,
-                         WorkerPool& pool, int threads, RgbImage& picture) {
-    const int width = rays.camera().width();
-    const int height = rays.camera().height();
-    if (picture.width() != width || picture.height() != height) {
-        picture = RgbImage(width, height);
-    }
-    if (m_known.width() != width || m_known.height() != height) {
-        m_known = MaskImage(width, height);
-    }
-    for (std::size_t i = 0; i < m_photos; ++i) {
-        m_layers[i].view.sample(rays, planes.subspan(i, 1), sampling, pool, threads, m_layers[i].picture);
-    }
-    pool.run(height, threads, [&](int y, int) { mixRow(y, picture); });
-    fillSoftly(m_known, m_inverse, pool, threads, picture);
+/// Samples the second photo in all of a cell.
+void SurfaceView::sampleMixed(const Cell& at, const PlaneView& plane, Sampling sampling,
+                              SampleSpace& space) const {
+    const std::size_t cell = m_coordinates.index(at.column, at.row);
+    const std::size_t first = cell * SurfaceCoordinates::kCellPixels;
+    fillPlaces(cell, 1, plane, sampling,
+               {m_coordinates.mixedU.data() + first, m_coordinates.mixedV.data() + first, kCell}, space);
+    simd::sample(plane, sampling,
+                 {space.places.data(), space.fractions.data(), m_samples, space.colours.data(),
+                  std::ptrdiff_t{3} * kCell, kCell, kCell, true});
 }
 
-/// Mixes a row of the photos' pictures.
-void BlendedView::mixRow(int y, RgbImage& picture) {
-    constexpr float kLeastWeight = 2 * 255; // a pixel of a rim alone is not known
-    const auto width = static_cast<std::size_t>(picture.width());
-    std::vector<std::uint8_t> looked(width);
-    std::vector<float> factors(width);
-    std::vector<std::vector<float>> weights(m_photos, std::vector<float>(width));
-    for (std::size_t i = 0; i < m_photos; ++i) {
-        const Layer& layer = m_layers[i];
-        layer.view.look(layer.mesh->colourWeights(), layer.photo, y, looked);
-        weighColours(layer.share.at(0, y), looked.data(), weights[i].data(), factors.data(), width);
+/// Looks up the colour weights of a cell's pixels in a photo. u, v: their coordinates.
+void SurfaceView::look(const Drawn& drawn, const std::int32_t* u, const std::int32_t* v, CellBytes& weights) {
+    const MaskImage& mask = drawn.mesh->colourWeights();
+    const simd::MaskPlacing placing{(PlaneLayout::kGuard - 0.5F) * kFixedOne,
+                                    static_cast<float>(mask.width()) / static_cast<float>(drawn.size.width) /
+                                        kFixedOne,
+                                    mask.width(), mask.height()};
+    std::array<std::int32_t, SurfaceCoordinates::kCellPixels> places;
+    simd::placeInMask(placing, u, v, places.data());
+    const std::uint8_t* values = mask.values().data();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        weights[i] = values[places[i]];
     }
-    const float* inverse = m_inverse.at(0, y);
-    std::uint8_t* known = m_known.at(0, y);
-    for (std::size_t x = 0; x < width; ++x) {
-        known[x] = inverse[x] > 0 && factors[x] >= kLeastWeight ? 1 : 0;
-        factors[x] = 255 / std::max(1.0F, factors[x]);
+}
+
+/// Lets the rims of things count little in a cell. What shows only rims is not known. shares: those of the
+/// second photo.
+void SurfaceView::weighRims(const Cell& at, CellBytes& shares) {
+    const std::size_t cell = m_coordinates.index(at.column, at.row);
+    const std::size_t first = cell * SurfaceCoordinates::kCellPixels;
+    const std::uint32_t sources = m_coordinates.sources[cell];
+    CellBytes own{};
+    CellBytes looked{};
+    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
+        if ((sources >> i & 1U) == 0) {
+            continue;
+        }
+        look(m_drawn[i], m_coordinates.u.data() + first, m_coordinates.v.data() + first,
+             i == 0 ? own : looked);
+        for (int y = 0; y < kCell && i > 0; ++y) {
+            const std::uint8_t* source = m_coordinates.source.at(at.column * kCell, at.row * kCell + y);
+            for (std::size_t x = 0; x < kCell; ++x) {
+                std::uint8_t& weight = own[static_cast<std::size_t>(y) * kCell + x];
+                weight = source[x] == i ? looked[static_cast<std::size_t>(y) * kCell + x] : weight;
+            }
+        }
     }
-    std::vector<std::uint8_t> left(width, 255); // what later photos left to the first
-    std::vector<std::uint8_t> triples(3 * width);
-    std::vector<std::uint16_t> sums(3 * width, 127);
-    for (std::size_t i = m_photos; i-- > 1;) {
-        share(weights[i].data(), factors.data(), left.data(), looked.data(), width);
-        addColours(looked.data(), m_layers[i].picture.at(0, y), sums.data(), triples.data(), width);
+    if ((sources & SurfaceCoordinates::kMixed) != 0) {
+        look(m_drawn[1], m_coordinates.mixedU.data() + first, m_coordinates.mixedV.data() + first, looked);
     }
-    addColours(left.data(), m_layers[0].picture.at(0, y), sums.data(), triples.data(), width);
-    divideColours(sums.data(), picture.at(0, y), 3 * width);
+    simd::weighShares(own.data(), looked.data(), static_cast<std::uint8_t>(Known::Nothing), m_known.width(),
+                      shares.data(), m_known.at(at.column * kCell, at.row * kCell));
+}
+
+/// Mixes the second photo into a cell, whose first photo is sampled.
+void SurfaceView::mix(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
+                      SampleSpace& space, RgbImage& picture) {
+    const std::uint32_t sources = m_coordinates.sources[m_coordinates.index(at.column, at.row)];
+    const int left = at.column * kCell;
+    const int top = at.row * kCell;
+    CellBytes shares{};
+    for (int y = 0; y < kCell && (sources & SurfaceCoordinates::kMixed) != 0; ++y) {
+        std::copy_n(m_coordinates.share.at(left, top + y), kCell, shares.begin() + y * kCell);
+    }
+    if ((sources & SurfaceCoordinates::kRims) != 0) {
+        weighRims(at, shares);
+    }
+    if ((sources & SurfaceCoordinates::kMixed) != 0) {
+        sampleMixed(at, planes[1], sampling, space);
+        for (int y = 0; y < at.height; ++y) {
+            std::array<std::uint8_t, std::size_t{3} * kCell> row;
+            std::uint8_t* pixels = picture.at(left, top + y);
+            const bool isWhole = at.width == kCell;
+            if (!isWhole) {
+                std::copy_n(pixels, 3 * at.width, row.begin());
+            }
+            simd::mixColours(space.colours.data() + std::ptrdiff_t{3} * kCell * y,
+                             shares.data() + std::ptrdiff_t{kCell} * y, isWhole ? pixels : row.data());
+            if (!isWhole) {
+                std::copy_n(row.begin(), 3 * at.width, pixels);
+            }
+        }
+    }
+    for (int y = 0; y < at.height && (sources & SurfaceCoordinates::kBlind) != 0; ++y) {
+        for (int x = 0; x < at.width; ++x) {
+            if (*m_coordinates.source.at(left + x, top + y) == SurfaceCoordinates::kUnseen) {
+                std::fill_n(picture.at(left + x, top + y), 3, std::uint8_t{0});
+                *m_known.at(left + x, top + y) = static_cast<std::uint8_t>(Known::Outside);
+            }
+        }
+    }
 }
 
 } // namespace spherewalk::render

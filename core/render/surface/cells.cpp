@@ -96,6 +96,48 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
     return any;
 }
 
+Mixture mixDistances(const float* second, std::ptrdiff_t pitch, float perFirst, float* values,
+                     std::uint8_t* sources, std::uint8_t* shares) {
+    // Distances that differ by so much, as a share of 1 / s, are not of one thing.
+    constexpr float kOther = 0.06F;
+    const F d;
+    const I di;
+    const hn::Rebind<std::uint8_t, I> d8;
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1);
+    const V weight = hn::Set(d, perFirst);
+    Mixture mixture;
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const std::ptrdiff_t at = y * pitch + x;
+            const V mine = hn::LoadU(d, values + at);
+            const V other = hn::LoadU(d, second + at);
+            const auto isOpen = hn::Eq(mine, zero);
+            const auto isOther = hn::Gt(other, zero);
+            const V scale = hn::Set(d, kOther) * hn::Max(hn::Max(mine, other), hn::Set(d, 1e-30F));
+            const V apart = (other - mine) / scale;
+            const V alike = hn::Max(zero, one - apart * apart);
+            const V both = hn::IfThenElseZero(hn::AndNot(isOpen, isOther), weight * alike);
+            const V total = one + both;
+            const V mean = (mine + both * other) / total;
+            hn::StoreU(hn::IfThenElse(isOpen, other, mean), d, values + at);
+            const VI share = hn::ConvertTo(di, hn::Set(d, 255) * both / total + hn::Set(d, 0.5F));
+            hn::StoreU(hn::DemoteTo(d8, share), d8, shares + at);
+            mixture.isMixed |= !hn::AllTrue(di, hn::Eq(share, hn::Zero(di)));
+            if (hn::AllFalse(d, isOpen)) {
+                continue;
+            }
+            mixture.open += static_cast<int>(hn::CountTrue(d, isOpen));
+            const auto isOthers = hn::And(isOpen, isOther);
+            mixture.hasOthers |= !hn::AllFalse(d, isOthers);
+            const VI source = hn::PromoteTo(di, hn::LoadU(d8, sources + at));
+            const VI taken = hn::IfThenElse(hn::RebindMask(di, isOthers), hn::Set(di, 1), source);
+            hn::StoreU(hn::DemoteTo(d8, taken), d8, sources + at);
+        }
+    }
+    return mixture;
+}
+
 void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
                int apart, std::int32_t* places, std::int32_t* fractions) {
     static_assert(PlaneLayout::kPixelBytes == 3);
@@ -136,7 +178,7 @@ void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::i
     const VI lastColumn = hn::Set(d, placing.width - 1);
     const VI lastRow = hn::Set(d, placing.height - 1);
     const VI zero = hn::Zero(d);
-    for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+    for (std::ptrdiff_t x = 0; x < kCell * kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
         const V right = hn::Mul(hn::Sub(hn::ConvertTo(df, hn::LoadU(d, u + x)), first), scale);
         const V down = hn::Mul(hn::Sub(hn::ConvertTo(df, hn::LoadU(d, v + x)), first), scale);
         VI column = hn::ConvertTo(d, right);
@@ -145,6 +187,52 @@ void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::i
         column = hn::Min(hn::Max(column, zero), lastColumn);
         const VI row = hn::Min(hn::Max(hn::ConvertTo(d, down), zero), lastRow);
         hn::StoreU(hn::Add(hn::Mul(row, width), column), d, places + x);
+    }
+}
+
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
+                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known) {
+    const F df;
+    const I d;
+    const hn::Rebind<std::uint8_t, I> d8;
+    const VI all = hn::Set(d, 255);
+    const VI least = hn::Set(d, 2 * 255);
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+            const std::ptrdiff_t at = y * kCell + x;
+            const VI share = hn::PromoteTo(d, hn::LoadU(d8, shares + at));
+            const VI second = hn::Mul(share, hn::PromoteTo(d, hn::LoadU(d8, other + at)));
+            const VI first = hn::Mul(hn::Sub(all, share), hn::PromoteTo(d, hn::LoadU(d8, own + at)));
+            const VI total = hn::Add(first, second);
+            const V part = hn::ConvertTo(df, hn::Mul(all, second)) / hn::ConvertTo(df, hn::Max(total, least));
+            hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d, part + hn::Set(df, 0.5F))), d8, shares + at);
+            const VI before = hn::PromoteTo(d, hn::LoadU(d8, known + y * pitch + x));
+            const VI after = hn::IfThenElse(hn::Lt(total, least), hn::Set(d, nothing), before);
+            hn::StoreU(hn::DemoteTo(d8, after), d8, known + y * pitch + x);
+        }
+    }
+}
+
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
+    using Bytes = hn::CappedTag<std::uint8_t, kCell>;
+    using Words = hn::CappedTag<std::uint16_t, kCell>;
+    const Bytes d8;
+    const Words d;
+    const hn::Rebind<std::uint8_t, Words> half;
+    constexpr std::ptrdiff_t kBytes = std::ptrdiff_t{3} * kCell;
+    HWY_ALIGN std::array<std::uint8_t, kBytes> triples;
+    for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d8))) {
+        const auto share = hn::LoadU(d8, shares + x);
+        hn::StoreInterleaved3(share, share, share, d8, triples.data() + 3 * x);
+    }
+    const auto all = hn::Set(d, std::uint16_t{255});
+    for (std::ptrdiff_t k = 0; k < kBytes; k += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+        const auto share = hn::PromoteTo(d, hn::LoadU(half, triples.data() + k));
+        const auto first = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, colours + k)), hn::Sub(all, share));
+        const auto second = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, other + k)), share);
+        const auto sum = hn::Add(hn::Add(first, second), hn::Set(d, std::uint16_t{128}));
+        const auto mean = hn::ShiftRight<8>(hn::Add(sum, hn::ShiftRight<8>(sum)));
+        hn::StoreU(hn::DemoteTo(half, hn::BitCast(hn::RebindToSigned<Words>(), mean)), half, colours + k);
     }
 }
 
@@ -220,8 +308,11 @@ namespace spherewalk::render::simd {
 HWY_EXPORT(range);
 HWY_EXPORT(zeros);
 HWY_EXPORT(takeUnseen);
+HWY_EXPORT(mixDistances);
 HWY_EXPORT(placeRows);
 HWY_EXPORT(placeInMask);
+HWY_EXPORT(weighShares);
+HWY_EXPORT(mixColours);
 HWY_EXPORT(takeOwn);
 HWY_EXPORT(boxOfAll);
 HWY_EXPORT(boxOfPhoto);
@@ -239,6 +330,11 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
     return HWY_DYNAMIC_DISPATCH(takeUnseen)(seen, pitch, photo, values, sources);
 }
 
+Mixture mixDistances(const float* second, std::ptrdiff_t pitch, float perFirst, float* values,
+                     std::uint8_t* sources, std::uint8_t* shares) {
+    return HWY_DYNAMIC_DISPATCH(mixDistances)(second, pitch, perFirst, values, sources, shares);
+}
+
 void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::int32_t* v, int rows,
                int apart, std::int32_t* places, std::int32_t* fractions) {
     HWY_DYNAMIC_DISPATCH(placeRows)(placing, u, v, rows, apart, places, fractions);
@@ -247,6 +343,15 @@ void placeRows(const SamplePlacing& placing, const std::int32_t* u, const std::i
 void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::int32_t* v,
                  std::int32_t* places) {
     HWY_DYNAMIC_DISPATCH(placeInMask)(placing, u, v, places);
+}
+
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
+                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known) {
+    HWY_DYNAMIC_DISPATCH(weighShares)(own, other, nothing, pitch, shares, known);
+}
+
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
+    HWY_DYNAMIC_DISPATCH(mixColours)(other, shares, colours);
 }
 
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,

@@ -81,6 +81,20 @@ int zeros(const float* values, std::ptrdiff_t pitch, std::array<std::int32_t, 16
 bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, float* values,
                 std::uint8_t* sources);
 
+/// What became of a cell in which two photos are mixed.
+struct Mixture {
+    int open = 0;           ///< The number of pixels that the first photo does not see.
+    bool hasOthers = false; ///< Some pixel is seen by the second photo alone.
+    bool isMixed = false;   ///< Some pixel has a share of the second photo.
+};
+
+/// Mixes the 1 / s of a cell that two photos see. second: what the second photo sees. perFirst: its weight,
+/// if the first photo's is 1. values: what the first photo sees; it gets the mixture. sources: they become 1
+/// where the second photo alone sees something. shares: they get the second photo's share of each pixel that
+/// both see, in 255 parts.
+Mixture mixDistances(const float* second, std::ptrdiff_t pitch, float perFirst, float* values,
+                     std::uint8_t* sources, std::uint8_t* shares);
+
 /// How coordinates become places in a photo's plane, for one sample of each pixel.
 struct SamplePlacing {
     std::int32_t addU;
@@ -104,9 +118,19 @@ struct MaskPlacing {
     std::int32_t height;
 };
 
-/// Computes the numbers of the nearest pixels in the mask, row after row, of a row of sixteen pixels.
+/// Computes the numbers of the nearest pixels in the mask, row after row, of the pixels of a cell.
 void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::int32_t* v,
                  std::int32_t* places);
+
+/// Weighs the colours of a cell's pixels. own, other: the colour weights of the photo of each pixel and of
+/// the second photo. shares: those of the second photo in 255 parts; they are weighted. known: it becomes
+/// `nothing` where the weights' mean is less than two. pitch: values from one row of `known` to the next.
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
+                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known);
+
+/// Mixes the colours of a row of sixteen pixels. other: colours of the second photo. shares: its share of
+/// each pixel in 255 parts.
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours);
 
 /// Takes coordinates of a cell's pixels where the pixels come from that photo. sources: 16 rows.
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace spherewalk::render {
@@ -184,7 +185,7 @@ class RowLocator {
         for (std::size_t photo = 0; photo < m_targets.size(); ++photo) {
             for (int column = 0; column < columns; ++column) {
                 m_shows[static_cast<std::size_t>(column)] =
-                    m_coordinates.sources[m_coordinates.index(column, row)] >> photo & 1U;
+                    m_coordinates.wants(m_coordinates.index(column, row), photo) ? 1 : 0;
             }
             simd::fit(m_targets[photo], m_rays.nodes(), m_least.data(), m_greatest.data(), m_shows,
                       m_fits[photo]);
@@ -242,14 +243,20 @@ class RowLocator {
         const std::uint32_t sources = m_coordinates.sources[cell];
         std::int32_t* u = m_coordinates.u.data() + cell * SurfaceCoordinates::kCellPixels;
         std::int32_t* v = m_coordinates.v.data() + cell * SurfaceCoordinates::kCellPixels;
+        const bool isMixed = (sources & SurfaceCoordinates::kMixed) != 0;
         bool isFirst = true;
         for (std::size_t photo = 0; photo < m_targets.size(); ++photo) {
-            if ((sources >> photo & 1U) == 0) {
+            if (!m_coordinates.wants(cell, photo)) {
                 continue;
             }
-            locate(column, row, photo, isFirst ? u : m_u.data(), isFirst ? v : m_v.data());
-            if (!isFirst) {
-                simd::takeOwn(m_u.data(), m_v.data(), m_coordinates.source.at(column * kCell, row * kCell),
+            const bool keepsBeside = photo == 1 && isMixed;
+            std::int32_t* ofMixed = m_coordinates.mixedU.data() + cell * SurfaceCoordinates::kCellPixels;
+            std::int32_t* ownU = isFirst ? u : keepsBeside ? ofMixed : m_u.data();
+            ofMixed = m_coordinates.mixedV.data() + cell * SurfaceCoordinates::kCellPixels;
+            std::int32_t* ownV = isFirst ? v : keepsBeside ? ofMixed : m_v.data();
+            locate(column, row, photo, ownU, ownV);
+            if (!isFirst && (sources >> photo & 1U) != 0) {
+                simd::takeOwn(ownU, ownV, m_coordinates.source.at(column * kCell, row * kCell),
                               m_coordinates.source.width(), static_cast<std::uint8_t>(photo), u, v);
             }
             isFirst = false;
@@ -326,6 +333,27 @@ void SurfaceCoordinates::take(const InverseBuffer& seen, std::uint8_t photo, con
     });
 }
 
+int SurfaceCoordinates::mix(const InverseBuffer& seen, float perFirst, WorkerPool& pool, int threads) {
+    if (share.width() != source.width() || share.height() != source.height()) {
+        share = MaskImage(source.width(), source.height());
+        mixedU.resize(u.size());
+        mixedV.resize(v.size());
+    }
+    std::vector<int> open(static_cast<std::size_t>(rows()));
+    pool.run(rows(), threads, [&](int row, int) {
+        for (int column = 0; column < columns(); ++column) {
+            const int x = column * kCell;
+            const int y = row * kCell;
+            const simd::Mixture mixture = simd::mixDistances(
+                seen.at(x, y), inverse.width(), perFirst, inverse.at(x, y), source.at(x, y), share.at(x, y));
+            open[static_cast<std::size_t>(row)] += mixture.open;
+            sources[index(column, row)] |=
+                (mixture.hasOthers ? 1U << 1 : 0U) | (mixture.isMixed ? kMixed : 0U);
+        }
+    });
+    return std::accumulate(open.begin(), open.end(), 0);
+}
+
 std::array<std::int32_t, 4> coordinateSlopes(const PixelRays& rays, const Rigid3& roomFromCamera,
                                              const SourcePhoto& photo, int x, int y, float inverse) {
     std::array<std::int32_t, 4> slopes{};
@@ -358,7 +386,7 @@ void findCoordinates(const PixelRays& rays, const Rigid3& roomFromCamera, std::s
     const auto findSlopes = [&](const RowLocator& locator, int column, int row) {
         const std::size_t cell = coordinates.index(column, row);
         for (std::size_t i = 0; i < photos.size(); ++i) {
-            if ((coordinates.sources[cell] >> i & 1U) != 0) {
+            if (coordinates.wants(cell, i)) {
                 const int x = column * kCell + std::min(kCell, rays.camera().width() - column * kCell) / 2;
                 const int y = row * kCell + std::min(kCell, rays.camera().height() - row * kCell) / 2;
                 const auto fitted = locator.slopes(column, row, i);

@@ -28,6 +28,11 @@ struct SurfaceCoordinates {
     void take(const InverseBuffer& seen, std::uint8_t photo, const OpenCells& open, WorkerPool& pool,
               int threads);
 
+    /// Mixes what the second photo sees with what the first one sees, and takes pixels that only the second
+    /// one sees. seen: that of the second photo. perFirst: its weight, if the first photo's is 1. Returns how
+    /// many pixels the first photo does not see; pixels beyond the view count as seen.
+    int mix(const InverseBuffer& seen, float perFirst, WorkerPool& pool, int threads);
+
     int columns() const { return source.width() / kCell; } ///< The number of cells side by side.
 
     int rows() const { return source.height() / kCell; }
@@ -41,14 +46,25 @@ struct SurfaceCoordinates {
     std::vector<std::int32_t> u; ///< Coordinates in fixed point, cell after cell.
     std::vector<std::int32_t> v;
 
+    MaskImage share; ///< After mix(): the second photo's share of pixels that two photos see, in 255 parts.
+    std::vector<std::int32_t> mixedU; ///< As u, in the second photo. Only cells with kMixed have values.
+    std::vector<std::int32_t> mixedV;
+
     /// coordinateSlopes() about the middle of each cell for each photo, if they were asked for. Those of a
     /// photo in a cell are at [cell * photos + photo].
     std::vector<std::array<std::int32_t, 4>> slopes;
 
-    /// The photos of each cell as bits. The first photo's bit is always set; kBlind says that the lens sees
-    /// nothing in some pixel.
+    /// The photos of each cell as bits. The first photo's bit is always set.
     std::vector<std::uint32_t> sources;
-    static constexpr std::uint32_t kBlind = 1U << 31;
+    static constexpr std::uint32_t kBlind = 1U << 31; ///< The lens sees nothing in some pixel.
+    static constexpr std::uint32_t kMixed = 1U << 30; ///< The second photo has a share in some pixel.
+    static constexpr std::uint32_t kRims = 1U << 29;  ///< Some pixel may show the rim of a thing.
+    static constexpr std::uint32_t kPhotos = kRims - 1;
+
+    /// Whether coordinates in a photo are wanted for a cell.
+    bool wants(std::size_t cell, std::size_t photo) const {
+        return (sources[cell] & (1U << photo | (photo == 1 ? kMixed : 0U))) != 0;
+    }
 };
 
 /// A photo that a view may be taken from.

@@ -20,8 +20,6 @@ constexpr std::array<std::uint8_t, 3> kRimWeights{1, 8, 64};
 /// rise.
 constexpr float kNearer = 0.08F;
 constexpr float kSlant = 1.5F;
-/// The weight of a pixel whose depth was filled in.
-constexpr int kUnsureWeight = 96;
 
 using Values = Image<float, 1>;
 
@@ -59,11 +57,6 @@ MaskImage colourWeights(const DepthMap& map) {
     const std::span<const float> inverse = map.inverseM().values();
     MaskImage weights(map.width(), map.height());
     std::fill(weights.values().begin(), weights.values().end(), std::uint8_t{255});
-    for (std::size_t i = 0; i < map.sure().values().size(); ++i) {
-        if (map.sure().values()[i] == 0) {
-            weights.values()[i] = kUnsureWeight;
-        }
-    }
     Values greatest = map.inverseM();
     Values least = map.inverseM();
     for (const std::uint8_t weight : kRimWeights) {
@@ -78,6 +71,35 @@ MaskImage colourWeights(const DepthMap& map) {
         }
     }
     return weights;
+}
+
+void SurfaceMesh::markRims() {
+    m_rimBlocks = MaskImage((m_width + kRimBlock - 1) / kRimBlock, (m_height + kRimBlock - 1) / kRimBlock);
+    for (int y = 0; y < m_height; ++y) {
+        for (int x = 0; x < m_width; ++x) {
+            if (*m_colourWeights.at(x, y) < 255) {
+                *m_rimBlocks.at(x / kRimBlock, y / kRimBlock) = 1;
+            }
+        }
+    }
+}
+
+bool SurfaceMesh::hasRims(double left, double top, double right, double bottom) const {
+    const auto block = [](double pixel) { return static_cast<int>(std::floor(pixel / kRimBlock)); };
+    constexpr double kRounding = 1; // a place may be rounded to the next pixel
+    const int beginX = block(left - kRounding);
+    const int endX = block(right + kRounding) + 1;
+    const int beginY = std::max(0, block(top - kRounding));
+    const int endY = std::min(m_rimBlocks.height(), block(bottom + kRounding) + 1);
+    const int columns = m_rimBlocks.width();
+    for (int y = beginY; y < endY; ++y) {
+        for (int x = beginX; x < endX; ++x) {
+            if (*m_rimBlocks.at((x + columns) % columns, y) != 0) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 SurfaceMesh::SurfaceMesh(const DepthMap& map)
@@ -112,6 +134,7 @@ SurfaceMesh::SurfaceMesh(const DepthMap& map)
         measureBlock(block % blocksX(), block / blocksX());
     }
     boundBlocks();
+    markRims();
     m_patches = EdgePatches(*this);
     m_inverse.resize(m_inverse.size() + simd::ProjectedBlock::kPitch);
 }

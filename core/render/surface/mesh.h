@@ -20,8 +20,7 @@ namespace spherewalk::render {
 class SurfaceMesh;
 
 /// How much the colour of each of a photo's pixels counts where other photos show the same: from 1 for the
-/// rim behind a nearer thing, where pixels mix both, to 255. Pixels whose depth was filled in count less,
-/// too. Shape: the map's.
+/// rim behind a nearer thing, where pixels mix both, to 255. Shape: the map's.
 MaskImage colourWeights(const DepthMap& map);
 
 /// The patches of a photo's surface at the edges of things, where it is torn. A patch is a rectangle of the
@@ -164,6 +163,10 @@ class SurfaceMesh {
     /// colourWeights() of the map.
     const MaskImage& colourWeights() const { return m_colourWeights; }
 
+    /// Whether the rim of a thing may lie in this part of the map. Units: the map's pixels. Range: at most
+    /// half a pixel beyond the map.
+    bool hasRims(double left, double top, double right, double bottom) const;
+
     /// The bound of a block's vertices. Their directions end within the chord `radius` of the unit vector
     /// `centre`. Their 1 / distance, in 1/m, lies between `least` and `most`.
     struct Bound {
@@ -186,6 +189,7 @@ class SurfaceMesh {
     void measureBlock(int blockX, int blockY);
     float measured(int x, int y, int endX, int endY) const;
     void boundBlocks();
+    void markRims();
 
     int m_width;
     int m_height;
@@ -199,6 +203,8 @@ class SurfaceMesh {
     std::vector<float> m_deviation; ///< Block after block.
     EdgePatches m_patches;
     MaskImage m_colourWeights;
+    static constexpr int kRimBlock = 4; ///< Pixels along an axis.
+    MaskImage m_rimBlocks;              ///< 1 where a block has a rim.
     std::vector<Bound> m_bounds;
 };
 

@@ -40,12 +40,34 @@ struct Box {
         bottom = std::max(bottom, v);
     }
 
+    /// Whether a pixel of the photo about this box may be the rim of a thing.
+    bool hasRims(const SurfaceMesh& mesh, const EquirectSize& size) const {
+        const double perPixel = static_cast<double>(mesh.width()) / size.width;
+        return mesh.hasRims(pixels(left) * perPixel, pixels(top) * perPixel, pixels(right) * perPixel,
+                            pixels(bottom) * perPixel);
+    }
+
     void addTo(TileSet& tiles) const {
         constexpr double kReachPx = 2; // of the sampling's filter
         tiles.insertBox(pixels(left) - kReachPx, pixels(top) - kReachPx, pixels(right) + kReachPx,
                         pixels(bottom) + kReachPx);
     }
 };
+
+/// Adds the tiles of the pixels to the right (first) and to the left of the seam.
+void addBothSides(std::array<Box, 2> boxes, TileSet& tiles) {
+    const std::int32_t middle = tiles.grid().photo().width / 2 << kFractionBits;
+    if (boxes[0].right > 0 && boxes[1].right > 0 && boxes[1].left - boxes[0].right < middle / 2) {
+        boxes[0] = {boxes[0].left, boxes[1].right, std::min(boxes[0].top, boxes[1].top),
+                    std::max(boxes[0].bottom, boxes[1].bottom)};
+        boxes[1] = {};
+    }
+    for (const Box& box : boxes) {
+        if (box.right > 0) {
+            box.addTo(tiles);
+        }
+    }
+}
 
 } // namespace
 
@@ -59,20 +81,22 @@ SurfaceView::Cell SurfaceView::cell(int column, int row) const {
     return {column, row, std::min(kCell, m_width - column * kCell), std::min(kCell, m_height - row * kCell)};
 }
 
-void SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const {
+/// Adds the tiles of a cell's pixels that come from a photo. Returns whether some may show a rim.
+bool SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const {
     const std::int32_t middle = tiles.grid().photo().width / 2 << kFractionBits;
     const std::size_t index = m_coordinates.index(at.column, at.row);
     const std::int32_t* u = m_coordinates.u.data() + index * SurfaceCoordinates::kCellPixels;
     const std::int32_t* v = m_coordinates.v.data() + index * SurfaceCoordinates::kCellPixels;
     if (at.width == kCell && at.height == kCell) {
         const std::array<std::int32_t, 4> all =
-            m_coordinates.sources[index] == 1U
+            (m_coordinates.sources[index] & ~(SurfaceCoordinates::kMixed | SurfaceCoordinates::kRims)) == 1U
                 ? simd::boxOfCell(u, v)
                 : simd::boxOfCell(u, v, m_coordinates.source.at(at.column * kCell, at.row * kCell),
                                   m_coordinates.source.width(), static_cast<std::uint8_t>(source));
         if (all[1] - all[0] < middle / 2) {
-            Box{all[0], all[1], all[2], all[3]}.addTo(tiles);
-            return;
+            const Box box{all[0], all[1], all[2], all[3]};
+            box.addTo(tiles);
+            return m_mixes && box.hasRims(*m_drawn[source].mesh, m_drawn[source].size);
         }
     }
     std::array<Box, 2> boxes; // pixels to either side of the seam have boxes of their own
@@ -84,15 +108,46 @@ void SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles)
             }
         }
     }
-    if (boxes[0].right > 0 && boxes[1].right > 0 && boxes[1].left - boxes[0].right < middle / 2) {
-        boxes[0] = {boxes[0].left, boxes[1].right, std::min(boxes[0].top, boxes[1].top),
-                    std::max(boxes[0].bottom, boxes[1].bottom)};
-        boxes[1] = {};
+    addBothSides(boxes, tiles);
+    return m_mixes;
+}
+
+/// Adds the tiles of a cell's pixels in which the second photo may have a share. Returns whether some may
+/// show a rim.
+bool SurfaceView::needOfMixed(const Cell& at, TileSet& tiles) const {
+    const std::int32_t middle = tiles.grid().photo().width / 2 << kFractionBits;
+    const std::size_t first = m_coordinates.index(at.column, at.row) * SurfaceCoordinates::kCellPixels;
+    const std::array<std::int32_t, 4> all =
+        simd::boxOfCell(m_coordinates.mixedU.data() + first, m_coordinates.mixedV.data() + first);
+    if (all[1] - all[0] < middle / 2) {
+        const Box box{all[0], all[1], all[2], all[3]};
+        box.addTo(tiles);
+        return box.hasRims(*m_drawn[1].mesh, m_drawn[1].size);
     }
-    for (const Box& box : boxes) {
-        if (box.right > 0) {
-            box.addTo(tiles);
+    std::array<Box, 2> boxes;
+    for (std::size_t i = first; i < first + SurfaceCoordinates::kCellPixels; ++i) {
+        boxes[m_coordinates.mixedU[i] < middle ? 0 : 1].insert(m_coordinates.mixedU[i],
+                                                               m_coordinates.mixedV[i]);
+    }
+    addBothSides(boxes, tiles);
+    return true;
+}
+
+/// Adds the tiles of each photo that a row of cells needs.
+void SurfaceView::needOfRow(int row, std::vector<TileSet>& tiles) {
+    for (int column = 0; column < m_coordinates.columns(); ++column) {
+        const Cell at = cell(column, row);
+        std::uint32_t& sources = m_coordinates.sources[m_coordinates.index(column, row)];
+        bool hasRims = false;
+        for (std::size_t i = 0; i < m_drawn.size(); ++i) {
+            if ((sources >> i & 1U) != 0) {
+                hasRims |= needOfCell(at, i, tiles[i]);
+            }
         }
+        if ((sources & SurfaceCoordinates::kMixed) != 0) {
+            hasRims |= needOfMixed(at, tiles[1]);
+        }
+        sources |= hasRims ? SurfaceCoordinates::kRims : 0U;
     }
 }
 
@@ -100,21 +155,37 @@ void SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles)
 std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
                                                  std::span<const SurfacePhoto> photos, WorkerPool& pool,
                                                  int threads) {
+    // Photos that are nearer to the camera than this count alike.
+    constexpr double kNearestM = 0.002;
     const CameraModel& camera = rays.camera();
+    const double pixels = static_cast<double>(m_width) * m_height;
     std::vector<SourcePhoto> drawn;
+    double firstOffset = 0;
     for (std::size_t i = 0; i < photos.size() && m_open.any(); ++i) {
-        m_raster.draw(*photos[i].mesh, between(roomFromCamera, photos[i].roomFromPhoto), camera, m_open,
-                      i == 0 ? kTolerancePx : kFurtherTolerancePx, pool, threads,
+        const bool isMixed = m_mixes && i == 1;
+        const Rigid3 cameraFromPhoto = between(roomFromCamera, photos[i].roomFromPhoto);
+        const double offset = cameraFromPhoto.translation.squaredNorm() + kNearestM * kNearestM;
+        m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open,
+                      i == 0 || isMixed ? kTolerancePx : kFurtherTolerancePx, pool, threads,
                       i == 0 ? m_coordinates.inverse : m_seen);
-        if (i > 0) {
+        drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
+        m_drawn.push_back({photos[i].mesh, photos[i].grid.photo()});
+        if (i == 0) {
+            firstOffset = offset;
+        }
+        if (i == 0 && m_mixes && photos.size() > 1) {
+            continue; // the second photo is drawn in all of the view
+        }
+        if (isMixed) {
+            m_filledShare =
+                m_coordinates.mix(m_seen, static_cast<float>(firstOffset / offset), pool, threads) / pixels;
+        } else if (i > 0) {
             m_coordinates.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }
-        const int uncovered = m_open.update(m_coordinates.inverse, pool, threads);
-        const double openShare = uncovered / (static_cast<double>(m_width) * m_height);
+        const double openShare = m_open.update(m_coordinates.inverse, pool, threads) / pixels;
         if (i == 0) {
             m_filledShare = openShare;
         }
-        drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
         if (i > 0 && openShare < kLeastOpenShare) {
             break;
         }
@@ -128,6 +199,7 @@ void SurfaceView::begin(const PixelRays& rays, int samplesPerAxis) {
     m_samples = samplesPerAxis;
     m_coordinates.reset(m_width, m_height);
     m_open = OpenCells(m_width, m_height);
+    m_drawn.clear();
 }
 
 std::vector<TileSet> SurfaceView::prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
@@ -135,32 +207,10 @@ std::vector<TileSet> SurfaceView::prepare(const PixelRays& rays, const Rigid3& r
                                           int samplesPerAxis, WorkerPool& pool, int threads) {
     begin(rays, samplesPerAxis);
     const std::vector<SourcePhoto> drawn = drawPhotos(rays, roomFromCamera, photos, pool, threads);
-    return locate(rays, roomFromCamera, photos, drawn, usualDistanceM, pool, threads);
-}
-
-/// Marks the cells in which the photo has a share as its own.
-void SurfaceView::mark(const MaskImage& share) {
-    for (int row = 0; row < m_coordinates.rows(); ++row) {
-        for (int column = 0; column < m_coordinates.columns(); ++column) {
-            bool hasShare = false;
-            for (int y = row * kCell; y < (row + 1) * kCell && !hasShare; ++y) {
-                const std::uint8_t* of = share.at(column * kCell, y);
-                hasShare = std::any_of(of, of + kCell, [](std::uint8_t part) { return part > 0; });
-            }
-            m_coordinates.sources[m_coordinates.index(column, row)] = hasShare ? 1U : 0U;
-        }
+    if (m_mixes) {
+        markHoles(pool, threads);
     }
-}
-
-TileSet SurfaceView::prepareKnown(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                  const SurfacePhoto& photo, const KnownDistances& known,
-                                  double usualDistanceM, int samplesPerAxis, WorkerPool& pool, int threads) {
-    begin(rays, samplesPerAxis);
-    m_coordinates.inverse = known.inverse;
-    m_open = known.open;
-    mark(known.share);
-    const SourcePhoto source{photo.roomFromPhoto, photo.grid.photo()};
-    return locate(rays, roomFromCamera, {&photo, 1}, {&source, 1}, usualDistanceM, pool, threads).front();
+    return locate(rays, roomFromCamera, photos, drawn, usualDistanceM, pool, threads);
 }
 
 /// Finds the coordinates and tells which tiles of each photo are needed.
@@ -168,7 +218,6 @@ std::vector<TileSet> SurfaceView::locate(const PixelRays& rays, const Rigid3& ro
                                          std::span<const SurfacePhoto> photos,
                                          std::span<const SourcePhoto> drawn, double usualDistanceM,
                                          WorkerPool& pool, int threads) {
-    m_photos = drawn.size();
     std::vector<TileSet> needs;
     for (const SurfacePhoto& photo : photos) {
         needs.emplace_back(photo.grid);
@@ -179,15 +228,7 @@ std::vector<TileSet> SurfaceView::locate(const PixelRays& rays, const Rigid3& ro
         for (const SurfacePhoto& photo : photos) {
             own.emplace_back(photo.grid);
         }
-        for (int column = 0; column < m_coordinates.columns(); ++column) {
-            const Cell at = cell(column, row);
-            const std::size_t index = m_coordinates.index(column, row);
-            for (std::size_t i = 0; i < drawn.size(); ++i) {
-                if ((m_coordinates.sources[index] >> i & 1U) != 0) {
-                    needOfCell(at, i, own[i]);
-                }
-            }
-        }
+        needOfRow(row, own);
         const std::scoped_lock lock(mutex);
         for (std::size_t i = 0; i < needs.size(); ++i) {
             needs[i].merge(own[i]);
@@ -197,23 +238,6 @@ std::vector<TileSet> SurfaceView::locate(const PixelRays& rays, const Rigid3& ro
                     addNeeds, m_coordinates);
     return needs;
 }
-
-/// The samples of a cell.
-struct SurfaceView::SampleSpace {
-    explicit SampleSpace(int samplesPerAxis)
-        : places(SurfaceCoordinates::kCellPixels * static_cast<std::size_t>(samplesPerAxis * samplesPerAxis)),
-          fractions(places.size()) {}
-
-    std::vector<std::int32_t> places;
-    std::vector<std::int32_t> fractions;
-    int step = 1; ///< CellSamples::nextStep
-
-    // The pixels that come from another photo than the first:
-    std::array<std::int32_t, SurfaceCoordinates::kCellPixels> u;
-    std::array<std::int32_t, SurfaceCoordinates::kCellPixels> v;
-    std::array<std::uint8_t, SurfaceCoordinates::kCellPixels> pixels; ///< Their numbers in the cell.
-    std::array<std::uint8_t, 3 * SurfaceCoordinates::kCellPixels + 16> colours;
-};
 
 /// Computes the places of the samples of a cell's pixels.
 void SurfaceView::fillPlaces(std::size_t cell, std::size_t source, const PlaneView& plane, Sampling sampling,
@@ -230,7 +254,7 @@ void SurfaceView::fillPlaces(std::size_t cell, std::size_t source, const PlaneVi
     const int parts = m_samples * m_samples;
     for (int part = 0; part < parts; ++part) {
         if (m_samples > 1) {
-            const std::array<std::int32_t, 4>& slopes = m_coordinates.slopes[cell * m_photos + source];
+            const std::array<std::int32_t, 4>& slopes = m_coordinates.slopes[cell * m_drawn.size() + source];
             const auto right = (part % m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             const auto down = (part / m_samples + 0.5F) / static_cast<float>(m_samples) - 0.5F;
             placing.addU = round.roundingU + static_cast<std::int32_t>(right * static_cast<float>(slopes[0]) +
@@ -314,37 +338,8 @@ void SurfaceView::sampleOthers(const Cell& at, std::span<const PlaneView> planes
     }
 }
 
-void SurfaceView::look(const MaskImage& ofPhoto, const EquirectSize& photo, int row,
-                       std::span<std::uint8_t> values) const {
-    const simd::MaskPlacing placing{(PlaneLayout::kGuard - 0.5F) * kFixedOne,
-                                    static_cast<float>(ofPhoto.width()) / static_cast<float>(photo.width) /
-                                        kFixedOne,
-                                    ofPhoto.width(), ofPhoto.height()};
-    const std::uint8_t* from = ofPhoto.at(0, 0);
-    for (int column = 0; column < m_coordinates.columns(); ++column) {
-        std::uint8_t* to = values.data() + static_cast<std::ptrdiff_t>(column) * kCell;
-        const int count = std::min(kCell, m_width - column * kCell);
-        if (!shows(column, row / kCell)) {
-            std::fill_n(to, count, std::uint8_t{0});
-            continue;
-        }
-        const std::size_t at = m_coordinates.index(column, row / kCell) * SurfaceCoordinates::kCellPixels +
-                               static_cast<std::size_t>(row % kCell * kCell);
-        std::array<std::int32_t, kCell> places;
-        simd::placeInMask(placing, m_coordinates.u.data() + at, m_coordinates.v.data() + at, places.data());
-        for (int x = 0; x < count; ++x) {
-            to[x] = from[places[static_cast<std::size_t>(x)]];
-        }
-    }
-}
-
-/// Whether the first photo shows in a cell.
-bool SurfaceView::shows(int column, int row) const {
-    return (m_coordinates.sources[m_coordinates.index(column, row)] & 1U) != 0;
-}
-
 void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling,
-                         WorkerPool& pool, int threads, RgbImage& picture) const {
+                         WorkerPool& pool, int threads, RgbImage& picture) {
     if (picture.width() != rays.camera().width() || picture.height() != rays.camera().height()) {
         picture = RgbImage(rays.camera().width(), rays.camera().height());
     }
@@ -352,9 +347,7 @@ void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> plane
         std::array<SampleSpace, 2> first{SampleSpace(m_samples), SampleSpace(m_samples)};
         SampleSpace others(m_samples);
         // A cell's pixels are on their way from memory while the cell before it is sampled.
-        if (shows(0, row)) {
-            fillFirst(cell(0, row), planes[0], sampling, first[0]);
-        }
+        fillFirst(cell(0, row), planes[0], sampling, first[0]);
         for (int column = 0; column < m_coordinates.columns(); ++column) {
             const Cell at = cell(column, row);
             const SampleSpace& now = first[static_cast<std::size_t>(column % 2)];
@@ -366,18 +359,22 @@ void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> plane
                                       at.width,
                                       at.height,
                                       (column + 1) * kCell + 2 <= m_width};
-            if (column + 1 < m_coordinates.columns() && shows(column + 1, row)) {
+            if (column + 1 < m_coordinates.columns()) {
                 SampleSpace& next = first[static_cast<std::size_t>((column + 1) % 2)];
                 fillFirst(cell(column + 1, row), planes[0], sampling, next);
                 samples.next = next.places.data();
                 samples.nextStep = next.step;
             }
-            if (shows(column, row)) {
-                simd::sample(planes[0], sampling, samples);
-            }
+            simd::sample(planes[0], sampling, samples);
             sampleOthers(at, planes, sampling, others, picture);
+            if (m_mixes) {
+                mix(at, planes, sampling, others, picture);
+            }
         }
     });
+    if (m_mixes) {
+        fillSoftly(m_known, m_coordinates.inverse, pool, threads, picture);
+    }
 }
 
 DepthImage SurfaceView::depth(const PixelRays& rays) const {

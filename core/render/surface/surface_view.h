@@ -12,6 +12,8 @@
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/render/ladder.h"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,13 +65,6 @@ class Surfaces {
 /// The camera from the photo. Positions are subtracted first, since a room may lie at 10^6 m.
 Rigid3 between(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto);
 
-/// What a view is known to see.
-struct KnownDistances {
-    const InverseBuffer& inverse; ///< 0 is a hole.
-    const OpenCells& open;        ///< The cells with holes.
-    const MaskImage& share;       ///< Cells that are all 0 are not sampled. Shape: that of `inverse`.
-};
-
 /// Draws surfaces as a camera sees them. It keeps its memory. The values are the same for any number of
 /// threads.
 class SurfaceRaster {
@@ -93,8 +88,15 @@ class SurfaceRaster {
 /// comes from the next one that sees it. prepare() tells which tiles are needed; sample() then makes the
 /// picture. It keeps its memory from frame to frame. The bytes are the same for any number of threads.
 /// Threads: one at a time.
+///
+/// A view that mixes takes the mean of the first two photos where their 1 / s differ by less than 6 %. They
+/// are mixed less the more they differ. Each photo counts by 1 / its squared distance from the camera, so the
+/// view at a photo is that photo. The rims of things count little, see colourWeights(). Holes and what only
+/// rims show are filled softly, see fillSoftly().
 class SurfaceView {
   public:
+    explicit SurfaceView(bool mixes = false) : m_mixes(mixes) {}
+
     /// By how many pixels of the view a part that is drawn flat may be displaced.
     static constexpr double kTolerancePx = 0.5;
     /// The same for what the first photo does not see.
@@ -110,22 +112,10 @@ class SurfaceView {
                                  std::span<const SurfacePhoto> photos, double usualDistanceM,
                                  int samplesPerAxis, WorkerPool& pool, int threads);
 
-    /// As prepare(), for one photo and distances that are known. Where cells are not sampled, sample() leaves
-    /// the picture as it is.
-    TileSet prepareKnown(const PixelRays& rays, const Rigid3& roomFromCamera, const SurfacePhoto& photo,
-                         const KnownDistances& known, double usualDistanceM, int samplesPerAxis,
-                         WorkerPool& pool, int threads);
-
-    /// Looks up what a row of the view's pixels has in a mask of the first photo: the nearest pixel's value,
-    /// and 0 in cells that do not show the photo. ofPhoto: 2:1, of any size. photo: the size of the level
-    /// that is sampled. values: it has the view's width.
-    void look(const MaskImage& ofPhoto, const EquirectSize& photo, int row,
-              std::span<std::uint8_t> values) const;
-
     /// Makes the picture. rays: those of prepare(). planes: those of the photos of prepare(), in its order.
     /// sampling: not Auto. picture: it gets the view's size.
     void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
-                int threads, RgbImage& picture) const;
+                int threads, RgbImage& picture);
 
     /// The depth of the prepared view in metres: z along the optical axis. Holes have the depth that they
     /// were filled with. It is +infinity where the lens sees nothing or 90 degrees or more off the axis.
@@ -143,7 +133,23 @@ class SurfaceView {
         int width = 0, height = 0;
     };
 
-    struct SampleSpace;
+    /// The samples of a cell.
+    struct SampleSpace {
+        explicit SampleSpace(int samplesPerAxis)
+            : places(SurfaceCoordinates::kCellPixels *
+                     static_cast<std::size_t>(samplesPerAxis * samplesPerAxis)),
+              fractions(places.size()) {}
+
+        std::vector<std::int32_t> places;
+        std::vector<std::int32_t> fractions;
+        int step = 1; ///< CellSamples::nextStep
+
+        // The pixels that come from another photo than the first:
+        std::array<std::int32_t, SurfaceCoordinates::kCellPixels> u;
+        std::array<std::int32_t, SurfaceCoordinates::kCellPixels> v;
+        std::array<std::uint8_t, SurfaceCoordinates::kCellPixels> pixels; ///< Their numbers in the cell.
+        std::array<std::uint8_t, 3 * SurfaceCoordinates::kCellPixels + 16> colours;
+    };
 
     /// Rows of sixteen pixels of a cell.
     struct PixelRows {
@@ -152,8 +158,18 @@ class SurfaceView {
         int count;
     };
 
+    using CellBytes = std::array<std::uint8_t, SurfaceCoordinates::kCellPixels>;
+
+    /// A photo's surface, and the size of the level that is sampled.
+    struct Drawn {
+        std::shared_ptr<const SurfaceMesh> mesh;
+        EquirectSize size;
+    };
+
     Cell cell(int column, int row) const;
-    void needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
+    bool needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const;
+    bool needOfMixed(const Cell& at, TileSet& tiles) const;
+    void needOfRow(int row, std::vector<TileSet>& tiles);
     void fillFirst(const Cell& at, const PlaneView& plane, Sampling sampling, SampleSpace& space) const;
     void sampleOthers(const Cell& at, std::span<const PlaneView> planes, Sampling sampling,
                       SampleSpace& space, RgbImage& picture) const;
@@ -161,15 +177,20 @@ class SurfaceView {
                     const PixelRows& rows, SampleSpace& space) const;
     void samplePart(const Cell& at, std::size_t source, const PlaneView& plane, Sampling sampling,
                     SampleSpace& space, RgbImage& picture) const;
+    void sampleMixed(const Cell& at, const PlaneView& plane, Sampling sampling, SampleSpace& space) const;
+    void mix(const Cell& at, std::span<const PlaneView> planes, Sampling sampling, SampleSpace& space,
+             RgbImage& picture);
+    void weighRims(const Cell& at, CellBytes& shares);
+    static void look(const Drawn& drawn, const std::int32_t* u, const std::int32_t* v, CellBytes& weights);
+    void markHoles(WorkerPool& pool, int threads);
     void begin(const PixelRays& rays, int samplesPerAxis);
-    void mark(const MaskImage& share);
-    bool shows(int column, int row) const;
     std::vector<TileSet> locate(const PixelRays& rays, const Rigid3& roomFromCamera,
                                 std::span<const SurfacePhoto> photos, std::span<const SourcePhoto> drawn,
                                 double usualDistanceM, WorkerPool& pool, int threads);
     std::vector<SourcePhoto> drawPhotos(const PixelRays& rays, const Rigid3& roomFromCamera,
                                         std::span<const SurfacePhoto> photos, WorkerPool& pool, int threads);
 
+    bool m_mixes;
     int m_width = 0;
     int m_height = 0;
     int m_samples = 1;
@@ -177,72 +198,23 @@ class SurfaceView {
     InverseBuffer m_seen; ///< What a further photo's surface looks like.
     SurfaceRaster m_raster;
     SurfaceCoordinates m_coordinates;
-    std::size_t m_photos = 0; ///< The number of photos that were drawn.
+    std::vector<Drawn> m_drawn;
+    MaskImage m_known; ///< What a pixel of a mixed view is: a Known. Shape: whole cells.
     double m_filledShare = 0;
 };
 
-/// What one photo says about a view's distances, and what part it gets in the view.
-struct DepthWitness {
-    double offsetM = 0;                  ///< The distance from the photo to the camera.
-    const InverseBuffer* seen = nullptr; ///< What the camera sees of the photo's surface.
-    MaskImage* share = nullptr; ///< Output: the photo's share of each pixel; the view in whole cells.
+/// What is known of a pixel.
+enum class Known : std::uint8_t {
+    Nothing, ///< A hole, or the rim of a thing.
+    Seen,
+    Outside, ///< The lens sees nothing there.
 };
-
-/// Finds one distance for each pixel, and which photos show it. The first photo with a surface there decides.
-/// Photos whose 1 / s differ by less than 6 % are mixed, less the more they differ. Each counts by 1 / its
-/// squared distance from the camera, so at a photo that photo alone decides. witnesses: 1 to 8, the nearest
-/// first, of views of the same size. width, height: the view's size. inverse: it gets the view's 1 / s, 0
-/// where no photo sees anything. The shares of a pixel add up to 255; a pixel that no photo sees is the first
-/// photo's. The values are the same for any number of threads.
-void fuseDepths(std::span<const DepthWitness> witnesses, int width, int height, WorkerPool& pool, int threads,
-                InverseBuffer& inverse);
 
 /// Fills what no photo shows with the colours around it, softly. Each pixel gets a mean of the nearest known
 /// pixels in eight directions. Near ones count more, and so do far surfaces, since what is hidden lies
-/// behind. known: 0 where a pixel is to be filled. inverse: 1 / s of the pixels around. The bytes are the
-/// same for any number of threads.
+/// behind. known: a Known a pixel; what is Nothing is filled from what is Seen. inverse: 1 / s of the pixels
+/// around. Both may be larger than the picture. The bytes are the same for any number of threads.
 void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool& pool, int threads,
                 RgbImage& picture);
-
-/// A view from the surfaces of several photos, in which photos that agree about a pixel's distance are mixed.
-/// Each counts by 1 / its squared distance from the camera, so the view at a photo is that photo. It is used
-/// as a SurfaceView is. The bytes are the same for any number of threads. Threads: one at a time.
-class BlendedView {
-  public:
-    /// As SurfaceView::prepare().
-    std::vector<TileSet> prepare(const PixelRays& rays, const Rigid3& roomFromCamera,
-                                 std::span<const SurfacePhoto> photos, double usualDistanceM,
-                                 int samplesPerAxis, WorkerPool& pool, int threads);
-
-    /// As SurfaceView::sample().
-    void sample(const PixelRays& rays, std::span<const PlaneView> planes, Sampling sampling, WorkerPool& pool,
-                int threads, RgbImage& picture);
-
-    /// As SurfaceView::depth().
-    DepthImage depth(const PixelRays& rays) const { return m_layers.front().view.depth(rays); }
-
-    /// As SurfaceView::filledShare().
-    double filledShare() const { return m_filledShare; }
-
-  private:
-    /// What one photo gives to the view.
-    struct Layer {
-        std::shared_ptr<const SurfaceMesh> mesh;
-        EquirectSize photo; ///< The size of the level that is sampled.
-        InverseBuffer seen;
-        MaskImage share;
-        SurfaceView view;
-        RgbImage picture;
-    };
-
-    void mixRow(int y, RgbImage& picture);
-
-    std::vector<Layer> m_layers;
-    std::size_t m_photos = 0;
-    SurfaceRaster m_raster;
-    InverseBuffer m_inverse;
-    MaskImage m_known; ///< 0 where no photo shows more than the rim of a thing.
-    double m_filledShare = 0;
-};
 
 } // namespace spherewalk::render
