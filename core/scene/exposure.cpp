@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sweep_cost.h"
+#include "spherewalk/scene/exposure.h"
 
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace spherewalk::scene {
@@ -39,6 +43,79 @@ float gainFrom(std::vector<double>& logs) {
                : static_cast<float>(std::exp(std::clamp(middle, -kMostLog, kMostLog)));
 }
 
+const std::uint8_t* nearest(const RgbImage& picture, const Eigen::Vector3d& way) {
+    const EquirectSize size{picture.width(), picture.height()};
+    const Eigen::Vector2d at = pixel(size, way);
+    return picture.at(static_cast<int>(std::floor(at.x() + 0.5)) % size.width,
+                      std::clamp(static_cast<int>(std::floor(at.y() + 0.5)), 0, size.height - 1));
+}
+
+/// 1 / distance of what a photo shows in a direction; 0 where it is not sure.
+double sureInverse(const PhotoDepth& depth, const Eigen::Vector3d& way) {
+    const EquirectSize size{depth.inverseM.width(), depth.inverseM.height()};
+    const Eigen::Vector2d at = pixel(size, way);
+    const int x = static_cast<int>(std::floor(at.x() + 0.5)) % size.width;
+    const int y = std::clamp(static_cast<int>(std::floor(at.y() + 0.5)), 0, size.height - 1);
+    return *depth.sure.at(x, y) != 0 ? static_cast<double>(*depth.inverseM.at(x, y)) : 0.0;
+}
+
+/// Calls with directions that are spread evenly over the sphere.
+template <class Call>
+void overSphere(int width, Call&& call) {
+    const EquirectSize size{width, width / 2};
+    double rows = 0; // As many of each row count as its length on the sphere asks for.
+    for (int y = 0; y < size.height; ++y) {
+        const double length = std::sin(std::numbers::pi * (y + 0.5) / size.height);
+        for (int x = 0; x < size.width; ++x) {
+            rows += length;
+            if (rows >= 1) {
+                rows -= 1;
+                call(x, y, direction(size, Eigen::Vector2d(x, y)));
+            }
+        }
+    }
+}
+
+void addLogs(const std::uint8_t* a, const std::uint8_t* b, std::array<std::vector<double>, 3>& logs) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (isWithin(a[c]) && isWithin(b[c])) {
+            logs[c].push_back(std::log(static_cast<double>(a[c]) / b[c]));
+        }
+    }
+}
+
+/// The number of the part that each photo belongs to.
+std::vector<std::size_t> partsOf(std::size_t photos, std::span<const ExposureRatio> ratios) {
+    std::vector<std::size_t> parts(photos);
+    std::iota(parts.begin(), parts.end(), std::size_t{0});
+    const auto root = [&](std::size_t i) {
+        while (parts[i] != i) {
+            i = parts[i] = parts[parts[i]];
+        }
+        return i;
+    };
+    for (const ExposureRatio& ratio : ratios) {
+        parts[root(ratio.photo)] = root(ratio.other);
+    }
+    for (std::size_t i = 0; i < photos; ++i) {
+        parts[i] = root(i);
+    }
+    return parts;
+}
+
+/// Takes the mean of each part off.
+void centre(const std::vector<std::size_t>& parts, Eigen::VectorXd& logs) {
+    std::vector<double> sums(parts.size());
+    std::vector<double> counts(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        sums[parts[i]] += logs[static_cast<Eigen::Index>(i)];
+        counts[parts[i]] += 1;
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        logs[static_cast<Eigen::Index>(i)] -= sums[parts[i]] / counts[parts[i]];
+    }
+}
+
 } // namespace
 
 Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto) {
@@ -46,28 +123,72 @@ Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3
     const RgbImage own = photo::resized(photo, size.width, size.height);
     const RgbImage its = photo::resized(other, size.width, size.height);
     std::array<std::vector<double>, 3> logs;
-    double rows = 0; // As many of each row count as its length on the sphere asks for.
-    for (int y = 0; y < size.height; ++y) {
-        const double length = std::sin(std::numbers::pi * (y + 0.5) / size.height);
-        for (int x = 0; x < size.width; ++x) {
-            rows += length;
-            if (rows < 1) {
-                continue;
-            }
-            rows -= 1;
-            const Eigen::Vector2d at = pixel(size, otherFromPhoto * direction(size, Eigen::Vector2d(x, y)));
-            const std::uint8_t* b =
-                its.at(static_cast<int>(std::floor(at.x() + 0.5)) % size.width,
-                       std::clamp(static_cast<int>(std::floor(at.y() + 0.5)), 0, size.height - 1));
-            const std::uint8_t* a = own.at(x, y);
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (isWithin(a[c]) && isWithin(b[c])) {
-                    logs[c].push_back(std::log(static_cast<double>(a[c]) / b[c]));
-                }
-            }
+    overSphere(kWidth, [&](int x, int y, const Eigen::Vector3d& way) {
+        addLogs(own.at(x, y), nearest(its, otherFromPhoto * way), logs);
+    });
+    return {gainFrom(logs[0]), gainFrom(logs[1]), gainFrom(logs[2])};
+}
+
+std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& other) {
+    constexpr int kPlaces = 128; // in a row
+    constexpr double kAlike = 0.04;
+    const Rigid3 otherFromPhoto = other.photo.roomFromPhoto.inverse() * photo.photo.roomFromPhoto;
+    std::array<std::vector<double>, 3> logs;
+    overSphere(kPlaces, [&](int, int, const Eigen::Vector3d& way) {
+        const double inverse = sureInverse(*photo.depth, way);
+        const Eigen::Vector3d seen = otherFromPhoto.rotation * way + inverse * otherFromPhoto.translation;
+        const double its = sureInverse(*other.depth, seen);
+        // The other photo looks at the same place, and not at something before it.
+        const double expected = inverse / seen.norm();
+        if (inverse > 0 && its > 0 && std::abs(its - expected) < kAlike * std::max(its, expected)) {
+            addLogs(nearest(*photo.photo.picture, way), nearest(*other.photo.picture, seen), logs);
+        }
+    });
+    Gains gains{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (logs[c].size() < kFewest) {
+            return std::nullopt;
+        }
+        gains[c] =
+            static_cast<float>(std::exp(std::clamp(quantileInPlace(logs[c], 0.5), -kMostLog, kMostLog)));
+    }
+    return gains;
+}
+
+std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios) {
+    const auto count = static_cast<Eigen::Index>(photos);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        entries.emplace_back(i, i, 1e-9); // what no ratio tells is 0
+    }
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
+    for (const ExposureRatio& ratio : ratios) {
+        const auto a = static_cast<Eigen::Index>(ratio.photo);
+        const auto b = static_cast<Eigen::Index>(ratio.other);
+        entries.emplace_back(a, a, 1);
+        entries.emplace_back(b, b, 1);
+        entries.emplace_back(a, b, -1);
+        entries.emplace_back(b, a, -1);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double log = std::log(ratio.gains[c]); // gain of b less gain of a
+            right(a, static_cast<Eigen::Index>(c)) -= log;
+            right(b, static_cast<Eigen::Index>(c)) += log;
         }
     }
-    return {gainFrom(logs[0]), gainFrom(logs[1]), gainFrom(logs[2])};
+    Eigen::SparseMatrix<double> normal(count, count);
+    normal.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
+    const std::vector<std::size_t> parts = partsOf(photos, ratios);
+    std::vector<Gains> gains(photos);
+    for (std::size_t c = 0; c < 3; ++c) {
+        Eigen::VectorXd logs = solver.solve(right.col(static_cast<Eigen::Index>(c)));
+        centre(parts, logs);
+        for (std::size_t i = 0; i < photos; ++i) {
+            gains[i][c] = static_cast<float>(
+                std::exp(std::clamp(logs[static_cast<Eigen::Index>(i)], -kMostLog, kMostLog)));
+        }
+    }
+    return gains;
 }
 
 } // namespace spherewalk::scene

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/image.h"
 #include "spherewalk/scene/depth_sweep.h"
+#include "spherewalk/scene/exposure.h"
 
 #include <Eigen/Core>
 
@@ -13,15 +14,6 @@
 #include <vector>
 
 namespace spherewalk::scene {
-
-/// What the values of a photo's red, green and blue are multiplied by.
-using Gains = std::array<float, 3>;
-
-/// The gains with which another photo is as bright as this one. Values that follow a power of the light
-/// differ by a factor, whatever the exposure. The gain is the median of this factor over directions, since
-/// two photos of a room mostly show the same wall in a direction. Burnt and black pixels do not count. A gain
-/// that cannot be told from 1 is 1. otherFromPhoto: a rotation.
-Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto);
 
 /// The values that are compared between photos: brightness, its two slopes, and red minus blue. Units: grey
 /// levels. Shape: four values a pixel; one column and one row more than the picture repeat its first column

@@ -8,6 +8,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/scene_depth.h"
 #include "spherewalk/scene/room_fit.h"
 
@@ -23,10 +24,12 @@ namespace {
 constexpr int kDepthMethod = 3; ///< grows when the same photos and options give another depth
 constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
+constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
 constexpr int kRefinement = 1;              ///< grows when the same agreed depths are refined another way
 constexpr double kWithAgreement = 1.25;     ///< a depth's time with the neighbours' agreement, of the sweep's
 constexpr double kWithRefinement = 1.5;     ///< the same with refinement, too
+constexpr int kSmallWidth = 256;            ///< of the pictures that exposures are told from
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
 /// Files are written under another name and renamed: those that are there are whole.
@@ -80,6 +83,9 @@ class DepthJob {
                 text("Estimating depth, photo ", result.report.photos, " of ", photos.size()));
         }
         estimateScene(forScene, result);
+        if (!m_options.onlyForScene) {
+            result.gains = exposures(photos);
+        }
         result.report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
@@ -278,6 +284,35 @@ class DepthJob {
         return chosen;
     }
 
+    /// The picture that exposures are told from.
+    std::shared_ptr<const RgbImage> small(std::size_t photo) {
+        return m_small.get(photo, [&] {
+            const std::string name = m_photos[photo].file.string();
+            const RgbImage picture = jpeg::decode(readFile(m_photos[photo].file), name, 8);
+            return photo::resized(picture, kSmallWidth, kSmallWidth / 2);
+        });
+    }
+
+    /// How bright photos are, compared with their neighbours.
+    std::vector<scene::Gains> exposures(const std::vector<std::size_t>& photos) {
+        std::vector<scene::ExposureRatio> ratios;
+        for (const std::size_t photo : photos) {
+            throwIfStopped(m_stop);
+            const auto own = small(photo);
+            const auto depth = agreed(photo);
+            for (const std::size_t other : agreeing(photo)) {
+                const auto its = small(other);
+                const auto itsDepth = agreed(other);
+                const auto gains = scene::gainsBySurfaces({{own.get(), m_poses[photo]}, depth.get()},
+                                                          {{its.get(), m_poses[other]}, itsDepth.get()});
+                if (gains) {
+                    ratios.push_back({photo, other, *gains});
+                }
+            }
+        }
+        return scene::commonGains(m_photos.size(), ratios);
+    }
+
     void estimateScene(const std::vector<std::size_t>& photos, SurveyDepth& result) const {
         if (photos.empty()) {
             return;
@@ -299,6 +334,7 @@ class DepthJob {
     std::vector<Rigid3> m_poses;
     std::vector<std::vector<std::size_t>> m_neighbours;
     RecentlyUsed<std::size_t, RgbImage> m_pictures{kPicturesKept};
+    RecentlyUsed<std::size_t, RgbImage> m_small{kSmallKept};
     RecentlyUsed<std::size_t, scene::PhotoDepth> m_swept{kPicturesKept};
     RecentlyUsed<std::size_t, scene::PhotoDepth> m_agreed{kPicturesKept};
 };

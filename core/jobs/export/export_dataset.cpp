@@ -153,6 +153,8 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, dat
     contents.info.roomShape = report.roomShape;
     for (std::size_t i = 0; i < contents.photos.size() && !depth.onlyForScene; ++i) {
         contents.photos[i].depthFile = found.files[i];
+        const scene::Gains& gains = found.gains[i];
+        contents.photos[i].entry.exposureGain = Eigen::Vector3d(gains[0], gains[1], gains[2]);
     }
 }
 

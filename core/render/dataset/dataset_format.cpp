@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t kMostPhotos = 1'000'000;
 constexpr std::size_t kMostVertices = 100'000;
 constexpr double kFarthestM = 1e8;
+constexpr double kGreatestGain = 32;
 constexpr double kMostErrorPx = 1e6;
 
 Json listOf(const Vector3d& v) {
@@ -90,21 +91,25 @@ Json photoJson(const DatasetPhoto& photo) {
                          {"pitch", Degrees(photo.rotationSigma->pitch).value()},
                          {"roll", Degrees(photo.rotationSigma->roll).value()}};
     }
-    return {{"file", photo.file},
-            {"sha256", photo.sha256},
-            {"size_bytes", photo.sizeBytes},
-            {"width", photo.width},
-            {"height", photo.height},
-            {"restart_index", optionalText(photo.restartIndex)},
-            {"thumbnail", optionalText(photo.thumbnail)},
-            {"depth", optionalText(photo.depth)},
-            {"station", photo.station},
-            {"position_m", listOf(photo.roomFromPhoto.translation)},
-            {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
-            {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
-            {"rotation_sigma_deg", rotationSigma},
-            {"rotation_source", photo.rotationSource},
-            {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
+    Json json{{"file", photo.file},
+              {"sha256", photo.sha256},
+              {"size_bytes", photo.sizeBytes},
+              {"width", photo.width},
+              {"height", photo.height},
+              {"restart_index", optionalText(photo.restartIndex)},
+              {"thumbnail", optionalText(photo.thumbnail)},
+              {"depth", optionalText(photo.depth)},
+              {"station", photo.station},
+              {"position_m", listOf(photo.roomFromPhoto.translation)},
+              {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
+              {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
+              {"rotation_sigma_deg", rotationSigma},
+              {"rotation_source", photo.rotationSource},
+              {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
+    if (photo.exposureGain) {
+        json["exposure_gain"] = listOf(*photo.exposureGain);
+    }
+    return json;
 }
 
 Eigen::Quaterniond rotationOf(const JsonReader& photo) {
@@ -157,6 +162,9 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     }
     if (!reader.isAbsent("rotation_sigma_deg")) {
         photo.rotationSigma = rotationSigmaOf(reader.member("rotation_sigma_deg"));
+    }
+    if (!reader.isAbsent("exposure_gain")) {
+        photo.exposureGain = vectorOf(reader.member("exposure_gain"), 1 / kGreatestGain, kGreatestGain);
     }
     if (!reader.isAbsent("scene")) {
         photo.scene = sceneKind(reader, "scene");

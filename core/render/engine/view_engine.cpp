@@ -203,6 +203,10 @@ void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, 
     view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
 }
 
+Eigen::Vector3d ViewEngine::exposureGain(std::size_t photo) const {
+    return m_dataset->info().photos[photo].exposureGain.value_or(Eigen::Vector3d::Ones());
+}
+
 void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
                               SurfaceView& surfaceView, View& view) {
     const auto rays = pixelRaysOf(request.camera, tools);
@@ -212,6 +216,7 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, cons
         const PhotoLevel level{photo, plan.level.denominator};
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});
+        photos.back().gain = exposureGain(photo).cwiseQuotient(exposureGain(photos.front().photo));
     }
     const std::vector<TileSet> needs =
         surfaceView.prepare(*rays, request.roomFromCamera, photos, plan.radiusM, plan.rays->samplesPerAxis(),

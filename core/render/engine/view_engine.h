@@ -81,6 +81,8 @@ class ViewEngine {
 
     Rigid3 roomFromPhoto(std::size_t photo) const { return m_dataset->info().photos[photo].roomFromPhoto; }
 
+    Eigen::Vector3d exposureGain(std::size_t photo) const;
+
     std::size_t nearestPhoto(const ViewRequest& request) const;
     Plan plan(const ViewRequest& request, std::size_t photo);
     Plan coarse(const ViewRequest& request, const Plan& plan);

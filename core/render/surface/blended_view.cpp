@@ -149,6 +149,7 @@ void SurfaceView::sampleMixed(const Cell& at, const PlaneView& plane, Sampling s
     simd::sample(plane, sampling,
                  {space.places.data(), space.fractions.data(), m_samples, space.colours.data(),
                   std::ptrdiff_t{3} * kCell, kCell, kCell, true});
+    m_drawn[1].brighten(space.colours.data(), SurfaceCoordinates::kCellPixels);
 }
 
 /// Looks up the colour weights of a cell's pixels in a photo. u, v: their coordinates.

@@ -77,6 +77,27 @@ Rigid3 between(const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto) {
             cameraFromRoom * (roomFromPhoto.translation - roomFromCamera.translation)};
 }
 
+SurfaceView::Drawn::Drawn(const SurfacePhoto& photo) : mesh(photo.mesh), size(photo.grid.photo()) {
+    constexpr double kVisible = 0.01; // less cannot be told from noise
+    if ((photo.gain.array() - 1).abs().maxCoeff() < kVisible) {
+        return;
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+        for (int level = 0; level < 256; ++level) {
+            levels.push_back(static_cast<std::uint8_t>(std::min(255.0, photo.gain[channel] * level + 0.5)));
+        }
+    }
+}
+
+void SurfaceView::Drawn::brighten(std::uint8_t* colours, std::size_t pixels) const {
+    for (std::size_t i = 0; i < pixels && !levels.empty(); ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            std::uint8_t& level = colours[3 * i + channel];
+            level = levels[256 * channel + level];
+        }
+    }
+}
+
 SurfaceView::Cell SurfaceView::cell(int column, int row) const {
     return {column, row, std::min(kCell, m_width - column * kCell), std::min(kCell, m_height - row * kCell)};
 }
@@ -169,7 +190,7 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
                       i == 0 || isMixed ? kTolerancePx : kFurtherTolerancePx, pool, threads,
                       i == 0 ? m_coordinates.inverse : m_seen);
         drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
-        m_drawn.push_back({photos[i].mesh, photos[i].grid.photo()});
+        m_drawn.emplace_back(photos[i]);
         if (i == 0) {
             firstOffset = offset;
         }
@@ -300,6 +321,7 @@ void SurfaceView::samplePart(const Cell& at, std::size_t source, const PlaneView
     simd::sample(plane, sampling,
                  {space.places.data(), space.fractions.data(), m_samples, space.colours.data(),
                   std::ptrdiff_t{3} * kCell, kCell, rows, true});
+    m_drawn[source].brighten(space.colours.data(), count);
     for (std::size_t i = 0; i < count; ++i) {
         const int pixel = space.pixels[i];
         std::copy_n(space.colours.data() + 3 * i, 3, picture.at(left + pixel % kCell, top + pixel / kCell));

@@ -28,6 +28,8 @@ struct SurfacePhoto {
     std::shared_ptr<const SurfaceMesh> mesh;
     Rigid3 roomFromPhoto;
     TileGrid grid; ///< The grid of the level that is sampled.
+    /// What its red, green and blue are multiplied by to be as bright as the view's first photo.
+    Eigen::Vector3d gain = Eigen::Vector3d::Ones();
 };
 
 /// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.
@@ -160,10 +162,15 @@ class SurfaceView {
 
     using CellBytes = std::array<std::uint8_t, SurfaceCoordinates::kCellPixels>;
 
-    /// A photo's surface, and the size of the level that is sampled.
+    /// A photo's surface, the size of the level that is sampled, and how bright it becomes.
     struct Drawn {
         std::shared_ptr<const SurfaceMesh> mesh;
         EquirectSize size;
+        /// The level that each level of red, of green and of blue becomes; empty if all stay.
+        std::vector<std::uint8_t> levels;
+
+        explicit Drawn(const SurfacePhoto& photo);
+        void brighten(std::uint8_t* colours, std::size_t pixels) const;
     };
 
     Cell cell(int column, int row) const;

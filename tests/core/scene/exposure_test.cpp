@@ -24,7 +24,85 @@ RgbImage times(RgbImage picture, const Gains& gains) {
     return picture;
 }
 
+/// A photo of the practice room with its true depth.
+struct Known {
+    Known(double x, double y, double yaw, const Gains& gains)
+        : pose{Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {x, y, 1.2}} {
+        const practice::PracticeRoom room;
+        picture = times(room.spherical(pose, {256, 128}), gains);
+        const DepthImage range = room.sphericalRange(pose, {256, 128});
+        depth = {Image<float, 1>(256, 128), MaskImage(256, 128)};
+        for (std::size_t i = 0; i < range.values().size(); ++i) {
+            depth.inverseM.values()[i] = 1 / range.values()[i];
+            depth.sure.values()[i] = 255;
+        }
+    }
+
+    KnownPhoto photo() const { return {{&picture, pose}, &depth}; }
+
+    Rigid3 pose;
+    RgbImage picture;
+    PhotoDepth depth;
+};
+
 } // namespace
+
+TEST(ExposureBySurfaces, IsRightToHalfAPercentAStepAway) {
+    const Gains darker{0.6F, 0.75F, 0.9F};
+    const Known one(2.0, 1.6, 0.4, {1, 1, 1});
+    const Known other(2.8, 2.2, -0.9, darker);
+    const auto gains = gainsBySurfaces(one.photo(), other.photo());
+    ASSERT_TRUE(gains);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR((*gains)[c] * darker[c], 1, 0.005) << c;
+    }
+}
+
+TEST(ExposureBySurfaces, IsNotToldWithoutPlacesThatBothSee) {
+    const Known one(2.0, 1.6, 0, {1, 1, 1});
+    Known unsure(2.4, 1.6, 0, {1, 1, 1});
+    std::fill(unsure.depth.sure.values().begin(), unsure.depth.sure.values().end(), std::uint8_t{0});
+    EXPECT_FALSE(gainsBySurfaces(one.photo(), unsure.photo()));
+    const Known dark(2.4, 1.6, 0, {0.01F, 0.01F, 0.01F});
+    EXPECT_FALSE(gainsBySurfaces(one.photo(), dark.photo()));
+    Known elsewhere(2.4, 1.6, 0, {1, 1, 1}); // its depths are of another room
+    std::fill(elsewhere.depth.inverseM.values().begin(), elsewhere.depth.inverseM.values().end(), 5.0F);
+    EXPECT_FALSE(gainsBySurfaces(one.photo(), elsewhere.photo()));
+}
+
+TEST(CommonGains, FitRatiosThatContradictEachOtherAndLeaveTheMeanAlone) {
+    // Round the three photos, the logarithms add up to 0.03 instead of 0.
+    const auto gain = [](double log) {
+        const auto value = static_cast<float>(std::exp(log));
+        return Gains{value, 1 / value, 1};
+    };
+    const std::vector<ExposureRatio> ratios{{0, 1, gain(0.11)}, {1, 2, gain(0.21)}, {2, 0, gain(-0.29)}};
+    const std::vector<Gains> gains = commonGains(4, ratios);
+    ASSERT_EQ(gains.size(), 4U);
+    EXPECT_NEAR(std::log(gains[1][0] / gains[0][0]), 0.10, 1e-4);
+    EXPECT_NEAR(std::log(gains[2][0] / gains[1][0]), 0.20, 1e-4);
+    EXPECT_NEAR(std::log(gains[0][0] * gains[1][0] * gains[2][0]), 0, 1e-5);
+    EXPECT_NEAR(std::log(gains[1][1] / gains[0][1]), -0.10, 1e-4);
+    EXPECT_EQ(gains[1][2], 1);
+    EXPECT_EQ(gains[3], (Gains{1, 1, 1})); // nothing joins it
+}
+
+TEST(CommonGains, OfAThousandPhotosInALineAreRight) {
+    std::vector<ExposureRatio> ratios;
+    for (std::size_t i = 0; i + 1 < 1000; ++i) {
+        const float gain = i % 2 == 0 ? 1.25F : 0.8F;
+        ratios.push_back({i, i + 1, {gain, gain, gain}});
+    }
+    const std::vector<Gains> gains = commonGains(1000, ratios);
+    for (std::size_t i = 0; i + 1 < 1000; ++i) {
+        ASSERT_NEAR(gains[i + 1][1] / gains[i][1], i % 2 == 0 ? 1.25 : 0.8, 1e-4) << i;
+    }
+}
+
+TEST(CommonGains, OfNoPhotosAreNone) {
+    EXPECT_TRUE(commonGains(0, {}).empty());
+    EXPECT_EQ(commonGains(2, {}), (std::vector<Gains>(2, Gains{1, 1, 1})));
+}
 
 TEST(Exposure, LeavesPhotosOfOneExposureAsTheyAre) {
     const Gains gains = gainsTo(photoAt(2.5, 2), photoAt(2.9, 2.2), Eigen::Matrix3d::Identity());

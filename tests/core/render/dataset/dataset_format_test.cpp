@@ -45,6 +45,7 @@ DatasetInfo fullInfo() {
         photo.rotationSource = "imported";
         if (i == 1) {
             photo.scene = SceneKind::None;
+            photo.exposureGain = Eigen::Vector3d(0.8, 1, 1.25);
             photo.positionSigmaM = Eigen::Vector3d(0.01, 0.02, 0.03);
             photo.rotationSigma = RotationSigma{Degrees(0.1), Degrees(0.2), Degrees(0.3)};
         }
@@ -83,7 +84,16 @@ TEST(DatasetFormat, ComesBackAsItWasWritten) {
                   1e-15);
     }
     EXPECT_FALSE(again.photos[0].rotationSigma);
+    EXPECT_FALSE(again.photos[0].exposureGain);
+    EXPECT_EQ(again.photos[1].exposureGain, info.photos[1].exposureGain);
     EXPECT_NEAR(Degrees(again.photos[1].rotationSigma->roll).value(), 0.3, 1e-12);
+}
+
+TEST(DatasetFormat, RefusesExposuresThatCannotBe) {
+    for (const char* gain : {"[0, 1, 1]", "[1, 1, 100]", "[1, 1]", "[-1, 1, 1]", "\"bright\""}) {
+        refused(ErrorKind::Corrupt, "/photos/0/exposure_gain",
+                [&](Json& json) { json["photos"][0]["exposure_gain"] = parseJson(gain, "a gain"); });
+    }
 }
 
 TEST(DatasetFormat, RefusesOtherFormatsAndVersions) {

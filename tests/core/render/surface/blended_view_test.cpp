@@ -67,6 +67,22 @@ class Ball {
                             TileGrid(kPhoto)});
     }
 
+    /// Makes a photo darker, and says so or not.
+    void darken(std::size_t photo, double factor, bool isTold) {
+        RgbImage picture(kPhoto.width, kPhoto.height);
+        const PlaneView plane = m_planes[photo]->view();
+        for (int y = 0; y < kPhoto.height; ++y) {
+            for (int x = 0; x < kPhoto.width; ++x) {
+                for (int c = 0; c < 3; ++c) {
+                    picture.at(x, y)[c] =
+                        static_cast<std::uint8_t>(factor * (plane.stored(x, y, c) + 128) + 0.5);
+                }
+            }
+        }
+        m_planes[photo] = std::make_unique<PhotoPlane>(picture);
+        m_photos[photo].gain = Eigen::Vector3d::Constant(isTold ? 1 / factor : 1);
+    }
+
     /// The view of one photo after the other.
     RgbImage surface(const Eigen::Vector3d& from, std::size_t photos) {
         return view(SurfaceView(), from, photos, 1);
@@ -178,6 +194,21 @@ TEST(BlendedView, HasTheSameBytesForAnyNumberOfThreadsAndOnEachProcessor) {
     const RgbImage expected = ball.blend(from, 4);
     EXPECT_EQ(ball.blend(from, 4, 3), expected);
     test::forEachTarget([&](const char* target) { EXPECT_EQ(ball.blend(from, 4), expected) << target; });
+}
+
+TEST(BlendedView, MakesPhotosAsBrightAsTheFirst) {
+    const Eigen::Vector3d middle(0.25, 0.2, 0);
+    const RgbImage truth = Ball::truth(middle);
+    for (const std::size_t photo : {1, 2, 3}) {
+        Ball told(kSquare);
+        Ball untold(kSquare);
+        told.darken(photo, 0.7, true);
+        untold.darken(photo, 0.7, false);
+        EXPECT_LT(rms(told.blend(middle, 4), truth), 1.5) << photo;
+        if (photo == 1) {
+            EXPECT_GT(rms(untold.blend(middle, 4), truth), 5);
+        }
+    }
 }
 
 TEST(BlendedView, StaysBlackWhereTheLensSeesNothing) {

@@ -48,6 +48,9 @@ struct DatasetPhoto {
     std::string rotationSource; ///< The words are "imported", "aligned", "metadata" and "unknown" (identity).
     std::optional<Eigen::Vector3d> positionSigmaM;
     std::optional<RotationSigma> rotationSigma;
+    /// What its red, green and blue are multiplied by to be as bright as the other photos. Views that take
+    /// pixels from several photos make the others as bright as the nearest.
+    std::optional<Eigen::Vector3d> exposureGain;
     /// A scene model that is cheaper than the dataset's choice and good enough around this photo.
     std::optional<SceneKind> scene;
 };

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/image.h"
+#include "spherewalk/scene/depth_sweep.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace spherewalk::scene {
+
+/// What the values of a photo's red, green and blue are multiplied by. Values that follow a power of the
+/// light differ by a factor, whatever the exposure.
+using Gains = std::array<float, 3>;
+
+/// The gains with which another photo is as bright as this one, without depths. The gain is the median of the
+/// factor over directions, since two photos of a room mostly show the same wall in a direction. Burnt and
+/// black pixels do not count. A gain that cannot be told from 1 is 1. otherFromPhoto: a rotation.
+Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto);
+
+/// The gains with which another photo is as bright as this one: the median of the factor over places that
+/// both show, as the depths of both tell. Burnt and black pixels do not count. It is nothing where the photos
+/// share less than a hundred places. Range: pictures and depths of any 2:1 sizes; pictures of about 256
+/// pixels are enough.
+std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& other);
+
+/// How much brighter one photo is than another.
+struct ExposureRatio {
+    std::size_t photo = 0;
+    std::size_t other = 0;
+    Gains gains{}; ///< With them, the other photo is as bright as this one.
+};
+
+/// The gains with which all photos are equally bright, in the mean of their logarithms as bright as they are.
+/// The logarithms fit the ratios best by least squares. Photos that no ratio joins are each as bright as they
+/// are. Range: gains above 0.
+std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios);
+
+} // namespace spherewalk::scene
