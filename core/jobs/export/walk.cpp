@@ -145,7 +145,7 @@ void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraI
 constexpr std::size_t kSheetCells = 24;
 constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
-constexpr int kWalkMethod = 2; ///< grows when the same walk gives other frames
+constexpr int kWalkMethod = 3; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
     const std::string number = std::to_string(frame);
@@ -248,11 +248,12 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     std::vector<double> renderMs;
     std::vector<double> decodeMs;
     const auto [begin, end] = options.shard.range(path.size());
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = 0; i < end; ++i) {
         throwIfStopped(stop);
-        ++report.frames;
-        if (isThere(i)) {
-            ++report.reused;
+        report.frames += i < begin ? 0 : 1;
+        if (i < begin || isThere(i)) {
+            report.reused += i < begin ? 0 : 1;
+            stream.pass(path[i].roomFromCamera, frame); // a frame has the same photos in any part
             continue;
         }
         if (options.ball) {

@@ -9,7 +9,6 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
-#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -94,10 +93,6 @@ Sampling autoSampling(const DatasetInfo& info, Sampling sampling, const CameraIn
     return isChosen ? info.choice->sampling : sampling;
 }
 
-Dataset::Dataset(std::filesystem::path folder, DatasetInfo info)
-    : m_folder(std::move(folder)), m_info(std::move(info)) {
-}
-
 Dataset Dataset::open(const std::filesystem::path& folder, Verify verify, ProgressSink& progress,
                       const std::stop_token& stop) {
     const std::filesystem::path file = folder / kDatasetFile;
@@ -136,19 +131,6 @@ void Dataset::checkSizes() const {
             }
         }
     }
-}
-
-std::size_t Dataset::nearestPhoto(const Eigen::Vector3d& pInRoom, std::optional<std::size_t> without) const {
-    std::size_t nearest = without.value_or(0); // if it is the only one
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < m_info.photos.size(); ++i) {
-        const double distance = (m_info.photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
-        if (distance < least && i != without) {
-            least = distance;
-            nearest = i;
-        }
-    }
-    return nearest;
 }
 
 Bytes Dataset::readPhoto(std::size_t photo) const {

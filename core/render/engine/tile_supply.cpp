@@ -28,10 +28,13 @@ std::optional<Served> LateViews::servePrevious(const TileNeed& need, const NeedO
     if (!m_previous || *m_previous == need.level.photo) {
         return std::nullopt;
     }
+    const std::optional<TileNeed> previous = needOf(*m_previous);
+    if (!previous) {
+        return std::nullopt;
+    }
     Served served;
     served.photo = *m_previous;
-    const TileNeed previous = needOf(*m_previous);
-    served.lease = m_store.acquire(previous.level, previous.tiles, TileStore::Missing::LeaveOut);
+    served.lease = m_store.acquire(previous->level, previous->tiles, TileStore::Missing::LeaveOut);
     if (!served.lease.isComplete()) {
         return std::nullopt;
     }

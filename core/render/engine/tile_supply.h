@@ -36,8 +36,8 @@ class LateViews {
     /// Owner: the store must outlive this.
     LateViews(TileStore& store, std::shared_ptr<Thumbnails> thumbnails);
 
-    /// The tiles that the same view needs of another photo.
-    using NeedOf = std::function<TileNeed(std::size_t photo)>;
+    /// The tiles that the same view needs of another photo; nothing if that photo does not see the place.
+    using NeedOf = std::function<std::optional<TileNeed>(std::size_t photo)>;
 
     /// The pixels for a view. Coarse needs a thumbnail, and Previous a previous photo whose tiles are
     /// decoded. Without these, the next of Previous, Coarse, Wait is done, and `origin` tells which. Late

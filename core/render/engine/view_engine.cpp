@@ -59,12 +59,12 @@ ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFro
                          " has no sphere scene model; use none, or export it again."));
     }
     if (options.scene && hasSurfaces(*options.scene) &&
-        m_surfaces.photosFor(*options.scene, roomFromCamera.translation, options.without).empty()) {
+        photosFor({camera, roomFromCamera, options, {}}, options.scene).photos.empty()) {
         throw Error(ErrorKind::InvalidInput,
                     text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
                          " scene model; use another, or export it again with one."));
     }
-    return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options};
+    return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options, {}};
 }
 
 std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, int samplesPerAxis) {
@@ -72,8 +72,16 @@ std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, in
                       [&] { return RayTable(camera, samplesPerAxis); });
 }
 
-std::size_t ViewEngine::nearestPhoto(const ViewRequest& request) const {
-    return m_dataset->nearestPhoto(request.roomFromCamera.translation, request.options.without);
+/// The photos for a view. surface: the scene model, if it has surfaces; then only photos that have one count.
+NearPhotos ViewEngine::photosFor(const ViewRequest& request, std::optional<SceneKind> surface) const {
+    PhotoQuery query;
+    query.without = request.options.without;
+    query.held = request.held;
+    if (surface) {
+        query.most = *surface == SceneKind::Blend ? Surfaces::kPhotosOfBlend : Surfaces::kPhotosOfView;
+        query.isUsable = [&](std::size_t photo) { return m_surfaces.has(*surface, photo); };
+    }
+    return m_dataset->photosNear(request.roomFromCamera.translation, query);
 }
 
 std::shared_ptr<const PixelRays> ViewEngine::pixelRaysOf(const CameraModel& camera, const Tools& tools) {
@@ -116,7 +124,7 @@ ViewEngine::Plan ViewEngine::coarse(const ViewRequest& request, const Plan& plan
 }
 
 TileNeed ViewEngine::need(const ViewRequest& request, double reachPx) {
-    return need(request, plan(request, nearestPhoto(request)), reachPx);
+    return need(request, plan(request, photosFor(request, {}).photos.front()), reachPx);
 }
 
 TileNeed ViewEngine::need(const ViewRequest& request, const Plan& plan, double reachPx) {
@@ -129,19 +137,29 @@ TileNeed ViewEngine::need(const ViewRequest& request, const Plan& plan, double r
     return {plan.level, footprint->tiles(grid, seenIn, reachPx)};
 }
 
+/// The first photo's plan and the photos of a view.
+std::pair<ViewEngine::Plan, NearPhotos> ViewEngine::choice(const ViewRequest& request) {
+    NearPhotos nearest = photosFor(request, {});
+    const Plan plan = this->plan(request, nearest.photos.front());
+    return {plan, plan.surface ? photosFor(request, plan.surface) : std::move(nearest)};
+}
+
 void ViewEngine::serve(const ViewRequest& request, LatePolicy policy, LateViews& late, View& view) {
-    const Plan nearest = plan(request, nearestPhoto(request));
+    const auto [nearest, photos] = choice(request);
+    view.report.seesPlace = photos.seesPlace;
+    const TileStore::ViewInProgress inProgress(m_store);
     if (nearest.surface) {
-        const TileStore::ViewInProgress inProgress(m_store);
-        makeFromSurfaces(request, nearest, view);
+        makeFromSurfaces(request, nearest, photos, view);
         late.countSurfaceView(view.report.isLate);
         return;
     }
-    const TileNeed own = need(request, nearest, kFilterReachPx);
-    const TileStore::ViewInProgress inProgress(m_store);
-    const auto needOf = [&](std::size_t photo) {
+    const auto needOf = [&](std::size_t photo) -> std::optional<TileNeed> {
+        if (!m_dataset->sees(photo, request.roomFromCamera.translation)) {
+            return std::nullopt;
+        }
         return need(request, plan(request, photo), kFilterReachPx);
     };
+    const TileNeed own = need(request, nearest, kFilterReachPx);
     const Served served = late.serve(own, policy, needOf, request.options.threads);
     switch (served.origin) {
     case ViewOrigin::Photo:
@@ -192,13 +210,14 @@ void ViewEngine::draw(const ViewRequest& request, const Plan& plan, const PlaneV
     addLayers(request, plan, photo, tools, {}, view);
 }
 
-/// Makes all of a view whose plan has surfaces, from the photos nearest to the camera.
-void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view) {
+/// Makes all of a view whose plan has surfaces, from these photos.
+void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& photos,
+                                  View& view) {
     const auto begin = std::chrono::steady_clock::now();
     withTools(request.options.threads, [&](const Tools& tools) {
         SurfaceView& surfaces =
             plan.surface == SceneKind::Blend ? tools.memory.blendedView : tools.memory.surfaceView;
-        drawSurfaces(request, plan, tools, surfaces, view);
+        drawSurfaces(request, plan, photos, tools, surfaces, view);
     });
     view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
 }
@@ -207,12 +226,11 @@ Eigen::Vector3d ViewEngine::exposureGain(std::size_t photo) const {
     return m_dataset->info().photos[photo].exposureGain.value_or(Eigen::Vector3d::Ones());
 }
 
-void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
-                              SurfaceView& surfaceView, View& view) {
+void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
+                              const Tools& tools, SurfaceView& surfaceView, View& view) {
     const auto rays = pixelRaysOf(request.camera, tools);
     std::vector<SurfacePhoto> photos;
-    for (const std::size_t photo :
-         m_surfaces.photosFor(*plan.surface, request.roomFromCamera.translation, request.options.without)) {
+    for (const std::size_t photo : chosen.photos) {
         const PhotoLevel level{photo, plan.level.denominator};
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});

@@ -12,6 +12,8 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 namespace spherewalk::render {
 
@@ -20,6 +22,7 @@ struct ViewRequest {
     const CameraModel& camera;
     Rigid3 roomFromCamera; ///< The pose of the optical frame; the rotation is a unit quaternion.
     ViewOptions options;
+    std::vector<std::size_t> held; ///< PhotoQuery::held
 };
 
 /// Makes views: it chooses photos, gets their tiles and draws. The renderer and its streams share it with all
@@ -40,7 +43,10 @@ class ViewEngine {
     /// there is no coarse picture of several photos. Errors: as PhotoFiles::decode() and Surfaces::get().
     void serve(const ViewRequest& request, LatePolicy policy, LateViews& late, View& view);
 
-    /// The nearest photo and the tiles of it that the view shows. reachPx: how many photo pixels beside
+    /// The photos that serve() would make the view from.
+    std::vector<std::size_t> photosOf(const ViewRequest& request) { return choice(request).second.photos; }
+
+    /// The chosen photo and the tiles of it that the view shows. reachPx: how many photo pixels beside
     /// count, too. The default is what the filters of all samplings need.
     TileNeed need(const ViewRequest& request, double reachPx = kFilterReachPx);
 
@@ -83,8 +89,9 @@ class ViewEngine {
 
     Eigen::Vector3d exposureGain(std::size_t photo) const;
 
-    std::size_t nearestPhoto(const ViewRequest& request) const;
+    NearPhotos photosFor(const ViewRequest& request, std::optional<SceneKind> surface) const;
     Plan plan(const ViewRequest& request, std::size_t photo);
+    std::pair<Plan, NearPhotos> choice(const ViewRequest& request);
     Plan coarse(const ViewRequest& request, const Plan& plan);
     TileNeed need(const ViewRequest& request, const Plan& plan, double reachPx);
     std::shared_ptr<const RayTable> raysOf(const CameraModel& camera, int samplesPerAxis);
@@ -95,9 +102,9 @@ class ViewEngine {
     void make(const ViewRequest& request, const Plan& plan, const Served& served, View& view);
     void draw(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
               View& view);
-    void makeFromSurfaces(const ViewRequest& request, const Plan& plan, View& view);
-    void drawSurfaces(const ViewRequest& request, const Plan& plan, const Tools& tools,
-                      SurfaceView& surfaceView, View& view);
+    void makeFromSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& photos, View& view);
+    void drawSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
+                      const Tools& tools, SurfaceView& surfaceView, View& view);
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
     void addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
                    DepthImage depth, View& view);

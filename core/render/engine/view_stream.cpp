@@ -47,6 +47,7 @@ struct ViewStream::State {
           prefetcher(engine->store(),
                      [this](const std::stop_token& stop) { return engine->verifyNext(stop); }) {}
 
+    ViewRequest request(const Rigid3& roomFromCamera, const ViewOptions& view);
     void prefetch(const ViewRequest& request, double timeS);
 
     std::shared_ptr<ViewEngine> engine;
@@ -54,8 +55,17 @@ struct ViewStream::State {
     StreamOptions options;
     LateViews late;
     std::optional<Step> before;
-    Prefetcher prefetcher; ///< The last member: its thread uses the others.
+    std::vector<std::size_t> held; ///< The photos of the view before.
+    Prefetcher prefetcher;         ///< The last member: its thread uses the others.
 };
+
+/// The request for the next view, with the photos that it will be made from.
+ViewRequest ViewStream::State::request(const Rigid3& roomFromCamera, const ViewOptions& view) {
+    ViewRequest request = engine->request(camera, roomFromCamera, view);
+    request.held = held;
+    held = request.held = engine->photosOf(request);
+    return request;
+}
 
 /// The view's own tiles come first: after LatePolicy::Coarse or Previous they are still wanted.
 void ViewStream::State::prefetch(const ViewRequest& request, double timeS) {
@@ -68,15 +78,15 @@ void ViewStream::State::prefetch(const ViewRequest& request, double timeS) {
     }
     ViewOptions view = request.options;
     view.overlays = {}; // they live until this view is made only
-    prefetcher.setPlan(
-        [this, motion, ahead, view, pose = request.roomFromCamera](const std::stop_token& stop) {
-            const auto needAt = [&](const Rigid3& predicted) {
-                return engine->need({camera, predicted, view}, kPredictionReachPx);
-            };
-            std::vector<TileNeed> plan = prefetchPlan(pose, motion, ahead, stop, needAt);
-            plan.insert(plan.begin(), engine->need({camera, pose, view}));
-            return plan;
-        });
+    prefetcher.setPlan([this, motion, ahead, view, pose = request.roomFromCamera,
+                        photos = request.held](const std::stop_token& stop) {
+        const auto needAt = [&](const Rigid3& predicted) {
+            return engine->need({camera, predicted, view, photos}, kPredictionReachPx);
+        };
+        std::vector<TileNeed> plan = prefetchPlan(pose, motion, ahead, stop, needAt);
+        plan.insert(plan.begin(), engine->need({camera, pose, view, photos}));
+        return plan;
+    });
     before = {request.roomFromCamera, timeS};
 }
 
@@ -100,9 +110,13 @@ View ViewStream::next(const Rigid3& roomFromCamera, double timeS, const ViewOpti
 
 void ViewStream::next(const Rigid3& roomFromCamera, double timeS, const ViewOptions& options, View& view) {
     State& state = *m_state;
-    const ViewRequest request = state.engine->request(state.camera, roomFromCamera, options);
+    const ViewRequest request = state.request(roomFromCamera, options);
     state.engine->serve(request, state.options.late, state.late, view);
     state.prefetch(request, timeS);
+}
+
+void ViewStream::pass(const Rigid3& roomFromCamera, const ViewOptions& options) {
+    m_state->request(roomFromCamera, options);
 }
 
 const StreamCounters& ViewStream::counters() const {

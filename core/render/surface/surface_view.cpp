@@ -442,25 +442,4 @@ std::shared_ptr<const SurfaceMesh> Surfaces::get(SceneKind kind, std::size_t pho
     return m_meshes.get({of, photo}, [&] { return made(of, photo); });
 }
 
-std::vector<std::size_t> Surfaces::photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
-                                             std::optional<std::size_t> without) const {
-    const std::vector<DatasetPhoto>& photos = m_dataset->info().photos;
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        if (i != without && has(kind, i)) {
-            order.push_back(i);
-        }
-    }
-    const auto distance = [&](std::size_t i) {
-        return (photos[i].roomFromPhoto.translation - pInRoom).squaredNorm();
-    };
-    const std::size_t most = kind == SceneKind::Blend ? kPhotosOfBlend : kPhotosOfView;
-    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), most));
-    std::partial_sort(order.begin(), middle, order.end(), [&](std::size_t a, std::size_t b) {
-        return distance(a) != distance(b) ? distance(a) < distance(b) : a < b;
-    });
-    order.erase(middle, order.end());
-    return order;
-}
-
 } // namespace spherewalk::render

@@ -50,11 +50,6 @@ class Surfaces {
     /// and for one whose width is no multiple of 16; InvalidInput for a room that cannot be.
     std::shared_ptr<const SurfaceMesh> get(SceneKind kind, std::size_t photo);
 
-    /// The photos for a view from the point, the nearest first, at most kPhotosOfView or kPhotosOfBlend. The
-    /// list is empty if none has a surface. without: a photo that is left out.
-    std::vector<std::size_t> photosFor(SceneKind kind, const Eigen::Vector3d& pInRoom,
-                                       std::optional<std::size_t> without = std::nullopt) const;
-
   private:
     static constexpr std::size_t kKept = 24; ///< Each surface has about 5 MB.
 

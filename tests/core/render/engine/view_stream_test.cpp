@@ -120,7 +120,7 @@ TEST_F(Walking, AStreamGivesTheBytesOfSingleViews) {
     ViewStream stream(renderer, camera);
     View view;
     for (int frame = 0; frame < 40; ++frame) {
-        const Rigid3 pose = at(0.025 * frame, 0.05 * frame);
+        const Rigid3 pose = at(0.2 * (frame / 8) + 0.01 * (frame % 8), 0.05 * frame);
         stream.next(pose, frame / 30.0, {}, view);
         ASSERT_EQ(view.picture, this->renderer(plain).render(camera, pose).picture) << frame;
         EXPECT_EQ(view.report.origin, ViewOrigin::Photo);
@@ -176,12 +176,12 @@ TEST_F(Walking, PreviousShowsThePhotoBeforeFromTheNewPose) {
     stream.next(at(0.0), 0); // nothing before it: its thumbnail
     stream.waitForPrefetch();
     stream.next(at(0.0), 0.03);
-    const View late = stream.next(at(0.11), 0.06);
+    const View late = stream.next(at(0.13), 0.06);
     EXPECT_EQ(late.report.origin, ViewOrigin::PreviousPhoto);
     EXPECT_EQ(late.report.photo, 0U);
-    EXPECT_NEAR(late.report.offsetM, std::hypot(0.11, 0.02), 1e-12);
+    EXPECT_NEAR(late.report.offsetM, std::hypot(0.13, 0.02), 1e-12);
     stream.waitForPrefetch();
-    EXPECT_EQ(stream.next(at(0.11), 0.09).report.photo, 1U);
+    EXPECT_EQ(stream.next(at(0.13), 0.09).report.photo, 1U);
     EXPECT_EQ(stream.counters().previous, 1U);
     EXPECT_EQ(stream.counters().coarse, 1U);
 }

@@ -52,6 +52,9 @@ struct ViewReport {
     ViewOrigin origin = ViewOrigin::Photo;
     bool isLate = false; ///< Whether a part of the photo was not in memory when the view was asked for.
     double offsetM = 0;  ///< The distance between the camera and the photo.
+    /// Whether the photos see the camera's place (Dataset::sees()). If none does, the view is made from the
+    /// nearest ones, and may show what lies behind a wall.
+    bool seesPlace = true;
     /// The largest displacement of a thing at half or at twice the distance that the scene model assumes, in
     /// pixels at the picture's centre. With SceneKind::None the thing is at the dataset's usual distance (its
     /// sphere's radius, or 2 m if it has none).

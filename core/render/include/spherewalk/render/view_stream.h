@@ -37,7 +37,9 @@ struct StreamCounters {
     std::uint64_t previous = 0; ///< Late views that were made from the photo of the view before.
 };
 
-/// The views of one moving camera in turn. The stream predicts the next poses from the last two, and a thread
+/// The views of one moving camera in turn. A view keeps the photos of the view before until the camera is
+/// 2 cm beyond the border to others, so that a camera that trembles on a border does not flicker. The stream
+/// predicts the next poses from the last two, and a thread
 /// of its own decodes for them between the views. Threads: one at a time; several streams of one renderer run
 /// beside each other.
 class ViewStream {
@@ -57,6 +59,10 @@ class ViewStream {
 
     /// The same into a view whose memory is used again.
     void next(const Rigid3& roomFromCamera, double timeS, const ViewOptions& options, View& view);
+
+    /// Moves the camera through this pose without making a view. The next view is then the same as if this
+    /// one had been made. Cost: microseconds. Errors: as Renderer::render().
+    void pass(const Rigid3& roomFromCamera, const ViewOptions& options = {});
 
     const StreamCounters& counters() const;
 

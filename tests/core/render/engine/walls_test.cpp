@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random.h"
+#include "temporary_folder.h"
+#include "test_dataset.h"
+
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/render/view_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace spherewalk::render {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kWall = 4; ///< Where the west side of the wall between the rooms lies.
+
+/// Two rooms of 4 x 4 m without a door, a wall of 10 cm between them, photos every 50 cm. The western room's
+/// photos are red and the eastern one's green.
+class TwoRooms : public testing::Test {
+  protected:
+    enum class Knows { Plan, RoughPlan, Depth };
+
+    void write(Knows knows) {
+        std::vector<Rigid3> poses;
+        for (const double left : {0.0, kWall + 0.1}) {
+            for (int i = 0; i < 49; ++i) {
+                poses.push_back(
+                    {yawRotation(Radians(i)), {left + 0.5 + 0.5 * (i % 7), 0.5 + 0.5 * (i / 7), 1.2}});
+            }
+        }
+        info = test::writeTestDataset(
+            folder.path(), poses, [](const Vector3d&) { return Vector3d(200, 0, 0); }, 64, 2.0);
+        info.ceilingM = 2.6;
+        const double rough = knows == Knows::RoughPlan ? 0.1 : 0;
+        if (knows != Knows::Depth) {
+            // A wall that is drawn as the gap of the outline, and the rest of it as an obstacle.
+            info.outline = {{rough, 0},       {kWall, rough},        {kWall, 2},
+                            {kWall + 0.1, 2}, {kWall + 0.1, -rough}, {8.1 - rough, 0},
+                            {8.1, 4 - rough}, {5 + rough, 4},        {5, 4 - rough},
+                            {3, 4 + rough},   {2, 4 - rough},        {rough, 4}};
+            info.obstacles = {{{kWall, 2}, {kWall + 0.1, 2}, {kWall + 0.1, 4.2}, {kWall, 4.2}}};
+        }
+        for (std::size_t i = 0; i < info.photos.size(); ++i) {
+            DatasetPhoto& photo = info.photos[i];
+            if (knows == Knows::Depth) {
+                writeDepth(photo);
+            }
+            if (!isWest(photo.roomFromPhoto.translation)) {
+                const Bytes green =
+                    jpeg::encode(test::panorama([](const Vector3d&) { return Vector3d(0, 200, 0); },
+                                                Eigen::Quaterniond::Identity(), 64),
+                                 95);
+                photo.sha256 = sha256Hex(green);
+                photo.sizeBytes = green.size();
+                writeFile(folder.path() / photo.file, green);
+            }
+        }
+        test::rewriteInfo(folder.path(), info);
+    }
+
+    static bool isWest(const Vector3d& place) { return place.x() < kWall + 0.05; }
+
+    /// The true depth with an error of 3 %, of which a tenth is not sure.
+    void writeDepth(DatasetPhoto& photo) {
+        const double left = isWest(photo.roomFromPhoto.translation) ? 0 : kWall + 0.1;
+        const RoomShape room{{{left, 0}, {left + 4, 0}, {left + 4, 4}, {left, 4}}, 0, 2.6};
+        const DepthMap exact = roomDepth(room, photo.roomFromPhoto, 256);
+        Image<float, 1> inverse = exact.inverseM();
+        MaskImage sure(inverse.width(), inverse.height());
+        for (std::size_t i = 0; i < inverse.values().size(); ++i) {
+            const bool isSure = random.uniform(0, 1) < 0.9;
+            sure.values()[i] = isSure ? 255 : 0;
+            inverse.values()[i] *= static_cast<float>(isSure ? 1 + random.uniform(-0.03, 0.03) : 5);
+        }
+        std::filesystem::create_directories(folder.path() / "depth");
+        photo.depth = "depth/" + std::filesystem::path(photo.file).stem().string() + ".pgm";
+        writeFile(folder.path() / photo.depth, DepthMap(std::move(inverse), std::move(sure)).serialised());
+    }
+
+    Renderer renderer() const {
+        return Renderer(std::make_shared<const Dataset>(Dataset::open(folder.path())));
+    }
+
+    Rigid3 somewhere() {
+        return {random.rotation(),
+                {random.uniform(0.02, 8.08), random.uniform(0.02, 3.98), random.uniform(0.3, 2.2)}};
+    }
+
+    test::TemporaryFolder folder;
+    DatasetInfo info;
+    test::Random random{91};
+    CameraModel camera{CameraIntrinsics::pinhole(32, 24, 1.2)};
+};
+
+/// How red and how green a picture is.
+bool isRed(const RgbImage& picture) {
+    const std::uint8_t* middle = picture.at(picture.width() / 2, picture.height() / 2);
+    return middle[0] > middle[1];
+}
+
+TEST_F(TwoRooms, AViewShowsTheRoomOfItsCamera) {
+    for (const Knows knows : {Knows::Plan, Knows::Depth}) {
+        write(knows);
+        const Renderer renderer = this->renderer();
+        for (int i = 0; i < 200; ++i) {
+            Rigid3 pose = somewhere();
+            if (i % 2 == 0) { // 5 cm in front of the wall
+                pose.translation.x() = i % 4 == 0 ? kWall - 0.05 : kWall + 0.15;
+            } else if (pose.translation.x() > kWall - 0.02 && pose.translation.x() < kWall + 0.12) {
+                continue; // in the wall
+            }
+            for (const SceneKind scene :
+                 {SceneKind::None, SceneKind::Sphere, SceneKind::Depth, SceneKind::Blend}) {
+                if (knows != Knows::Depth && hasSurfaces(scene)) {
+                    continue;
+                }
+                const View view = renderer.render(camera, pose, {.scene = scene});
+                SCOPED_TRACE(testing::Message() << pose.translation.transpose() << " " << name(scene));
+                ASSERT_EQ(isRed(view.picture), isWest(pose.translation));
+                EXPECT_TRUE(view.report.seesPlace);
+            }
+        }
+    }
+}
+
+TEST_F(TwoRooms, AStreamNeverShowsTheOtherRoomWhateverIsLate) {
+    write(Knows::Depth);
+    for (const LatePolicy late : {LatePolicy::Wait, LatePolicy::Coarse, LatePolicy::Previous}) {
+        ViewStream stream(renderer(), camera, {late, 0.2});
+        for (int i = 0; i < 60; ++i) {
+            const Vector3d place(3.7 + 0.01 * i, 2 + 0.003 * i, 1.2); // through the wall
+            if (place.x() > kWall - 0.02 && place.x() < kWall + 0.12) {
+                continue;
+            }
+            const View view = stream.next({bodyFromOptical(), place}, i / 30.0, {.scene = SceneKind::Sphere});
+            EXPECT_EQ(isRed(view.picture), isWest(place)) << i;
+        }
+    }
+}
+
+TEST_F(TwoRooms, AnOutlineThatIsRoughByTenCentimetresHidesNothingOfTheSameRoom) {
+    write(Knows::RoughPlan);
+    const Dataset dataset = Dataset::open(folder.path());
+    for (int i = 0; i < 300; ++i) {
+        const Vector3d place = somewhere().translation;
+        if (place.x() > kWall - 0.02 && place.x() < kWall + 0.12) {
+            continue;
+        }
+        for (std::size_t photo = 0; photo < info.photos.size(); ++photo) {
+            const Vector3d& from = info.photos[photo].roomFromPhoto.translation;
+            ASSERT_EQ(dataset.sees(photo, place), isWest(from) == isWest(place))
+                << from.transpose() << " to " << place.transpose();
+        }
+    }
+}
+
+TEST_F(TwoRooms, WhereNoPhotoSeesTheReportSaysSo) {
+    write(Knows::Plan);
+    const View view = renderer().render(camera, {bodyFromOptical(), {4.3, 6, 1.2}});
+    EXPECT_FALSE(view.report.seesPlace);
+}
+
+TEST_F(TwoRooms, AMillimetreOfJitterNeverChangesThePhotos) {
+    write(Knows::Depth);
+    const Renderer renderer = this->renderer();
+    for (const SceneKind scene : {SceneKind::Sphere, SceneKind::Depth, SceneKind::Blend}) {
+        for (int place = 0; place < 40; ++place) {
+            // On the border between two photos, and on the edge of what some see.
+            const Vector3d border(1.25 + 0.5 * (place % 4), random.uniform(0.5, 3.5),
+                                  random.uniform(0.5, 1.8));
+            ViewStream stream(renderer, camera, {LatePolicy::Wait, 0});
+            std::set<std::size_t> photos;
+            for (int i = 0; i < 30; ++i) {
+                const Vector3d jitter = 0.001 * random.direction();
+                const View view = stream.next({bodyFromOptical(), border + jitter}, i, {.scene = scene});
+                photos.insert(view.report.photo);
+            }
+            EXPECT_EQ(photos.size(), 1U) << name(scene) << " " << border.transpose();
+        }
+    }
+}
+
+TEST_F(TwoRooms, AStreamTakesThePhotoThatIsNearerByTwoCentimetres) {
+    write(Knows::Plan);
+    ViewStream stream(renderer(), camera, {LatePolicy::Wait, 0});
+    const auto photoAt = [&](double x) {
+        return info.photos[stream.next({bodyFromOptical(), {x, 1, 1.2}}, x).report.photo]
+            .roomFromPhoto.translation.x();
+    };
+    EXPECT_EQ(photoAt(1.0), 1.0);
+    EXPECT_EQ(photoAt(1.265), 1.0);
+    EXPECT_EQ(photoAt(1.275), 1.5);
+    EXPECT_EQ(photoAt(1.235), 1.5);
+    EXPECT_EQ(photoAt(1.225), 1.0);
+    EXPECT_EQ(photoAt(3.0), 3.0);
+}
+
+} // namespace
+} // namespace spherewalk::render
