@@ -25,9 +25,11 @@ Result status(const std::string& survey) {
                  : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
     words += counts.openShots == 0
                  ? ""
-                 : text("\n", counts.openShots, " shots were interrupted; capture settles them first.");
-    words +=
-        counts.unclearShots == 0 ? "" : text("\n", counts.unclearShots, " shots need a person's decision:");
+                 : text("\n", counts.openShots,
+                        " shots were interrupted; capture settles them first, and shots lists them.");
+    words += counts.unclearShots == 0
+                 ? ""
+                 : text("\n", counts.unclearShots, " shots need a person's decision, which shots takes:");
     Json unclear = Json::array();
     for (const survey::Shot& shot : store.unclearShots()) {
         const std::string name = store.station(shot.station).name;

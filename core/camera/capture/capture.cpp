@@ -170,8 +170,9 @@ ShotOutcome Capture::resolve(survey::Shot shot, Clock::TimePoint deadline, const
         m_journal.notTaken(shot.id);
         break;
     default:
-        m_journal.unclear(shot.id, resolution.sentence);
+        m_journal.unclear(shot.id, resolution.sentence, resolution.fileUrl);
         shot.note = resolution.sentence;
+        shot.fileUrl = resolution.fileUrl;
         break;
     }
     shot.step = resolution.step;
@@ -203,7 +204,8 @@ void Capture::giveUpOlder(const survey::Shot& shot, const std::string& fileUrl) 
             older.cameraSerial == shot.cameraSerial && pathOfUrl(older.fileUrl) == pathOfUrl(fileUrl)) {
             m_journal.unclear(older.id,
                               text("The camera has given the name ", fileNameOfUrl(fileUrl),
-                                   " to another photo before this one was downloaded; take it again."));
+                                   " to another photo before this one was downloaded; take it again."),
+                              "");
         }
     }
 }
@@ -233,8 +235,12 @@ ShotOutcome Capture::fetch(const survey::Shot& shot, const std::stop_token& stop
         outcome.problem = error.kind();
     }
     if (outcome.photo) {
-        m_journal.downloaded(shot.id, *outcome.photo);
-        outcome.shot.step = survey::ShotStep::Downloaded;
+        outcome.shot = m_journal.downloaded(shot.id, *outcome.photo);
+        if (outcome.shot.step == survey::ShotStep::Unclear) {
+            outcome.photo.reset();
+            outcome.sentence = outcome.shot.note;
+            outcome.problem = ErrorKind::Exists;
+        }
     }
     outcome.fetching = m_clock.now() - start;
     return outcome;

@@ -49,7 +49,8 @@ namespace spherewalk::camera {
 //    Only NotTaken permits a second exposure. A photo is Unclear if the camera has lost the profile's
 //    exposure, such as by a restart, because the photo may be exposed differently.
 // 8. Fetch. Download the file, verify it, and hand it to the journal. After a failure the photo stays Taken,
-//    on the camera and in the journal, and the failure is reported.
+//    on the camera and in the journal, and the failure is reported. A photo that the survey has already, at
+//    another station or from another shot, makes the shot Unclear.
 // 9. Disconnect. Put sleep and power-off times back.
 
 /// A sentence about an earlier shot that left no photo, with the identity of its station.

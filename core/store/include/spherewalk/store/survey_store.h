@@ -121,10 +121,18 @@ class SurveyStore {
     void markStarted(std::int64_t shotId, const std::string& commandId);
     void markTaken(std::int64_t shotId, const std::string& fileUrl);
     void markNotTaken(std::int64_t shotId);
-    void markUnclear(std::int64_t shotId, const std::string& why);
+    /// fileUrl: the picture on the camera that may be the shot's; "" if there is none.
+    void markUnclear(std::int64_t shotId, const std::string& why, const std::string& fileUrl = {});
+    /// Marks a shot NotTaken that is open or Unclear, because a person does not wait for its photo.
+    void giveUp(std::int64_t shotId);
     /// Adds the photo and marks the shot Downloaded, both or neither. Errors: those of addPhoto; InvalidInput
     /// if the photo is of another station than the shot.
     std::int64_t recordDownload(std::int64_t shotId, const NewPhoto& photo);
+    /// Marks the shot Downloaded with a photo that the survey has already. Errors: NotFound; InvalidInput if
+    /// the photo is of another station, or of another shot.
+    void recordDownload(std::int64_t shotId, std::int64_t photoId);
+    /// The shot that brought the photo; nothing for an imported photo.
+    std::optional<survey::Shot> shotOf(std::int64_t photo) const;
     /// The shots that are Intended, Started or Taken, oldest first.
     std::vector<survey::Shot> openShots() const;
     std::vector<survey::Shot> unclearShots() const;
