@@ -81,7 +81,7 @@ std::vector<ShotOutcome> Capture::settleExposures(const std::stop_token& stop) {
     std::vector<ShotOutcome> outcomes;
     for (const survey::Shot& shot : m_journal.openShots()) {
         if (!isResolved(shot)) {
-            outcomes.push_back(resolve(shot, deadlineAfterRestart(shot, stop), stop));
+            outcomes.push_back(resolve(shot, foreseenAfterRestart(shot, stop), stop));
         }
     }
     return outcomes;
@@ -135,7 +135,7 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
             outcome.sentence = error.sentence();
             outcome.problem = error.kind();
         } else {
-            outcome = follow(shot, reply, triggeredAt + allowance, stop);
+            outcome = follow(shot, reply, {triggeredAt + allowance}, stop);
         }
         static_cast<CaptureNotes&>(outcome) = std::move(notes);
         outcome.exposing = m_clock.now() - triggeredAt;
@@ -144,17 +144,17 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
 }
 
 ShotOutcome Capture::follow(survey::Shot shot, const std::optional<CommandReply>& reply,
-                            Clock::TimePoint deadline, const std::stop_token& stop) {
+                            const Foreseen& foreseen, const std::stop_token& stop) {
     if (reply && reply->state == CommandReply::State::InProgress) {
         m_journal.started(shot.id, reply->id);
         shot.step = survey::ShotStep::Started;
         shot.commandId = reply->id;
     }
-    return resolve(std::move(shot), deadline, stop);
+    return resolve(std::move(shot), foreseen, stop);
 }
 
-ShotOutcome Capture::resolve(survey::Shot shot, Clock::TimePoint deadline, const std::stop_token& stop) {
-    Resolution resolution = m_settler.resolve(shot, deadline, stop);
+ShotOutcome Capture::resolve(survey::Shot shot, const Foreseen& foreseen, const std::stop_token& stop) {
+    Resolution resolution = m_settler.resolve(shot, foreseen, stop);
     if (resolution.step == survey::ShotStep::Taken) {
         m_watch.notePhoto();
         giveUpOlder(shot, resolution.fileUrl);

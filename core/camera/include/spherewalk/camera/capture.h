@@ -38,7 +38,9 @@ namespace spherewalk::camera {
 //    command that is done and names a file makes the shot Taken. Any other end leads to step 7.
 // 7. Resolve by files. Reconnect; another serial number makes the shot Unclear. When the camera is idle, look
 //    at the newest files.
-//    - Exactly one new file above the old newest one belongs to this shot, at once.
+//    - Exactly one new file above the old newest one belongs to this shot, at once. After a restart of the
+//      program, the camera may have been moved and its button pressed. The file's time must then be the one
+//      that the journal foresees; otherwise the shot is Unclear, and a person is asked.
 //    - Two new files or any other change make the shot Unclear, if two looks a confirmation time apart agree.
 //      A person then decides.
 //    - Without a new file the shot is NotTaken, if the deadline has passed, two looks a confirmation time
@@ -131,12 +133,12 @@ class Capture {
     survey::Baseline baseline(const std::stop_token& stop);
     std::optional<CommandReply> trigger(const std::stop_token& stop);
     bool mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop);
-    Clock::TimePoint deadlineAfterRestart(const survey::Shot& shot, const std::stop_token& stop);
-    ShotOutcome follow(survey::Shot shot, const std::optional<CommandReply>& reply, Clock::TimePoint deadline,
+    Foreseen foreseenAfterRestart(const survey::Shot& shot, const std::stop_token& stop);
+    ShotOutcome follow(survey::Shot shot, const std::optional<CommandReply>& reply, const Foreseen& foreseen,
                        const std::stop_token& stop);
     std::string marked(std::string fileUrl, const std::stop_token& stop);
     void giveUpOlder(const survey::Shot& shot, const std::string& fileUrl);
-    ShotOutcome resolve(survey::Shot shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    ShotOutcome resolve(survey::Shot shot, const Foreseen& foreseen, const std::stop_token& stop);
 
     OscClient& m_client;
     CaptureJournal& m_journal;
