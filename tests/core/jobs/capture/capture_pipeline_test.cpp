@@ -93,6 +93,7 @@ TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
             }
             return line;
         },
+        {},
         [&](const store::StationRecord& station, const std::stop_token& stop) { cart.moveTo(station, stop); },
         [&](const FollowEvent& event) { events.push_back(event); }};
     const FollowOptions options{practiceCaptureOptions(kTimeScale).camera};
@@ -122,6 +123,41 @@ TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
     EXPECT_THAT(line(events[0]), testing::HasSubstr("has a photo already"));
     EXPECT_EQ(events[1].kind, FollowEvent::Kind::Exposed);
     EXPECT_EQ(m_store->photosAt(m_stations[0].id).size(), 2U);
+}
+
+TEST_F(CapturePipeline, LinesThatARobotSentBeforeTheExposureWasOverAreRefused) {
+    std::deque<std::string> lines;
+    for (const store::StationRecord& station : m_stations) {
+        const Eigen::Vector3d& p = station.station.positionM;
+        lines.push_back(std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()));
+    }
+    std::vector<FollowEvent> events;
+    PracticeOperator cart(endpoint());
+    FollowLink link;
+    link.nextLine = [&](const std::stop_token& /*stop*/) {
+        std::optional<std::string> line;
+        if (!lines.empty()) {
+            line = lines.front();
+            lines.pop_front();
+        }
+        return line;
+    };
+    link.waitingLines = [&] {
+        std::vector<std::string> waiting(lines.begin(), lines.end());
+        lines.clear();
+        return waiting;
+    };
+    cart.moveTo(m_stations[0], {}); // where the camera stays
+    link.tell = [&](const FollowEvent& event) { events.push_back(event); };
+    camera::OscClient osc = client();
+    const FollowOptions options{practiceCaptureOptions(kTimeScale).camera};
+    EXPECT_EQ(followPositions(*m_store, osc, link, systemClock(), options, noProgress(), {}).taken, 1);
+    ASSERT_GE(events.size(), m_stations.size());
+    for (std::size_t i = 0; i + 1 < m_stations.size(); ++i) {
+        EXPECT_EQ(events[i].kind, FollowEvent::Kind::Refused);
+        EXPECT_THAT(events[i].sentence, testing::HasSubstr("before the exposure at"));
+    }
+    EXPECT_EQ(events[m_stations.size() - 1].kind, FollowEvent::Kind::Exposed);
 }
 
 } // namespace spherewalk::jobs
