@@ -76,9 +76,12 @@ class Descriptor {
     int m_value;
 };
 
+/// Without waiting for the other end of a pipe, which is then refused.
+constexpr int kForReading = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
+
 int openForReading(const std::filesystem::path& file) {
     const int descriptor =
-        attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); });
+        attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), kForReading); });
     if (descriptor < 0) {
         failFile(errno, "read", file);
     }
@@ -177,8 +180,7 @@ void MemorySource::read(std::uint64_t offset, std::span<std::uint8_t> into) cons
 
 FileSource::FileSource(const std::filesystem::path& file)
     : m_name(file.string()),
-      m_descriptor(
-          attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); })) {
+      m_descriptor(attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), kForReading); })) {
     struct stat status {};
 
     if (m_descriptor < 0) {
