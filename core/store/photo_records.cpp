@@ -204,6 +204,15 @@ std::optional<PhotoRecord> SurveyStore::chosenPhoto(std::int64_t station) const 
     return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
 }
 
+std::optional<PhotoRecord> SurveyStore::photoAfter(const survey::Shot& shot) const {
+    Statement row = m_parts->db().query(
+        text(kSelectPhoto, "WHERE station = ?1 AND ", kIsKept,
+             " AND (id IN (SELECT photo FROM shot WHERE id > ?2) OR (added_utc > ?3 AND id NOT IN (SELECT "
+             "photo FROM shot WHERE photo IS NOT NULL)))"),
+        shot.station, shot.id, isoUtc(shot.intendedAt));
+    return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
+}
+
 std::optional<PhotoRecord> SurveyStore::findPhoto(const std::string& cameraSha256) const {
     Statement row = m_parts->db().query(text(kSelectPhoto, "WHERE camera_sha256 = ?"), cameraSha256);
     return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;

@@ -148,8 +148,11 @@ void markDownloaded(Database& database, std::int64_t shot, std::int64_t photo) {
 
 std::int64_t SurveyStore::recordDownload(std::int64_t shotId, const NewPhoto& photo) {
     Transaction transaction(m_parts->writable());
-    checkIsOfStation(shot(shotId), photo);
-    const std::int64_t added = m_parts->insertPhoto(photo);
+    const survey::Shot taken = shot(shotId);
+    checkIsOfStation(taken, photo);
+    NewPhoto row = photo;
+    row.choose = photo.choose && !photoAfter(taken);
+    const std::int64_t added = m_parts->insertPhoto(row);
     markDownloaded(m_parts->writable(), shotId, added);
     transaction.commit();
     return added;

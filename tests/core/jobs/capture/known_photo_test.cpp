@@ -85,4 +85,41 @@ TEST_F(KnownPhoto, AShotThatIsGivenUpIsNotFetchedAnyMore) {
     EXPECT_TRUE(report.missed.empty());
 }
 
+TEST_F(KnownPhoto, AnOlderPictureThatComesInLateDoesNotReplaceANewerOne) {
+    takeWithoutDownload();
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    options.seed = 2;
+    auto second = std::make_unique<practice::PracticeCamera>(options);
+    second->start();
+    std::swap(m_camera, second);
+    Cart cart(endpoint());
+    capture(cart); // the first camera's pictures are not to be had, and are taken again
+    std::vector<std::int64_t> chosen;
+    for (const store::PhotoRecord& photo : m_store->chosenPhotos()) {
+        chosen.push_back(photo.id);
+    }
+    ASSERT_EQ(chosen.size(), m_stations.size());
+    std::swap(m_camera, second);
+    const CaptureSurveyReport late = capture(cart);
+    EXPECT_EQ(late.resumed, static_cast<int>(m_stations.size()));
+    EXPECT_EQ(late.warnings.size(), m_stations.size());
+    EXPECT_THAT(late.warnings, testing::Each(testing::HasSubstr("stays chosen")));
+    for (const std::int64_t photo : chosen) {
+        EXPECT_TRUE(m_store->photo(photo).choose) << m_store->photo(photo).fileName;
+    }
+}
+
+TEST_F(KnownPhoto, APictureThatCanNeverBeHadHoldsUpNothingOnceItsStationHasAnother) {
+    m_camera->arm({practice::FaultKind::SmallPhoto, "camera.takePicture"});
+    Cart cart(endpoint());
+    EXPECT_EQ(capture(cart).missed.size(), 1U);
+    EXPECT_TRUE(capture(cart).missed.empty()); // taken again
+    EXPECT_TRUE(m_store->stationsWithoutPhoto().empty());
+    ASSERT_EQ(m_store->openShots().size(), 1U); // it may still be had, if somebody repairs the file
+    EXPECT_TRUE(capture(cart).missed.empty());
+    m_store->giveUp(m_store->openShots().front().id);
+    EXPECT_EQ(m_store->counts().openShots, 0);
+}
+
 } // namespace spherewalk::jobs

@@ -96,6 +96,9 @@ class SurveyStore {
     /// The chosen photos that were not rejected. A dataset is made of these.
     std::vector<PhotoRecord> keptPhotos() const;
     std::optional<PhotoRecord> chosenPhoto(std::int64_t station) const;
+    /// The kept photo of the shot's station if it is newer than the shot: a later shot brought it, or a
+    /// person imported it after the shot.
+    std::optional<PhotoRecord> photoAfter(const survey::Shot& shot) const;
     /// The photo whose bytes came from the camera with this SHA-256.
     std::optional<PhotoRecord> findPhoto(const std::string& cameraSha256) const;
     /// Errors: NotFound.
@@ -125,8 +128,9 @@ class SurveyStore {
     void markUnclear(std::int64_t shotId, const std::string& why, const std::string& fileUrl = {});
     /// Marks a shot NotTaken that is open or Unclear, because a person does not wait for its photo.
     void giveUp(std::int64_t shotId);
-    /// Adds the photo and marks the shot Downloaded, both or neither. Errors: those of addPhoto; InvalidInput
-    /// if the photo is of another station than the shot.
+    /// Adds the photo and marks the shot Downloaded, both or neither. The station does not choose the photo
+    /// if it has a newer one, see photoAfter(). Errors: those of addPhoto; InvalidInput if the photo is of
+    /// another station than the shot.
     std::int64_t recordDownload(std::int64_t shotId, const NewPhoto& photo);
     /// Marks the shot Downloaded with a photo that the survey has already. Errors: NotFound; InvalidInput if
     /// the photo is of another station, or of another shot.
