@@ -144,7 +144,9 @@ Result shootOnce(const CameraArguments& options, Context& context) {
     SingleShot journal(options.out);
     camera::Capture workflow(*client, journal, systemClock(), capture);
     const camera::ShotOutcome outcome = workflow.shoot(0, context.stop);
-    workflow.disconnect(context.stop);
+    for (const std::string& sentence : workflow.disconnect(context.stop)) {
+        context.progress.warning(sentence);
+    }
     if (outcome.shot.step != survey::ShotStep::Downloaded) {
         throw Error(outcome.problem.value_or(ErrorKind::Io), outcome.sentence);
     }

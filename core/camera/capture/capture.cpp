@@ -274,9 +274,9 @@ bool Capture::disconnectWithin(std::chrono::milliseconds time) {
     }
 }
 
-void Capture::disconnect(const std::stop_token& stop) {
+std::vector<std::string> Capture::disconnect(const std::stop_token& stop) {
     m_isPrepared = false;
-    m_guard.restore(stop);
+    return m_guard.restore(stop);
 }
 
 } // namespace spherewalk::camera

@@ -93,7 +93,7 @@ void CaptureRun::prepareAndTake(Route& route) {
         }
         throw;
     }
-    m_capture.disconnect(m_stop);
+    warn(m_capture.disconnect(m_stop));
 }
 
 void CaptureRun::takeAndFetch(Route& route) {

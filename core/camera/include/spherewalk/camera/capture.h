@@ -24,7 +24,7 @@ namespace spherewalk::camera {
 //    camera is changed, because it may still be exposing a shot of a run that was killed.
 // 2. Settle. Before anything new, every open shot of the journal gets its end. A shot that is Taken is only
 //    downloaded. A shot that is Intended or Started is resolved as in step 7.
-// 3. Prepare. Check errors, plug-in, battery and storage, and save the sleep and power-off times. Set still
+// 3. Prepare. Check errors, plug-in, battery and storage, and save the camera's own settings. Set still
 //    mode, the spherical JPEG, the exposure of the profile and no sleep; read them back; set the clock. This
 //    is done again whenever the camera has restarted.
 // 4. Intend. Before each shot the serial number is the same, and the camera is idle and well. A camera that
@@ -53,7 +53,7 @@ namespace spherewalk::camera {
 // 8. Fetch. Download the file, verify it, and hand it to the journal. After a failure the photo stays Taken,
 //    on the camera and in the journal, and the failure is reported. A photo that the survey has already, at
 //    another station or from another shot, makes the shot Unclear.
-// 9. Disconnect. Put sleep and power-off times back.
+// 9. Disconnect. Put all settings but the clock back, sleep and power-off times first.
 
 /// A sentence about an earlier shot that left no photo, with the identity of its station.
 struct EarlierShot {
@@ -108,8 +108,9 @@ class Capture {
     ShotOutcome expose(std::int64_t station, const std::stop_token& stop);
     /// Step 8 for a shot that is Taken.
     ShotOutcome fetch(const survey::Shot& shot, const std::stop_token& stop);
-    /// Step 9. Errors: those of the client; the camera then keeps the changed settings.
-    void disconnect(const std::stop_token& stop);
+    /// Step 9. Returns sentences about settings that the camera does not take back. Errors: those of the
+    /// client; the camera then keeps the changed settings.
+    std::vector<std::string> disconnect(const std::stop_token& stop);
     /// Step 9 after a stop or an error, for at most this time. Returns false if the camera may have kept the
     /// changed settings.
     bool disconnectWithin(std::chrono::milliseconds time);
