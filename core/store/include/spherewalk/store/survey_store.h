@@ -25,6 +25,9 @@ enum class Access { Read, Write };
 struct StoreOptions {
     std::chrono::milliseconds patience{5000}; ///< How long to wait for another program's transaction.
     std::uint64_t maxDatabaseBytes = 0;       ///< A larger database is refused as Full; 0 sets no limit.
+    /// Whether the folder lies on a network share, where the journal must not need the memory of one machine.
+    /// Nothing means that the file system is asked.
+    std::optional<bool> isOnShare = {};
 };
 
 /// A survey on disk: the folder `<name>.spherewalk` with `survey.sqlite` and `photos/`. One program writes at
