@@ -9,6 +9,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/scene/room_fit.h"
 #include "spherewalk/store/survey_store.h"
@@ -227,6 +228,9 @@ render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions
     return forecast.photos > 0 && forecast.missing == 0 ? options.scene : render::SceneKind::Sphere;
 }
 
+    if (const std::string elsewhere = placesInDoubt(store); !elsewhere.empty()) {
+        progress.warning(elsewhere);
+    }
 Json toJson(const ExportReport& report) {
     return {{"photos", report.written.photos},
             {"stations_without_photo", report.withoutPhoto},
@@ -396,3 +400,6 @@ Json toJson(const ExportCheck& check) {
 }
 
 } // namespace spherewalk::jobs
+        if (std::string elsewhere = placesInDoubt(m_store); !elsewhere.empty()) {
+            m_check.doubts.push_back(std::move(elsewhere));
+        }

@@ -110,9 +110,10 @@ class SurveyStore {
     /// or a file that is not in the photo folder; InvalidInput for values that cannot be.
     std::int64_t addPhoto(const NewPhoto& photo);
     void choosePhoto(std::int64_t photoId);
-    /// All or none. A station that loses its chosen photo chooses its newest. Errors: NotFound; those of
-    /// addPhoto() for names and files.
-    void movePhotos(const std::vector<MovedPhoto>& photos);
+    /// All or none. A station that loses its chosen photo chooses its newest. A photo whose position changes
+    /// leaves the active solution, unless that has found the new place already. Returns the photos that left
+    /// it. Errors: NotFound; those of addPhoto() for names and files.
+    std::vector<std::int64_t> movePhotos(const std::vector<MovedPhoto>& photos);
     /// A name in the photo folder that no photo has. It is the camera's name if that is free; otherwise the
     /// first digits of the hash are added. A file with that name and exactly these bytes may exist, because
     /// a program was killed before it recorded the photo; the caller overwrites that file.
