@@ -91,6 +91,9 @@ class SurveyStore {
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
     std::int64_t addStation(const Eigen::Vector3d& positionM, const std::string& name = {});
+    /// Removes a station that was added and is not used. Errors: NotFound; InvalidInput for a station of the
+    /// plan, or with a photo or a shot.
+    void removeStation(std::int64_t id);
 
     std::vector<PhotoRecord> photos() const;
     std::vector<PhotoRecord> photosAt(std::int64_t station) const;
