@@ -22,6 +22,7 @@ void declareCommands(Commands& commands) {
     addRetag(commands);
     addReview(commands);
     addStatus(commands);
+    addShots(commands);
     addCheck(commands);
     addExport(commands);
     addView(commands);

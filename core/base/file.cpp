@@ -76,9 +76,12 @@ class Descriptor {
     int m_value;
 };
 
+/// Without waiting for the other end of a pipe, which is then refused.
+constexpr int kForReading = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
+
 int openForReading(const std::filesystem::path& file) {
     const int descriptor =
-        attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); });
+        attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), kForReading); });
     if (descriptor < 0) {
         failFile(errno, "read", file);
     }
@@ -120,6 +123,32 @@ std::size_t readSome(const Descriptor& descriptor, std::span<std::uint8_t> into,
 [[noreturn]] void failPart(int code, const std::string& name) {
     throw Error(code == ENOENT || code == ENOTDIR ? ErrorKind::NotFound : ErrorKind::Io,
                 text("Could not read ", name, ": ", std::string(std::strerror(code)), "."));
+}
+
+/// Gives a complete file its final name unless that is taken. Returns 0, or -1 with errno.
+int renameToNew(const std::filesystem::path& from, const std::filesystem::path& to) {
+    const int moved = attempt(FileOperation::Rename, to, [&] {
+        return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
+    });
+    if (moved == 0 || (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)) {
+        return moved;
+    }
+    // On a file system without the flag, exFAT for example, an empty file takes the name first.
+    const int placeholder = attempt(FileOperation::Open, to, [&] {
+        return ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    });
+    if (placeholder < 0) {
+        return -1;
+    }
+    ::close(placeholder);
+    const int replaced =
+        attempt(FileOperation::Rename, to, [&] { return ::rename(from.c_str(), to.c_str()); });
+    if (replaced != 0) {
+        const int code = errno;
+        ::unlink(to.c_str());
+        errno = code;
+    }
+    return replaced;
 }
 
 } // namespace
@@ -177,8 +206,7 @@ void MemorySource::read(std::uint64_t offset, std::span<std::uint8_t> into) cons
 
 FileSource::FileSource(const std::filesystem::path& file)
     : m_name(file.string()),
-      m_descriptor(
-          attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); })) {
+      m_descriptor(attempt(FileOperation::Open, file, [&] { return ::open(file.c_str(), kForReading); })) {
     struct stat status {};
 
     if (m_descriptor < 0) {
@@ -259,17 +287,12 @@ void DurableFile::commit(Overwrite overwrite) {
     if (attempt(FileOperation::Sync, m_finalName, [&] { return ::fsync(m_descriptor); }) != 0) {
         failFile(errno, "write", m_finalName);
     }
-    const bool mayReplace = overwrite == Overwrite::Yes;
-    const int moved = attempt(FileOperation::Rename, m_finalName, [&] {
-        // A hard link fails if the name is taken, which a rename would not.
-        return mayReplace ? ::rename(m_temporaryName.c_str(), m_finalName.c_str())
-                          : ::link(m_temporaryName.c_str(), m_finalName.c_str());
-    });
+    const int moved = overwrite == Overwrite::No
+                          ? renameToNew(m_temporaryName, m_finalName)
+                          : attempt(FileOperation::Rename, m_finalName,
+                                    [&] { return ::rename(m_temporaryName.c_str(), m_finalName.c_str()); });
     if (moved != 0) {
         failFile(errno, "write", m_finalName);
-    }
-    if (!mayReplace) {
-        ::unlink(m_temporaryName.c_str());
     }
     ::close(std::exchange(m_descriptor, -1));
     syncFolder(m_finalName.has_parent_path() ? m_finalName.parent_path() : ".");

@@ -145,6 +145,21 @@ std::int64_t stationOfPhoto(const Database& database, std::int64_t photo) {
     return row.integer(0);
 }
 
+/// A photo leaves the active solution if that does not have it at this place. Returns whether it did.
+bool leaveActiveSolution(Database& database, std::int64_t photo, const Eigen::Vector3d& positionM) {
+    constexpr double kSamePlaceM = 0.05; // a solution that found the place by itself stays true
+    constexpr std::string_view kOfActive =
+        "FROM solution_photo WHERE photo = ? AND solution IN (SELECT id FROM solution WHERE is_active = 1)";
+    Statement solved = database.query(text("SELECT x_m, y_m, z_m ", kOfActive), photo);
+    if (!solved.step() ||
+        (Eigen::Vector3d(solved.real(0), solved.real(1), solved.real(2)) - positionM).norm() <= kSamePlaceM) {
+        return false;
+    }
+    solved.reset();
+    database.run(text("DELETE ", kOfActive), photo);
+    return true;
+}
+
 void chooseNewest(Database& database, std::int64_t station) {
     database.run("UPDATE photo SET is_chosen = 1 WHERE id = (SELECT max(id) FROM photo WHERE station = ?1) "
                  "AND NOT EXISTS (SELECT 1 FROM photo WHERE station = ?1 AND is_chosen = 1)",
@@ -204,6 +219,15 @@ std::optional<PhotoRecord> SurveyStore::chosenPhoto(std::int64_t station) const 
     return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
 }
 
+std::optional<PhotoRecord> SurveyStore::photoAfter(const survey::Shot& shot) const {
+    Statement row = m_parts->db().query(
+        text(kSelectPhoto, "WHERE station = ?1 AND ", kIsKept,
+             " AND (id IN (SELECT photo FROM shot WHERE id > ?2) OR (added_utc > ?3 AND id NOT IN (SELECT "
+             "photo FROM shot WHERE photo IS NOT NULL)))"),
+        shot.station, shot.id, isoUtc(shot.intendedAt));
+    return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
+}
+
 std::optional<PhotoRecord> SurveyStore::findPhoto(const std::string& cameraSha256) const {
     Statement row = m_parts->db().query(text(kSelectPhoto, "WHERE camera_sha256 = ?"), cameraSha256);
     return row.step() ? std::optional(photoOf(m_parts->db(), row)) : std::nullopt;
@@ -254,8 +278,13 @@ std::string SurveyStore::freePhotoName(const std::string& cameraFileName,
                                         ": the survey has a photo with the same bytes already."));
 }
 
-void SurveyStore::Parts::movePhoto(const MovedPhoto& moved) {
+bool SurveyStore::Parts::movePhoto(const MovedPhoto& moved) {
     requireStation(moved.station);
+    const Eigen::Vector3d& p = moved.positionM;
+    const bool isElsewhere =
+        !db().query("SELECT 1 FROM photo WHERE id = ? AND x_m = ? AND y_m = ? AND z_m = ?", moved.photo,
+                    p.x(), p.y(), p.z())
+             .step();
     checkPhotoFile(folder / "photos" / moved.fileName, moved.sizeBytes);
     if (moved.choose) {
         writable().run("UPDATE photo SET is_chosen = 0 WHERE station = ?", moved.station);
@@ -265,9 +294,10 @@ void SurveyStore::Parts::movePhoto(const MovedPhoto& moved) {
                    moved.station, moved.positionM.x(), moved.positionM.y(), moved.positionM.z(),
                    moved.fileName, moved.fileSha256, static_cast<std::int64_t>(moved.sizeBytes), moved.choose,
                    moved.photo);
+    return isElsewhere && leaveActiveSolution(writable(), moved.photo, p);
 }
 
-void SurveyStore::movePhotos(const std::vector<MovedPhoto>& photos) {
+std::vector<std::int64_t> SurveyStore::movePhotos(const std::vector<MovedPhoto>& photos) {
     Database& database = m_parts->writable();
     Transaction transaction(database);
     std::set<std::int64_t> stations;
@@ -278,13 +308,17 @@ void SurveyStore::movePhotos(const std::vector<MovedPhoto>& photos) {
         // Photos that change places must not stand in each other's way.
         database.run("UPDATE photo SET is_chosen = 0 WHERE id = ?", moved.photo);
     }
+    std::vector<std::int64_t> unsolved;
     for (const MovedPhoto& moved : photos) {
-        m_parts->movePhoto(moved);
+        if (m_parts->movePhoto(moved)) {
+            unsolved.push_back(moved.photo);
+        }
     }
     for (const std::int64_t station : stations) {
         chooseNewest(database, station);
     }
     transaction.commit();
+    return unsolved;
 }
 
 } // namespace spherewalk::store

@@ -259,6 +259,23 @@ std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std
     return id;
 }
 
+void SurveyStore::removeStation(std::int64_t id) {
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    m_parts->requireStation(id);
+    if (!database
+             .query("SELECT 1 FROM station WHERE id = ?1 AND placement IS NULL AND NOT EXISTS (SELECT 1 FROM "
+                    "photo WHERE station = ?1) AND NOT EXISTS (SELECT 1 FROM shot WHERE station = ?1)",
+                    id)
+             .step()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The station ", printable(station(id).name),
+                         " cannot be removed: it is part of the plan, or has a photo or a shot."));
+    }
+    database.run("DELETE FROM station WHERE id = ?", id);
+    transaction.commit();
+}
+
 void insertProfile(Database& database, const std::optional<CaptureProfile>& profile) {
     database.run("DELETE FROM capture_profile");
     if (profile) {

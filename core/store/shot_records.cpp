@@ -23,7 +23,7 @@ survey::ShotStep stepOf(const Database& database, const std::string& name) {
     }
 }
 
-survey::Shot shotOf(const Database& database, const Statement& row) {
+survey::Shot shotFrom(const Database& database, const Statement& row) {
     const auto intended = parseIsoUtc(row.text(3));
     if (!intended) {
         database.failCorrupt("the record of a shot cannot be");
@@ -43,7 +43,7 @@ survey::Shot shotOf(const Database& database, const Statement& row) {
 std::vector<survey::Shot> allShots(const Database& database, Statement rows) {
     std::vector<survey::Shot> result;
     while (rows.step()) {
-        result.push_back(shotOf(database, rows));
+        result.push_back(shotFrom(database, rows));
     }
     return result;
 }
@@ -103,19 +103,33 @@ void SurveyStore::markNotTaken(std::int64_t shotId) {
     transaction.commit();
 }
 
-void SurveyStore::markUnclear(std::int64_t shotId, const std::string& why) {
+void SurveyStore::markUnclear(std::int64_t shotId, const std::string& why, const std::string& fileUrl) {
     checkText("reason", why, 4000);
+    checkText("photo's address on the camera", fileUrl, 4000);
     Transaction transaction(m_parts->writable());
     checkMayBecome(shot(shotId), survey::ShotStep::Unclear,
                    {survey::ShotStep::Intended, survey::ShotStep::Started, survey::ShotStep::Taken});
-    m_parts->writable().run("UPDATE shot SET step = 'unclear', note = ?, changed_utc = ? WHERE id = ?", why,
-                            nowUtc(), shotId);
+    m_parts->writable().run(
+        "UPDATE shot SET step = 'unclear', note = ?, file_url = ?, changed_utc = ? WHERE id = ?", why,
+        fileUrl, nowUtc(), shotId);
     transaction.commit();
 }
 
-std::int64_t SurveyStore::recordDownload(std::int64_t shotId, const NewPhoto& photo) {
+void SurveyStore::giveUp(std::int64_t shotId) {
     Transaction transaction(m_parts->writable());
-    const survey::Shot taken = shot(shotId);
+    checkMayBecome(shot(shotId), survey::ShotStep::NotTaken,
+                   {survey::ShotStep::Intended, survey::ShotStep::Started, survey::ShotStep::Taken,
+                    survey::ShotStep::Unclear});
+    m_parts->writable().run(
+        "UPDATE shot SET step = 'not_taken', note = 'A person gave it up.', changed_utc = ? WHERE id = ?",
+        nowUtc(), shotId);
+    transaction.commit();
+}
+
+namespace {
+
+/// Errors: InvalidInput.
+void checkIsOfStation(const survey::Shot& taken, const NewPhoto& photo) {
     checkMayBecome(taken, survey::ShotStep::Downloaded, {survey::ShotStep::Taken});
     if (taken.station != photo.station) {
         throw Error(ErrorKind::InvalidInput,
@@ -123,11 +137,39 @@ std::int64_t SurveyStore::recordDownload(std::int64_t shotId, const NewPhoto& ph
                          static_cast<long long>(photo.station), ": its shot was taken at station ",
                          static_cast<long long>(taken.station), "."));
     }
-    const std::int64_t added = m_parts->insertPhoto(photo);
-    m_parts->writable().run("UPDATE shot SET step = 'downloaded', photo = ?, changed_utc = ? WHERE id = ?",
-                            added, nowUtc(), shotId);
+}
+
+void markDownloaded(Database& database, std::int64_t shot, std::int64_t photo) {
+    database.run("UPDATE shot SET step = 'downloaded', photo = ?, changed_utc = ? WHERE id = ?", photo,
+                 nowUtc(), shot);
+}
+
+} // namespace
+
+std::int64_t SurveyStore::recordDownload(std::int64_t shotId, const NewPhoto& photo) {
+    Transaction transaction(m_parts->writable());
+    const survey::Shot taken = shot(shotId);
+    checkIsOfStation(taken, photo);
+    NewPhoto row = photo;
+    row.choose = photo.choose && !photoAfter(taken);
+    const std::int64_t added = m_parts->insertPhoto(row);
+    markDownloaded(m_parts->writable(), shotId, added);
     transaction.commit();
     return added;
+}
+
+void SurveyStore::recordDownload(std::int64_t shotId, std::int64_t photoId) {
+    Transaction transaction(m_parts->writable());
+    const PhotoRecord known = photo(photoId);
+    checkIsOfStation(shot(shotId), known);
+    if (const auto other = shotOf(photoId)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The photo ", printable(known.fileName), " cannot be recorded for shot ",
+                         static_cast<long long>(shotId), ": it belongs to shot ",
+                         static_cast<long long>(other->id), "."));
+    }
+    markDownloaded(m_parts->writable(), shotId, photoId);
+    transaction.commit();
 }
 
 std::vector<survey::Shot> SurveyStore::openShots() const {
@@ -141,12 +183,17 @@ std::vector<survey::Shot> SurveyStore::unclearShots() const {
                     m_parts->db().query(text(kSelectShot, "WHERE step = 'unclear' ORDER BY id")));
 }
 
+std::optional<survey::Shot> SurveyStore::shotOf(std::int64_t photo) const {
+    Statement row = m_parts->db().query(text(kSelectShot, "WHERE photo = ?"), photo);
+    return row.step() ? std::optional(shotFrom(m_parts->db(), row)) : std::nullopt;
+}
+
 survey::Shot SurveyStore::shot(std::int64_t id) const {
     Statement row = m_parts->db().query(text(kSelectShot, "WHERE id = ?"), id);
     if (!row.step()) {
         m_parts->failNotFound("shot", id);
     }
-    return shotOf(m_parts->db(), row);
+    return shotFrom(m_parts->db(), row);
 }
 
 } // namespace spherewalk::store

@@ -31,8 +31,8 @@ struct SurveyStore::Parts {
     Moment moment(const Statement& row, int column) const;
     /// Records a photo inside the caller's transaction, and returns its identity.
     std::int64_t insertPhoto(const NewPhoto& photo);
-    /// Moves a photo inside the caller's transaction.
-    void movePhoto(const MovedPhoto& moved);
+    /// Moves a photo inside the caller's transaction. Returns whether it left the active solution.
+    bool movePhoto(const MovedPhoto& moved);
 };
 
 /// The SQL condition on a row of `photo` that it is chosen and was not rejected.

@@ -10,10 +10,12 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/statfs.h>
 #include <unistd.h>
 
 namespace spherewalk::store {
@@ -61,11 +63,50 @@ void checkIsSurveyFolder(const fs::path& folder) {
     }
 }
 
+/// Whether several machines may use the folder at a time.
+bool isOnShare(const fs::path& folder, const StoreOptions& options) {
+    constexpr std::array<std::uint32_t, 8> kShares{0x6969,     0x517b,     0xff534d42, 0xfe534d42, // NFS, SMB
+                                                   0x5346414f, 0x00c36400, 0x73757245, 0x0bd00bd0};
+
+    struct statfs system {};
+
+    return options.isOnShare.value_or(::statfs(folder.c_str(), &system) == 0 &&
+                                      std::ranges::find(kShares, static_cast<std::uint32_t>(system.f_type)) !=
+                                          kShares.end());
+}
+
+/// SQLite's write-ahead log keeps readers and the writer apart in the memory of one machine. On a share the
+/// older journal stands in, which needs nothing but locks.
+void chooseJournal(Database& database, const fs::path& folder, const StoreOptions& options) {
+    const std::string wanted = isOnShare(folder, options) ? "delete" : "wal";
+    Statement mode = database.query("PRAGMA journal_mode");
+    if (mode.step() && mode.text(0) == wanted) {
+        return;
+    }
+    mode.reset();
+    try {
+        database.execute(text("PRAGMA journal_mode = ", wanted));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Busy) { // a reader has it open: the next time will do
+            throw;
+        }
+    }
+}
+
+/// Whether the database needs lock files beside it: bytes 18 and 19 of SQLite's header tell.
+bool hasWriteAheadLog(const fs::path& folder) {
+    constexpr std::size_t kHeader = 20;
+    const FileSource file(folder / kDatabaseName);
+    Bytes header(kHeader);
+    file.read(0, header);
+    return header[18] == 2 || header[19] == 2;
+}
+
 /// A folder that cannot be written holds no lock files for SQLite either.
 bool isUnchanging(const fs::path& folder) {
     std::error_code none;
     const auto journal = fs::file_size(folder / text(kDatabaseName, "-wal"), none);
-    return ::access(folder.c_str(), W_OK) != 0 && (none || journal == 0);
+    return ::access(folder.c_str(), W_OK) != 0 && (none || journal == 0) && hasWriteAheadLog(folder);
 }
 
 Database openForReading(const fs::path& folder, const StoreOptions& options) {
@@ -238,6 +279,7 @@ SurveyStore SurveyStore::open(const fs::path& folder, Access access, const Store
         parts->lock.emplace(parts->folder);
         parts->database.emplace(parts->folder / kDatabaseName, Database::Mode::Write, options.patience);
         limitSize(*parts->database, options);
+        chooseJournal(*parts->database, parts->folder, options);
     }
     checkIntegrity(parts->db());
     if (access == Access::Write) {

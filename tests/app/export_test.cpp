@@ -26,6 +26,19 @@ TEST(ExportCommand, OnlyLooksWhenAsked) {
     EXPECT_FALSE(std::filesystem::exists(survey / "d"));
 }
 
+TEST(ExportCommand, FindsDepthsOfASurveyThatMayOnlyBeRead) {
+    namespace fs = std::filesystem;
+    const test::PhotographedSurvey survey(3);
+    fs::permissions(survey.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    const CliResult made =
+        runCli({"export", survey.path().string(), survey / "d", "--scene", "depth", "--json"},
+               {.obeysPermissions = true});
+    fs::permissions(survey.path(), fs::perms::owner_all);
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_EQ(made.json()["photos_with_depth"], 3);
+    EXPECT_FALSE(fs::exists(survey.path() / "depth-cache"));
+}
+
 TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
     const test::PhotographedSurvey survey{2};
     const std::string camera = writeSmallCamera(survey / "c.yaml");

@@ -39,6 +39,19 @@ TEST(RetagCommand, MovesAPhotoToTheStationThatIsNamed) {
     EXPECT_EQ(runCli({"retag", path, "--photo", "R1002.JPG"}).status, 1);
 }
 
+TEST(RetagCommand, SaysThatMovedPhotosAreNoLongerAligned) {
+    const test::PhotographedSurvey survey(2);
+    const std::string path = survey.path().string();
+    const CliResult moved = runCli({"retag", path, "--photo", "R1001.JPG", "--station", "rail 1, stop 2",
+                                    "--photo", "R1002.JPG", "--station", "rail 1, stop 1"});
+    ASSERT_EQ(moved.status, 0) << moved.errors;
+    EXPECT_THAT(moved.errors, HasSubstr("2 photos have left the alignment"));
+    EXPECT_EQ(runCli({"check", path}).status, 0);
+    const CliResult exported = runCli({"export", path, survey / "d"});
+    EXPECT_THAT(exported.errors, HasSubstr("heading of 2 of 2 photos is not known"));
+    EXPECT_EQ(runCli({"check", survey / "d"}).status, 0);
+}
+
 TEST(AlignCommand, FailsWhereNothingCouldBeSolved) {
     const test::PhotographedSurvey survey(1);
     const CliResult result = runCli({"align", survey.path().string(), "--effort", "draft"});

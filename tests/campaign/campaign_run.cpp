@@ -11,9 +11,11 @@
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace spherewalk::campaign {
 
@@ -25,6 +27,8 @@ using Steady = std::chrono::steady_clock;
 constexpr const char* kProfile = "iso=200,shutter=1/50,white-balance=5000K";
 constexpr double kTimeScale = 0.01;
 constexpr std::chrono::seconds kHangs = 180s; ///< longer than all timeouts of one shot together
+/// Nobody carries a cart on within the time in which a trigger that was lost can have begun a picture.
+constexpr std::chrono::seconds kCarried = 14s;
 constexpr int kTroubledPrograms = 6;
 constexpr int kLastPrograms = 8;
 
@@ -60,6 +64,7 @@ class Run {
         for (int i = 0; i < kTroubledPrograms && !isComplete(); ++i) {
             armScript(camera);
             trouble(camera);
+            moveOn(camera);
         }
         camera.disarm();
         for (int i = 0; i < kLastPrograms && !isComplete(); ++i) {
@@ -126,6 +131,29 @@ class Run {
             break;
         }
         expectEnd(program);
+    }
+
+    /// Between two programs people move the cart, and may press the camera's own button.
+    void moveOn(practice::PracticeCamera& camera) {
+        if (m_random.integer(0, 1) == 0) {
+            return;
+        }
+        camera.setPosition({m_random.uniform(0.2, 1.8), m_random.uniform(0.2, 1.4), 1.2});
+        if (m_random.integer(0, 2) > 0) {
+            return;
+        }
+        if (hasShotInDoubt()) {
+            std::this_thread::sleep_for(kCarried);
+        }
+        camera.befall({practice::FaultKind::ExtraPhoto, "", 0, 1, 0, 0});
+        ++m_report.faults["button between programs"];
+    }
+
+    /// Whether a picture may be taken for that of a shot.
+    bool hasShotInDoubt() const {
+        const auto shots = store::SurveyStore::open(m_survey, store::Access::Read).openShots();
+        return std::ranges::any_of(
+            shots, [](const survey::Shot& shot) { return shot.step < survey::ShotStep::Taken; });
     }
 
     void interrupt(test::Program& program) {

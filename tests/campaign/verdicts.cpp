@@ -4,6 +4,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/check_places.h"
 #include "spherewalk/practice/truth.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -49,6 +50,9 @@ Findings examine(const std::filesystem::path& survey, const std::filesystem::pat
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
     if (!store.check(noProgress(), {}).isSound()) {
         violate("the survey is not sound");
+    }
+    for (std::string& sentence : jobs::checkPlaces(store, noProgress(), {})) {
+        violate(std::move(sentence));
     }
     std::map<std::string, practice::Truth> truthOf;
     const bool hasTruth = std::filesystem::exists(truthFile);

@@ -70,7 +70,8 @@ Program::Program(const std::vector<std::string>& command, const Options& options
     std::ofstream(inputFile) << options.input;
     m_pid = ::fork();
     if (m_pid == 0) {
-        becomeProgram(command, options, inputFile, m_outputFile, m_errorFile);
+        becomeProgram(command, options, options.inputFile.empty() ? inputFile : options.inputFile,
+                      m_outputFile, m_errorFile);
     }
     m_pidFd = static_cast<int>(::syscall(SYS_pidfd_open, m_pid, 0));
     if (m_pid < 0 || m_pidFd < 0) {

@@ -29,8 +29,8 @@ class SingleShot : public camera::CaptureJournal {
     void started(std::int64_t shot, const std::string& commandId) override;
     void taken(std::int64_t shot, const std::string& fileUrl) override;
     void notTaken(std::int64_t shot) override;
-    void unclear(std::int64_t shot, const std::string& why) override;
-    void downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
+    void unclear(std::int64_t shot, const std::string& why, const std::string& fileUrl) override;
+    survey::Shot downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
     std::vector<survey::Shot> openShots() const override;
     std::filesystem::path downloadFolder() const override;
 
@@ -66,14 +66,15 @@ void SingleShot::notTaken(std::int64_t /*shot*/) {
     m_shot.step = ShotStep::NotTaken;
 }
 
-void SingleShot::unclear(std::int64_t /*shot*/, const std::string& why) {
+void SingleShot::unclear(std::int64_t /*shot*/, const std::string& why, const std::string& /*fileUrl*/) {
     m_shot.step = ShotStep::Unclear;
     m_shot.note = why;
 }
 
-void SingleShot::downloaded(std::int64_t /*shot*/, const camera::DownloadedPhoto& photo) {
+survey::Shot SingleShot::downloaded(std::int64_t /*shot*/, const camera::DownloadedPhoto& photo) {
     std::filesystem::rename(photo.temporaryFile, m_out);
     m_shot.step = ShotStep::Downloaded;
+    return m_shot;
 }
 
 std::vector<survey::Shot> SingleShot::openShots() const {
@@ -143,7 +144,9 @@ Result shootOnce(const CameraArguments& options, Context& context) {
     SingleShot journal(options.out);
     camera::Capture workflow(*client, journal, systemClock(), capture);
     const camera::ShotOutcome outcome = workflow.shoot(0, context.stop);
-    workflow.disconnect(context.stop);
+    for (const std::string& sentence : workflow.disconnect(context.stop)) {
+        context.progress.warning(sentence);
+    }
     if (outcome.shot.step != survey::ShotStep::Downloaded) {
         throw Error(outcome.problem.value_or(ErrorKind::Io), outcome.sentence);
     }

@@ -58,6 +58,7 @@ class PersonAtTerminal : public jobs::Operator {
 
   private:
     void ask(const std::string& sentence, const std::stop_token& stop) {
+        waitingLines(); // a key that was pressed before the question is no answer to it
         m_progress.warning(sentence);
         if (!readLine(stop)) {
             throw Error(ErrorKind::Stopped,
@@ -116,6 +117,7 @@ Result follow(const CaptureArguments& options, store::SurveyStore& store, camera
     }
     jobs::FollowLink link;
     link.nextLine = readLine;
+    link.waitingLines = waitingLines;
     link.reached = [&](const store::StationRecord& station, const std::stop_token& stop) {
         if (cart) {
             cart->moveTo(station, stop);

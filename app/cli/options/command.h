@@ -84,6 +84,7 @@ void addAlign(Commands& commands);
 void addRetag(Commands& commands);
 void addReview(Commands& commands);
 void addStatus(Commands& commands);
+void addShots(Commands& commands);
 void addCheck(Commands& commands);
 void addExport(Commands& commands);
 void addView(Commands& commands);

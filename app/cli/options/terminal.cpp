@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <poll.h>
 #include <termios.h>
 #include <unistd.h>
+#include <utility>
 
 namespace spherewalk::cli {
 
@@ -64,26 +66,87 @@ void TerminalProgress::warning(std::string_view sentence) {
     print(text(sentence, "\n"));
 }
 
-std::optional<std::string> readLine(const std::stop_token& stop) {
-    static std::string buffer;
-    for (;;) {
-        if (const std::size_t end = buffer.find('\n'); end != std::string::npos) {
-            std::string line = buffer.substr(0, end);
-            buffer.erase(0, end + 1);
-            return line;
+namespace {
+
+/// Standard input, line by line.
+class LinesOfInput {
+  public:
+    /// Nothing if no whole line has arrived.
+    std::optional<std::string> next() {
+        if (m_lines.empty()) {
+            return std::nullopt;
         }
-        throwIfStopped(stop);
+        std::string line = std::move(m_lines.front());
+        m_lines.pop_front();
+        return line;
+    }
+
+    /// Waits up to this time and reads what has arrived. Returns false at the end of the input.
+    bool read(std::chrono::milliseconds patience) {
         pollfd input{STDIN_FILENO, POLLIN, 0};
-        if (::poll(&input, 1, 100) <= 0) {
-            continue;
+        m_hasMore = ::poll(&input, 1, static_cast<int>(patience.count())) > 0;
+        if (!m_hasMore) {
+            return true;
         }
         std::array<char, 4096> piece{};
         const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
-        if (count <= 0) {
+        m_hasMore = count > 0;
+        for (ssize_t i = 0; i < count; ++i) {
+            add(piece[static_cast<std::size_t>(i)]);
+        }
+        return count > 0;
+    }
+
+    /// Whether the last read() found anything.
+    bool hasMore() const { return m_hasMore; }
+
+  private:
+    void add(char letter) {
+        constexpr std::size_t kLongestLine = 8192;
+        if (letter == '\n') {
+            m_lines.push_back(std::exchange(m_begun, {}));
+        } else if (m_begun.size() < kLongestLine) {
+            m_begun += letter;
+        }
+    }
+
+    std::deque<std::string> m_lines;
+    std::string m_begun; ///< The line that has no end yet.
+    bool m_hasMore = false;
+};
+
+LinesOfInput& linesOfInput() {
+    static LinesOfInput lines;
+    return lines;
+}
+
+} // namespace
+
+std::optional<std::string> readLine(const std::stop_token& stop) {
+    for (;;) {
+        if (auto line = linesOfInput().next()) {
+            return line;
+        }
+        throwIfStopped(stop);
+        if (!linesOfInput().read(100ms)) {
             return std::nullopt;
         }
-        buffer.append(piece.data(), static_cast<std::size_t>(count));
     }
+}
+
+std::vector<std::string> waitingLines() {
+    constexpr int kMostPieces = 256; // who never stops sending is not waited for
+    for (int i = 0; i < kMostPieces; ++i) {
+        linesOfInput().read(0ms);
+        if (!linesOfInput().hasMore()) {
+            break;
+        }
+    }
+    std::vector<std::string> lines;
+    while (auto line = linesOfInput().next()) {
+        lines.push_back(*std::move(line));
+    }
+    return lines;
 }
 
 namespace {
@@ -120,6 +183,7 @@ std::optional<std::string> askAtTerminal(std::string_view question, Echo echo, c
     if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1) {
         return std::nullopt;
     }
+    waitingLines(); // answers to nothing
     print(std::string(question));
     std::optional<Silence> silence;
     if (echo == Echo::Off) {

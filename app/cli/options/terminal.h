@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spherewalk::cli {
 
@@ -32,9 +33,12 @@ class TerminalProgress : public ProgressSink {
     bool m_lineIsShown = false;
 };
 
-/// The next line of standard input, without its line feed. Returns nothing at the end of the input. Stop:
-/// throws Error{Stopped} within 100 ms.
+/// The next line of standard input, without its line feed. Returns nothing at the end of the input. Of a line
+/// that is longer than any answer, only the beginning comes. Stop: throws Error{Stopped} within 100 ms.
 std::optional<std::string> readLine(const std::stop_token& stop);
+
+/// Takes the lines that have arrived on standard input and were not read. Without waiting.
+std::vector<std::string> waitingLines();
 
 enum class Echo { Off, On };
 

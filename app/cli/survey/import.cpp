@@ -24,7 +24,12 @@ Result importPictures(const ImportArguments& options, Context& context) {
     return {jobs::toJson(report),
             text("Imported ", report.imported, " photos, ", report.withRotation, " with a rotation; ",
                  report.alreadyThere, " were there already; ", report.newStations,
-                 " stations were added for places that were not planned.")};
+                 " stations were added for places that were not planned.",
+                 report.moved == 0 ? "" : text(" ", report.moved, " were moved to another place."),
+                 report.refused.empty()
+                     ? ""
+                     : text(" ", counted(report.refused.size(), "line was", "lines were"), " refused.")),
+            report.refused.empty()};
 }
 
 } // namespace
@@ -46,6 +51,8 @@ void addImport(Commands& commands) {
                 "Distance within which a photo belongs to a planned station, metres")
         .range(0.0, 10.0)
         .showDefault();
+    command.flag("--move", options->import.move,
+                 "Move photos that the survey has already to the places in the file");
 }
 
 } // namespace spherewalk::cli

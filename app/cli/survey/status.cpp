@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/check_places.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -25,9 +26,11 @@ Result status(const std::string& survey) {
                  : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
     words += counts.openShots == 0
                  ? ""
-                 : text("\n", counts.openShots, " shots were interrupted; capture settles them first.");
-    words +=
-        counts.unclearShots == 0 ? "" : text("\n", counts.unclearShots, " shots need a person's decision:");
+                 : text("\n", counts.openShots,
+                        " shots were interrupted; capture settles them first, and shots lists them.");
+    words += counts.unclearShots == 0
+                 ? ""
+                 : text("\n", counts.unclearShots, " shots need a person's decision, which shots takes:");
     Json unclear = Json::array();
     for (const survey::Shot& shot : store.unclearShots()) {
         const std::string name = store.station(shot.station).name;
@@ -55,18 +58,32 @@ Result status(const std::string& survey) {
 Result checkDataset(const std::string& path, Context& context) {
     const render::Dataset dataset =
         render::Dataset::open(path, render::Verify::Hashes, context.progress, context.stop);
+    const std::vector<std::string> findings = jobs::checkPlaces(dataset, context.progress, context.stop);
     const std::size_t photos = dataset.info().photos.size();
-    return {{{"kind", "dataset"}, {"photos", photos}, {"sound", true}},
-            text("The dataset ", path, " is sound: ", photos, " photos with the right hashes.")};
+    if (findings.empty()) {
+        return {{{"kind", "dataset"}, {"photos", photos}, {"sound", true}},
+                text("The dataset ", path, " is sound: ", photos, " photos with the right hashes.")};
+    }
+    std::string words = text("Checked ", photos, " photos of the dataset ", path, ": ",
+                             counted(findings.size(), "finding", "findings"), ".");
+    for (const std::string& sentence : findings) {
+        words += text("\n  ", sentence);
+    }
+    return {
+        {{"kind", "dataset"}, {"photos", photos}, {"sound", false}, {"findings", findings}}, words, false};
 }
 
 Result checkSurvey(const std::string& path, Context& context) {
     const auto store = store::SurveyStore::open(path, store::Access::Read);
     const store::SurveyCheck check = store.check(context.progress, context.stop);
+    const std::vector<std::string> places = check.isSound()
+                                                ? jobs::checkPlaces(store, context.progress, context.stop)
+                                                : std::vector<std::string>();
+    const bool isSound = check.isSound() && places.empty();
     Json findings = Json::array();
     std::string words = text("Checked ", check.photosChecked, " photos and the database of ", path, ": ");
-    words += check.isSound() ? "all is as it was recorded."
-                             : text(check.photos.size() + check.database.size(), " findings.");
+    words += isSound ? "all is as it was recorded."
+                     : text(check.photos.size() + check.database.size() + places.size(), " findings.");
     const auto add = [&](const std::string& sentence) {
         findings.push_back(sentence);
         words += text("\n  ", sentence);
@@ -77,16 +94,19 @@ Result checkSurvey(const std::string& path, Context& context) {
     for (const std::string& sentence : check.database) {
         add(sentence);
     }
+    for (const std::string& sentence : places) {
+        add(sentence);
+    }
     for (const std::string& file : check.filesWithoutPhoto) {
         words += text("\n  photos/", file, " belongs to no photo of the survey (harmless)");
     }
     return {{{"kind", "survey"},
              {"photos", check.photosChecked},
-             {"sound", check.isSound()},
+             {"sound", isSound},
              {"findings", findings},
              {"files_without_photo", check.filesWithoutPhoto}},
             words,
-            check.isSound()};
+            isSound};
 }
 
 Result checkPath(const std::string& path, Context& context) {

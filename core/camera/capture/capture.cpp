@@ -81,7 +81,7 @@ std::vector<ShotOutcome> Capture::settleExposures(const std::stop_token& stop) {
     std::vector<ShotOutcome> outcomes;
     for (const survey::Shot& shot : m_journal.openShots()) {
         if (!isResolved(shot)) {
-            outcomes.push_back(resolve(shot, deadlineAfterRestart(shot, stop), stop));
+            outcomes.push_back(resolve(shot, foreseenAfterRestart(shot, stop), stop));
         }
     }
     return outcomes;
@@ -135,7 +135,7 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
             outcome.sentence = error.sentence();
             outcome.problem = error.kind();
         } else {
-            outcome = follow(shot, reply, triggeredAt + allowance, stop);
+            outcome = follow(shot, reply, {triggeredAt + allowance}, stop);
         }
         static_cast<CaptureNotes&>(outcome) = std::move(notes);
         outcome.exposing = m_clock.now() - triggeredAt;
@@ -144,17 +144,17 @@ ShotOutcome Capture::expose(std::int64_t station, const std::stop_token& stop) {
 }
 
 ShotOutcome Capture::follow(survey::Shot shot, const std::optional<CommandReply>& reply,
-                            Clock::TimePoint deadline, const std::stop_token& stop) {
+                            const Foreseen& foreseen, const std::stop_token& stop) {
     if (reply && reply->state == CommandReply::State::InProgress) {
         m_journal.started(shot.id, reply->id);
         shot.step = survey::ShotStep::Started;
         shot.commandId = reply->id;
     }
-    return resolve(std::move(shot), deadline, stop);
+    return resolve(std::move(shot), foreseen, stop);
 }
 
-ShotOutcome Capture::resolve(survey::Shot shot, Clock::TimePoint deadline, const std::stop_token& stop) {
-    Resolution resolution = m_settler.resolve(shot, deadline, stop);
+ShotOutcome Capture::resolve(survey::Shot shot, const Foreseen& foreseen, const std::stop_token& stop) {
+    Resolution resolution = m_settler.resolve(shot, foreseen, stop);
     if (resolution.step == survey::ShotStep::Taken) {
         m_watch.notePhoto();
         giveUpOlder(shot, resolution.fileUrl);
@@ -170,8 +170,9 @@ ShotOutcome Capture::resolve(survey::Shot shot, Clock::TimePoint deadline, const
         m_journal.notTaken(shot.id);
         break;
     default:
-        m_journal.unclear(shot.id, resolution.sentence);
+        m_journal.unclear(shot.id, resolution.sentence, resolution.fileUrl);
         shot.note = resolution.sentence;
+        shot.fileUrl = resolution.fileUrl;
         break;
     }
     shot.step = resolution.step;
@@ -203,7 +204,8 @@ void Capture::giveUpOlder(const survey::Shot& shot, const std::string& fileUrl) 
             older.cameraSerial == shot.cameraSerial && pathOfUrl(older.fileUrl) == pathOfUrl(fileUrl)) {
             m_journal.unclear(older.id,
                               text("The camera has given the name ", fileNameOfUrl(fileUrl),
-                                   " to another photo before this one was downloaded; take it again."));
+                                   " to another photo before this one was downloaded; take it again."),
+                              "");
         }
     }
 }
@@ -233,8 +235,12 @@ ShotOutcome Capture::fetch(const survey::Shot& shot, const std::stop_token& stop
         outcome.problem = error.kind();
     }
     if (outcome.photo) {
-        m_journal.downloaded(shot.id, *outcome.photo);
-        outcome.shot.step = survey::ShotStep::Downloaded;
+        outcome.shot = m_journal.downloaded(shot.id, *outcome.photo);
+        if (outcome.shot.step == survey::ShotStep::Unclear) {
+            outcome.photo.reset();
+            outcome.sentence = outcome.shot.note;
+            outcome.problem = ErrorKind::Exists;
+        }
     }
     outcome.fetching = m_clock.now() - start;
     return outcome;
@@ -268,9 +274,9 @@ bool Capture::disconnectWithin(std::chrono::milliseconds time) {
     }
 }
 
-void Capture::disconnect(const std::stop_token& stop) {
+std::vector<std::string> Capture::disconnect(const std::stop_token& stop) {
     m_isPrepared = false;
-    m_guard.restore(stop);
+    return m_guard.restore(stop);
 }
 
 } // namespace spherewalk::camera

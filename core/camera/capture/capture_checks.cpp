@@ -5,12 +5,15 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/capture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
 
 namespace spherewalk::camera {
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -47,17 +50,24 @@ void requireNumber(const char* option, double value, double most) {
 
 } // namespace
 
-Clock::TimePoint Capture::deadlineAfterRestart(const survey::Shot& shot, const std::stop_token& stop) {
+Foreseen Capture::foreseenAfterRestart(const survey::Shot& shot, const std::stop_token& stop) {
     const auto allowance = m_options.allowance.of(m_guard.read(kTimingOptions, stop));
     const auto now = m_clock.utc();
+    constexpr std::chrono::hours kLongAgo(24 * 365 * 100);
+    const auto intended = std::clamp(shot.intendedAt, now - kLongAgo, now + kLongAgo);
+    // A trigger that had no answer yet either began the picture soon, or never left.
+    const auto begins = shot.step == survey::ShotStep::Started
+                            ? allowance
+                            : allowance - std::max(0ms, m_options.allowance.base - m_options.triggerTime);
+    const Foreseen::Window window{intended, intended + begins};
     if (shot.intendedAt <= now - allowance) {
-        return m_clock.now();
+        return {m_clock.now(), window};
     }
     // Intended in the future: the clock was set back, so that nothing shorter than all of it is safe.
     const auto left = shot.intendedAt >= now
                           ? allowance
                           : std::chrono::ceil<std::chrono::milliseconds>(shot.intendedAt + allowance - now);
-    return m_clock.now() + left;
+    return {m_clock.now() + left, window};
 }
 
 CameraReadiness Capture::prepare(const std::stop_token& stop) {
@@ -219,6 +229,7 @@ void CaptureOptions::validate() const {
     requireCaptureTime("pollInterval", pollInterval, milliseconds(1));
     requireCaptureTime("allowance.base", allowance.base, milliseconds(1));
     requireCaptureTime("allowance.filterExtra", allowance.filterExtra, milliseconds(0));
+    requireCaptureTime("triggerTime", triggerTime, milliseconds(1));
     requireCaptureTime("confirmTime", confirmTime, milliseconds(1));
     requireCaptureTime("reconnectTime", reconnectTime, milliseconds(1));
     requireCaptureTime("reconnectPause", reconnectPause, milliseconds(1));

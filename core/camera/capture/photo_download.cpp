@@ -65,6 +65,15 @@ void requireSpherical(const std::string& name, const PhotoFacts& facts, const Do
     }
 }
 
+/// The error with the photo's name on the camera, in place of a file that is gone when a person reads it.
+Error named(const Error& error, const std::string& temporaryName, const std::string& name) {
+    std::string sentence = error.sentence();
+    if (const std::size_t at = sentence.find(temporaryName); at != std::string::npos) {
+        sentence.replace(at, temporaryName.size(), name);
+    }
+    return {error.kind(), sentence, error.context()};
+}
+
 /// A folder of this computer that is not there must not look like a photo that the camera does not have.
 std::unique_ptr<DurableFile> create(const std::filesystem::path& target) {
     try {
@@ -120,7 +129,7 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
             return options.check(file.temporaryName());
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::Corrupt || std::exchange(damaged, sha256) == sha256) {
-                throw;
+                throw named(error, file.temporaryName().string(), name);
             }
             throw incomplete(name, "it is damaged");
         }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/camera/shot_settler.h"
 
+#include "osc/camera_options.h"
+
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/endpoint.h"
@@ -21,8 +24,8 @@ Resolution notTaken(std::string sentence, ErrorKind problem) {
     return {survey::ShotStep::NotTaken, {}, std::move(sentence), problem};
 }
 
-Resolution unclear(std::string sentence) {
-    return {survey::ShotStep::Unclear, {}, std::move(sentence), ErrorKind::Corrupt};
+Resolution unclear(std::string sentence, std::string fileUrl = {}) {
+    return {survey::ShotStep::Unclear, std::move(fileUrl), std::move(sentence), ErrorKind::Corrupt};
 }
 
 Resolution otherCamera(const survey::Shot& shot, const std::string& serial) {
@@ -54,7 +57,7 @@ bool isLatest(const survey::Baseline& before, const FileList& list, std::size_t 
 }
 
 NewFiles doubtfulFiles(std::string why) {
-    return {NewFiles::Count::Doubtful, {}, std::move(why)};
+    return {NewFiles::Count::Doubtful, {}, std::move(why), {}};
 }
 
 } // namespace
@@ -94,16 +97,16 @@ CameraState ShotSettler::waitUntilIdle(const std::stop_token& stop) {
     }
 }
 
-Resolution ShotSettler::resolve(const survey::Shot& shot, Clock::TimePoint deadline,
+Resolution ShotSettler::resolve(const survey::Shot& shot, const Foreseen& foreseen,
                                 const std::stop_token& stop) {
     Followed followed;
     if (!shot.commandId.empty()) {
-        followed = follow(shot, deadline, stop);
+        followed = follow(shot, foreseen.deadline, stop);
     }
     if (followed.resolution) {
         return *std::move(followed.resolution);
     }
-    Resolution resolution = inspectFiles(shot, deadline, stop);
+    Resolution resolution = inspectFiles(shot, foreseen, stop);
     if (followed.isDone && resolution.step == survey::ShotStep::NotTaken) {
         return unclear(
             "The camera says that it has taken the photo, but has no new file: its files were deleted, or "
@@ -167,8 +170,56 @@ void ShotSettler::requireNotRunning(const survey::Shot& shot, const std::stop_to
                 "it off and on, then resume.");
 }
 
-Resolution ShotSettler::inspectFiles(const survey::Shot& shot, Clock::TimePoint deadline,
+/// How long ago the camera was at this moment, by its own clock; nothing if it does not tell.
+std::optional<std::chrono::seconds> ShotSettler::agoByCamera(const std::string& dateTime,
+                                                             const std::stop_token& stop) {
+    const auto options = m_client.findOptions({"dateTimeZone"}, stop);
+    const std::string now = options ? shortText(*options, "dateTimeZone").value_or("") : "";
+    constexpr std::size_t kWithoutZone = 19;
+    // A time without its zone is in the zone of the camera's clock.
+    const std::string zone =
+        dateTime.size() == kWithoutZone && now.size() > kWithoutZone ? now.substr(kWithoutZone) : "";
+    const auto begin = parseCameraTime(dateTime + zone);
+    const auto end = parseCameraTime(now);
+    if (!begin || !end) {
+        return std::nullopt;
+    }
+    return std::chrono::round<std::chrono::seconds>(*end - *begin);
+}
+
+/// Gives the one new file to the shot if nobody can have taken it otherwise.
+Resolution ShotSettler::attribute(const survey::Shot& shot, const NewFiles& file, const Foreseen& foreseen,
+                                  const std::stop_token& stop) {
+    if (!foreseen.window) {
+        return taken(file.fileUrl);
+    }
+    constexpr std::chrono::seconds kSlack(3); // two clocks that tell whole seconds
+    const bool isTriggered = shot.step == survey::ShotStep::Started;
+    const std::string name = fileNameOfUrl(file.fileUrl);
+    const auto ago = agoByCamera(file.dateTime, stop);
+    if (!ago) {
+        return isTriggered
+                   ? taken(file.fileUrl)
+                   : unclear(text("Whether the camera was triggered is not known, nor when the picture ",
+                                  name, " was taken. Is it of this station?"),
+                             file.fileUrl);
+    }
+    const auto takenAt = m_clock.utc() - *ago;
+    const auto& [begin, end] = *foreseen.window;
+    if (takenAt >= begin - kSlack && takenAt <= end + kSlack) {
+        return taken(file.fileUrl);
+    }
+    const auto late = std::chrono::round<std::chrono::seconds>(takenAt - begin).count();
+    return unclear(text("The picture ", name, " was taken ", std::abs(late), " s ",
+                        late < 0 ? "before" : "after",
+                        " the shutter was to be pressed, perhaps by the camera's own button. Is it of this "
+                        "station?"),
+                   file.fileUrl);
+}
+
+Resolution ShotSettler::inspectFiles(const survey::Shot& shot, const Foreseen& foreseen,
                                      const std::stop_token& stop) {
+    const Clock::TimePoint deadline = foreseen.deadline;
     if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
         return otherCamera(shot, serial);
     }
@@ -181,6 +232,9 @@ Resolution ShotSettler::inspectFiles(const survey::Shot& shot, Clock::TimePoint 
         std::optional<NewFiles> files;
         try {
             files = look(shot, stop);
+            if (files && files->count == NewFiles::Count::One) {
+                return attribute(shot, *files, foreseen, stop);
+            }
         } catch (const Error& error) {
             if (!isCameraTrouble(error.kind())) {
                 throw;
@@ -188,9 +242,6 @@ Resolution ShotSettler::inspectFiles(const survey::Shot& shot, Clock::TimePoint 
             if (const std::string serial = reconnect(stop).serialNumber; serial != shot.cameraSerial) {
                 return otherCamera(shot, serial);
             }
-        }
-        if (files && files->count == NewFiles::Count::One) {
-            return taken(files->fileUrl);
         }
         if (files && seen != files->count) {
             seen = files->count;
@@ -238,7 +289,7 @@ NewFiles newFilesSince(const survey::Baseline& before, const FileList& newest) {
     }
     const bool grewByOne = newest.totalEntries == before.totalEntries + 1;
     if (grewByOne && !newest.entries.empty() && !isLatest(before, newest, 0) && isLatest(before, newest, 1)) {
-        return {NewFiles::Count::One, newest.entries.front().fileUrl, {}};
+        return {NewFiles::Count::One, newest.entries.front().fileUrl, {}, newest.entries.front().dateTime};
     }
     return doubtfulFiles(
         text("The camera's files have changed in another way than by one photo (", before.totalEntries,

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kNever = 65535; // the value by which sleepDelay and offDelay say "never"
 constexpr std::size_t kMaxFormats = 1000;
+constexpr const char* kMode = "captureMode";
 
 /// Width of a spherical JPEG format; 0 for any other.
 std::int64_t sphericalWidth(const Json& format) {
@@ -80,6 +82,24 @@ void requireStillPhotos(const Json& now) {
     }
 }
 
+std::vector<std::string> delayNames() {
+    return {kDelayNames.begin(), kDelayNames.end()};
+}
+
+/// Whether a file that anybody may have changed may say this of a setting.
+bool canBeKept(const std::string& name, const Json& value) {
+    constexpr std::int64_t kLongestS = 604'800;
+    if (std::ranges::find(kDelayNames, name) != kDelayNames.end()) {
+        return value.is_number_integer() && value >= 0 && value <= kLongestS;
+    }
+    if (name == "fileFormat") {
+        return sphericalWidth(value) > 0 || shortText(value, "type").has_value();
+    }
+    const std::vector<std::string>& names = profileOptionNames();
+    return (name == kMode || std::ranges::find(names, name) != names.end()) &&
+           (value.is_number() || value.is_string());
+}
+
 double secondsIn(const Json& options, std::string_view key) {
     const auto seconds = finiteNumber(options, key);
     return seconds ? std::clamp(*seconds, 0.0, 3600.0) : 0.0;
@@ -118,16 +138,17 @@ void SettingsGuard::rememberIn(const std::filesystem::path& folder, std::string_
     m_memory.emplace(folder, serialNumber);
 }
 
-void SettingsGuard::keepOriginal(const Json& present) {
+/// mode: the capture mode, which decides what the other settings mean.
+void SettingsGuard::keepOriginal(const Json& mode, const Json& present) {
     if (!m_original.is_null()) {
         return;
     }
     Json original = m_memory ? m_memory->read() : Json();
     if (original.is_null()) {
-        original = Json::object();
-        for (const char* delay : kDelayNames) {
-            if (present.contains(delay)) {
-                original[delay] = present[delay];
+        original = mode;
+        for (const std::string& name : changedNames()) {
+            if (present.contains(name)) {
+                original[name] = present[name];
             }
         }
         if (m_memory && !original.empty()) {
@@ -135,6 +156,16 @@ void SettingsGuard::keepOriginal(const Json& present) {
         }
     }
     m_original = std::move(original);
+}
+
+/// The settings besides the mode that apply() may change.
+std::vector<std::string> SettingsGuard::changedNames() const {
+    std::vector<std::string> names = delayNames();
+    names.emplace_back("fileFormat");
+    if (m_profile) {
+        names.insert(names.end(), profileOptionNames().begin(), profileOptionNames().end());
+    }
+    return names;
 }
 
 Json SettingsGuard::basics(const Json& present) const {
@@ -201,9 +232,12 @@ std::vector<std::string> SettingsGuard::differences(const Json& present) const {
 }
 
 std::vector<std::string> SettingsGuard::apply(const std::stop_token& stop) {
+    const Json mode = m_original.is_null() ? read({kMode}, stop) : Json::object();
     applyImageMode(stop); // first: in video mode the other settings mean video
-    const Json present = read({"fileFormatSupport", "sleepDelay", "offDelay"}, stop);
-    keepOriginal(present);
+    std::vector<std::string> asked = m_original.is_null() ? changedNames() : delayNames();
+    asked.emplace_back("fileFormatSupport");
+    const Json present = read(asked, stop);
+    keepOriginal(mode, present);
     m_basics = basics(present);
     std::vector<std::string> sentences;
     m_exposure = exposure(sentences, stop);
@@ -294,14 +328,55 @@ std::vector<std::string> SettingsGuard::hold(const Json& present, const std::sto
     return sentences;
 }
 
-void SettingsGuard::restore(const std::stop_token& stop) {
+std::vector<std::string> SettingsGuard::restore(const std::stop_token& stop) {
+    std::vector<std::string> sentences;
     if (m_original.is_object() && !m_original.empty()) {
-        m_client.setOptions(m_original, stop);
+        Json delays = Json::object();
+        Json mode = Json::object();
+        Json others = Json::object();
+        for (const auto& [name, value] : m_original.items()) {
+            const bool isDelay = std::ranges::find(kDelayNames, name) != kDelayNames.end();
+            (isDelay ? delays : name == kMode ? mode : others)[name] = value;
+        }
+        if (!delays.empty()) {
+            m_client.setOptions(delays, stop);
+        }
+        sentences = putBack(others, stop);
+        if (mode.value(kMode, "image") != "image") {
+            std::ranges::move(putBack(mode, stop), std::back_inserter(sentences));
+        }
         if (m_memory) {
             m_memory->forget();
         }
     }
     m_original = nullptr;
+    return sentences;
+}
+
+/// All at once, because some depend on each other; one by one if the camera refuses that.
+std::vector<std::string> SettingsGuard::putBack(const Json& settings, const std::stop_token& stop) {
+    const auto isTaken = [&](const Json& some) {
+        try {
+            m_client.setOptions(some, stop);
+            return true;
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Unsupported && error.kind() != ErrorKind::InvalidInput) {
+                throw;
+            }
+            return false;
+        }
+    };
+    std::vector<std::string> sentences;
+    if (settings.empty() || isTaken(settings)) {
+        return sentences;
+    }
+    for (const auto& [name, value] : settings.items()) {
+        if (!isTaken({{name, value}})) {
+            sentences.push_back(text("The camera did not take its setting ", name, " back (",
+                                     printable(value.dump()), "); look after it before other pictures."));
+        }
+    }
+    return sentences;
 }
 
 std::chrono::milliseconds ShotAllowance::of(const Json& options) const {
@@ -315,7 +390,7 @@ std::chrono::milliseconds ShotAllowance::of(const Json& options) const {
     return time;
 }
 
-DelayMemory::DelayMemory(const std::filesystem::path& folder, std::string_view serialNumber) {
+SettingsMemory::SettingsMemory(const std::filesystem::path& folder, std::string_view serialNumber) {
     std::string name("camera-");
     for (const char c : serialNumber.substr(0, 64)) {
         name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
@@ -323,31 +398,29 @@ DelayMemory::DelayMemory(const std::filesystem::path& folder, std::string_view s
     m_file = folder / (name + ".json");
 }
 
-Json DelayMemory::read() const {
+Json SettingsMemory::read() const {
     constexpr std::uint64_t kMostBytes = 4096;
-    constexpr std::int64_t kLongestS = 604'800;
     std::error_code failure;
     if (!std::filesystem::exists(m_file, failure)) {
         return nullptr;
     }
     try {
         const Json kept = parseJson(readTextFile(m_file, kMostBytes), m_file.string());
-        Json delays = Json::object();
-        for (const char* name : kDelayNames) {
-            if (const auto seconds = wholeNumber(kept, name);
-                seconds && *seconds >= 0 && *seconds <= kLongestS) {
-                delays[name] = *seconds;
+        Json settings = Json::object();
+        for (const auto& [name, value] : kept.items()) {
+            if (canBeKept(name, value)) {
+                settings[name] = value;
             }
         }
-        return delays.empty() ? Json() : delays;
+        return settings.empty() ? Json() : settings;
     } catch (const Error&) { // damaged: what the camera is set to now is the next best
         return nullptr;
     }
 }
 
-void DelayMemory::write(const Json& delays) const {
+void SettingsMemory::write(const Json& settings) const {
     try {
-        writeFile(m_file, bytesOf(delays.dump()), DurableFile::Overwrite::Yes);
+        writeFile(m_file, bytesOf(settings.dump()), DurableFile::Overwrite::Yes);
     } catch (const Error& error) {
         // A folder of this computer that is not there must not look like something that the camera lacks.
         throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
@@ -355,7 +428,7 @@ void DelayMemory::write(const Json& delays) const {
     }
 }
 
-void DelayMemory::forget() const {
+void SettingsMemory::forget() const {
     std::error_code ignored; // what is put back twice does no harm
     std::filesystem::remove(m_file, ignored);
 }

@@ -93,7 +93,7 @@ void CaptureRun::prepareAndTake(Route& route) {
         }
         throw;
     }
-    m_capture.disconnect(m_stop);
+    warn(m_capture.disconnect(m_stop));
 }
 
 void CaptureRun::takeAndFetch(Route& route) {
@@ -202,6 +202,12 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     const std::optional<photo::Verdict> verdict = judged(given);
     const store::StationRecord station =
         m_store.use([&](const store::SurveyStore& survey) { return survey.station(given.shot.station); });
+    const auto newer = m_store.use(
+        [&](const store::SurveyStore& survey) { return survey.photoAfter(survey.shot(given.shot.id)); });
+    if (verdict && newer) {
+        warn({text(station.name, ": an older photo came in; the newer one, ", newer->fileName,
+                   ", stays chosen. review --choose takes another.")});
+    }
     const std::scoped_lock lock(m_mutex);
     camera::ShotOutcome outcome = given;
     if (const auto warnings = m_warningsOf.extract(given.shot.id)) {
@@ -215,9 +221,14 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     }
     if (!verdict) {
         if (!isTold) {
-            m_progress.warning(text(station.name, ": ", outcome.sentence));
+            m_progress.warning(text(station.name, ": ", outcome.sentence,
+                                    newer ? text(" The station has a newer photo, ", newer->fileName,
+                                                 "; shots --give-up ends this shot.")
+                                          : ""));
         }
-        m_report.missed.push_back({station.name, outcome.sentence});
+        if (!newer) {
+            m_report.missed.push_back({station.name, outcome.sentence});
+        }
         return;
     }
     ++m_report.taken;

@@ -9,6 +9,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <sstream>
 
@@ -74,7 +75,11 @@ class Robot : public Operator {
         return tries < kMostTries;
     }
 
+    /// The camera stands at the station, and will be exposed next.
+    void reach(std::int64_t station) { m_exposing = station; }
+
     void exposed(const store::StationRecord& station) override {
+        refuseEarlyLines(station);
         tell({FollowEvent::Kind::Exposed, station.name, {}, {}});
     }
 
@@ -84,13 +89,31 @@ class Robot : public Operator {
             tell({FollowEvent::Kind::Verdict, station.name, std::string(name(verdict->quality())),
                   verdict->sentence()});
         } else {
+            if (m_exposing == station.id) {
+                refuseEarlyLines(station);
+            }
             tell({FollowEvent::Kind::Missed, station.name, {}, outcome.sentence});
         }
     }
 
   private:
+    /// Before the robot hears that it may move.
+    void refuseEarlyLines(const store::StationRecord& station) {
+        m_exposing = 0;
+        for (const std::string& line : m_link.waitingLines ? m_link.waitingLines() : kNoLines) {
+            tell({FollowEvent::Kind::Refused,
+                  {},
+                  {},
+                  text("\"", printable(line), "\" arrived before the exposure at ", station.name,
+                       " was over; send a position when the camera stands there, after the answer to the one "
+                       "before.")});
+        }
+    }
+
+    static inline const std::vector<std::string> kNoLines;
     const FollowLink& m_link;
     std::mutex m_mutex;
+    std::atomic<std::int64_t> m_exposing{0}; ///< Station whose exposure is not answered yet; 0 for none.
 };
 
 /// The stations whose positions arrive.
@@ -111,6 +134,7 @@ class FollowedRoute : public Route {
                 if (m_link.reached) {
                     m_link.reached(station, stop);
                 }
+                m_robot.reach(station.id);
                 return station;
             } catch (const Error& error) {
                 if (error.kind() != ErrorKind::InvalidInput && error.kind() != ErrorKind::NotFound) {

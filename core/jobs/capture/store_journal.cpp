@@ -6,6 +6,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/camera/endpoint.h"
 #include "spherewalk/camera/shot_settler.h"
 
 namespace spherewalk::jobs {
@@ -28,11 +29,31 @@ void StoreJournal::notTaken(std::int64_t shot) {
     m_store.use([&](store::SurveyStore& store) { store.markNotTaken(shot); });
 }
 
-void StoreJournal::unclear(std::int64_t shot, const std::string& why) {
-    m_store.use([&](store::SurveyStore& store) { store.markUnclear(shot, why); });
+void StoreJournal::unclear(std::int64_t shot, const std::string& why, const std::string& fileUrl) {
+    m_store.use([&](store::SurveyStore& store) { store.markUnclear(shot, why, fileUrl); });
 }
 
-void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) {
+namespace {
+
+/// Ends a shot whose photo the survey has already. A photo that was brought in by hand for the same station
+/// is the shot's own; any other is a matter for a person.
+void endWithKnown(store::SurveyStore& store, const survey::Shot& shot, const std::string& fileUrl,
+                  const store::PhotoRecord& known) {
+    if (known.station == shot.station && !store.shotOf(known.id)) {
+        store.recordDownload(shot.id, known.id);
+        return;
+    }
+    store.markUnclear(shot.id,
+                      text("The file ", camera::fileNameOfUrl(fileUrl),
+                           " on the camera is in the survey already: it is the photo ", known.fileName,
+                           " of ", store.station(known.station).name,
+                           ". Retag that photo if it belongs here, or take this station again."),
+                      shot.fileUrl);
+}
+
+} // namespace
+
+survey::Shot StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) {
     Arrival arrival;
     std::string surveyId;
     std::string stationName;
@@ -55,16 +76,22 @@ void StoreJournal::downloaded(std::int64_t shot, const camera::DownloadedPhoto& 
                     "The downloaded photo changed on the disk before it was recorded; the next run "
                     "downloads it again.");
     }
-    m_store.use([&](store::SurveyStore& store) {
-        if (store.shot(shot).step !=
-            survey::ShotStep::Taken) { // given up meanwhile: its name is another's now
+    survey::Shot ended = m_store.use([&](store::SurveyStore& store) {
+        const survey::Shot taken = store.shot(shot);
+        if (taken.step != survey::ShotStep::Taken) { // given up meanwhile: its name is another's now
             throw Error(ErrorKind::NotFound, text("The photo of ", stationName,
                                                   " is not known to be its own any more; take it again."));
         }
-        store.recordDownload(shot, put(store, std::move(taggedPhoto)));
+        if (const auto known = store.findPhoto(photo.cameraSha256)) {
+            endWithKnown(store, taken, photo.fileUrl, *known);
+        } else {
+            store.recordDownload(shot, put(store, std::move(taggedPhoto)));
+        }
+        return store.shot(shot);
     });
     std::error_code ignored; // a leftover is replaced by the next download of this photo
     std::filesystem::remove(photo.temporaryFile, ignored);
+    return ended;
 }
 
 std::vector<survey::Shot> StoreJournal::openShots() const {

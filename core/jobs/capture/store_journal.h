@@ -42,8 +42,8 @@ class StoreJournal : public camera::CaptureJournal {
     void started(std::int64_t shot, const std::string& commandId) override;
     void taken(std::int64_t shot, const std::string& fileUrl) override;
     void notTaken(std::int64_t shot) override;
-    void unclear(std::int64_t shot, const std::string& why) override;
-    void downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
+    void unclear(std::int64_t shot, const std::string& why, const std::string& fileUrl) override;
+    survey::Shot downloaded(std::int64_t shot, const camera::DownloadedPhoto& photo) override;
     std::vector<survey::Shot> openShots() const override;
     std::filesystem::path downloadFolder() const override;
 

@@ -9,6 +9,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/scene/room_fit.h"
 #include "spherewalk/store/survey_store.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unistd.h>
 
 namespace spherewalk::jobs {
 
@@ -107,12 +109,36 @@ std::optional<double> radiusFor(const survey::Room& room, const std::vector<data
     return scene::sphereRadius(room, positions);
 }
 
-/// How depths of these photos are found, and where they are kept.
-DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& options) {
-    DepthOptions depth = options.depth;
-    if (depth.cacheFolder.empty()) {
-        depth.cacheFolder = store.folder() / kDepthCacheFolder;
+/// Where depths are kept: beside the survey. If that may only be read, new depths are kept as long as the
+/// object lives.
+class DepthCache {
+  public:
+    DepthCache(const store::SurveyStore& store, const ExportOptions& options)
+        : m_path(options.depth.cacheFolder.empty() ? store.folder() / kDepthCacheFolder
+                                                   : options.depth.cacheFolder) {
+        const fs::path existing = fs::exists(m_path) ? m_path : store.folder();
+        if (render::hasSurfaces(options.scene) && ::access(existing.c_str(), W_OK) != 0) {
+            m_own.emplace("spherewalk-depth");
+            std::error_code none; // no depth was kept yet
+            for (const fs::directory_entry& depth : fs::directory_iterator(m_path, none)) {
+                fs::create_symlink(depth.path(), m_own->path() / depth.path().filename());
+            }
+            m_path = m_own->path();
+        }
     }
+
+    const fs::path& path() const { return m_path; }
+
+  private:
+    fs::path m_path;
+    std::optional<TemporaryFolder> m_own;
+};
+
+/// How depths of these photos are found, and where they are kept.
+DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& options,
+                          const DepthCache& cache) {
+    DepthOptions depth = options.depth;
+    depth.cacheFolder = cache.path();
     depth.drawnOutline = store.room().outline;
     depth.onlyForScene = !render::usesDepths(options.scene);
     return depth;
@@ -141,9 +167,10 @@ std::optional<render::RoomShape> drawnRoom(const survey::Room& room, ProgressSin
 }
 
 /// Radius, room and depths from what the photos show.
-void addScene(const store::SurveyStore& store, const ExportOptions& options, dataset::Contents& contents,
-              ExportReport& report, ProgressSink& progress, const std::stop_token& stop) {
-    const DepthOptions depth = depthOptions(store, options);
+void addScene(const store::SurveyStore& store, const ExportOptions& options, const DepthCache& cache,
+              dataset::Contents& contents, ExportReport& report, ProgressSink& progress,
+              const std::stop_token& stop) {
+    const DepthOptions depth = depthOptions(store, options, cache);
     const SurveyDepth found = surveyDepth(depthInputs(contents), depth, progress, stop);
     report.depth = found.report;
     if (found.radiusM) {
@@ -191,16 +218,20 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
                            const std::stop_token& stop) {
     ExportReport report;
     dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    const DepthCache cache(store, options);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {
         ProgressStep finding(progress, 0, 0.9);
-        addScene(store, options, contents, report, finding, stop);
+        addScene(store, options, cache, contents, report, finding, stop);
         report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     }
     if (report.withoutRotation > 0) {
         progress.warning(
             text("The heading of ", report.withoutRotation, " of ", contents.photos.size(),
                  " photos is not known; they are exported as if each looked along the room's x axis."));
+    }
+    if (const std::string elsewhere = placesInDoubt(store); !elsewhere.empty()) {
+        progress.warning(elsewhere);
     }
     report.written = dataset::writeDataset(contents, folder, options.write, writing, stop);
     return report;
@@ -220,7 +251,8 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
     }
     ExportReport report;
     const dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
-    return depthForecast(depthInputs(contents), depthOptions(store, options), withTrial, stop);
+    const DepthCache cache(store, options);
+    return depthForecast(depthInputs(contents), depthOptions(store, options, cache), withTrial, stop);
 }
 
 render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& depth) {
@@ -370,6 +402,9 @@ class Look {
             m_check.doubts.push_back(text(counted(unsolved, "photo has", "photos have"),
                                           " no known heading: it would be exported as if it looked along the "
                                           "room's x axis; align again, or reject it."));
+        }
+        if (std::string elsewhere = placesInDoubt(m_store); !elsewhere.empty()) {
+            m_check.doubts.push_back(std::move(elsewhere));
         }
         if (inDoubt > 0) {
             m_check.doubts.push_back(text("The alignment of ", counted(inDoubt, "photo", "photos"),

@@ -169,6 +169,38 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
     return reading.done();
 }
 
+std::string placesInDoubt(const store::SurveyStore& store) {
+    const auto solution = store.activeSolution();
+    std::map<std::int64_t, store::SolvedPhoto> solved;
+    for (store::SolvedPhoto& photo :
+         solution ? store.solvedPhotos(solution->id) : std::vector<store::SolvedPhoto>()) {
+        solved.emplace(photo.photo, std::move(photo));
+    }
+    const std::vector<store::StationRecord> stations = store.stations();
+    std::string names;
+    std::size_t count = 0;
+    for (const store::PhotoRecord& photo : store.keptPhotos()) {
+        const auto found = solved.find(photo.id);
+        if (found == solved.end()) {
+            continue;
+        }
+        const double offM = (found->second.positionM - photo.positionM).norm();
+        const bool isElsewhere = std::ranges::any_of(stations, [&](const store::StationRecord& station) {
+            return station.id != photo.station &&
+                   (station.station.positionM - found->second.positionM).norm() < offM;
+        });
+        if (isElsewhere) {
+            ++count;
+            names +=
+                text(count == 1 ? "" : ", ", photo.fileName, " (", store.station(photo.station).name, ")");
+        }
+    }
+    return count == 0 ? ""
+                      : text("The alignment puts ", counted(count, "photo", "photos"),
+                             " nearer to another station than to the photo's own: ", names,
+                             ". The dataset has the solved places; retag the photos, and align again.");
+}
+
 namespace {
 
 /// Files that are removed again unless the survey came to name them.
@@ -257,7 +289,13 @@ std::vector<PhotoPlace> retagPhotos(store::SurveyStore& store, const std::vector
                           "Writing the photos' position tags");
     }
     throwIfStopped(stop);
-    store.movePhotos(moved);
+    const std::size_t unsolved = store.movePhotos(moved).size();
+    if (unsolved > 0) {
+        progress.warning(
+            text(counted(unsolved, "photo has", "photos have"),
+                 " left the alignment, which was made with the earlier places; align again before "
+                 "you export."));
+    }
     files.replaceBy(std::move(replaced));
     progress.progress(1, "Retagged");
     return before;

@@ -18,15 +18,18 @@ namespace {
 
 constexpr std::uint64_t kLargestDescription = 1ULL << 30;
 
-/// The size of a regular file inside the dataset. Errors: NotFound, also for a link, which may lead out of
-/// it.
+/// The size of a file of the dataset. Stores of large files keep it elsewhere and leave a link, so links are
+/// followed. Errors: NotFound.
 std::uint64_t sizeOf(const std::filesystem::path& folder, const std::string& name) {
     const std::filesystem::path file = folder / name;
     std::error_code failure;
-    const auto status = std::filesystem::symlink_status(file, failure);
+    const auto status = std::filesystem::status(file, failure);
     if (failure || !std::filesystem::is_regular_file(status)) {
-        throw Error(ErrorKind::NotFound, text("Could not open the dataset ", folder.string(), ": its file ",
-                                              name, " is missing; export it again."));
+        const bool isLink = std::filesystem::is_symlink(std::filesystem::symlink_status(file, failure));
+        throw Error(ErrorKind::NotFound,
+                    text("Could not open the dataset ", folder.string(), ": its file ", name,
+                         isLink ? " is a link to a file that is not here; fetch that file."
+                                : " is missing; export it again."));
     }
     return std::filesystem::file_size(file);
 }

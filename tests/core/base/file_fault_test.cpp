@@ -67,6 +67,22 @@ TEST(FileFault, ADurableFileIsOldOrNewWhicheverOperationFails) {
     }
 }
 
+TEST(FileFault, AFileGetsANewNameWhereRenamesCannotRefuseTakenOnes) {
+    const test::TemporaryFolder folder;
+    const auto put = [&](const char* content) {
+        DurableFile file(folder / "file");
+        file.write(bytesOf(content));
+        const FailingOperations failing(2, EINVAL); // the sync, then the rename with the flag
+        file.commit(DurableFile::Overwrite::No);
+        EXPECT_TRUE(failing.hasFailed());
+    };
+    put("first");
+    EXPECT_EQ(readTextFile(folder / "file"), "first");
+    test::expectError(ErrorKind::Exists, "exists already", [&] { put("second"); });
+    EXPECT_EQ(readTextFile(folder / "file"), "first");
+    EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"file"});
+}
+
 TEST(FileFault, AFolderIsCompleteOrAbsentWhicheverOperationFails) {
     for (const int code : {ENOSPC, EIO}) {
         const test::TemporaryFolder parent;

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -39,6 +40,13 @@ TEST(File, RefusesWhatIsMissingTooLargeOrNoFile) {
     expectError(ErrorKind::InvalidInput, "not a file", [&] { readFile(folder.path()); });
     writeFile(folder / "large", Bytes(11));
     expectError(ErrorKind::Corrupt, "more than the 10 bytes", [&] { readFile(folder / "large", 10); });
+}
+
+TEST(File, APipeIsRefusedAndNotWaitedFor) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    expectError(ErrorKind::InvalidInput, "not a file", [&] { readFile(folder / "pipe"); });
+    expectError(ErrorKind::InvalidInput, "not a file", [&] { FileSource(folder / "pipe"); });
 }
 
 TEST(DurableFile, AppearsOnlyWhenCommitted) {

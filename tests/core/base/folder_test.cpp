@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace spherewalk {
 
 namespace fs = std::filesystem;
@@ -43,6 +46,34 @@ TEST(Folder, LeavesNothingAfterAnError) {
                    [](const fs::path& at) { fs::rename(at / "none", at / "other"); });
     });
     EXPECT_EQ(childCount(folder.path()), 0);
+}
+
+TEST(Folder, RemovesWhatAKilledProgramLeftAndNothingElse) {
+    const test::TemporaryFolder folder;
+    const auto left = [&](const std::string& name) {
+        fs::create_directories(folder / name / "photos");
+        return folder / name;
+    };
+    const pid_t killed = ::fork();
+    if (killed == 0) {
+        ::_exit(0);
+    }
+    ::waitpid(killed, nullptr, 0); // its number belongs to nobody now
+    const fs::path dead = left("new." + std::to_string(killed) + ".part");
+    const fs::path running = left("new." + std::to_string(::getppid()) + ".part");
+    const fs::path other = left("newer." + std::to_string(killed) + ".part");
+    const fs::path foreign = left("new.copy.part");
+    makeFolder(folder / "new", "the thing", [](const fs::path&) {});
+    EXPECT_FALSE(fs::exists(dead));
+    EXPECT_TRUE(fs::exists(running));
+    EXPECT_TRUE(fs::exists(other));
+    EXPECT_TRUE(fs::exists(foreign));
+
+    const std::string name = "spherewalk-test-left";
+    const fs::path temporary = fs::temp_directory_path() / (name + "-" + std::to_string(killed) + "-AbCdEf");
+    fs::create_directories(temporary);
+    { const TemporaryFolder next(name); }
+    EXPECT_FALSE(fs::exists(temporary));
 }
 
 TEST(Folder, ReplacesNothing) {

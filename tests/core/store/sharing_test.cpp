@@ -59,6 +59,25 @@ TEST_F(Sharing, ShowsReadersWhatIsWrittenMeanwhile) {
     }
 }
 
+TEST_F(Sharing, NeedsNoMemoryOfOneMachineOnAShare) {
+    const auto journal = [&] {
+        const Database database(m_path / "survey.sqlite", Database::Mode::Read, std::chrono::seconds(1));
+        Statement mode = database.query("PRAGMA journal_mode");
+        mode.step();
+        return mode.text(0);
+    };
+    for (const bool isOnShare : {true, false, true}) {
+        { const SurveyStore closed = std::move(m_store); }
+        m_store = SurveyStore::open(m_path, Access::Write, {.isOnShare = isOnShare});
+        EXPECT_EQ(journal(), isOnShare ? "delete" : "wal");
+        EXPECT_EQ(std::filesystem::exists(m_path / "survey.sqlite-shm"), !isOnShare);
+        const SurveyStore reader = SurveyStore::open(m_path, Access::Read);
+        const int before = reader.counts().stations;
+        m_store.addStation({0, 0, 1});
+        EXPECT_EQ(reader.counts().stations, before + 1);
+    }
+}
+
 TEST_F(Sharing, SaysBusyWhenAnotherProgramHoldsTheDatabase) {
     { const SurveyStore closed = std::move(m_store); }
     m_store = SurveyStore::open(m_path, Access::Write, {.patience = std::chrono::milliseconds(20)});

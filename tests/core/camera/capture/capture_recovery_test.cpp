@@ -168,8 +168,48 @@ TEST_F(CaptureRecoveryTest, AClockSetForwardDoesNotHideAnExposureOfOrdinaryLengt
     camera.showsShooting = false;
     killDuringTrigger();
     clock.jump(24h);
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
+    EXPECT_EQ(lastShot().fileUrl.substr(0, 7), "http://");
+    EXPECT_EQ(triggers(), 1);
+}
+
+TEST_F(CaptureRecoveryTest, APictureByTheButtonAfterADeathIsAskedAbout) {
+    killAfter("begin"); // the trigger never left, and the camera is carried on
+    clock.advance(40s);
+    camera.addFile();
+    const ShotOutcome outcome = settleOne();
+    EXPECT_EQ(outcome.shot.step, survey::ShotStep::Unclear);
+    EXPECT_NE(outcome.sentence.find("was taken 40 s after the shutter"), std::string::npos)
+        << outcome.sentence;
+    EXPECT_NE(outcome.shot.fileUrl, "");
+    EXPECT_EQ(capture().shoot(1, {}).shot.step, survey::ShotStep::Downloaded); // taken again
+    expectPhoto(2, 3);
+}
+
+TEST_F(CaptureRecoveryTest, APictureBeforeTheIntentionIsAskedAbout) {
+    killAfter("begin");
+    camera.addFile();
+    camera.files.back().takenAt = "2026:03:04 00:59:00+01:00";
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
+}
+
+TEST_F(CaptureRecoveryTest, AStartedShotOwnsAPictureOfItsTimeOnly) {
+    killAfter("started");
+    camera.restart(); // the picture is lost, and the id too
+    clock.advance(60s);
+    camera.addFile();
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
+}
+
+TEST_F(CaptureRecoveryTest, ACameraThatTellsNoTimesIsAskedAboutUnlessItWasTriggered) {
+    camera.tellsTimes = false;
+    killDuringTrigger();
+    EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Unclear);
+    killAfter("started", 2);
+    camera.tellsEndOnce = true;
+    clock.advance(10s);
+    camera.fault("/osc/commands/status", answering(test::answerOsc("invalidParameterValue", 400)), 5);
     EXPECT_EQ(settleOne().shot.step, survey::ShotStep::Downloaded);
-    expectPhoto(1, 2);
 }
 
 TEST_F(CaptureRecoveryTest, AnIntentionAtTheEndsOfTimeDoesNoHarm) {

@@ -48,15 +48,16 @@ void MemoryJournal::notTaken(std::int64_t id) {
     recorded("notTaken");
 }
 
-void MemoryJournal::unclear(std::int64_t id, const std::string& why) {
+void MemoryJournal::unclear(std::int64_t id, const std::string& why, const std::string& fileUrl) {
     EXPECT_TRUE(shot(id).step == survey::ShotStep::Intended || shot(id).step == survey::ShotStep::Started ||
                 shot(id).step == survey::ShotStep::Taken);
     shot(id).step = survey::ShotStep::Unclear;
     shot(id).note = why;
+    shot(id).fileUrl = fileUrl;
     recorded("unclear");
 }
 
-void MemoryJournal::downloaded(std::int64_t id, const camera::DownloadedPhoto& photo) {
+survey::Shot MemoryJournal::downloaded(std::int64_t id, const camera::DownloadedPhoto& photo) {
     EXPECT_EQ(shot(id).step, survey::ShotStep::Taken);
     photos[id] = readFile(photo.temporaryFile);
     EXPECT_EQ(photo.sizeBytes, photos[id].size());
@@ -64,6 +65,7 @@ void MemoryJournal::downloaded(std::int64_t id, const camera::DownloadedPhoto& p
     std::filesystem::remove(photo.temporaryFile);
     shot(id).step = survey::ShotStep::Downloaded;
     recorded("downloaded");
+    return shot(id);
 }
 
 std::vector<survey::Shot> MemoryJournal::openShots() const {

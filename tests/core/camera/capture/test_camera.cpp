@@ -67,7 +67,7 @@ int TestCamera::count(const std::string& command) const {
 void TestCamera::addFile(const std::string& name, std::string bytes) {
     const std::scoped_lock lock(m_mutex);
     const std::size_t size = bytes.size();
-    files.push_back({std::string(kFolder) + name, std::move(bytes), size});
+    files.push_back({std::string(kFolder) + name, std::move(bytes), size, time()});
 }
 
 void TestCamera::addFile() {
@@ -85,10 +85,25 @@ std::string TestCamera::urlOf(const File& file) const {
     return hostOfUrls + file.path;
 }
 
+/// By a clock that goes with the computer's own at first, one zone further east.
+std::string TestCamera::time() const {
+    using namespace std::chrono;
+    const auto local = floor<seconds>(system_clock::time_point(sys_days(year(2026) / 3 / 4)) +
+                                      m_clock.now().time_since_epoch());
+    const auto day = floor<days>(local);
+    const year_month_day date(day);
+    const hh_mm_ss clock(local - day);
+    const auto two = [](auto number) { return text(number < 10 ? "0" : "", number); };
+    return text(static_cast<int>(date.year()), ":", two(static_cast<unsigned>(date.month())), ":",
+                two(static_cast<unsigned>(date.day())), " ", two(clock.hours().count()), ":",
+                two(clock.minutes().count()), ":", two(clock.seconds().count()), "+01:00");
+}
+
 /// Writes the photo of the running command when its time has come.
 void TestCamera::passTime() {
     if (m_running && m_running->fileUrl.empty() && !isStuck && m_clock.now() >= m_running->end) {
         addFile();
+        files.back().takenAt = m_running->begunAt;
         m_running->fileUrl = urlOf(files.back());
     }
 }
@@ -144,7 +159,7 @@ ServerAction TestCamera::takePicture() {
     if (options["captureMode"] != "image") {
         return answerOsc("disabledCommand", 403);
     }
-    m_running = Running{text(m_nextId++), m_clock.now() + processing, {}, false};
+    m_running = Running{text(m_nextId++), m_clock.now() + processing, time(), {}, false};
     return answerJson(text(R"({"name":"camera.takePicture","id":")", m_running->id,
                            R"(","state":"inProgress","progress":{"completion":0.0}})"));
 }
@@ -176,6 +191,9 @@ ServerAction TestCamera::listFiles(const Json& parameters) {
                            {"fileUrl", urlOf(entry)},
                            {"size", entry.listedSize},
                            {"_somethingNew", {1, 2}}});
+        if (tellsTimes) {
+            entries.back()["dateTimeZone"] = entry.takenAt;
+        }
     }
     return done("camera.listFiles", {{"entries", entries}, {"totalEntries", files.size()}});
 }
@@ -183,6 +201,10 @@ ServerAction TestCamera::listFiles(const Json& parameters) {
 ServerAction TestCamera::getOptions(const Json& parameters) {
     Json values = Json::object();
     for (const Json& name : parameters["optionNames"]) {
+        if (tellsTimes && name == "dateTimeZone" && !options.contains("dateTimeZone")) {
+            values["dateTimeZone"] = time();
+            continue;
+        }
         if (!options.contains(name.get<std::string>())) {
             return answerOsc("invalidParameterName", 400);
         }

@@ -34,6 +34,7 @@ class TestCamera {
         std::string path;
         std::string bytes;
         std::size_t listedSize = 0;
+        std::string takenAt = {}; ///< by the camera's clock
     };
 
     TestCamera(ManualClock& clock, EventLog& log);
@@ -68,6 +69,7 @@ class TestCamera {
     bool tellsFileUrl = true;
     bool isStuck = false;
     bool tellsEndOnce = false;
+    bool tellsTimes = true; ///< whether it has a clock, and lists when files were taken
     Json cameraErrors = Json::array();
     double battery = 0.67;
     bool isPluginRunning = false;
@@ -87,11 +89,13 @@ class TestCamera {
     ServerAction state();
     ServerAction file(const std::string& path);
     void passTime();
+    std::string time() const;
     std::string urlOf(const File& file) const;
 
     struct Running {
         std::string id;
         Clock::TimePoint end;
+        std::string begunAt;
         std::string fileUrl; ///< once written
         bool isTold = false;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture/test_camera.h"
 #include "expect_error.h"
+#include "temporary_folder.h"
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/camera/settings_guard.h"
@@ -37,6 +38,16 @@ TEST_F(SettingsGuardTest, PutsBackWhatItFoundFirst) {
     guard.restore({});
     EXPECT_EQ(camera.options["sleepDelay"], 180);
     EXPECT_EQ(camera.options["offDelay"], 64800);
+}
+
+TEST_F(SettingsGuardTest, PutsBackTheModeAndTheFormat) {
+    camera.options["captureMode"] = "video";
+    camera.options["fileFormat"] = {{"type", "jpeg"}, {"width", 2048}, {"height", 1024}};
+    guard.apply({});
+    EXPECT_EQ(camera.options["fileFormat"]["width"], 5376);
+    EXPECT_TRUE(guard.restore({}).empty());
+    EXPECT_EQ(camera.options["captureMode"], "video");
+    EXPECT_EQ(camera.options["fileFormat"]["width"], 2048);
 }
 
 TEST_F(SettingsGuardTest, ChangesNothingIfItNeverApplied) {
@@ -130,6 +141,35 @@ TEST_F(ProfileTest, FixedValuesAreSetAsTheCameraSpellsThem) {
     EXPECT_EQ(camera.options["whiteBalance"], "_colorTemperature");
     EXPECT_EQ(camera.options["_colorTemperature"], 4200);
     EXPECT_EQ(camera.options["_filter"], "off");
+}
+
+TEST_F(ProfileTest, PutsBackTheExposureAlsoForAProgramThatWasKilled) {
+    const test::TemporaryFolder folder;
+    camera.options["_filter"] = "hdr";
+    const Json before = camera.options;
+    const auto profile = survey::parseProfile("iso=200,shutter=1/60,white-balance=4200K");
+    SettingsGuard killed(client, profile);
+    killed.rememberIn(folder.path(), "00123456");
+    killed.apply({});
+    EXPECT_NE(camera.options, before);
+    SettingsGuard next(client, profile);
+    next.rememberIn(folder.path(), "00123456");
+    next.apply({});
+    EXPECT_TRUE(next.restore({}).empty());
+    EXPECT_EQ(camera.options, before);
+}
+
+TEST_F(ProfileTest, NamesWhatTheCameraDoesNotTakeBack) {
+    SettingsGuard own(client, survey::parseProfile("iso=200"));
+    own.apply({});
+    const auto refuseIso = [&](const auto& normal) {
+        return camera.lastOptions().contains("iso") ? test::answerOsc("invalidParameterValue", 400)
+                                                    : normal();
+    };
+    camera.fault("camera.setOptions", refuseIso, 20);
+    EXPECT_THAT(own.restore({}),
+                testing::ElementsAre(testing::HasSubstr("did not take its setting iso back")));
+    EXPECT_EQ(camera.options["whiteBalance"], "shade");
 }
 
 TEST_F(ProfileTest, OneFixedValueLeavesTheOtherToTheCamera) {

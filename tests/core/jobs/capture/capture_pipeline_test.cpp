@@ -1,124 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "temporary_folder.h"
+#include "capture/capture_pipeline.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/camera/capture.h"
-#include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/jobs/follow_positions.h"
-#include "spherewalk/practice/practice_camera.h"
-#include "spherewalk/practice/truth.h"
-#include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <condition_variable>
 #include <deque>
-#include <memory>
-#include <mutex>
-#include <set>
 
 namespace spherewalk::jobs {
-
-namespace {
-
-/// A practice camera, a survey of its room, and what stands between them.
-class CapturePipeline : public testing::Test {
-  protected:
-    CapturePipeline() {
-        practice::PracticeCameraOptions options;
-        options.width = 1024;
-        options.truthFile = m_folder / "truth.jsonl";
-        m_camera = std::make_unique<practice::PracticeCamera>(options);
-        m_camera->start();
-        const practice::RoomPlan drawn = practice::PracticeRoom().plan();
-        const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
-        survey::PlanOptions plan;
-        plan.stepM = 1.3;
-        m_store = std::make_unique<store::SurveyStore>(
-            store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan)));
-        m_stations = m_store->stations();
-    }
-
-    camera::Endpoint endpoint() const { return {"127.0.0.1", m_camera->port()}; }
-
-    camera::OscClient client() const {
-        return {endpoint(), camera::OscOptions{}.scaled(kTimeScale), systemClock()};
-    }
-
-    CaptureSurveyReport capture(Operator& people, const std::stop_token& stop = {}) {
-        camera::OscClient osc = client();
-        return captureSurvey(*m_store, osc, people, systemClock(), practiceCaptureOptions(kTimeScale),
-                             noProgress(), stop);
-    }
-
-    void expectAllPhotosAreWhereTheyBelong() {
-        std::map<std::string, Eigen::Vector3d> placeOf;
-        for (const practice::Truth& truth : practice::readTruth(m_folder / "truth.jsonl")) {
-            placeOf[truth.sha256] = truth.nominalPositionM;
-        }
-        EXPECT_EQ(placeOf.size(), m_stations.size()); // none twice
-        for (const store::StationRecord& station : m_stations) {
-            const auto photo = m_store->chosenPhoto(station.id);
-            ASSERT_TRUE(photo) << station.name;
-            EXPECT_EQ(placeOf.at(photo->cameraSha256), station.station.positionM);
-            EXPECT_TRUE(m_store->verdict(photo->id)) << station.name;
-        }
-    }
-
-    static constexpr double kTimeScale = 0.02;
-    test::TemporaryFolder m_folder;
-    std::unique_ptr<practice::PracticeCamera> m_camera;
-    std::unique_ptr<store::SurveyStore> m_store;
-    std::vector<store::StationRecord> m_stations;
-};
-
-/// Moves the practice cart, and waits where a test wants it.
-class Cart : public Operator {
-  public:
-    explicit Cart(camera::Endpoint endpoint) : m_cart(std::move(endpoint)) {}
-
-    void moveTo(const store::StationRecord& station, const std::stop_token& stop) override {
-        if (onMove) {
-            onMove(stop);
-        }
-        m_cart.moveTo(station, stop);
-    }
-
-    bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
-                  const std::stop_token& stop) override {
-        return m_cart.tryAgain(station, outcome, tries, stop);
-    }
-
-    void exposed(const store::StationRecord& /*station*/) override { ++exposures; }
-
-    void shotEnded(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
-                   const photo::Verdict* verdict) override {
-        {
-            const std::scoped_lock lock(m_mutex);
-            m_ended += 1;
-            verdicts += verdict != nullptr ? 1 : 0;
-        }
-        m_changed.notify_all();
-    }
-
-    void waitForEnded(int count, const std::stop_token& stop) {
-        std::unique_lock lock(m_mutex);
-        m_changed.wait(lock, stop, [&] { return m_ended >= count; });
-    }
-
-    std::function<void(const std::stop_token&)> onMove;
-    int exposures = 0;
-    int verdicts = 0;
-
-  private:
-    PracticeOperator m_cart;
-    std::mutex m_mutex;
-    std::condition_variable_any m_changed;
-    int m_ended = 0;
-};
-
-} // namespace
 
 TEST_F(CapturePipeline, EveryPhotoComesInWithItsVerdict) {
     Cart cart(endpoint());
@@ -203,6 +93,7 @@ TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
             }
             return line;
         },
+        {},
         [&](const store::StationRecord& station, const std::stop_token& stop) { cart.moveTo(station, stop); },
         [&](const FollowEvent& event) { events.push_back(event); }};
     const FollowOptions options{practiceCaptureOptions(kTimeScale).camera};
@@ -232,6 +123,41 @@ TEST_F(CapturePipeline, ARobotIsAnsweredLineByLine) {
     EXPECT_THAT(line(events[0]), testing::HasSubstr("has a photo already"));
     EXPECT_EQ(events[1].kind, FollowEvent::Kind::Exposed);
     EXPECT_EQ(m_store->photosAt(m_stations[0].id).size(), 2U);
+}
+
+TEST_F(CapturePipeline, LinesThatARobotSentBeforeTheExposureWasOverAreRefused) {
+    std::deque<std::string> lines;
+    for (const store::StationRecord& station : m_stations) {
+        const Eigen::Vector3d& p = station.station.positionM;
+        lines.push_back(std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()));
+    }
+    std::vector<FollowEvent> events;
+    PracticeOperator cart(endpoint());
+    FollowLink link;
+    link.nextLine = [&](const std::stop_token& /*stop*/) {
+        std::optional<std::string> line;
+        if (!lines.empty()) {
+            line = lines.front();
+            lines.pop_front();
+        }
+        return line;
+    };
+    link.waitingLines = [&] {
+        std::vector<std::string> waiting(lines.begin(), lines.end());
+        lines.clear();
+        return waiting;
+    };
+    cart.moveTo(m_stations[0], {}); // where the camera stays
+    link.tell = [&](const FollowEvent& event) { events.push_back(event); };
+    camera::OscClient osc = client();
+    const FollowOptions options{practiceCaptureOptions(kTimeScale).camera};
+    EXPECT_EQ(followPositions(*m_store, osc, link, systemClock(), options, noProgress(), {}).taken, 1);
+    ASSERT_GE(events.size(), m_stations.size());
+    for (std::size_t i = 0; i + 1 < m_stations.size(); ++i) {
+        EXPECT_EQ(events[i].kind, FollowEvent::Kind::Refused);
+        EXPECT_THAT(events[i].sentence, testing::HasSubstr("before the exposure at"));
+    }
+    EXPECT_EQ(events[m_stations.size() - 1].kind, FollowEvent::Kind::Exposed);
 }
 
 } // namespace spherewalk::jobs

@@ -3,6 +3,7 @@
 #include "random.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -45,9 +46,9 @@ class ImportExportTest : public testing::Test {
                                           survey::plan(room, options));
     }
 
-    ImportReport import(store::SurveyStore& store, const std::string& lines) {
+    ImportReport import(store::SurveyStore& store, const std::string& lines, bool move = false) {
         writeFile(folder / "p.csv", bytesOf("file,x_m,y_m,z_m,qw,qx,qy,qz\n" + lines));
-        return importPhotos(store, {folder / "in", folder / "p.csv"}, noProgress(), {});
+        return importPhotos(store, {folder / "in", folder / "p.csv", 0.05, move}, noProgress(), {});
     }
 
     TemporaryFolder folder;
@@ -118,16 +119,74 @@ TEST_F(ImportExportTest, ExportSaysWhatHasNoRotation) {
     EXPECT_NE(render::Dataset::open(folder / "d").info().photos[0].rotationSource, "imported");
 }
 
-TEST_F(ImportExportTest, NamesTheLineWhosePhotoCannotBeUsedAndKeepsTheOnesBefore) {
+TEST_F(ImportExportTest, NamesTheLineWhosePhotoCannotBeUsedAndTakesTheOthers) {
     auto store = newSurvey();
-    expectError(ErrorKind::NotFound, "line 3 of",
-                [&] { import(store, "a.JPG,1,1,1,,,,\nabsent.JPG,1,1,1,,,,\n"); });
+    const ImportReport report = import(store, "absent.JPG,1,2,1,,,,\na.JPG,1,1,1,,,,\n");
+    EXPECT_EQ(report.imported, 1);
+    ASSERT_EQ(report.refused.size(), 1U);
+    EXPECT_EQ(report.refused[0].file, "absent.JPG");
+    EXPECT_NE(report.refused[0].sentence.find("line 2 of"), std::string::npos) << report.refused[0].sentence;
     EXPECT_EQ(store.photos().size(), 1U);
+    const std::size_t stations = store.stations().size();
     const Bytes whole = readFile(folder / "in/b.JPG");
     writeFile(folder / "in/b.JPG", ByteView(whole).first(whole.size() / 2));
-    expectError(ErrorKind::Corrupt, "b.JPG", [&] { import(store, "b.JPG,1,1,1,,,,\n"); });
+    expectError(ErrorKind::Corrupt, "b.JPG", [&] { import(store, "b.JPG,0.9,0.9,1,,,,\n"); });
     EXPECT_EQ(store.photos().size(), 1U);
+    EXPECT_EQ(store.stations().size(), stations); // none is left for a photo that was refused
     EXPECT_TRUE(store.check(noProgress(), {}).isSound());
+}
+
+TEST_F(ImportExportTest, ARotationThatIsImportedLeavesTheOthersKnown) {
+    auto store = newSurvey();
+    import(store, "a.JPG,1,1,1.2,0,0,0,1\nb.JPG,2,1,1.2,0,0,0,1\n");
+    import(store, "c.JPG,3,1,1.2,1,0,0,0\nb.JPG,2,1,1.2,0,1,0,0\n");
+    const auto solved = store.solvedPhotos(store.activeSolution()->id);
+    ASSERT_EQ(solved.size(), 3U);
+    EXPECT_EQ(solved[0].roomFromPhoto.z(), 1); // a: taken over
+    EXPECT_EQ(solved[1].roomFromPhoto.x(), 1); // b: given anew
+    EXPECT_EQ(exportDataset(store, folder / "d", {}, noProgress(), {}).withoutRotation, 0);
+}
+
+TEST_F(ImportExportTest, ACorrectedPlaceIsRefusedUnlessItIsAMove) {
+    auto store = newSurvey();
+    import(store, "a.JPG,1,1,1.2,1,0,0,0\nb.JPG,2,1,1.2,1,0,0,0\n");
+    const ImportReport refused = import(store, "a.JPG,1.2,1,1.2,1,0,0,0\nb.JPG,2,1,1.2,1,0,0,0\n");
+    ASSERT_EQ(refused.refused.size(), 1U);
+    EXPECT_NE(refused.refused[0].sentence.find("0.200 m from the place in the file. Give --move"),
+              std::string::npos)
+        << refused.refused[0].sentence;
+    EXPECT_EQ(refused.alreadyThere, 1);
+    const store::PhotoRecord before = store.findPhoto(sha256Hex(readFile(folder / "in/a.JPG"))).value();
+    EXPECT_EQ(before.positionM.x(), 1);
+
+    EXPECT_EQ(import(store, "a.JPG,1.2,1,1.2,0,0,0,1\nb.JPG,2,1,1.2,,,,\n", true).moved, 1);
+    const store::PhotoRecord after = store.photo(before.id);
+    const Eigen::Vector3d place(1.2, 1, 1.2);
+    EXPECT_EQ(after.positionM, place);
+    const fs::path file = store.photoFolder() / after.fileName;
+    const photo::PositionTag tag = photo::readPositionTag(readFile(file), file.string()).value();
+    EXPECT_EQ(tag.positionM, place);
+    EXPECT_EQ(tag.stationName, store.station(after.station).name);
+    const auto solved = store.solvedPhotos(store.activeSolution()->id);
+    ASSERT_EQ(solved.size(), 2U);
+    EXPECT_EQ(solved[0].positionM, place);
+    EXPECT_TRUE(store.check(noProgress(), {}).isSound());
+}
+
+TEST_F(ImportExportTest, PhotosThatShareAPlaceOrTheirBytesAreBothNamed) {
+    auto store = newSurvey();
+    fs::copy_file(folder / "in/a.JPG", folder / "in/twin.JPG");
+    const ImportReport report = import(store, "a.JPG,1,1,1.2,,,,\nb.JPG,1,1,1.2,,,,\ntwin.JPG,1,1,1.2,,,,\n");
+    EXPECT_EQ(report.imported, 2);
+    ASSERT_EQ(report.notes.size(), 2U);
+    EXPECT_EQ(report.notes[0].find("b.JPG (line 3) and a.JPG are both at"), 0U) << report.notes[0];
+    EXPECT_EQ(report.notes[1], "twin.JPG has the same bytes as a.JPG in line 2: they are one photo.");
+    for (const bool move : {false, true}) {
+        const ImportReport apart = import(store, "a.JPG,1,1,1.2,,,,\ntwin.JPG,2,1,1.2,,,,\n", move);
+        ASSERT_EQ(apart.refused.size(), 1U);
+        EXPECT_NE(apart.refused[0].sentence.find("cannot be at two places"), std::string::npos);
+    }
+    EXPECT_EQ(store.photos().size(), 2U);
 }
 
 TEST_F(ImportExportTest, AnEmptySurveyHasNothingToExport) {

@@ -2,9 +2,13 @@
 #include "expect_error.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/position_tag.h"
+#include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
+
+#include <algorithm>
 
 namespace spherewalk::jobs {
 
@@ -43,6 +47,47 @@ TEST_F(RetagPhotos, SwapPlacesInTheSurveyAndInTheFiles) {
     EXPECT_TRUE(tagOf(a).roomFromPhoto.has_value());
     EXPECT_TRUE(store.check(noProgress(), {}).isSound());
     EXPECT_TRUE(store.check(noProgress(), {}).filesWithoutPhoto.empty());
+}
+
+TEST_F(RetagPhotos, TakesMovedPhotosOutOfTheAlignmentAndSaysSo) {
+    class Warnings : public ProgressSink {
+      public:
+        void progress(double /*fraction*/, std::string_view /*activity*/) override {}
+
+        void warning(std::string_view sentence) override { sentences.emplace_back(sentence); }
+
+        std::vector<std::string> sentences;
+    };
+
+    Warnings warnings;
+    retagPhotos(store, {{a, stations[1].id}, {b, stations[0].id}}, warnings, {});
+    ASSERT_EQ(warnings.sentences.size(), 1U);
+    EXPECT_EQ(warnings.sentences[0].find("2 photos have left the alignment"), 0U) << warnings.sentences[0];
+    const auto solved = store.solvedPhotos(store.activeSolution()->id);
+    ASSERT_EQ(solved.size(), 1U); // the third photo was not moved
+    const auto exported = exportDataset(store, survey / "d", {}, noProgress(), {});
+    EXPECT_EQ(exported.withoutRotation, 2);
+    const render::Dataset dataset = render::Dataset::open(survey / "d");
+    for (const render::DatasetPhoto& photo : dataset.info().photos) {
+        const auto station = std::ranges::find(stations, photo.station, &store::StationRecord::name);
+        ASSERT_NE(station, stations.end());
+        EXPECT_LT((photo.roomFromPhoto.translation - station->station.positionM).norm(), 1e-3);
+    }
+    retagPhotos(store, {{a, stations[1].id}}, warnings, {}); // where it is already
+    EXPECT_EQ(warnings.sentences.size(), 1U);
+}
+
+TEST_F(RetagPhotos, KeepTheAlignmentOfAPhotoThatItFoundAtItsNewPlace) {
+    store::NewSolution solution{"align", "position", "{}", {}};
+    for (const std::int64_t photo : {a, b}) {
+        solution.photos.emplace_back().photo = photo;
+        solution.photos.back().positionM = stations[1].station.positionM + Eigen::Vector3d(0.008, 0, 0);
+    }
+    store.addSolution(solution, true);
+    retag({{a, stations[1].id}, {b, stations[0].id}});
+    const auto solved = store.solvedPhotos(store.activeSolution()->id);
+    ASSERT_EQ(solved.size(), 1U);
+    EXPECT_EQ(solved[0].photo, a);
 }
 
 TEST_F(RetagPhotos, IsUndoneByWhatItReturns) {

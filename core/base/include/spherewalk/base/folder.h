@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string_view>
 
 namespace spherewalk {
@@ -13,12 +14,14 @@ void requireAbsent(const std::filesystem::path& folder, std::string_view what);
 
 /// Makes a folder that is either complete or absent. The function `fill` gets a temporary path beside the
 /// final one and writes everything there. When all of it is on the disk, the folder is renamed.
-/// After an error nothing is left. A program that is killed leaves a folder that ends in ".part".
+/// After an error nothing is left. A program that is killed leaves a folder that ends in ".part", which
+/// the next call for the same folder removes.
 /// Errors: Exists; Full and Io, also for filesystem errors of fill; all other errors of fill.
 void makeFolder(const std::filesystem::path& folder, std::string_view what,
                 const std::function<void(const std::filesystem::path&)>& fill);
 
 /// A new, empty folder where the system keeps temporary files. The destructor removes it and its content.
+/// What a program left that was killed is removed by the next one that makes a folder of the same name.
 class TemporaryFolder {
   public:
     /// The folder's name begins with `name`, so that people know which program made it.
@@ -31,6 +34,7 @@ class TemporaryFolder {
     const std::filesystem::path& path() const { return m_path; }
 
   private:
+    std::shared_ptr<const void> m_lock; ///< Tells other programs that the folder is in use.
     std::filesystem::path m_path;
 };
 

@@ -24,7 +24,7 @@ namespace spherewalk::camera {
 //    camera is changed, because it may still be exposing a shot of a run that was killed.
 // 2. Settle. Before anything new, every open shot of the journal gets its end. A shot that is Taken is only
 //    downloaded. A shot that is Intended or Started is resolved as in step 7.
-// 3. Prepare. Check errors, plug-in, battery and storage, and save the sleep and power-off times. Set still
+// 3. Prepare. Check errors, plug-in, battery and storage, and save the camera's own settings. Set still
 //    mode, the spherical JPEG, the exposure of the profile and no sleep; read them back; set the clock. This
 //    is done again whenever the camera has restarted.
 // 4. Intend. Before each shot the serial number is the same, and the camera is idle and well. A camera that
@@ -38,7 +38,9 @@ namespace spherewalk::camera {
 //    command that is done and names a file makes the shot Taken. Any other end leads to step 7.
 // 7. Resolve by files. Reconnect; another serial number makes the shot Unclear. When the camera is idle, look
 //    at the newest files.
-//    - Exactly one new file above the old newest one belongs to this shot, at once.
+//    - Exactly one new file above the old newest one belongs to this shot, at once. After a restart of the
+//      program, the camera may have been moved and its button pressed. The file's time must then be the one
+//      that the journal foresees; otherwise the shot is Unclear, and a person is asked.
 //    - Two new files or any other change make the shot Unclear, if two looks a confirmation time apart agree.
 //      A person then decides.
 //    - Without a new file the shot is NotTaken, if the deadline has passed, two looks a confirmation time
@@ -49,8 +51,9 @@ namespace spherewalk::camera {
 //    Only NotTaken permits a second exposure. A photo is Unclear if the camera has lost the profile's
 //    exposure, such as by a restart, because the photo may be exposed differently.
 // 8. Fetch. Download the file, verify it, and hand it to the journal. After a failure the photo stays Taken,
-//    on the camera and in the journal, and the failure is reported.
-// 9. Disconnect. Put sleep and power-off times back.
+//    on the camera and in the journal, and the failure is reported. A photo that the survey has already, at
+//    another station or from another shot, makes the shot Unclear.
+// 9. Disconnect. Put all settings but the clock back, sleep and power-off times first.
 
 /// A sentence about an earlier shot that left no photo, with the identity of its station.
 struct EarlierShot {
@@ -105,8 +108,9 @@ class Capture {
     ShotOutcome expose(std::int64_t station, const std::stop_token& stop);
     /// Step 8 for a shot that is Taken.
     ShotOutcome fetch(const survey::Shot& shot, const std::stop_token& stop);
-    /// Step 9. Errors: those of the client; the camera then keeps the changed settings.
-    void disconnect(const std::stop_token& stop);
+    /// Step 9. Returns sentences about settings that the camera does not take back. Errors: those of the
+    /// client; the camera then keeps the changed settings.
+    std::vector<std::string> disconnect(const std::stop_token& stop);
     /// Step 9 after a stop or an error, for at most this time. Returns false if the camera may have kept the
     /// changed settings.
     bool disconnectWithin(std::chrono::milliseconds time);
@@ -130,12 +134,12 @@ class Capture {
     survey::Baseline baseline(const std::stop_token& stop);
     std::optional<CommandReply> trigger(const std::stop_token& stop);
     bool mayTryAgain(OscErrorCode code, int refusals, const std::stop_token& stop);
-    Clock::TimePoint deadlineAfterRestart(const survey::Shot& shot, const std::stop_token& stop);
-    ShotOutcome follow(survey::Shot shot, const std::optional<CommandReply>& reply, Clock::TimePoint deadline,
+    Foreseen foreseenAfterRestart(const survey::Shot& shot, const std::stop_token& stop);
+    ShotOutcome follow(survey::Shot shot, const std::optional<CommandReply>& reply, const Foreseen& foreseen,
                        const std::stop_token& stop);
     std::string marked(std::string fileUrl, const std::stop_token& stop);
     void giveUpOlder(const survey::Shot& shot, const std::string& fileUrl);
-    ShotOutcome resolve(survey::Shot shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    ShotOutcome resolve(survey::Shot shot, const Foreseen& foreseen, const std::stop_token& stop);
 
     OscClient& m_client;
     CaptureJournal& m_journal;

@@ -34,10 +34,13 @@ class CaptureJournal {
     virtual void started(std::int64_t shot, const std::string& commandId) = 0;
     virtual void taken(std::int64_t shot, const std::string& fileUrl) = 0;
     virtual void notTaken(std::int64_t shot) = 0;
-    /// Allowed for a shot that is Taken, too.
-    virtual void unclear(std::int64_t shot, const std::string& why) = 0;
+    /// Allowed for a shot that is Taken, too. fileUrl: the picture that may be the shot's, for a person to
+    /// decide on; "" if there is none.
+    virtual void unclear(std::int64_t shot, const std::string& why, const std::string& fileUrl) = 0;
     /// Tags the photo with its station, moves it into the survey, and records it, in one durable step.
-    virtual void downloaded(std::int64_t shot, const DownloadedPhoto& photo) = 0;
+    /// Returns the shot as it is recorded: Downloaded, or Unclear with the reason if the survey has these
+    /// bytes at another place.
+    virtual survey::Shot downloaded(std::int64_t shot, const DownloadedPhoto& photo) = 0;
 
     /// The shots that are Intended, Started or Taken, oldest first. A resumed run settles them before it
     /// takes anything new.

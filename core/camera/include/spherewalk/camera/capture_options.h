@@ -15,6 +15,9 @@ namespace spherewalk::camera {
 struct CaptureOptions {
     std::chrono::milliseconds pollInterval{500}; ///< Pause between questions about a running shot.
     ShotAllowance allowance;                     ///< Time that a shot may take.
+    /// After a restart, a shot whose trigger had no answer owns a picture only if the picture was begun at
+    /// most so long after the intention, by the clock of day. The self-timer and the exposure are added.
+    std::chrono::milliseconds triggerTime{5'000};
     /// Before a shot is declared NotTaken or Unclear, two looks at the files lie this far apart. It is longer
     /// than the camera takes from the trigger to a listed file without filters.
     std::chrono::milliseconds confirmTime{5'000};

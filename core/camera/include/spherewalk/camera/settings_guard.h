@@ -21,16 +21,16 @@ namespace spherewalk::camera {
 /// The options that say when a camera sleeps and switches itself off.
 inline constexpr std::array kDelayNames{"sleepDelay", "offDelay"};
 
-/// Where a camera's own delays are kept while it is told to stay awake, so that they outlive a program that
-/// is killed: a small file for each camera.
-class DelayMemory {
+/// Where a camera's own settings are kept while a survey sets it, so that they outlive a program that is
+/// killed: a small file for each camera.
+class SettingsMemory {
   public:
-    DelayMemory(const std::filesystem::path& folder, std::string_view serialNumber);
+    SettingsMemory(const std::filesystem::path& folder, std::string_view serialNumber);
 
-    /// The delays that were written and not forgotten; null if there are none.
+    /// The settings that were written and not forgotten; null if there are none.
     Json read() const;
-    /// Writes the delays durably. Errors: Io, Full.
-    void write(const Json& delays) const;
+    /// Writes the settings durably. Errors: Io, Full.
+    void write(const Json& settings) const;
     void forget() const;
 
   private:
@@ -38,7 +38,7 @@ class DelayMemory {
 };
 
 /// Brings a camera into the state in which a survey is taken (still pictures, a spherical JPEG, exposed as
-/// the survey's profile says, never asleep), proves it by reading back, and puts sleep and power-off times
+/// the survey's profile says, never asleep), proves it by reading back, and puts all settings but the clock
 /// back at the end. Errors: those of OscClient. Threads: those of its client.
 class SettingsGuard {
   public:
@@ -47,8 +47,8 @@ class SettingsGuard {
     explicit SettingsGuard(OscClient& client, std::optional<survey::CaptureProfile> profile = {})
         : m_client(client), m_profile(std::move(profile)) {}
 
-    /// Where the camera's own sleep and power-off times are kept until they are put back, so that the next
-    /// program puts them back if this one is killed: a file of this folder. Before apply().
+    /// Where the camera's own settings are kept until they are put back, so that the next program puts them
+    /// back if this one is killed: a file of this folder. Before apply().
     void rememberIn(const std::filesystem::path& folder, std::string_view serialNumber);
     /// Applies and reads back. What the camera lacks or changes without harm is returned as sentences.
     /// Errors: also Unsupported, if it stays out of still mode or offers no spherical JPEG; InvalidInput if
@@ -66,14 +66,16 @@ class SettingsGuard {
     /// Sets only the mode, after a camera has refused to take a picture.
     void applyImageMode(const std::stop_token& stop);
     /// Puts back what apply() found at its first call, or a killed program before it; nothing if apply() was
-    /// not called.
-    void restore(const std::stop_token& stop);
+    /// not called. Sleep and power-off times come first. What the camera does not take back, as sentences.
+    std::vector<std::string> restore(const std::stop_token& stop);
 
     /// Reads the options that this camera knows. Unknown ones are remembered and not asked for again.
     Json read(const std::vector<std::string>& names, const std::stop_token& stop);
 
   private:
-    void keepOriginal(const Json& present);
+    void keepOriginal(const Json& mode, const Json& present);
+    std::vector<std::string> putBack(const Json& settings, const std::stop_token& stop);
+    std::vector<std::string> changedNames() const;
     Json basics(const Json& present) const;
     Json exposure(std::vector<std::string>& lacks, const std::stop_token& stop);
     void set(const std::stop_token& stop);
@@ -82,7 +84,7 @@ class SettingsGuard {
     OscClient& m_client;
     std::optional<survey::CaptureProfile> m_profile;
     std::set<std::string> m_unknown;
-    std::optional<DelayMemory> m_memory;
+    std::optional<SettingsMemory> m_memory;
     Json m_original;                  ///< Null until apply().
     Json m_basics = Json::object();   ///< The photos' format and no sleep, as apply() has set them.
     Json m_exposure = Json::object(); ///< Exposure that apply() has set, in one call, since its values depend

@@ -18,8 +18,9 @@ struct NewFiles {
     enum class Count { None, One, Doubtful };
 
     Count count = Count::None;
-    std::string fileUrl; ///< URL of the one new file, without a mark; "" for another count.
-    std::string why;     ///< Why the count is doubtful, as a sentence.
+    std::string fileUrl;  ///< URL of the one new file, without a mark; "" for another count.
+    std::string why;      ///< Why the count is doubtful, as a sentence.
+    std::string dateTime; ///< When the one new file was taken, by the camera's clock; "" if it is not told.
 };
 
 /// The file's URL with a mark: its size (or time) as a fragment. The mark tells the file from a later one of
@@ -41,9 +42,24 @@ NewFiles newFilesSince(const survey::Baseline& before, const FileList& newest);
 /// How a shot was settled. The step is Taken, NotTaken or Unclear.
 struct Resolution {
     survey::ShotStep step = survey::ShotStep::Unclear;
-    std::string fileUrl;              ///< URL of the photo, without a mark; "" unless it is Taken.
-    std::string sentence;             ///< For the operator; "" if the photo is Taken.
+    std::string fileUrl;  ///< URL of the photo, without a mark. Of an Unclear shot: of the picture
+                          ///< that may be its own; "" if there is none.
+    std::string sentence; ///< For the operator; "" if the photo is Taken.
     std::optional<ErrorKind> problem; ///< Nothing if the photo is Taken; Corrupt if it is Unclear.
+};
+
+/// When a shot is over, and when its picture can have been taken.
+struct Foreseen {
+    /// Moments between which a trigger can have begun a picture.
+    struct Window {
+        std::chrono::system_clock::time_point begin;
+        std::chrono::system_clock::time_point end;
+    };
+
+    Clock::TimePoint deadline; ///< The moment at which a triggered exposure is certainly over.
+    /// Nothing if this program has waited since the trigger, so that the camera was not moved meanwhile. A
+    /// single new picture then is the shot's, whenever it was begun.
+    std::optional<Window> window = {};
 };
 
 /// Finds out how a shot ended that was, or may have been, triggered. Nothing is changed on the camera or in
@@ -55,10 +71,9 @@ class ShotSettler {
     ShotSettler(OscClient& client, Clock& clock, const CaptureOptions& options)
         : m_client(client), m_clock(clock), m_options(options) {}
 
-    /// deadline: the moment at which a triggered exposure is certainly over. Errors: also Busy if the camera
-    /// stays busy, or if its files give no steady answer; Timeout if by the camera's word the command still
-    /// runs after the deadline.
-    Resolution resolve(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    /// Errors: also Busy if the camera stays busy, or if its files give no steady answer; Timeout if by the
+    /// camera's word the command still runs after the deadline.
+    Resolution resolve(const survey::Shot& shot, const Foreseen& foreseen, const std::stop_token& stop);
 
     /// Waits up to CaptureOptions::reconnectTime until a camera answers, and returns its description. It may
     /// be another camera. Errors: those of the last try.
@@ -75,7 +90,10 @@ class ShotSettler {
     };
 
     Followed follow(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
-    Resolution inspectFiles(const survey::Shot& shot, Clock::TimePoint deadline, const std::stop_token& stop);
+    Resolution inspectFiles(const survey::Shot& shot, const Foreseen& foreseen, const std::stop_token& stop);
+    Resolution attribute(const survey::Shot& shot, const NewFiles& file, const Foreseen& foreseen,
+                         const std::stop_token& stop);
+    std::optional<std::chrono::seconds> agoByCamera(const std::string& dateTime, const std::stop_token& stop);
     std::optional<NewFiles> look(const survey::Shot& shot, const std::stop_token& stop);
     void requireNotRunning(const survey::Shot& shot, const std::stop_token& stop);
     void pause(Clock::Duration duration, const std::stop_token& stop);

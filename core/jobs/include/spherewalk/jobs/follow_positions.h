@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spherewalk::jobs {
 
@@ -55,6 +56,9 @@ struct FollowOptions {
 struct FollowLink {
     /// Returns the next line that the robot sends, or nothing at the end. Errors: Stopped.
     std::function<std::optional<std::string>(const std::stop_token&)> nextLine;
+    /// Takes the lines that have arrived and were not read, without waiting. May be empty. It is called when
+    /// an exposure is over: what the robot sent before is where the camera stood before, and is refused.
+    std::function<std::vector<std::string>()> waitingLines;
     /// Called before the photo is taken; a practice camera must be told where it stands. May be empty.
     std::function<void(const store::StationRecord&, const std::stop_token&)> reached;
     /// Tells the robot an event. Threads: any, one at a time.
@@ -62,8 +66,9 @@ struct FollowLink {
 };
 
 /// Takes a photo of the station that stands at each position that the robot reaches. A line that cannot be
-/// followed is answered, and the run goes on. A station that has a photo is taken again only if the line says
-/// "again"; otherwise the robot is told its verdict. Errors: as captureSurvey().
+/// followed is answered, and the run goes on. So is a line that arrived before the exposure at the last
+/// position was over, because the camera may have moved since. A station that has a photo is taken again only
+/// if the line says "again"; otherwise the robot is told its verdict. Errors: as captureSurvey().
 CaptureSurveyReport followPositions(store::SurveyStore& store, camera::OscClient& client,
                                     const FollowLink& link, Clock& clock, FollowOptions options,
                                     ProgressSink& progress, const std::stop_token& stop);

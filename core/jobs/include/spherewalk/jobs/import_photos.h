@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 namespace spherewalk::store {
 class SurveyStore;
@@ -18,6 +20,16 @@ struct ImportOptions {
     std::filesystem::path positions; ///< CSV file, see positions_csv.h.
     /// A photo belongs to a planned station within this distance. Otherwise it gets a station of its own.
     double stationToleranceM = 0.05;
+    /// Photos that the survey has at another place move to the place in the file. Otherwise their lines are
+    /// refused.
+    bool move = false;
+};
+
+/// A line of the positions file that brought no photo.
+struct RefusedLine {
+    int line = 0;
+    std::string file;
+    std::string sentence; ///< Says why, and names the line.
 };
 
 struct ImportReport {
@@ -26,13 +38,18 @@ struct ImportReport {
     int newStations = 0;  ///< Number of stations made for photos that no planned station is near to.
     int withRotation = 0; ///< Number of listed photos whose rotation is given.
     int outsideOutline = 0;
+    int moved = 0; ///< Number of photos that the survey had, and that are at another place now.
+    std::vector<RefusedLine> refused;
+    std::vector<std::string> notes; ///< Sentences about photos that share a place, or are one photo twice.
 };
 
 /// Takes photos from elsewhere into the survey. Only their position tag changes. Rotations that the file
-/// gives become a solution named "imported", and the active one. A run after a stop goes on where it was.
+/// gives become a solution named "imported", and the active one. It takes over what the solution that was
+/// active before has on other photos. A line whose photo cannot be taken in is refused, with a warning, and
+/// the others are taken in. A run after a stop goes on where it was.
 ///
-/// Errors: those of readPositions(); NotFound or Corrupt for a photo, whose line the sentence names.
-/// Stop: Stopped before the next photo. Photos so far are kept, their rotations are not yet.
+/// Errors: those of readPositions(); if every line is refused, the error of the first one.
+/// Stop: Stopped before the next photo. Photos so far are kept, their moves and rotations are not yet.
 ImportReport importPhotos(store::SurveyStore& store, const ImportOptions& options, ProgressSink& progress,
                           const std::stop_token& stop);
 

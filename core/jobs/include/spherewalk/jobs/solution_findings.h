@@ -27,7 +27,7 @@ struct PhotoPlace {
 /// Moves photos to other stations, all at once: in the survey, and in the position tags of the files, which
 /// are written anew. Returns the earlier places of all photos of these stations; moving the photos there
 /// undoes the call. Killed at any instant, it leaves the survey as it was or as it shall be, and at worst
-/// files that belong to no photo.
+/// files that belong to no photo. A photo whose position changes leaves the active solution, with a warning.
 ///
 /// Errors: NotFound; InvalidInput for a photo that is named twice; those of reading, tagging and writing.
 /// Stop: Stopped, with nothing changed.
@@ -63,5 +63,9 @@ struct SolutionFindings {
 
 /// What the active solution says; nothing if there is none. Errors: Corrupt if the solution's report is none.
 std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
+
+/// A sentence on the kept photos that the active solution puts nearer to another station than to their own;
+/// "" without any.
+std::string placesInDoubt(const store::SurveyStore& store);
 
 } // namespace spherewalk::jobs

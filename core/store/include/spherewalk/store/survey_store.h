@@ -25,6 +25,9 @@ enum class Access { Read, Write };
 struct StoreOptions {
     std::chrono::milliseconds patience{5000}; ///< How long to wait for another program's transaction.
     std::uint64_t maxDatabaseBytes = 0;       ///< A larger database is refused as Full; 0 sets no limit.
+    /// Whether the folder lies on a network share, where the journal must not need the memory of one machine.
+    /// Nothing means that the file system is asked.
+    std::optional<bool> isOnShare = {};
 };
 
 /// A survey on disk: the folder `<name>.spherewalk` with `survey.sqlite` and `photos/`. One program writes at
@@ -88,6 +91,9 @@ class SurveyStore {
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
     std::int64_t addStation(const Eigen::Vector3d& positionM, const std::string& name = {});
+    /// Removes a station that was added and is not used. Errors: NotFound; InvalidInput for a station of the
+    /// plan, or with a photo or a shot.
+    void removeStation(std::int64_t id);
 
     std::vector<PhotoRecord> photos() const;
     std::vector<PhotoRecord> photosAt(std::int64_t station) const;
@@ -96,6 +102,9 @@ class SurveyStore {
     /// The chosen photos that were not rejected. A dataset is made of these.
     std::vector<PhotoRecord> keptPhotos() const;
     std::optional<PhotoRecord> chosenPhoto(std::int64_t station) const;
+    /// The kept photo of the shot's station if it is newer than the shot: a later shot brought it, or a
+    /// person imported it after the shot.
+    std::optional<PhotoRecord> photoAfter(const survey::Shot& shot) const;
     /// The photo whose bytes came from the camera with this SHA-256.
     std::optional<PhotoRecord> findPhoto(const std::string& cameraSha256) const;
     /// Errors: NotFound.
@@ -104,9 +113,10 @@ class SurveyStore {
     /// or a file that is not in the photo folder; InvalidInput for values that cannot be.
     std::int64_t addPhoto(const NewPhoto& photo);
     void choosePhoto(std::int64_t photoId);
-    /// All or none. A station that loses its chosen photo chooses its newest. Errors: NotFound; those of
-    /// addPhoto() for names and files.
-    void movePhotos(const std::vector<MovedPhoto>& photos);
+    /// All or none. A station that loses its chosen photo chooses its newest. A photo whose position changes
+    /// leaves the active solution, unless that has found the new place already. Returns the photos that left
+    /// it. Errors: NotFound; those of addPhoto() for names and files.
+    std::vector<std::int64_t> movePhotos(const std::vector<MovedPhoto>& photos);
     /// A name in the photo folder that no photo has. It is the camera's name if that is free; otherwise the
     /// first digits of the hash are added. A file with that name and exactly these bytes may exist, because
     /// a program was killed before it recorded the photo; the caller overwrites that file.
@@ -121,10 +131,19 @@ class SurveyStore {
     void markStarted(std::int64_t shotId, const std::string& commandId);
     void markTaken(std::int64_t shotId, const std::string& fileUrl);
     void markNotTaken(std::int64_t shotId);
-    void markUnclear(std::int64_t shotId, const std::string& why);
-    /// Adds the photo and marks the shot Downloaded, both or neither. Errors: those of addPhoto; InvalidInput
-    /// if the photo is of another station than the shot.
+    /// fileUrl: the picture on the camera that may be the shot's; "" if there is none.
+    void markUnclear(std::int64_t shotId, const std::string& why, const std::string& fileUrl = {});
+    /// Marks a shot NotTaken that is open or Unclear, because a person does not wait for its photo.
+    void giveUp(std::int64_t shotId);
+    /// Adds the photo and marks the shot Downloaded, both or neither. The station does not choose the photo
+    /// if it has a newer one, see photoAfter(). Errors: those of addPhoto; InvalidInput if the photo is of
+    /// another station than the shot.
     std::int64_t recordDownload(std::int64_t shotId, const NewPhoto& photo);
+    /// Marks the shot Downloaded with a photo that the survey has already. Errors: NotFound; InvalidInput if
+    /// the photo is of another station, or of another shot.
+    void recordDownload(std::int64_t shotId, std::int64_t photoId);
+    /// The shot that brought the photo; nothing for an imported photo.
+    std::optional<survey::Shot> shotOf(std::int64_t photo) const;
     /// The shots that are Intended, Started or Taken, oldest first.
     std::vector<survey::Shot> openShots() const;
     std::vector<survey::Shot> unclearShots() const;

@@ -27,7 +27,7 @@ enum class ShotStep {
     Started,    ///< The camera gave a command id.
     Taken,      ///< The file on the camera is known.
     Downloaded, ///< The photo is complete, verified, and in the survey.
-    NotTaken,   ///< It is proved that the camera took no picture.
+    NotTaken,   ///< It is proved that the camera took no picture, or a person gave the shot up.
     Unclear,    ///< A person must decide: two new files, another camera, or a counter that began anew.
 };
 
@@ -57,7 +57,8 @@ struct Shot {
     std::string cameraSerial;                         ///< Serial number of the camera; "" if it has none.
     Baseline baseline;
     std::string commandId; ///< The camera's name for the running command; "" until Started.
-    /// URL of the photo on the camera, with its mark if the camera listed the file; "" until Taken.
+    /// URL of the photo on the camera, with its mark if the camera listed the file; "" until Taken. Of an
+    /// Unclear shot: the picture that may be its own, or "".
     std::string fileUrl;
     std::string note;                  ///< Why the shot is Unclear, in a sentence.
     std::optional<std::int64_t> photo; ///< Identity of the photo in the survey, once it is Downloaded.
