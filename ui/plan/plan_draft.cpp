@@ -112,8 +112,8 @@ SheetWords sheetWords() {
     result.title = words(PlanWords::tr("Marking out: %1"));
     result.summary = words(PlanWords::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
     result.scale = words(PlanWords::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
-    result.tableTitle =
-        words(PlanWords::tr("Where the rails lie: tape distances in metres from the corners of the room"));
+    result.tableTitle = words(
+        PlanWords::tr("Where the rails lie: metres by tape from two corners (and from a third, as a check)"));
     result.rail = words(PlanWords::tr("Rail"));
     result.stops = words(PlanWords::tr("Stops"));
     result.firstStop = words(PlanWords::tr("First stop (ring)"));
