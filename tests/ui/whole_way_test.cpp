@@ -44,6 +44,7 @@ void capture(Person& person) {
     person.choose("Capture");
     auto& page = person.page<CaptureMode>();
     person.press("practiceCamera");
+    person.agree();
     person.waitFor(State::Ready);
     QTest::keyClick(&page, Qt::Key_Space); // starts
     const int stations = page.desk().stations();

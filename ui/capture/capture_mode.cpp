@@ -62,6 +62,9 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
     layout->addWidget(splitter);
     setFocusPolicy(Qt::StrongFocus);
     m_plan->installEventFilter(this);
+    for (auto* button : findChildren<QAbstractButton*>()) {
+        button->installEventFilter(this);
+    }
     connect(&m_desk, &CaptureDesk::changed, this, &CaptureMode::showAll);
     connect(&m_desk, &CaptureDesk::verdictGiven, this,
             [this](survey::Quality quality) { m_sounds->play(quality); });
@@ -312,8 +315,9 @@ void CaptureMode::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CaptureMode::eventFilter(QObject* watched, QEvent* event) {
-    // The plan has the focus after a click; the key must work all the same.
-    if (watched == m_plan && event->type() == QEvent::KeyPress) {
+    // The plan has the focus after a click, and a button after a Tab; the key must work all the same.
+    const bool takesKeys = watched == m_plan || m_desk.isRunning();
+    if (takesKeys && event->type() == QEvent::KeyPress) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (isShutterKey(key->key()) && key->key() != Qt::Key_Right) {
             keyPressEvent(key);

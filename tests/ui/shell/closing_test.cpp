@@ -42,6 +42,7 @@ void beginCapture(Scene& scene) {
     Person& person = scene.person;
     person.choose("Capture");
     person.press("practiceCamera");
+    person.agree();
     person.waitFor(CaptureDesk::State::Ready);
     person.press("automatic");
     const int left = person.page<CaptureMode>().desk().stationsLeft();
