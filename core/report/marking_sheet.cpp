@@ -6,6 +6,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/survey/marking.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -114,6 +115,7 @@ class MarkingSheet {
             if (const double length = (at - walls[i]).norm(); length > kRadiusMm) {
                 m_pages.line(walls[i], at - kRadiusMm / length * (at - walls[i]));
             }
+            m_letters.push_back(at);
             m_pages.words(at + Vector2d(0, 1.3), survey::cornerName(static_cast<int>(i)), kNormalMm,
                           Align::Centre, true);
         }
@@ -152,7 +154,27 @@ class MarkingSheet {
         if (rail.stops > 1) {
             drawArrow(first, last);
         }
-        m_pages.words(first + Vector2d(1.6, -1.3), std::to_string(index + 1), kSmallMm, Align::Left, true);
+        drawNumber(first, std::to_string(index + 1));
+    }
+
+    /// Writes the number of a rail beside its first stop, where no letter of a corner is.
+    void drawNumber(const Vector2d& stop, const std::string& number) {
+        constexpr double kFreeMm = 4.5;
+        const double widthMm = m_pages.widthOf(number, kSmallMm, true);
+        Vector2d best = stop;
+        double most = -1;
+        for (const Vector2d& side : {Vector2d(1, -1), Vector2d(-1, -1), Vector2d(1, 1), Vector2d(-1, 1)}) {
+            const Vector2d middle = stop + Vector2d(side.x() * (1.6 + 0.5 * widthMm), 2.4 * side.y());
+            double nearest = kFreeMm;
+            for (const Vector2d& letter : m_letters) {
+                nearest = std::min(nearest, (letter - middle).norm());
+            }
+            if (nearest > most) {
+                most = nearest;
+                best = middle;
+            }
+        }
+        m_pages.words(best + Vector2d(0, 0.35 * kSmallMm), number, kSmallMm, Align::Centre, true);
     }
 
     void drawArrow(const Vector2d& first, const Vector2d& last) {
@@ -251,6 +273,7 @@ class MarkingSheet {
     const SheetWords& m_words;
     PageLayout m_layout;
     PdfPages m_pages;
+    std::vector<Vector2d> m_letters; ///< Places of the corners' letters on the paper.
 };
 
 } // namespace
