@@ -61,7 +61,7 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     grid->addWidget(m_connect, 0, 1);
     grid->addWidget(m_practice, 0, 2);
     auto* hideRow = new QHBoxLayout;
-    auto* hideLabel = new QLabel(tr("Time to &hide:"), this);
+    auto* hideLabel = new QLabel(tr("Ti&me to hide:"), this);
     hideLabel->setBuddy(m_hide);
     hideRow->addWidget(hideLabel);
     hideRow->addWidget(m_hide);

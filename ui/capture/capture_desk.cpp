@@ -396,4 +396,16 @@ void CaptureDesk::setAgain(std::int64_t station, bool isAgain) {
     read();
 }
 
+void CaptureDesk::takeDoubtfulAgain() {
+    if (isRunning() || !m_session) {
+        return;
+    }
+    for (const auto& [station, standing] : m_session->state().standings) {
+        if (standing == Standing::Doubtful || standing == Standing::Failed) {
+            m_queue.setAgain(station, true);
+        }
+    }
+    read();
+}
+
 } // namespace spherewalk::ui

@@ -133,6 +133,9 @@ class CaptureDesk : public QObject {
 
     int stationsLeft() const { return m_queue.size(); }
 
+    /// Whether every station has its photo and none is to be taken again.
+    bool isComplete() const { return stations() > 0 && stationsLeft() == 0 && !isRunning(); }
+
     int stations() const { return m_session ? static_cast<int>(m_session->state().stations.size()) : 0; }
 
     /// Estimates how long the remaining photos take, without waits for the network.
@@ -153,6 +156,9 @@ class CaptureDesk : public QObject {
 
     /// Puts a station on that list or takes it off. A run that is on ignores the call.
     void setAgain(std::int64_t station, bool isAgain);
+
+    /// Puts every station on that list whose photo is doubtful or failed, and nobody has decided on.
+    void takeDoubtfulAgain();
 
     bool isAgain(std::int64_t station) const { return m_queue.isAgain(station); }
 

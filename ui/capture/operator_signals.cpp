@@ -22,7 +22,7 @@ std::vector<StationMark> CapturePlanView::marks(const SurveyState& survey) const
     std::vector<StationMark> result = SurveyPlanView::marks(survey);
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
-            mark.standing = Standing::Doubtful;
+            mark.standing = Standing::Missing;
             mark.note = tr("to be taken again");
         }
     }

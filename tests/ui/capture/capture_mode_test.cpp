@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture_fixture.h"
 #include "made_survey.h"
+#include "ui/capture/camera_panel.h"
 #include "ui/capture/operator_signals.h"
 #include "ui/look/theme.h"
 
@@ -117,6 +118,74 @@ TEST_F(CaptureModeTest, ASelectedStationGoesOnTheListAndOff) {
     EXPECT_TRUE(desk().isAgain(station));
     button->click();
     EXPECT_FALSE(desk().isAgain(station));
+}
+
+TEST_F(CaptureModeTest, SaysAtTheEndWhatWasTakenAndWhatComesNext) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().isComplete(); });
+    const auto photos = session->store().chosenPhotos();
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        for (const store::PhotoRecord& photo : photos) {
+            store.setVerdict({photo.id, survey::Quality::Good, "[]"});
+        }
+        store.setVerdict({photos.at(0).id, survey::Quality::Doubtful, "[]"});
+        store.setVerdict({photos.at(1).id, survey::Quality::Failed, "[]"});
+    });
+    EXPECT_EQ(mode.findChild<BigText*>("nextStation")->text(),
+              QString("%1 taken, 1 doubtful, 1 failed").arg(desk().stations()));
+    EXPECT_FALSE(mode.findChild<QPushButton*>("shutter")->isVisible());
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    QTest::keyClick(&mode, Qt::Key_R);
+    QTest::keyClick(&mode, Qt::Key_A);
+    QTest::keyClick(&mode, Qt::Key_Space); // the first of the buttons
+    ASSERT_EQ(wanted.size(), 3);
+    EXPECT_EQ(wanted[0][0].toString(), "review");
+    EXPECT_EQ(wanted[1][0].toString(), "align");
+    EXPECT_EQ(wanted[2][0].toString(), "review");
+    QTest::keyClick(&mode, Qt::Key_T);
+    EXPECT_EQ(desk().stationsLeft(), 2);
+    EXPECT_TRUE(mode.findChild<QPushButton*>("shutter")->isVisible());
+}
+
+TEST_F(CaptureModeTest, AtTheEndOfAGoodSurveyTheKeyGoesOnToAlign) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().isComplete(); });
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+            store.setVerdict({photo.id, survey::Quality::Good, "[]"});
+        }
+    });
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    QTest::keyClick(&mode, Qt::Key_PageDown);
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), "align");
+}
+
+TEST_F(CaptureModeTest, OnTheWholeScreenOnlyWhatTheCartNeedsIsShown) {
+    connectPractice();
+    desk().setHideSeconds(30);
+    mode.setWholeScreen(true);
+    EXPECT_FALSE(mode.findChild<CameraPanel*>()->isVisible());
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    EXPECT_EQ(mode.findChild<BigText*>("nextStation")->text(), "30"); // as large as it can be
+    desk().trigger();
+    desk().setHideSeconds(0);
+    desk().trigger();
+    waitUntil([&] { return !played.empty() && desk().state() == State::AtStation; });
+    ASSERT_TRUE(desk().verdict());
+    const QColor colour = *desk().verdict() == survey::Quality::Good ? goodColour() : doubtfulColour();
+    const QImage shown = mode.grab().toImage();
+    for (const QPoint& at : {QPoint(4, 400), QPoint(640, 4), QPoint(1275, 400), QPoint(640, 795)}) {
+        EXPECT_EQ(shown.pixelColor(at), colour) << at.x() << ' ' << at.y();
+    }
+    mode.setWholeScreen(false);
+    EXPECT_TRUE(mode.findChild<CameraPanel*>()->isVisible());
 }
 
 } // namespace spherewalk::ui
