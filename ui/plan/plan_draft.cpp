@@ -4,8 +4,10 @@
 #include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/survey/marking.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -19,6 +21,23 @@ namespace {
 struct PlanWords {
     Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::PlanWords)
 };
+
+/// Returns a sentence on the outline with the letters of its corners, as table and sheet have them, for their
+/// numbers.
+QString withLetters(const QString& sentence) {
+    if (!sentence.startsWith("The outline")) {
+        return sentence; // obstacles have numbers
+    }
+    static const QRegularExpression corner("(?:(?<=corner )|(?<=corners )|(?<=\\d and ))(\\d+)");
+    QString result;
+    qsizetype from = 0;
+    for (const QRegularExpressionMatch& found : corner.globalMatch(sentence)) {
+        result += sentence.mid(from, found.capturedStart(1) - from);
+        result += QString::fromStdString(survey::cornerName(found.captured(1).toInt() - 1));
+        from = found.capturedEnd(1);
+    }
+    return result + sentence.mid(from);
+}
 
 QString reasonWords(survey::UncoveredReason reason, const survey::PlanOptions& options) {
     switch (reason) {
@@ -65,7 +84,7 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
         outcome.report = survey::report(draft.room, draft.options, outcome.plan);
         return outcome;
     } catch (const Error& error) {
-        return {{}, {}, QString::fromStdString(error.sentence())};
+        return {{}, {}, withLetters(QString::fromStdString(error.sentence()))};
     } catch (const std::exception& defect) {
         return {{}, {}, QString::fromUtf8(defect.what())};
     }
