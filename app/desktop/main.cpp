@@ -5,11 +5,37 @@
 #include <QCommandLineParser>
 #include <QTimer>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <string_view>
+
+namespace {
+
+/// Whether the program is to print words and end. Words need no display.
+bool printsOnly(int argc, char** argv) {
+    return std::any_of(argv + 1, argv + argc, [](const std::string_view word) {
+        return word == "-h" || word == "--help" || word == "--help-all" || word == "-v" ||
+               word == "--version";
+    });
+}
+
+bool hasDisplay() {
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     using namespace spherewalk::ui;
     ::signal(SIGPIPE, SIG_IGN); // a broken pipe is an error of the call
+    if (printsOnly(argc, argv)) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    } else if (!hasDisplay()) { // Qt would abort
+        std::fprintf(stderr, "There is no display for the window; use spherewalk-cli, or set DISPLAY.\n");
+        return 1;
+    }
     Application app(argc, argv);
     Application::setApplicationVersion(SPHEREWALK_VERSION);
     QCommandLineParser parser;

@@ -6,7 +6,9 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/survey/marking.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -91,39 +93,53 @@ class MarkingSheet {
         m_pages.setLine(0.7);
         const Polygon walls = onPaper(m_room.outline);
         m_pages.outline(walls);
-        const double sign = signedArea(m_room.outline) > 0 ? 1 : -1;
+        drawCorners(walls);
         for (std::size_t i = 0; i < walls.size(); ++i) {
-            drawWall(walls, i, sign);
+            const std::size_t next = (i + 1) % walls.size();
+            if ((walls[next] - walls[i]).norm() > kLeastForLengthMm) {
+                drawLength(walls, i, (m_room.outline[next] - m_room.outline[i]).norm());
+            }
         }
     }
 
-    /// The name of the wall's first corner and the wall's length, both outside of the room.
-    void drawWall(const Polygon& walls, std::size_t i, double sign) {
-        const std::size_t n = walls.size();
-        const Vector2d& corner = walls[i];
-        const Vector2d along = (walls[(i + 1) % n] - corner).normalized();
-        const Vector2d before = (corner - walls[(i + n - 1) % n]).normalized();
-        const auto outside = [sign](const Vector2d& direction) { // y points down on paper
-            return Vector2d(-sign * direction.y(), sign * direction.x());
+    /// The name of each corner inside of the room, with a line to its corner.
+    void drawCorners(const Polygon& walls) {
+        constexpr double kAwayMm = 7;
+        constexpr double kRadiusMm = 2.2;
+        const double metresAMm = m_layout.scale / 1000.0;
+        const std::vector<Vector2d> labels =
+            survey::cornerLabels(m_room, m_plan, kAwayMm * metresAMm, kRadiusMm * metresAMm);
+        m_pages.setLine(0.12);
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            const Vector2d at = m_layout.paperFromRoom(labels[i]);
+            if (const double length = (at - walls[i]).norm(); length > kRadiusMm) {
+                m_pages.line(walls[i], at - kRadiusMm / length * (at - walls[i]));
+            }
+            m_letters.push_back(at);
+            m_pages.words(at + Vector2d(0, 1.3), survey::cornerName(static_cast<int>(i)), kNormalMm,
+                          Align::Centre, true);
+        }
+    }
+
+    /// Writes the length of a wall beside it: outside, or inside where the floor goes on behind the wall.
+    void drawLength(const Polygon& walls, std::size_t wall, double metres) {
+        const Vector2d& begin = walls[wall];
+        const Vector2d& end = walls[(wall + 1) % walls.size()];
+        const Vector2d along = (end - begin).normalized();
+        const double sign = signedArea(m_room.outline) > 0 ? 1 : -1;
+        const Vector2d outside(-sign * along.y(), sign * along.x()); // y points down on paper
+        const std::string words = text(fixed(metres, 2), " m");
+        const double widthMm = m_pages.widthOf(words, kSmallMm, false);
+        // Above or below a level wall, to the side of an upright one.
+        const double reachMm = 0.5 * (std::abs(outside.x()) * widthMm + std::abs(outside.y()) * kSmallMm);
+        const auto at = [&](double side) -> Vector2d {
+            return 0.5 * (begin + end) + side * (1.5 + reachMm) * outside;
         };
-        const Vector2d corners = (outside(along) + outside(before)).normalized();
-        m_pages.words(corner + 4 * corners + Vector2d(0, 1.3), survey::cornerName(static_cast<int>(i)),
-                      kNormalMm, Align::Centre, true);
-        if ((walls[(i + 1) % n] - corner).norm() > kLeastForLengthMm) {
-            drawLength(0.5 * (corner + walls[(i + 1) % n]), outside(along),
-                       (m_room.outline[(i + 1) % n] - m_room.outline[i]).norm());
+        bool isFree = true;
+        for (const double x : {-0.5, 0.0, 0.5}) {
+            isFree = isFree && !contains(walls, at(1) + Vector2d(x * widthMm, 0));
         }
-    }
-
-    /// Beside the wall: above or below a level one, to the side of an upright one.
-    void drawLength(const Vector2d& middle, const Vector2d& outside, double metres) {
-        constexpr double kApartMm = 2.5;
-        constexpr double kMostlySideways = 0.5;
-        const Align align = outside.x() > kMostlySideways    ? Align::Left
-                            : outside.x() < -kMostlySideways ? Align::Right
-                                                             : Align::Centre;
-        const Vector2d at = middle + (align == Align::Centre ? 1.6 : 1.0) * kApartMm * outside;
-        m_pages.words(at + Vector2d(0, 1), text(fixed(metres, 2), " m"), kSmallMm, align);
+        m_pages.words(at(isFree ? 1 : -1) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm, Align::Centre);
     }
 
     void drawRail(const survey::RailPlacement& rail, std::size_t index) {
@@ -138,7 +154,27 @@ class MarkingSheet {
         if (rail.stops > 1) {
             drawArrow(first, last);
         }
-        m_pages.words(first + Vector2d(1.6, -1.3), std::to_string(index + 1), kSmallMm, Align::Left, true);
+        drawNumber(first, std::to_string(index + 1));
+    }
+
+    /// Writes the number of a rail beside its first stop, where no letter of a corner is.
+    void drawNumber(const Vector2d& stop, const std::string& number) {
+        constexpr double kFreeMm = 4.5;
+        const double widthMm = m_pages.widthOf(number, kSmallMm, true);
+        Vector2d best = stop;
+        double most = -1;
+        for (const Vector2d& side : {Vector2d(1, -1), Vector2d(-1, -1), Vector2d(1, 1), Vector2d(-1, 1)}) {
+            const Vector2d middle = stop + Vector2d(side.x() * (1.6 + 0.5 * widthMm), 2.4 * side.y());
+            double nearest = kFreeMm;
+            for (const Vector2d& letter : m_letters) {
+                nearest = std::min(nearest, (letter - middle).norm());
+            }
+            if (nearest > most) {
+                most = nearest;
+                best = middle;
+            }
+        }
+        m_pages.words(best + Vector2d(0, 0.35 * kSmallMm), number, kSmallMm, Align::Centre, true);
     }
 
     void drawArrow(const Vector2d& first, const Vector2d& last) {
@@ -223,6 +259,10 @@ class MarkingSheet {
             result += text(result.empty() ? "" : "     ", survey::cornerName(tape.corner), "  ",
                            fixed(tape.metres, 3));
         }
+        if (point.check) {
+            result += text("    (", survey::cornerName(point.check->corner), "  ",
+                           fixed(point.check->metres, 3), ")");
+        }
         return result;
     }
 
@@ -233,6 +273,7 @@ class MarkingSheet {
     const SheetWords& m_words;
     PageLayout m_layout;
     PdfPages m_pages;
+    std::vector<Vector2d> m_letters; ///< Places of the corners' letters on the paper.
 };
 
 } // namespace

@@ -27,7 +27,7 @@ class TapeFinder {
 
     MarkedPoint mark(const Vector2d& pInRoom) const {
         const Vector2d point = pInRoom - m_floor.anchor();
-        MarkedPoint result{pInRoom, {}, {}};
+        MarkedPoint result{pInRoom, {}, {}, {}};
         const std::vector<int> corners = seenCorners(point);
         double least = INFINITY;
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -44,6 +44,7 @@ class TapeFinder {
                 }
             }
         }
+        result.check = checkOf(point, corners, result.tapes);
         return result;
     }
 
@@ -66,6 +67,21 @@ class TapeFinder {
             const Vector2d toPoint = point - corner(i);
             if (toPoint.norm() > kHookM && m_floor.sees(point, corner(i) + kHookM * toPoint.normalized())) {
                 result.push_back(i);
+            }
+        }
+        return result;
+    }
+
+    /// The nearest corner in sight that is none of the tapes'.
+    std::optional<TapeDistance> checkOf(const Vector2d& point, const std::vector<int>& corners,
+                                        const std::vector<TapeDistance>& tapes) const {
+        std::optional<TapeDistance> result;
+        for (const int index : corners) {
+            const TapeDistance candidate = tape(point, index);
+            const bool isTaken = std::any_of(tapes.begin(), tapes.end(),
+                                             [&](const TapeDistance& one) { return one.corner == index; });
+            if (!tapes.empty() && !isTaken && (!result || candidate.metres < result->metres - kEqualM)) {
+                result = candidate;
             }
         }
         return result;

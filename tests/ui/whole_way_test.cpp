@@ -44,6 +44,7 @@ void capture(Person& person) {
     person.choose("Capture");
     auto& page = person.page<CaptureMode>();
     person.press("practiceCamera");
+    person.agree();
     person.waitFor(State::Ready);
     QTest::keyClick(&page, Qt::Key_Space); // starts
     const int stations = page.desk().stations();
@@ -90,6 +91,7 @@ void review(Person& person) {
 /// Drives forward, and saves what the robot's camera saw on the way.
 void preview(Person& person, const fs::path& frames) {
     person.choose("Preview");
+    person.press("withDepth"); // not for this test
     person.press("make");
     PreviewPresenter& presenter = person.page<PreviewMode>().presenter();
     person.waitUntil([&] { return !presenter.views().empty(); });
@@ -111,6 +113,9 @@ void preview(Person& person, const fs::path& frames) {
 void exportDataset(Person& person, const fs::path& folder) {
     person.choose("Export");
     person.press("opens"); // the folder is not to be opened
+    auto& scene = person.widget<QComboBox>("scene");
+    scene.setFocus();
+    QTest::keyClick(&scene, Qt::Key_Home); // the quickest
     person.type("folder", QString::fromStdString(folder.string()));
     person.press("export");
     person.waitUntil([&] { return person.widget<QLabel>("result").isVisible(); });

@@ -122,7 +122,7 @@ QWidget* AlignMode::makeBar() {
     m_effort->setCurrentIndex(1);
     m_effort->setToolTip(
         tr("How much work goes into the pictures: about 0.1, 0.5, 1.5 or 3.5 s a photo on one core"));
-    addLabelled(tr("&Effort"), m_effort);
+    addLabelled(tr("Eff&ort"), m_effort);
     m_model = new QComboBox(bar);
     m_model->setObjectName("model");
     m_model->addItem(tr("What the photos support"), static_cast<int>(align::Model::Auto));
@@ -168,7 +168,7 @@ QWidget* AlignMode::makeTable() {
     m_summary = new QLabel(column);
     m_summary->setObjectName("summary");
     m_summary->setWordWrap(true);
-    auto* onlyFlagged = new QCheckBox(tr("Only photos with a &flag"), column);
+    auto* onlyFlagged = new QCheckBox(tr("Only photos with a fla&g"), column);
     onlyFlagged->setObjectName("onlyFlagged");
     connect(onlyFlagged, &QCheckBox::toggled, &m_presenter->table(), &AlignProxy::setOnlyFlagged);
     m_table = new QTableView(column);

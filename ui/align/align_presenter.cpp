@@ -90,11 +90,17 @@ QString AlignPresenter::summary() const {
     for (const jobs::PhotoFinding& photo : m_findings->photos) {
         ++counts[photo.quality];
     }
-    QStringList sentences{tr("%n photo(s): %1 good, %2 doubtful, %3 failed.", nullptr,
+    QStringList sentences{tr("Alignment of %n photo(s): %1 good, %2 doubtful, %3 failed.", nullptr,
                              static_cast<int>(m_findings->photos.size()))
                               .arg(counts[survey::Quality::Good])
                               .arg(counts[survey::Quality::Doubtful])
                               .arg(counts[survey::Quality::Failed])};
+    const int undecided =
+        session()->state().count(Standing::Doubtful) + session()->state().count(Standing::Failed);
+    if (undecided > 0) {
+        sentences << tr("With what the checks found, %n photo(s) are to be looked at in Review.", nullptr,
+                        undecided);
+    }
     if (counts[std::nullopt] > 0) {
         sentences << tr("%n photo(s) came since, or were left out: align again.", nullptr,
                         counts[std::nullopt]);

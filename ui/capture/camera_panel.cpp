@@ -4,6 +4,7 @@
 #include "ui/capture/camera_login.h"
 #include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
+#include "ui/look/side_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
@@ -31,7 +33,8 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
       m_finder(finder),
       m_address(new QLineEdit(QSettings().value(kAddressKey, "192.168.1.1").toString(), this)),
       m_connect(new QPushButton(ui::icon("connect"), tr("&Connect"), this)),
-      m_practice(new QPushButton(ui::icon("capture"), tr("&Practice camera"), this)),
+      m_practice(new QPushButton(ui::icon("capture"), QString(), this)),
+      m_practiceWords(new QLabel(tr("PRACTICE: photos of a room that exists only in the program"), this)),
       m_hide(new QSpinBox(this)),
       m_automatic(new QCheckBox(tr("Shoot by &itself"), this)) {
     m_address->setObjectName("cameraAddress");
@@ -40,7 +43,10 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     m_connect->setObjectName("connectCamera");
     m_connect->setToolTip(tr("Ask the camera at this address how it is."));
     m_practice->setObjectName("practiceCamera");
-    m_practice->setToolTip(tr("Start a camera inside of the program, which photographs a practice room."));
+    m_practice->setToolTip(tr("The camera inside of the program, which photographs a practice room."));
+    m_practiceWords->setObjectName("practiceWords");
+    m_practiceWords->setWordWrap(true);
+    makeWarning(m_practiceWords);
     m_hide->setObjectName("hideSeconds");
     m_hide->setAccessibleName(tr("Time to hide"));
     m_hide->setRange(0, 60);
@@ -55,7 +61,7 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     grid->addWidget(m_connect, 0, 1);
     grid->addWidget(m_practice, 0, 2);
     auto* hideRow = new QHBoxLayout;
-    auto* hideLabel = new QLabel(tr("Time to &hide:"), this);
+    auto* hideLabel = new QLabel(tr("Ti&me to hide:"), this);
     hideLabel->setBuddy(m_hide);
     hideRow->addWidget(hideLabel);
     hideRow->addWidget(m_hide);
@@ -65,14 +71,15 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     m_preview = new PreviewView(m_desk.preview(), this);
     m_preview->setObjectName("livePreview");
     grid->addWidget(makeFinder(), 2, 0, 1, 3);
-    grid->addWidget(makeStatus(), 3, 0, 1, 3);
-    grid->addWidget(makeExposure(), 4, 0, 1, 3);
-    grid->addWidget(m_preview, 5, 0, 1, 3);
+    grid->addWidget(m_practiceWords, 3, 0, 1, 3);
+    grid->addWidget(makeStatus(), 4, 0, 1, 3);
+    grid->addWidget(makeExposure(), 5, 0, 1, 3);
+    grid->addWidget(m_preview, 6, 0, 1, 3);
     grid->setColumnStretch(0, 1);
     const auto connectCamera = [this] { connectAt(m_address->text()); };
     connect(m_connect, &QPushButton::clicked, this, connectCamera);
     connect(m_address, &QLineEdit::returnPressed, this, connectCamera);
-    connect(m_practice, &QPushButton::clicked, this, [this] { m_desk.connectToPractice(); });
+    connect(m_practice, &QPushButton::clicked, this, &CameraPanel::togglePractice);
     connect(m_hide, &QSpinBox::valueChanged, this, [this](int seconds) {
         QSettings().setValue(kHideKey, seconds);
         m_desk.setHideSeconds(seconds);
@@ -84,6 +91,28 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     connect(&m_finder, &CameraFinder::changed, this, &CameraPanel::showFound);
     showFound();
     showAll();
+}
+
+/// Asks first where practice photos would come into a survey of a real room.
+void CameraPanel::togglePractice() {
+    if (m_desk.hasPracticeCamera()) {
+        return m_desk.disconnectCamera();
+    }
+    if (m_desk.session() == nullptr || m_desk.isPracticeRoom()) {
+        return m_desk.connectToPractice();
+    }
+    auto* question =
+        new QMessageBox(QMessageBox::Warning, tr("Practice camera"),
+                        tr("The practice camera photographs a room of the program. Its photos would become "
+                           "photos of %1.")
+                            .arg(m_desk.session()->name()),
+                        QMessageBox::Cancel, this);
+    question->setObjectName("practiceQuestion");
+    question->addButton(tr("&Use it here"), QMessageBox::AcceptRole);
+    question->setDefaultButton(QMessageBox::Cancel);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QDialog::accepted, &m_desk, &CaptureDesk::connectToPractice);
+    question->open();
 }
 
 void CameraPanel::connectAt(const QString& address) {
@@ -199,7 +228,11 @@ void CameraPanel::showAll() {
          std::initializer_list<QWidget*>{m_address, m_connect, m_practice, m_automatic, m_found}) {
         widget->setEnabled(isFree);
     }
-    m_automatic->setVisible(m_desk.hasPracticeCamera());
+    const bool isPractice = m_desk.hasPracticeCamera();
+    m_practice->setText(isPractice ? tr("Leave the &practice camera") : tr("&Practice camera"));
+    m_practiceWords->setVisible(isPractice);
+    m_findWords->setVisible(!m_desk.camera()); // a camera that answers needs no advice
+    m_automatic->setVisible(isPractice);
     m_automatic->setChecked(m_desk.isAutomatic());
     m_profile->setText(tr("E&xposure: %1").arg(profileWords(m_desk.profile())));
     m_profile->setEnabled(m_desk.session() != nullptr && !m_desk.isRunning());
@@ -207,7 +240,10 @@ void CameraPanel::showAll() {
     const auto& status = m_desk.camera();
     const bool isConnecting = m_desk.state() == CaptureDesk::State::Connecting;
     const QString unknown = QString::fromUtf8("–");
-    m_model->setText(isConnecting ? tr("connecting...") : status ? status->model : tr("no camera"));
+    m_model->setText(isConnecting ? tr("connecting...")
+                     : !status    ? tr("no camera")
+                     : isPractice ? tr("practice camera")
+                                  : status->model);
     m_battery->setText(status && status->batteryFraction
                            ? tr("%1 %").arg(qRound(100 * *status->batteryFraction)) +
                                  (status->isCharging ? " " + tr("(charging)") : QString())

@@ -31,6 +31,7 @@ class CameraPanel : public QWidget {
     QWidget* makeStatus();
     QWidget* makeFinder();
     QWidget* makeExposure();
+    void togglePractice();
     void connectAt(const QString& address);
     void editProfile();
     void askLogin(const camera::Endpoint& endpoint, bool wasRefused);
@@ -42,6 +43,7 @@ class CameraPanel : public QWidget {
     QLineEdit* m_address;
     QPushButton* m_connect;
     QPushButton* m_practice;
+    QLabel* m_practiceWords;
     QSpinBox* m_hide;
     QCheckBox* m_automatic;
     QLabel* m_model = nullptr;

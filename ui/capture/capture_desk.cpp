@@ -4,6 +4,7 @@
 #include "ui/map/station_words.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/practice/practice_room.h"
 
 #include <algorithm>
 #include <utility>
@@ -37,6 +38,9 @@ CaptureDesk::~CaptureDesk() {
 
 void CaptureDesk::setSession(SurveySession* session) {
     stop();
+    if (m_isPractice) {
+        disconnectCamera(); // its photos belong to the survey that it was connected for
+    }
     if (m_session) {
         m_session->disconnect(this);
     }
@@ -113,6 +117,7 @@ void CaptureDesk::connectTo(const QString& address) {
         return failed(QString::fromStdString(error.sentence()));
     }
     m_isPractice = m_practice && m_practice->endpoint() == m_endpoint;
+    m_isAutomatic = m_isAutomatic && m_isPractice;
     m_status.reset();
     setState(State::Connecting);
     m_task = m_tasks.start(
@@ -127,6 +132,28 @@ void CaptureDesk::connectTo(const QString& address) {
         },
         [this](const CameraStatus& status) { connected(status); });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] { connectingEnded(task); });
+}
+
+void CaptureDesk::disconnectCamera() {
+    stop();
+    if (m_state == State::Connecting && m_task) {
+        m_task->stopAndWait();
+    }
+    const bool wasRunning = isRunning();
+    m_run += wasRunning ? 1 : 0;
+    m_endpoint = {};
+    m_isPractice = false;
+    m_isAutomatic = false;
+    m_startsWhenReady = false;
+    m_connectsAgain = false;
+    m_status.reset();
+    m_verdict.reset();
+    m_sentence.clear();
+    setState(wasRunning ? m_state : State::NoCamera);
+}
+
+bool CaptureDesk::isPracticeRoom() const {
+    return m_session && m_session->state().room.outline == practice::PracticeRoom().plan().outline;
 }
 
 void CaptureDesk::giveLogin(const camera::Endpoint& endpoint, const camera::Credentials& credentials,
@@ -151,6 +178,7 @@ void CaptureDesk::connectToPractice() {
     if (m_practice) {
         return connectTo(QString::fromStdString(m_practice->endpoint().name()));
     }
+    m_isPractice = true;
     setState(State::Connecting);
     m_task = m_tasks.start(
         tr("Starting the practice camera"), this,
@@ -168,6 +196,7 @@ void CaptureDesk::connectToPractice() {
 void CaptureDesk::connectingEnded(const Task* task) {
     if (m_task == task && m_state == State::Connecting) { // else it has led on
         m_state = State::NoCamera;
+        m_isPractice = false;
         failed(task->sentence());
         if (std::exchange(m_connectsAgain, false)) {
             connectTo(QString::fromStdString(m_endpoint.name()));
@@ -215,9 +244,9 @@ void CaptureDesk::showStatus(const CameraStatus& status) {
     emit changed();
 }
 
-void CaptureDesk::atStation(const store::StationRecord& station) {
+void CaptureDesk::atStation(const store::StationRecord& station, bool waitsForKey) {
     m_queue.goTo(station);
-    setState(m_isAutomatic ? State::Shooting : State::AtStation);
+    setState(waitsForKey ? State::AtStation : State::Shooting);
 }
 
 void CaptureDesk::askAgain(const store::StationRecord& station, const QString& sentence) {
@@ -335,7 +364,7 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
 void CaptureDesk::runDone(const Task* task) {
     ++m_run;
     m_timer.stop();
-    m_state = State::Ready;
+    m_state = m_status ? State::Ready : State::NoCamera;
     if (task->state() == Task::State::Failed) {
         failed(task->sentence());
         emit verdictGiven(survey::Quality::Failed);
@@ -364,6 +393,18 @@ void CaptureDesk::setAgain(std::int64_t station, bool isAgain) {
         return;
     }
     m_queue.setAgain(station, isAgain);
+    read();
+}
+
+void CaptureDesk::takeDoubtfulAgain() {
+    if (isRunning() || !m_session) {
+        return;
+    }
+    for (const auto& [station, standing] : m_session->state().standings) {
+        if (standing == Standing::Doubtful || standing == Standing::Failed) {
+            m_queue.setAgain(station, true);
+        }
+    }
     read();
 }
 

@@ -68,12 +68,19 @@ class CaptureDesk : public QObject {
 
     const PracticeSettings& practiceSettings() const { return m_practiceSettings; }
 
-    /// Connects to the practice camera of this program, which starts when it is first wanted.
+    /// Lets go of the camera. A run is asked to stop, and what it still tells is dropped.
+    void disconnectCamera();
+
+    /// Connects to the practice camera of this program, which starts when it is first wanted. The camera is
+    /// let go of when another survey is opened.
     void connectToPractice();
     /// Connects to the practice camera and then takes all photos without the key.
     void runPractice();
 
     bool hasPracticeCamera() const { return m_isPractice; }
+
+    /// Whether the survey is of the room that the practice camera photographs.
+    bool isPracticeRoom() const;
 
     /// Returns the practice camera of this program, or null before its first start.
     PracticeHost* practice() const { return m_practice.get(); }
@@ -89,8 +96,8 @@ class CaptureDesk : public QObject {
 
     int hideSeconds() const { return m_hideSeconds; }
 
-    /// Whether a run takes its photos without the key. Only the practice camera does, as it moves its own
-    /// cart.
+    /// Whether the next run takes its photos without the key. Only the practice camera does, as it moves its
+    /// own cart. Connecting to another camera ends it.
     void setAutomatic(bool isAutomatic);
 
     bool isAutomatic() const { return m_isAutomatic; }
@@ -121,7 +128,13 @@ class CaptureDesk : public QObject {
     /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances.
     QString wayText() const;
 
+    /// Returns how the rail of next() is laid; null while the cart is on it.
+    const survey::RailMark* railToLay() const { return m_queue.railToLay(); }
+
     int stationsLeft() const { return m_queue.size(); }
+
+    /// Whether every station has its photo and none is to be taken again.
+    bool isComplete() const { return stations() > 0 && stationsLeft() == 0 && !isRunning(); }
 
     int stations() const { return m_session ? static_cast<int>(m_session->state().stations.size()) : 0; }
 
@@ -143,6 +156,9 @@ class CaptureDesk : public QObject {
 
     /// Puts a station on that list or takes it off. A run that is on ignores the call.
     void setAgain(std::int64_t station, bool isAgain);
+
+    /// Puts every station on that list whose photo is doubtful or failed, and nobody has decided on.
+    void takeDoubtfulAgain();
 
     bool isAgain(std::int64_t station) const { return m_queue.isAgain(station); }
 
@@ -166,7 +182,7 @@ class CaptureDesk : public QObject {
     void shoot();
     void tick();
     void showStatus(const CameraStatus& status);
-    void atStation(const store::StationRecord& station);
+    void atStation(const store::StationRecord& station, bool waitsForKey);
     void askAgain(const store::StationRecord& station, const QString& sentence);
     void shooting();
     void ended(const store::StationRecord& station, survey::Quality quality, bool isThere,

@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -32,6 +33,14 @@ bool isShutterKey(int key) {
            key == Qt::Key_Right || key == Qt::Key_F5;
 }
 
+constexpr int kEdgePx = 18; ///< Width of the coloured edge of the cart's view.
+
+QColor verdictColour(survey::Quality quality) {
+    return quality == survey::Quality::Good       ? goodColour()
+           : quality == survey::Quality::Doubtful ? doubtfulColour()
+                                                  : failedColour();
+}
+
 } // namespace
 
 CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
@@ -48,8 +57,10 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
     column->addWidget(m_camera);
     column->addWidget(makeTarget(), 3);
     column->addWidget(makeVerdict());
-    column->addWidget(makeFigures(), 1);
-    column->addWidget(makeAgain());
+    m_figures = makeFigures();
+    column->addWidget(m_figures, 1);
+    m_againSection = makeAgain();
+    column->addWidget(m_againSection);
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_plan);
     splitter->addWidget(side);
@@ -62,6 +73,9 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
     layout->addWidget(splitter);
     setFocusPolicy(Qt::StrongFocus);
     m_plan->installEventFilter(this);
+    for (auto* button : findChildren<QAbstractButton*>()) {
+        button->installEventFilter(this);
+    }
     connect(&m_desk, &CaptureDesk::changed, this, &CaptureMode::showAll);
     connect(&m_desk, &CaptureDesk::verdictGiven, this,
             [this](survey::Quality quality) { m_sounds->play(quality); });
@@ -125,9 +139,33 @@ QWidget* CaptureMode::makeTarget() {
     column->addWidget(m_next, 1);
     column->addWidget(m_way);
     column->addLayout(row);
+    column->addWidget(makeNext());
     connect(m_key, &QPushButton::clicked, &m_desk, &CaptureDesk::trigger);
     connect(m_stop, &QPushButton::clicked, &m_desk, &CaptureDesk::stop);
     return target;
+}
+
+/// Makes the buttons of the end. Each has a key of its own, and the shutter key presses the first.
+QWidget* CaptureMode::makeNext() {
+    m_whatNext = new QWidget(this);
+    auto* row = new QHBoxLayout(m_whatNext);
+    row->setContentsMargins(0, 0, 0, 0);
+    const auto add = [&](const char* name) {
+        auto* button = new QPushButton(m_whatNext);
+        button->setObjectName(name);
+        button->setMinimumHeight(48);
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button, 1);
+        return button;
+    };
+    m_toReview = add("lookAtDoubtful");
+    m_retakeDoubtful = add("retakeDoubtful");
+    m_toAlign = add("goToAlign");
+    m_toAlign->setText(tr("Align (A)"));
+    connect(m_toReview, &QPushButton::clicked, this, [this] { emit pageRequested("review", "doubtful"); });
+    connect(m_retakeDoubtful, &QPushButton::clicked, &m_desk, &CaptureDesk::takeDoubtfulAgain);
+    connect(m_toAlign, &QPushButton::clicked, this, [this] { emit pageRequested("align"); });
+    return m_whatNext;
 }
 
 QWidget* CaptureMode::makeVerdict() {
@@ -201,13 +239,16 @@ void CaptureMode::toggleAgain() {
 }
 
 QString CaptureMode::stateText() const {
+    if (m_desk.isComplete()) {
+        return tr("Every station has its photo.");
+    }
     switch (m_desk.state()) {
     case State::NoCamera:
         return tr("Connect a camera, or try the practice camera.");
     case State::Connecting:
         return tr("Connecting...");
     case State::Ready:
-        return m_desk.next() ? tr("The next station:") : tr("Every station has its photo.");
+        return tr("The next station:");
     case State::Preparing:
         return tr("Preparing the camera...");
     case State::AtStation:
@@ -243,10 +284,12 @@ void CaptureMode::showAll() {
     const bool canPress = state == State::AtStation || state == State::AskAgain || state == State::Hiding ||
                           (state == State::Ready && m_desk.next());
     m_state->setText(stateText());
-    m_next->setText(m_desk.nextText());
+    const bool countsDown = m_isWhole && state == State::Hiding;
+    m_next->setText(countsDown ? QString::number(m_desk.countdown()) : m_desk.nextText());
     m_way->setText(m_desk.wayText());
     m_key->setText(keyText());
     m_key->setEnabled(canPress);
+    showNext();
     m_stop->setVisible(m_desk.isRunning());
     m_photosLeft->setText(QString::number(m_desk.stationsLeft()));
     m_timeLeft->setText(durationText(m_desk.timeLeft()));
@@ -255,6 +298,70 @@ void CaptureMode::showAll() {
     showVerdict();
     showAgain();
     takeFocus();
+}
+
+/// Shows what was taken and what comes next, in place of the key, once every station has its photo.
+void CaptureMode::showNext() {
+    const bool isComplete = m_desk.isComplete();
+    m_whatNext->setVisible(isComplete);
+    m_key->setVisible(!isComplete);
+    if (!isComplete) {
+        return;
+    }
+    const SurveyState& survey = m_desk.session()->state();
+    const int doubtful = survey.count(Standing::Doubtful);
+    const int failed = survey.count(Standing::Failed);
+    m_next->setText(tr("%1 taken, %2 doubtful, %3 failed").arg(m_desk.stations()).arg(doubtful).arg(failed));
+    const bool isDoubtful = doubtful + failed > 0;
+    m_toReview->setVisible(isDoubtful);
+    m_retakeDoubtful->setVisible(isDoubtful);
+    m_toReview->setText(tr("Look at %n in Review (R)", nullptr, doubtful + failed));
+    m_retakeDoubtful->setText(tr("Take %n again (T)", nullptr, doubtful + failed));
+    makePrimary(isDoubtful ? m_toReview : m_toAlign);
+    (isDoubtful ? m_toAlign : m_toReview)->setStyleSheet({});
+    m_way->setText(isDoubtful ? tr("Look at the doubtful photos while the rail is still here.")
+                              : tr("Next: solve how each photo is turned."));
+}
+
+/// Does what the shutter key means once every station has its photo.
+void CaptureMode::goOn() {
+    (m_toReview->isVisibleTo(this) ? m_toReview : m_toAlign)->click();
+}
+
+void CaptureMode::setWholeScreen(bool isWhole) {
+    constexpr double kFromAfar = 2.4;
+    if (isWhole == m_isWhole) {
+        return;
+    }
+    m_isWhole = isWhole;
+    for (QWidget* near : {static_cast<QWidget*>(m_camera), m_figures, m_againSection}) {
+        near->setVisible(!isWhole);
+    }
+    for (QWidget* words : std::initializer_list<QWidget*>{m_state, m_way, m_verdict, m_key}) {
+        QFont font = words->font();
+        font.setPointSizeF(font.pointSizeF() * (isWhole ? kFromAfar : 1 / kFromAfar));
+        words->setFont(font);
+    }
+    const int edge = isWhole ? kEdgePx : 0;
+    layout()->setContentsMargins(edge, edge, edge, edge);
+    showAll();
+}
+
+QList<Mode::Key> CaptureMode::keys() const {
+    return {{tr("Space, Return, Page Down"), tr("Start, shoot, try again, or end the countdown")},
+            {tr("Escape"), tr("Stop capturing")},
+            {QStringLiteral("R, T, A"), tr("At the end: review, take again, align")}};
+}
+
+/// Draws the edge of the cart's view.
+void CaptureMode::paintEvent(QPaintEvent* event) {
+    Mode::paintEvent(event);
+    if (m_isWhole && m_shownVerdict) {
+        QPainter painter(this);
+        painter.fillRect(rect(), verdictColour(*m_shownVerdict));
+        painter.fillRect(rect().adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx),
+                         palette().color(QPalette::Window));
+    }
 }
 
 /// Gives the page the focus when the shutter can be pressed. Otherwise Space would press the button that was
@@ -272,16 +379,15 @@ void CaptureMode::showVerdict() {
     const std::optional<survey::Quality> verdict = m_desk.verdict();
     if (verdict != m_shownVerdict) {
         constexpr int kIconPx = 36;
-        const QColor colour = verdict == survey::Quality::Good       ? goodColour()
-                              : verdict == survey::Quality::Doubtful ? doubtfulColour()
-                                                                     : failedColour();
-        m_verdictIcon->setPixmap(verdict ? colouredIcon(QString::fromUtf8(name(*verdict)), colour, kIconPx)
-                                         : QPixmap());
+        m_verdictIcon->setPixmap(
+            verdict ? colouredIcon(QString::fromUtf8(name(*verdict)), verdictColour(*verdict), kIconPx)
+                    : QPixmap());
         m_shownVerdict = verdict;
+        update(); // the edge has its colour
     }
     const QString sentence = m_desk.sentence();
-    m_verdict->setText(verdict == survey::Quality::Good && sentence.isEmpty() ? tr("The photo is stored.")
-                                                                              : sentence);
+    const bool isStored = verdict == survey::Quality::Good && sentence.isEmpty() && !m_desk.isComplete();
+    m_verdict->setText(isStored ? tr("The photo is stored.") : sentence);
 }
 
 void CaptureMode::showAgain() {
@@ -303,6 +409,18 @@ void CaptureMode::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         return m_desk.stop();
     }
+    if (m_desk.isComplete() && !event->isAutoRepeat()) {
+        QPushButton* button = event->key() == Qt::Key_R   ? m_toReview
+                              : event->key() == Qt::Key_T ? m_retakeDoubtful
+                              : event->key() == Qt::Key_A ? m_toAlign
+                                                          : nullptr;
+        if (button != nullptr && button->isVisibleTo(this)) {
+            return button->click();
+        }
+        if (isShutterKey(event->key())) {
+            return goOn();
+        }
+    }
     if (!isShutterKey(event->key())) {
         return Mode::keyPressEvent(event);
     }
@@ -312,8 +430,9 @@ void CaptureMode::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CaptureMode::eventFilter(QObject* watched, QEvent* event) {
-    // The plan has the focus after a click; the key must work all the same.
-    if (watched == m_plan && event->type() == QEvent::KeyPress) {
+    // The plan has the focus after a click, and a button after a Tab; the key must work all the same.
+    const bool takesKeys = watched == m_plan || m_desk.isRunning();
+    if (takesKeys && event->type() == QEvent::KeyPress) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (isShutterKey(key->key()) && key->key() != Qt::Key_Right) {
             keyPressEvent(key);

@@ -19,7 +19,9 @@ class CapturePlanView;
 class CameraPanel;
 
 /// The page that takes the photos. It shows the next station, one key and the result of each shot, readable
-/// from three metres. Space, Return, Page Down or a presenter's button is the key.
+/// from three metres. Space, Return, Page Down or a presenter's button is the key. Once every station has its
+/// photo, it says what comes next. On the whole screen it is the cart's view: only what one must read from
+/// afar, within an edge in the colour of the last result.
 class CaptureMode : public Mode {
     Q_OBJECT
 
@@ -30,6 +32,11 @@ class CaptureMode : public Mode {
     void setSession(SurveySession* session) override;
     void activated() override;
 
+    bool takesWholeScreen() const override { return true; }
+
+    void setWholeScreen(bool isWhole) override;
+    QList<Key> keys() const override;
+
     CaptureDesk& desk() { return m_desk; }
 
     CameraFinder& finder() { return m_finder; }
@@ -39,13 +46,17 @@ class CaptureMode : public Mode {
   protected:
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
   private:
+    QWidget* makeNext();
     QWidget* makeTarget();
     QWidget* makeFigures();
     QWidget* makeVerdict();
     QWidget* makeAgain();
     void showAll();
+    void showNext();
+    void goOn();
     void takeFocus();
     void showVerdict();
     void showAgain();
@@ -65,6 +76,13 @@ class CaptureMode : public Mode {
     QLabel* m_way = nullptr;
     QPushButton* m_key = nullptr;
     QPushButton* m_stop = nullptr;
+    QWidget* m_whatNext = nullptr; ///< Buttons for what comes after the last photo.
+    QPushButton* m_toReview = nullptr;
+    QPushButton* m_retakeDoubtful = nullptr;
+    QPushButton* m_toAlign = nullptr;
+    QWidget* m_figures = nullptr;
+    QWidget* m_againSection = nullptr;
+    bool m_isWhole = false;
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     BigText* m_photosLeft = nullptr;

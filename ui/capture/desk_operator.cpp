@@ -83,6 +83,8 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
                 throw;
             }
             // If the camera stays silent, the next shot will say more.
+            m_status.batteryFraction.reset();
+            postStatus();
             post([sentence = QString::fromStdString(error.sentence())](CaptureDesk& desk) {
                 desk.failed(sentence);
             });
@@ -95,7 +97,9 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
 
 void DeskOperator::moveTo(const store::StationRecord& station, const std::stop_token& stop) {
     m_desk.m_key.forget();
-    post([station](CaptureDesk& desk) { desk.atStation(station); });
+    post([station, waitsForKey = !m_options.isAutomatic](CaptureDesk& desk) {
+        desk.atStation(station, waitsForKey);
+    });
     if (!m_options.isAutomatic) {
         waitForKey(stop);
     }

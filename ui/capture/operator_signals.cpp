@@ -22,7 +22,7 @@ std::vector<StationMark> CapturePlanView::marks(const SurveyState& survey) const
     std::vector<StationMark> result = SurveyPlanView::marks(survey);
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
-            mark.standing = Standing::Doubtful;
+            mark.standing = Standing::Missing;
             mark.note = tr("to be taken again");
         }
     }
@@ -38,6 +38,7 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
     if (!m_desk.next()) {
         return;
     }
+    paintTapes(painter, widgetFromRoom);
     const Eigen::Vector3d& p = m_desk.next()->station.positionM;
     const QPointF at = mapped(p.head<2>(), widgetFromRoom);
     const double radius = std::clamp(0.02 * std::min(width(), height()) + 12, 14.0, 34.0);
@@ -50,22 +51,49 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
     }
 }
 
-/// Draws the letters of the corners, which tape distances name.
-void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const {
-    const Polygon& outline = room().outline;
-    const Bounds2 extent = bounds(outline);
-    const QPointF centre = mapped(0.5 * (extent.least + extent.greatest), widgetFromRoom);
+/// Draws the letters of the corners, which tape distances name, where the marking-out sheet has them too.
+void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFromRoom) {
+    constexpr double kAwayPx = 20;
+    constexpr double kRadiusPx = 8;
+    const double scale = pixelsPerMetre();
+    if (m_labelScale != scale || m_labelled != room().outline) {
+        m_labelScale = scale;
+        m_labelled = room().outline;
+        m_labels = survey::cornerLabels(room(), session()->state().plan, kAwayPx / scale, kRadiusPx / scale);
+    }
     QFont font = painter.font();
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(palette().color(QPalette::WindowText));
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const QPointF at = mapped(outline[i], widgetFromRoom);
-        const QLineF outwards(centre, at);
-        const QPointF label = outwards.length() > 0 ? at + 14 * (at - centre) / outwards.length() : at;
+    for (std::size_t i = 0; i < m_labels.size(); ++i) {
+        const QPointF corner = mapped(m_labelled[i], widgetFromRoom);
+        const QPointF label = mapped(m_labels[i], widgetFromRoom);
+        if (const double length = QLineF(corner, label).length(); length > kRadiusPx) {
+            painter.drawLine(corner, label - kRadiusPx / length * (label - corner));
+        }
         const QRectF box(label.x() - 12, label.y() - 9, 24, 18);
         painter.drawText(box, Qt::AlignCenter,
                          QString::fromStdString(survey::cornerName(static_cast<int>(i))));
+    }
+}
+
+/// Draws the rail that is to be laid, and the tapes from the corners to its ends with their lengths.
+void CapturePlanView::paintTapes(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const survey::RailMark* rail = m_desk.railToLay();
+    if (rail == nullptr) {
+        return;
+    }
+    const QColor ink = palette().color(QPalette::WindowText);
+    painter.setPen(QPen(ink, 3));
+    painter.drawLine(mapped(rail->first.point, widgetFromRoom), mapped(rail->last.point, widgetFromRoom));
+    for (const survey::MarkedPoint* point : {&rail->first, &rail->last}) {
+        const QPointF at = mapped(point->point, widgetFromRoom);
+        for (const survey::TapeDistance& tape : point->tapes) {
+            const QPointF corner =
+                mapped(room().outline[static_cast<std::size_t>(tape.corner)], widgetFromRoom);
+            painter.setPen(QPen(ink, 1, point == &rail->first ? Qt::SolidLine : Qt::DashLine));
+            painter.drawLine(corner, at);
+        }
     }
 }
 

@@ -11,8 +11,8 @@ namespace spherewalk::ui {
 
 class CaptureDesk;
 
-/// The plan of the survey with the next station as a large target, and with letters at the corners of the
-/// room, which tape distances name.
+/// The plan of the survey with the next station as a large target, the tapes that find the rail to be laid,
+/// and letters at the corners of the room, which tape distances name.
 class CapturePlanView : public SurveyPlanView {
     Q_OBJECT
 
@@ -24,9 +24,13 @@ class CapturePlanView : public SurveyPlanView {
     void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
 
   private:
-    void paintCorners(QPainter& painter, const QTransform& widgetFromRoom) const;
+    void paintCorners(QPainter& painter, const QTransform& widgetFromRoom);
+    void paintTapes(QPainter& painter, const QTransform& widgetFromRoom) const;
 
     const CaptureDesk& m_desk;
+    Polygon m_labelled;                    ///< The outline that m_labels belong to.
+    double m_labelScale = 0;               ///< Pixels a metre that m_labels belong to.
+    std::vector<Eigen::Vector2d> m_labels; ///< Places of the letters in the room.
 };
 
 /// A line of text that fills its widget, so that it can be read from three metres.

@@ -12,6 +12,7 @@ void StationQueue::begin(const SurveyState* survey) {
     m_again.clear();
     m_last.reset();
     m_next.reset();
+    m_pace = {};
     markRails(survey);
     read(survey);
 }
@@ -32,16 +33,18 @@ void StationQueue::read(const SurveyState* survey) {
                  });
 }
 
+const survey::RailMark* StationQueue::railToLay() const {
+    if (!m_next || m_next->station.placement < 0) {
+        return nullptr;
+    }
+    const int placement = m_next->station.placement;
+    const bool isOnRail = m_last && m_last->station.placement == placement;
+    return isOnRail ? nullptr : &m_rails[static_cast<std::size_t>(placement)];
+}
+
 QString StationQueue::wayWords() const {
-    if (!m_next) {
-        return {};
-    }
-    const survey::Station& station = m_next->station;
-    const bool isOnRail = m_last && m_last->station.placement == station.placement && station.placement >= 0;
-    if (isOnRail || station.placement < 0) {
-        return positionWords(station);
-    }
-    return railWords(m_rails[static_cast<std::size_t>(station.placement)]);
+    const survey::RailMark* rail = railToLay();
+    return rail != nullptr ? railWords(*rail) : m_next ? positionWords(m_next->station) : QString();
 }
 
 std::vector<store::StationRecord> StationQueue::again() const {

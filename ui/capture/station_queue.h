@@ -79,6 +79,9 @@ class StationQueue {
     /// Tells that the cart stands at next().
     void arrive() { m_last = m_next; }
 
+    /// Returns how the rail of next() is laid; null while the cart is on it, and without a rail.
+    const survey::RailMark* railToLay() const;
+
     /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances.
     QString wayWords() const;
 

@@ -70,6 +70,9 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
 }
 
 void ExportMode::setSession(SurveySession* session) {
+    constexpr int kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
+    const int photos = session != nullptr ? session->state().counts.stationsWithPhoto : 0;
+    m_scene->setCurrentIndex(photos >= kEnoughToMeasure ? m_scene->count() - 1 : 0);
     m_presenter->setSession(session);
     m_folder->setText(m_presenter->folder());
 }
@@ -87,12 +90,12 @@ QWidget* ExportMode::makeWhere() {
     m_folder->setToolTip(tr("A folder that does not exist yet"));
     connect(m_folder, &QLineEdit::textEdited, m_presenter, &ExportPresenter::setFolder);
     connect(m_folder, &QLineEdit::editingFinished, m_presenter, &ExportPresenter::check);
-    auto* choose = new QPushButton(tr("C&hoose..."), box);
+    auto* choose = new QPushButton(tr("Choose..."), box);
     connect(choose, &QPushButton::clicked, this, &ExportMode::chooseFolder);
     auto* row = new QHBoxLayout;
     row->addWidget(m_folder, 1);
     row->addWidget(choose);
-    auto* label = new QLabel(tr("&Folder"), box);
+    auto* label = new QLabel(tr("Fo&lder"), box);
     label->setBuddy(m_folder);
     form->addRow(label, row);
     m_scene = new QComboBox(box);
@@ -106,7 +109,7 @@ QWidget* ExportMode::makeWhere() {
     m_scene->setToolTip(
         tr("What views of places between photos can be computed with; cheaper ones come with it"));
     connect(m_scene, &QComboBox::currentIndexChanged, this, &ExportMode::applyOptions);
-    form->addRow(tr("Scene mode&l"), m_scene);
+    form->addRow(tr("S&cene model"), m_scene);
     form->addRow(tr("Eno&ugh for"), makeTolerance(box));
     m_markers = new QComboBox(box);
     m_markers->setObjectName("markers");
@@ -153,8 +156,14 @@ QWidget* ExportMode::makeBefore() {
     auto* row = new QHBoxLayout;
     row->addWidget(m_amount, 1);
     row->addWidget(m_check);
+    m_review = new QPushButton(tr("Look at them in &Review"), box);
+    m_review->setObjectName("toReview");
+    connect(m_review, &QPushButton::clicked, this, [this] { emit pageRequested("review", "doubtful"); });
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_findings, 1);
+    below->addWidget(m_review, 0, Qt::AlignTop);
     layout->addLayout(row);
-    layout->addWidget(m_findings);
+    layout->addLayout(below);
     return box;
 }
 
@@ -163,7 +172,7 @@ QWidget* ExportMode::makeAfter() {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     auto* row = new QHBoxLayout;
-    m_export = new QPushButton(tr("&Export"), box);
+    m_export = new QPushButton(tr("E&xport"), box);
     m_export->setObjectName("export");
     m_export->setMinimumHeight(36);
     m_export->setDefault(true);
@@ -245,6 +254,8 @@ void ExportMode::showAll() {
 
 void ExportMode::showFound() {
     const auto& found = m_presenter->found();
+    const int undecided = m_presenter->undecided();
+    m_review->setVisible(found && undecided > 0);
     m_check->setEnabled(m_presenter->session() != nullptr && !m_presenter->isChecking());
     if (!found) {
         m_amount->setText(m_presenter->session() == nullptr ? tr("No survey is open.")
@@ -262,6 +273,11 @@ void ExportMode::showFound() {
     }
     for (const std::string& doubt : found->doubts) {
         sentences << marked(Standing::Doubtful, QString::fromStdString(doubt));
+    }
+    if (undecided > 0) {
+        sentences << marked(
+            Standing::Doubtful,
+            tr("%n photo(s) are doubtful or failed, and nobody has decided.", nullptr, undecided));
     }
     if (sentences.isEmpty()) {
         sentences << marked(Standing::Accepted, tr("Nothing is missing or doubtful."));

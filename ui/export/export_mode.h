@@ -61,6 +61,7 @@ class ExportMode : public Mode {
     QCheckBox* m_opens = nullptr;
     QLabel* m_amount = nullptr;
     QLabel* m_findings = nullptr;
+    QPushButton* m_review = nullptr;
     QPushButton* m_check = nullptr;
     QPushButton* m_export = nullptr;
     TaskBar* m_progress = nullptr;

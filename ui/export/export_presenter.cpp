@@ -77,6 +77,12 @@ void ExportPresenter::check() {
     emit changed();
 }
 
+int ExportPresenter::undecided() const {
+    return session() == nullptr
+               ? 0
+               : session()->state().count(Standing::Doubtful) + session()->state().count(Standing::Failed);
+}
+
 bool ExportPresenter::canExport() const {
     return session() != nullptr && m_found && m_found->isPossible() && task() == nullptr;
 }

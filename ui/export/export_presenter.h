@@ -46,6 +46,9 @@ class ExportPresenter : public SurveyPresenter {
     /// Returns the result of the check; nothing before its end.
     const std::optional<jobs::ExportCheck>& found() const { return m_found; }
 
+    /// Returns the number of doubtful and failed photos on which nobody has decided.
+    int undecided() const;
+
     bool isChecking() const { return m_checking && m_checking->isRunning(); }
 
     bool canExport() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QIcon>
+#include <QList>
 #include <QString>
 #include <QWidget>
 
@@ -42,6 +43,24 @@ class Mode : public QWidget {
     /// Whether the window shows the plan of the survey beside the page.
     virtual bool wantsPlan() const { return false; }
 
+    /// Whether the page takes the whole screen in full screen, without menus and bars.
+    virtual bool takesWholeScreen() const { return false; }
+
+    /// Tells that the page has the whole screen, or has it no more.
+    virtual void setWholeScreen(bool /*isWhole*/) {}
+
+    /// A key of the page that is no shortcut of an action, and what it does.
+    struct Key {
+        QString name;
+        QString what;
+    };
+
+    /// Returns these keys for the list of all keys.
+    virtual QList<Key> keys() const { return {}; }
+
+    /// Shows a part of the page, such as a filter that another page has asked for.
+    virtual void showPart(const QString& /*part*/) {}
+
   signals:
     /// The page has become visible or hidden.
     void shownChanged(bool isShown);
@@ -51,6 +70,8 @@ class Mode : public QWidget {
     void openRequested(const QString& folder);
     /// Asks the window to begin a new survey.
     void newRequested();
+    /// Asks the window to show the page of this name, and there what showPart() knows by `part`.
+    void pageRequested(const QString& page, const QString& part = {});
 
   protected:
     void showEvent(QShowEvent* event) override;

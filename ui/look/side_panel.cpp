@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/side_panel.h"
 
+#include "ui/look/theme.h"
+
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
@@ -71,6 +73,12 @@ void makePrimary(QPushButton* button) {
                           "QPushButton:pressed { border-color: palette(base); }"
                           "QPushButton:disabled { background: palette(button); color: palette(mid);"
                           " border-color: palette(mid); }");
+}
+
+void makeWarning(QLabel* label) {
+    label->setStyleSheet(QString("background: %1; color: black; border-radius: 4px; padding: 4px 8px;"
+                                 " font-weight: bold;")
+                             .arg(doubtfulColour().name()));
 }
 
 } // namespace spherewalk::ui

@@ -44,4 +44,7 @@ class ColumnScrollArea : public QScrollArea {
 /// Gives the button the look of the one to press next. The icon stays as it is.
 void makePrimary(QPushButton* button);
 
+/// Gives the label the look of a warning that cannot be overlooked, in either theme.
+void makeWarning(QLabel* label);
+
 } // namespace spherewalk::ui

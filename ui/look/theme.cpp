@@ -4,7 +4,8 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace spherewalk::ui {
 
@@ -74,12 +75,42 @@ bool desktopIsDark() {
     return isDark;
 }
 
+/// Fusion with frames of check boxes and radio buttons that are seen in the dark as well.
+class FramedStyle : public QProxyStyle {
+  public:
+    FramedStyle() : QProxyStyle("Fusion") {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) {
+            return;
+        }
+        painter->save();
+        painter->setPen(option->palette.color(QPalette::PlaceholderText));
+        painter->setBrush(Qt::NoBrush);
+        if (element == PE_IndicatorCheckBox) {
+            painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        } else {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        }
+        painter->restore();
+    }
+};
+
 } // namespace
 
 void applyTheme(Theme theme) {
     const bool isDark = theme == Theme::Dark || (theme == Theme::System && desktopIsDark());
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new FramedStyle);
     QApplication::setPalette(isDark ? darkPalette() : lightPalette());
+    for (QWidget* widget : QApplication::allWidgets()) {
+        if (const QString sheet = widget->styleSheet(); !sheet.isEmpty()) {
+            widget->setStyleSheet({}); // a style sheet keeps the colours of the palette that it met first
+            widget->setStyleSheet(sheet);
+        }
+    }
 }
 
 QColor goodColour() {

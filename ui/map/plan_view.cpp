@@ -71,6 +71,10 @@ QColor PlanView::heatColour(double heat) {
     return QColor::fromRgbF(mix(0), mix(1), mix(2));
 }
 
+QString PlanView::emptyText() const {
+    return tr("No survey is open");
+}
+
 bool PlanView::showsGrid() const {
     return !m_room.outline.empty();
 }
@@ -98,7 +102,7 @@ const StationMark* PlanView::markAt(const QPointF& at) const {
 void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
     if (m_room.outline.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignCenter, tr("No survey is open"));
+        painter.drawText(rect(), Qt::AlignCenter, emptyText());
         return;
     }
     paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
@@ -219,13 +223,12 @@ void SurveyPlanView::refresh() {
 std::vector<StationMark> SurveyPlanView::marks(const SurveyState& survey) const {
     std::vector<StationMark> result;
     for (const store::StationRecord& station : survey.stations) {
-        const bool isMissing = survey.missing.contains(station.id);
         StationMark mark;
         mark.id = station.id;
         mark.positionM = station.station.positionM.head<2>();
         mark.name = stationWords(station.name);
-        mark.standing = isMissing ? Standing::Missing : Standing::Taken;
-        mark.note = isMissing ? tr("no photo yet") : tr("has a photo");
+        mark.standing = survey.standings.at(station.id);
+        mark.note = standingText(mark.standing);
         result.push_back(mark);
     }
     return result;

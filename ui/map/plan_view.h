@@ -54,6 +54,8 @@ class PlanView : public PlanCanvas {
   protected:
     void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
     bool showsGrid() const override;
+    /// Returns what a plan without a room says.
+    virtual QString emptyText() const;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -86,7 +88,7 @@ class SurveyPlanView : public PlanView {
     void refresh();
 
   protected:
-    /// Returns the marks of the stations. Here they tell whether a station has its photo.
+    /// Returns the marks of the stations. Here they tell the standing of each station's photo.
     virtual std::vector<StationMark> marks(const SurveyState& survey) const;
 
   private:

@@ -4,11 +4,13 @@
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace spherewalk::ui {
@@ -49,10 +51,24 @@ PanoramaPresenter::PanoramaPresenter(QObject* parent) : QObject(parent) {
 }
 
 void PanoramaPresenter::show(const std::optional<ShownPhoto>& photo) {
-    if (photo != m_photo) {
-        m_photo = photo;
-        want();
+    if (photo == m_photo) {
+        return;
     }
+    const bool isOther = !photo || !m_photo || photo->file != m_photo->file;
+    m_photo = photo;
+    if (isOther && photo && !photo->areas.empty()) {
+        lookAt(photo->areas.front());
+    }
+    want();
+}
+
+void PanoramaPresenter::lookAt(const PhotoArea& area) {
+    const Eigen::Vector3d inRoom =
+        m_photo->roomFromPhoto.rotation * direction(SphericalDirection{area.azimuth, area.elevation});
+    const SphericalDirection at = sphericalDirection(inRoom);
+    m_look.yaw = at.azimuth;
+    m_look.up = at.elevation;
+    m_look.fov = Degrees(90.0);
 }
 
 void PanoramaPresenter::setOther(const std::optional<ShownPhoto>& photo) {
@@ -166,6 +182,39 @@ QImage PanoramaPresenter::render(const ShownPhoto& photo, const QSize& sizePx) {
                       CameraModel(m_look.camera(sizePx.width(), sizePx.height())),
                       m_look.roomFromCamera(from), sampling, m_pixels);
     return qtImage(m_pixels);
+}
+
+std::vector<QPolygonF> PanoramaPresenter::outlines(const QSize& sizePx) const {
+    std::vector<QPolygonF> result;
+    if (!m_photo || sizePx.isEmpty()) {
+        return result;
+    }
+    constexpr int kCorners = 48;
+    constexpr double kLeastAhead = 0.05; // beside and behind the camera nothing can be drawn
+    const CameraModel camera(m_look.camera(sizePx.width(), sizePx.height()));
+    const Eigen::Quaterniond cameraFromPhoto =
+        m_look.roomFromCamera(Eigen::Vector3d::Zero()).rotation.conjugate() * m_photo->roomFromPhoto.rotation;
+    for (const PhotoArea& area : m_photo->areas) {
+        QPolygonF outline;
+        for (int i = 0; i <= kCorners; ++i) {
+            const double turn = 2 * std::numbers::pi * i / kCorners;
+            const SphericalDirection corner{area.azimuth + area.halfWidth * std::cos(turn),
+                                            area.elevation + area.halfHeight * std::sin(turn)};
+            const Eigen::Vector3d ray = cameraFromPhoto * direction(corner);
+            if (const auto pixel = camera.project(ray); pixel && ray.z() > kLeastAhead) {
+                outline << QPointF(pixel->x(), pixel->y());
+            }
+        }
+        if (outline.size() > 2) {
+            result.push_back(outline);
+        }
+    }
+    return result;
+}
+
+bool PanoramaPresenter::isComparingUnaligned() const {
+    return m_comparison != Comparison::Off && m_photo && m_other &&
+           !(m_photo->isAligned && m_other->isAligned);
 }
 
 QString PanoramaPresenter::remark() const {

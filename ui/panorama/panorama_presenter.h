@@ -9,9 +9,11 @@
 #include "spherewalk/render/panorama.h"
 
 #include <QImage>
+#include <QPolygonF>
 #include <QTimer>
 
 #include <optional>
+#include <vector>
 
 namespace spherewalk::ui {
 
@@ -35,14 +37,27 @@ struct Look {
     CameraIntrinsics camera(int width, int height) const;
 };
 
+/// An area of a photo that somebody must look at. Frames: the photo's panorama frame.
+struct PhotoArea {
+    Radians azimuth; ///< Of the middle, counter-clockwise from the picture's middle.
+    Radians elevation;
+    Radians halfWidth;
+    Radians halfHeight;
+
+    bool operator==(const PhotoArea& other) const = default;
+};
+
 /// A photo that the viewer shows.
 struct ShownPhoto {
     std::filesystem::path file;
     QString name; ///< Station and file, for people.
     Rigid3 roomFromPhoto;
+    bool isAligned = true; ///< Whether the rotation of roomFromPhoto is known.
+    std::vector<PhotoArea> areas = {};
 
     bool operator==(const ShownPhoto& other) const {
-        return file == other.file && name == other.name &&
+        return file == other.file && name == other.name && isAligned == other.isAligned &&
+               areas == other.areas &&
                roomFromPhoto.rotation.coeffs() == other.roomFromPhoto.rotation.coeffs() &&
                roomFromPhoto.translation == other.roomFromPhoto.translation;
     }
@@ -63,7 +78,7 @@ class PanoramaPresenter : public QObject {
   public:
     explicit PanoramaPresenter(QObject* parent = nullptr);
 
-    /// Shows this photo, or none. The look stays.
+    /// Shows this photo, or none. The look turns to the first area of another photo, and stays without one.
     void show(const std::optional<ShownPhoto>& photo);
     /// Sets the photo to compare with, or none.
     void setOther(const std::optional<ShownPhoto>& photo);
@@ -100,6 +115,13 @@ class PanoramaPresenter : public QObject {
     /// pixels the image is null.
     QImage picture(const QSize& sizePx);
 
+    /// Returns the outlines of the photo's areas in such a view, as far as they lie before the camera. Units:
+    /// pixels.
+    std::vector<QPolygonF> outlines(const QSize& sizePx) const;
+
+    /// Whether two photos are compared of which one is not aligned, so that they can be turned differently.
+    bool isComparingUnaligned() const;
+
     /// Says that a photo is being decoded, or why it cannot be; empty otherwise.
     QString remark() const;
 
@@ -110,6 +132,7 @@ class PanoramaPresenter : public QObject {
 
   private:
     void want();
+    void lookAt(const PhotoArea& area);
     QImage render(const ShownPhoto& photo, const QSize& sizePx);
     void move();
 

@@ -41,6 +41,7 @@ void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawImage(0, 0, picture);
     paintPlate(painter, rect(), Qt::AlignCenter, m_presenter->remark());
     if (m_presenter->photo()) {
+        paintAreas(painter);
         paintLine(painter);
         paintNames(painter);
         paintLook(painter);
@@ -49,6 +50,20 @@ void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+}
+
+/// Outlines what the checks found, in the photo that they found it in.
+void PanoramaView::paintAreas(QPainter& painter) const {
+    if (m_presenter->comparison() == Comparison::Blink && m_presenter->isOtherShown()) {
+        return;
+    }
+    painter.setBrush(Qt::NoBrush);
+    for (const QPolygonF& outline : m_presenter->outlines(size())) {
+        painter.setPen(QPen(QColor(0, 0, 0, 160), 5));
+        painter.drawPolyline(outline);
+        painter.setPen(QPen(doubtfulColour(), 2.5));
+        painter.drawPolyline(outline);
     }
 }
 
@@ -98,6 +113,10 @@ void PanoramaView::paintNames(QPainter& painter) const {
 }
 
 void PanoramaView::paintLook(QPainter& painter) const {
+    if (m_presenter->isComparingUnaligned()) {
+        paintPlate(painter, rect(), Qt::AlignBottom | Qt::AlignHCenter,
+                   tr("Not aligned yet: these photos may be turned differently. Align the survey first."));
+    }
     const Look& look = m_presenter->look();
     paintPlate(painter, rect(), Qt::AlignBottom | Qt::AlignRight,
                tr("heading %1°, %2° up, %3° wide")

@@ -34,6 +34,7 @@ class PanoramaView : public QWidget {
     bool isOnLine(const QPointF& at) const;
     void paintLine(QPainter& painter) const;
     void paintNames(QPainter& painter) const;
+    void paintAreas(QPainter& painter) const;
     void paintLook(QPainter& painter) const;
 
     PanoramaPresenter* m_presenter;

@@ -4,8 +4,10 @@
 #include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/survey/marking.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -19,6 +21,23 @@ namespace {
 struct PlanWords {
     Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::PlanWords)
 };
+
+/// Returns a sentence on the outline with the letters of its corners, as table and sheet have them, for their
+/// numbers.
+QString withLetters(const QString& sentence) {
+    if (!sentence.startsWith("The outline")) {
+        return sentence; // obstacles have numbers
+    }
+    static const QRegularExpression corner("(?:(?<=corner )|(?<=corners )|(?<=\\d and ))(\\d+)");
+    QString result;
+    qsizetype from = 0;
+    for (const QRegularExpressionMatch& found : corner.globalMatch(sentence)) {
+        result += sentence.mid(from, found.capturedStart(1) - from);
+        result += QString::fromStdString(survey::cornerName(found.captured(1).toInt() - 1));
+        from = found.capturedEnd(1);
+    }
+    return result + sentence.mid(from);
+}
 
 QString reasonWords(survey::UncoveredReason reason, const survey::PlanOptions& options) {
     switch (reason) {
@@ -65,7 +84,7 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
         outcome.report = survey::report(draft.room, draft.options, outcome.plan);
         return outcome;
     } catch (const Error& error) {
-        return {{}, {}, QString::fromStdString(error.sentence())};
+        return {{}, {}, withLetters(QString::fromStdString(error.sentence()))};
     } catch (const std::exception& defect) {
         return {{}, {}, QString::fromUtf8(defect.what())};
     }
@@ -112,8 +131,8 @@ SheetWords sheetWords() {
     result.title = words(PlanWords::tr("Marking out: %1"));
     result.summary = words(PlanWords::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
     result.scale = words(PlanWords::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
-    result.tableTitle =
-        words(PlanWords::tr("Where the rails lie: tape distances in metres from the corners of the room"));
+    result.tableTitle = words(
+        PlanWords::tr("Where the rails lie: metres by tape from two corners (and from a third, as a check)"));
     result.rail = words(PlanWords::tr("Rail"));
     result.stops = words(PlanWords::tr("Stops"));
     result.firstStop = words(PlanWords::tr("First stop (ring)"));

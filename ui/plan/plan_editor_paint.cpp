@@ -3,6 +3,7 @@
 #include "ui/plan/plan_editor_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spherewalk::ui {
 
@@ -95,7 +96,9 @@ void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetF
         const Polygon& polygon = m_editor.polygon(i);
         const bool isSelected = selected.polygon == i;
         if (isSelected || (i == PlanPart::kOutline && selected.polygon == PlanPart::kNone)) {
-            paintLengths(painter, polygon, widgetFromRoom, true);
+            const bool isOutline = i == PlanPart::kOutline;
+            paintLengths(painter, polygon, widgetFromRoom,
+                         isOutline ? LengthSide::Inside : LengthSide::Outside);
         }
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const QPointF at = mapped(polygon[k], widgetFromRoom);
@@ -109,9 +112,14 @@ void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetF
     }
 }
 
+/// Writes the lengths on the free floor beside the walls, so that those of a thin wall's sides stand apart.
 void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
-                                  bool isClosed) const {
-    const std::size_t walls = isClosed ? polygon.size() : polygon.size() - 1;
+                                  LengthSide side) const {
+    constexpr double kGapPx = 3;
+    const std::size_t walls = side == LengthSide::OnOpenLine ? polygon.size() - 1 : polygon.size();
+    const double turn = side == LengthSide::OnOpenLine                              ? 0
+                        : (signedArea(polygon) > 0) == (side == LengthSide::Inside) ? 1
+                                                                                    : -1;
     for (std::size_t i = 0; i < walls; ++i) {
         const Vector2d& begin = polygon[i];
         const Vector2d& end = polygon[(i + 1) % polygon.size()];
@@ -121,7 +129,11 @@ void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, con
         if (wall.length() < box.width() + 12) {
             continue;
         }
-        box.moveCenter(wall.center());
+        const QPointF along = (wall.p2() - wall.p1()) / wall.length();
+        const QPointF aside(turn * along.y(), -turn * along.x()); // y points down on the screen
+        const double reachPx =
+            0.5 * (std::abs(aside.x()) * (box.width() + 8) + std::abs(aside.y()) * box.height());
+        box.moveCenter(wall.center() + (turn == 0 ? 0 : reachPx + kGapPx) * aside);
         painter.setPen(Qt::NoPen);
         painter.setBrush(palette().color(QPalette::Window));
         painter.drawRoundedRect(box.adjusted(-4, -1, 4, 1), 4, 4);
@@ -143,7 +155,7 @@ void PlanEditorView::paintPen(QPainter& painter, const QTransform& widgetFromRoo
     painter.setPen(QPen(colour, 2, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(mapped(preview, widgetFromRoom));
-    paintLengths(painter, preview, widgetFromRoom, false);
+    paintLengths(painter, preview, widgetFromRoom, LengthSide::OnOpenLine);
     for (const Vector2d& corner : m_pen.corners()) {
         const QPointF at = mapped(corner, widgetFromRoom);
         painter.setPen(QPen(colour, 2));

@@ -157,7 +157,8 @@ void PlanEditorView::mouseMoveEvent(QMouseEvent* event) {
         update();
     } else if (m_pen.isDrawing()) {
         m_pen.moveTo(snappedPoint(at, event->modifiers()));
-        if (m_tool == Tool::Outline && m_pen.preview().size() >= 3) {
+        // While the line back to the first corner crosses a wall, the room is still to be drawn.
+        if (m_tool == Tool::Outline && !defect(m_pen.preview())) {
             m_editor.preview(m_pen.preview());
         }
         update();

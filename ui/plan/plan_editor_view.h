@@ -57,8 +57,11 @@ class PlanEditorView : public PlanCanvas {
     void paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintUncovered(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintSelection(QPainter& painter, const QTransform& widgetFromRoom) const;
+    /// Where the lengths of walls are written.
+    enum class LengthSide { Inside, Outside, OnOpenLine };
+
     void paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
-                      bool isClosed) const;
+                      LengthSide side) const;
     void paintPen(QPainter& painter, const QTransform& widgetFromRoom) const;
 
     /// Returns the corner, or else the obstacle, or else the polygon of the wall at this point of the widget.

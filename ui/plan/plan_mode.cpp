@@ -16,6 +16,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSplitter>
 #include <QToolBar>
@@ -34,17 +35,23 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     auto* side = new QWidget(this);
     auto* sideLayout = new QVBoxLayout(side);
     sideLayout->setContentsMargins(6, 6, 6, 6);
-    m_form = new NewSurveyForm(side);
+    m_form = new NewSurveyForm(this);
     m_locked = makeLocked();
-    m_stored = new QLabel(side);
+    m_stored = new QLabel(this);
     m_stored->setObjectName("planStored");
     sideLayout->addWidget(m_locked);
     sideLayout->addWidget(new PlanPanel(m_editor, side), 1);
     auto* study = new GridStudyPanel(m_study, side);
     sideLayout->addWidget(study);
-    sideLayout->addWidget(m_form);
-    sideLayout->addWidget(m_stored);
     auto* scroll = new ColumnScrollArea(side, this);
+    auto* column = new QWidget(this); // what ends the work stays in sight below
+    auto* columnLayout = new QVBoxLayout(column);
+    columnLayout->setContentsMargins(0, 0, 0, 0);
+    columnLayout->addWidget(scroll, 1);
+    columnLayout->addWidget(m_form);
+    columnLayout->addWidget(m_stored);
+    m_form->setContentsMargins(6, 0, 6, 6);
+    m_stored->setContentsMargins(10, 0, 6, 6);
     m_hint = new QLabel(this);
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(8, 2, 8, 4);
@@ -58,7 +65,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     drawingLayout->addWidget(m_hint);
     auto* splitter = new QSplitter(this);
     splitter->addWidget(drawing);
-    splitter->addWidget(scroll);
+    splitter->addWidget(column);
     splitter->setStretchFactor(0, 1);
     splitter->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
@@ -154,6 +161,7 @@ QWidget* PlanMode::makeScaleForm() {
     row->addWidget(apply);
     row->addStretch();
     connect(apply, &QPushButton::clicked, this, &PlanMode::applyLength);
+    connect(m_length->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &PlanMode::applyLength);
     m_scaleForm->hide();
     return m_scaleForm;
 }

@@ -186,7 +186,7 @@ QWidget* PlanPanel::makeGrid() {
     section->addRow(form, tr("C&learance"), m_clearance,
                     tr("Least distance from a stop to walls and obstacles."));
     section->addRow(
-        form, tr("Lens &height (m)"), m_heights,
+        form, tr("Le&ns height (m)"), m_heights,
         tr("Of the lens above the floor; several heights, separated by semicolons, make layers."));
     section->addRow(form, tr("Ce&iling"), m_ceiling, tr("Height of the ceiling above the floor."));
     section->addRow(form, tr("Time a &photo"), m_photoPace, tr("With moving the cart to the next stop."));
@@ -221,6 +221,7 @@ QWidget* PlanPanel::makeCorners() {
     auto* section = new Section(QString(), this);
     m_cornersTitle = section->title();
     m_corners = new QTableView(section);
+    m_corners->setTabKeyNavigation(false); // Tab leaves the table; arrows go from corner to corner
     m_corners->setObjectName("corners");
     m_corners->setAccessibleName(tr("Corners"));
     m_corners->setModel(new CornerModel(m_editor, this));

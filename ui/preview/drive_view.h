@@ -55,6 +55,9 @@ class RobotMap : public PlanView {
     explicit RobotMap(const PreviewPresenter& presenter, QWidget* parent = nullptr);
     ~RobotMap() override;
 
+  protected:
+    QString emptyText() const override { return tr("No dataset is open"); }
+
   private:
     class Layer;
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace spherewalk::ui {
 
@@ -86,6 +87,13 @@ QWidget* PreviewMode::makeBar() {
     open->setObjectName("open");
     open->setToolTip(tr("Look at a dataset that was exported before"));
     connect(open, &QPushButton::clicked, this, &PreviewMode::chooseDataset);
+    m_depth = new QCheckBox(tr("&With depth"), bar);
+    m_depth->setObjectName("withDepth");
+    m_depth->setChecked(true);
+    m_depth->setToolTip(tr("The depth of each pixel follows while you drive: right views between photos. "
+                           "Surveys of more than %1 photos are exported for that.")
+                            .arg(PreviewPresenter::kMostDeepened));
+    connect(m_depth, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setWantsDepth);
     m_what = new QLabel(bar);
     m_what->setObjectName("what");
     m_rate = new QLabel(bar);
@@ -100,6 +108,7 @@ QWidget* PreviewMode::makeBar() {
     m_save->setToolTip(tr("Render a frame at each pose of the recorded path, as the command walk does"));
     connect(m_save, &QPushButton::clicked, this, &PreviewMode::chooseFolder);
     layout->addWidget(m_make);
+    layout->addWidget(m_depth);
     layout->addWidget(open);
     layout->addWidget(m_what, 1);
     layout->addWidget(m_rate);
@@ -269,6 +278,7 @@ void PreviewMode::showDataset() {
     m_make->setEnabled(m_presenter->canMakeDataset());
     m_record->setEnabled(dataset != nullptr);
     showRungs();
+    takeMeasured();
     if (dataset == nullptr) {
         m_what->setText(m_presenter->isPreparing() ? tr("Preparing the preview...")
                                                    : tr("No dataset is open."));
@@ -279,10 +289,25 @@ void PreviewMode::showDataset() {
     m_what->setText(
         isOutdated
             ? tr("%1: the survey has changed since; preview it again.").arg(QString::fromStdString(info.name))
+        : m_presenter->isDeepening()
+            ? tr("%1: a sphere stands for the room; depth follows.").arg(QString::fromStdString(info.name))
             : tr("%1: %n photo(s)", nullptr, static_cast<int>(info.photos.size()))
                   .arg(QString::fromStdString(info.name)));
     const QSignalBlocker blocker(m_height);
     m_height->setValue(m_presenter->mount().heightM);
+}
+
+/// Takes the sampling that was measured to be enough, when a dataset with such a choice is opened.
+void PreviewMode::takeMeasured() {
+    const render::Dataset* dataset = m_presenter->dataset();
+    if (std::exchange(m_shownDataset, dataset) == dataset || dataset == nullptr) {
+        return;
+    }
+    const auto& choice = dataset->info().choice;
+    if (choice && choice->isFor(m_presenter->camera())) {
+        QComboBox* sampling = m_sides.front().sampling;
+        sampling->setCurrentIndex(sampling->findData(static_cast<int>(render::Sampling::Auto)));
+    }
 }
 
 /// Offers the scene models of the dataset, and names the ones that it would choose.

@@ -12,6 +12,10 @@ class QGridLayout;
 class QLabel;
 class QPushButton;
 
+namespace spherewalk::render {
+class Dataset;
+}
+
 namespace spherewalk::ui {
 
 class CameraBox;
@@ -51,6 +55,7 @@ class PreviewMode : public Mode {
     void showViews();
     void showRecording();
     void showRungs();
+    void takeMeasured();
     void applyMount();
     void applySides();
     void placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
@@ -60,6 +65,8 @@ class PreviewMode : public Mode {
     DriveView* m_view = nullptr;
     RobotMap* m_map = nullptr;
     QPushButton* m_make = nullptr;
+    const render::Dataset* m_shownDataset = nullptr; ///< The one whose measured choice was taken.
+    QCheckBox* m_depth = nullptr;
     QLabel* m_what = nullptr;
     QLabel* m_rate = nullptr;
     CameraBox* m_camera = nullptr;

@@ -64,6 +64,7 @@ PreviewPresenter::~PreviewPresenter() {
 }
 
 void PreviewPresenter::setSession(SurveySession* session) {
+    stopDeepening();
     if (m_folder) { // the dataset was the closed survey's
         m_folder.reset();
         use(nullptr);
@@ -86,6 +87,7 @@ void PreviewPresenter::openDataset(const QString& folder) {
         [path = std::filesystem::path(folder.toStdString())](
             ProgressSink& progress, const std::stop_token& stop) { return opened(path, progress, stop); },
         [this](SharedDataset dataset) {
+            stopDeepening();
             m_folder.reset();
             m_isOutdated = false;
             use(std::move(dataset));
@@ -98,28 +100,56 @@ void PreviewPresenter::makeDataset() {
         return;
     }
 
-    struct Made {
-        std::shared_ptr<TemporaryFolder> folder;
-        SharedDataset dataset;
-    };
-
-    m_preparing = m_tasks.start(
-        tr("Preparing the preview of %1").arg(session()->name()), this,
-        [survey = session()->path()](ProgressSink& progress, const std::stop_token& stop) {
-            const auto store = store::SurveyStore::open(survey, store::Access::Read);
-            auto folder = std::make_shared<TemporaryFolder>("spherewalk-preview");
-            jobs::ExportOptions options;
-            options.scene = jobs::knownScene(store, options.depth);
-            jobs::exportDataset(store, folder->path() / "dataset", options, progress, stop);
-            return Made{folder, opened(folder->path() / "dataset", noProgress(), stop)};
-        },
-        [this](Made made) {
-            m_folder = std::move(made.folder);
+    stopDeepening();
+    m_preparing = make(
+        tr("Preparing the preview of %1").arg(session()->name()), std::nullopt, [this](const Made& made) {
+            m_folder = made.folder;
             m_isOutdated = false;
-            use(std::move(made.dataset));
+            use(made.dataset);
+            if (m_wantsDepth && !made.hasDepth && made.dataset->info().photos.size() <= kMostDeepened) {
+                deepen();
+            }
         });
     connect(m_preparing, &Task::ended, this, &PreviewPresenter::datasetChanged);
     emit datasetChanged();
+}
+
+/// Computes the depth, and goes on with it where the robot is by then.
+void PreviewPresenter::deepen() {
+    m_deepening = make(tr("Depth for the preview of %1").arg(session()->name()), render::SceneKind::Depth,
+                       [this](const Made& made) {
+                           if (!m_deepening) {
+                               return; // another dataset is open meanwhile
+                           }
+                           m_folder = made.folder;
+                           drawFrom(made.dataset);
+                       });
+    connect(m_deepening, &Task::ended, this, &PreviewPresenter::datasetChanged);
+    emit datasetChanged();
+}
+
+void PreviewPresenter::stopDeepening() {
+    if (m_deepening) {
+        m_deepening->stop();
+        m_deepening.clear();
+    }
+}
+
+/// Exports the survey to a temporary folder. scene: nothing means the best that takes no time.
+Task* PreviewPresenter::make(const QString& title, std::optional<render::SceneKind> scene,
+                             std::function<void(const Made&)> done) {
+    return m_tasks.start(
+        title, this,
+        [survey = session()->path(), scene](ProgressSink& progress, const std::stop_token& stop) {
+            const auto store = store::SurveyStore::open(survey, store::Access::Read);
+            auto folder = std::make_shared<TemporaryFolder>("spherewalk-preview");
+            jobs::ExportOptions options;
+            options.scene = scene.value_or(jobs::knownScene(store, options.depth));
+            jobs::exportDataset(store, folder->path() / "dataset", options, progress, stop);
+            return Made{folder, opened(folder->path() / "dataset", noProgress(), stop),
+                        options.scene == render::SceneKind::Depth};
+        },
+        std::move(done));
 }
 
 const render::Dataset* PreviewPresenter::dataset() const {
@@ -128,16 +158,23 @@ const render::Dataset* PreviewPresenter::dataset() const {
 
 void PreviewPresenter::use(SharedDataset dataset) {
     setRecording(false);
-    m_worker.dropWaiting();
-    m_maker.reset();
-    m_renderer.reset();
-    m_views.clear();
     m_path.clear();
     if (dataset) {
         const render::DatasetInfo& info = dataset->info();
         m_drive = Drive(info.outline, info.obstacles);
         m_robot = middleOf(info);
         m_mount.heightM = info.photos.front().roomFromPhoto.translation.z();
+    }
+    drawFrom(std::move(dataset));
+}
+
+/// Makes views of this dataset from now on. The robot and its path stay.
+void PreviewPresenter::drawFrom(SharedDataset dataset) {
+    m_worker.dropWaiting();
+    m_maker.reset();
+    m_renderer.reset();
+    m_views.clear();
+    if (dataset) {
         m_renderer.emplace(std::move(dataset),
                            render::RendererOptions{512ULL << 20, render::VerifyPhotos::InBackground});
     }

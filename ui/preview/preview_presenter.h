@@ -29,7 +29,16 @@ class PreviewPresenter : public SurveyPresenter {
     /// Opens an exported dataset; message() says why if that fails.
     void openDataset(const QString& folder);
     /// Exports the open survey in a task and opens the dataset. Its temporary folder ends with the program.
+    /// What takes long follows: the depth of each pixel comes with a second dataset, unless it is there
+    /// already, is not wanted, or the survey has more than kMostDeepened photos.
     void makeDataset();
+    static constexpr int kMostDeepened = 60;
+
+    void setWantsDepth(bool isWanted) { m_wantsDepth = isWanted; }
+
+    /// Whether the depth of the preview is being computed.
+    bool isDeepening() const { return m_deepening && m_deepening->isRunning(); }
+
     bool canMakeDataset() const;
 
     /// Whether the task of makeDataset() runs.
@@ -94,7 +103,20 @@ class PreviewPresenter : public SurveyPresenter {
 
   private:
     void read() override;
+
+    /// A dataset that was made for the preview, with its folder.
+    struct Made {
+        std::shared_ptr<TemporaryFolder> folder;
+        std::shared_ptr<const render::Dataset> dataset;
+        bool hasDepth = false;
+    };
+
+    Task* make(const QString& title, std::optional<render::SceneKind> scene,
+               std::function<void(const Made&)> done);
+    void deepen();
+    void stopDeepening();
     void use(std::shared_ptr<const render::Dataset> dataset);
+    void drawFrom(std::shared_ptr<const render::Dataset> dataset);
     void rebuild();
     void order();
     void show(std::vector<MadeView> views);
@@ -106,6 +128,8 @@ class PreviewPresenter : public SurveyPresenter {
     std::shared_ptr<TemporaryFolder> m_folder; ///< Folder of makeDataset().
     bool m_isOutdated = false;
     QPointer<Task> m_preparing;
+    QPointer<Task> m_deepening;
+    bool m_wantsDepth = true;
     std::optional<render::Renderer> m_renderer;
     std::shared_ptr<ViewMaker> m_maker; ///< Used on the thread of the worker.
     Drive m_drive;

@@ -110,7 +110,14 @@ void CoverageLegend::paintEvent(QPaintEvent* /*event*/) {
              {Standing::Missing, Standing::Taken, Standing::Doubtful, Standing::Failed, Standing::Rejected}) {
             words << standingSign(standing) + QLatin1Char(' ') + standingText(standing);
         }
-        painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, words.join(QStringLiteral("   ")));
+        const QString text = words.join(QStringLiteral("   "));
+        const double share = inside.width() / std::max(1.0, double(fontMetrics().horizontalAdvance(text)));
+        if (share < 1) { // a narrow page shows all of it, smaller
+            QFont smaller = font();
+            smaller.setPointSizeF(0.98 * share * smaller.pointSizeF());
+            painter.setFont(smaller);
+        }
+        painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text);
         return;
     }
     const QString from = QStringLiteral("0");

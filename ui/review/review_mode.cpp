@@ -21,14 +21,14 @@
 
 namespace spherewalk::ui {
 
-ReviewMode::ReviewMode(TaskList& /*tasks*/, QWidget* parent)
-    : ReviewMode(ThumbnailCache::usualFolder(), parent) {
+ReviewMode::ReviewMode(TaskList& tasks, QWidget* parent)
+    : ReviewMode(tasks, ThumbnailCache::usualFolder(), parent) {
 }
 
-ReviewMode::ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent)
+ReviewMode::ReviewMode(TaskList& tasks, std::filesystem::path thumbnailFolder, QWidget* parent)
     : Mode("review", tr("Review"), tr("Look at the photos, and accept or reject them"), parent),
       m_viewer(new PanoramaView(this)),
-      m_presenter(new ReviewPresenter(std::move(thumbnailFolder), m_viewer->presenter(), this)) {
+      m_presenter(new ReviewPresenter(tasks, std::move(thumbnailFolder), m_viewer->presenter(), this)) {
     m_presenter->setShown(false);
     auto* columns = new QSplitter(this);
     columns->addWidget(makeList());
@@ -63,6 +63,16 @@ void ReviewMode::activated() {
     m_list->setFocus();
 }
 
+void ReviewMode::showPart(const QString& part) {
+    if (part == "doubtful" && m_presenter->session() != nullptr) {
+        const bool hasDoubtful = m_presenter->session()->state().count(Standing::Doubtful) > 0;
+        const auto filter = hasDoubtful ? ReviewFilter::Doubtful : ReviewFilter::Failed;
+        m_filter->setCurrentIndex(m_filter->findData(static_cast<int>(filter)));
+        m_presenter->setCurrent(std::nullopt);
+        m_presenter->step(1);
+    }
+}
+
 QWidget* ReviewMode::makeList() {
     auto* column = new QWidget(this);
     auto* layout = new QVBoxLayout(column);
@@ -91,6 +101,7 @@ QWidget* ReviewMode::makeList() {
     m_list->setModel(&m_presenter->list());
     m_list->setItemDelegate(new ReviewDelegate(m_list));
     m_list->setUniformItemSizes(true);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& index) {
@@ -101,10 +112,21 @@ QWidget* ReviewMode::makeList() {
     m_summary = new QLabel(column);
     m_summary->setObjectName("summary");
     m_summary->setWordWrap(true);
+    m_acceptGood = new QPushButton(column);
+    m_acceptGood->setObjectName("acceptGood");
+    m_acceptGood->setToolTip(tr("Accept every photo that the checks and the alignment call good"));
+    connect(m_acceptGood, &QPushButton::clicked, this,
+            [this] { m_presenter->decideAll(m_presenter->goodStations(), store::Decision::Accepted); });
+    m_check = new QPushButton(column);
+    m_check->setObjectName("checkPhotos");
+    m_check->setToolTip(tr("Judge the photos that no check has seen, such as imported ones"));
+    connect(m_check, &QPushButton::clicked, m_presenter, &ReviewPresenter::check);
     layout->addWidget(m_filter);
     layout->addWidget(m_search);
     layout->addWidget(m_list, 1);
     layout->addWidget(m_summary);
+    layout->addWidget(m_check);
+    layout->addWidget(m_acceptGood);
     return column;
 }
 
@@ -136,8 +158,14 @@ QWidget* ReviewMode::makeViewer() {
     m_neighbour->setAccessibleName(tr("Neighbour to compare with"));
     m_neighbour->setToolTip(tr("The neighbour to compare with: N for the next one"));
     m_neighbour->setEnabled(false);
+    m_align = new QPushButton(tr("Align first"), column);
+    m_align->setObjectName("toAlign");
+    m_align->setToolTip(tr("Photos that are not aligned may be turned differently"));
+    m_align->hide();
+    connect(m_align, &QPushButton::clicked, this, [this] { emit pageRequested("align"); });
     comparing->addWidget(m_comparison);
     comparing->addWidget(m_neighbour, 1);
+    comparing->addWidget(m_align);
     connect(m_comparison, &QComboBox::currentIndexChanged, this, &ReviewMode::compare);
     connect(m_neighbour, &QComboBox::currentIndexChanged, this,
             [this] { compare(m_comparison->currentIndex()); });
@@ -170,10 +198,7 @@ QWidget* ReviewMode::makeViewer() {
     const auto addDecision = [&](const QString& text, const QString& name, const QList<QKeySequence>& keys,
                                  const QString& toolTip, store::Decision decision) {
         QAction* action = makeAction(text, keys, toolTip);
-        connect(action, &QAction::triggered, this, [this, decision] {
-            keepNote();
-            m_presenter->decide(decision);
-        });
+        connect(action, &QAction::triggered, this, [this, decision] { decide(decision); });
         auto* button = new QToolButton(this);
         button->setObjectName(name);
         button->setDefaultAction(action);
@@ -238,6 +263,24 @@ QWidget* ReviewMode::makePlan() {
     return column;
 }
 
+std::vector<std::int64_t> ReviewMode::chosen() const {
+    std::vector<std::int64_t> stations;
+    for (const QModelIndex& index : m_list->selectionModel()->selectedIndexes()) {
+        stations.push_back(index.data(ReviewModel::StationRole).toLongLong());
+    }
+    return stations;
+}
+
+void ReviewMode::decide(store::Decision decision) {
+    keepNote();
+    const std::vector<std::int64_t> stations = chosen();
+    if (stations.size() > 1) {
+        m_presenter->decideAll(stations, decision);
+    } else {
+        m_presenter->decide(decision);
+    }
+}
+
 void ReviewMode::chooseReport() {
     const QString file = QFileDialog::getOpenFileName(this, tr("Report of a measured dataset"), {},
                                                       tr("Report (report.json *.json)"));
@@ -259,6 +302,18 @@ void ReviewMode::showRows() {
     m_plan->setRows(m_presenter->model().rows());
     showMeasure();
     m_summary->setText(m_presenter->summary());
+    showBatch();
+}
+
+/// Shows what can be done with many photos at once.
+void ReviewMode::showBatch() {
+    const int good = static_cast<int>(m_presenter->goodStations().size());
+    m_acceptGood->setText(tr("Accept all &good ones (%1)").arg(good));
+    m_acceptGood->setEnabled(good > 0 && m_presenter->canDecide());
+    const int unchecked = m_presenter->unchecked();
+    m_check->setText(tr("&Check %n photo(s)", nullptr, unchecked));
+    m_check->setVisible(unchecked > 0);
+    m_check->setEnabled(m_presenter->canDecide());
 }
 
 void ReviewMode::showCurrent() {
@@ -281,6 +336,7 @@ void ReviewMode::showCurrent() {
         action->setEnabled(hasPhoto && m_presenter->canDecide());
     }
     showNeighbours();
+    showBatch();
 }
 
 /// Shows the note of the photo. A note that is being written stays with its own photo.
@@ -313,6 +369,7 @@ void ReviewMode::showNeighbours() {
                                  .arg(100 * (neighbour->positionM - row->positionM).norm(), 0, 'f', 0));
     }
     m_neighbour->setCurrentIndex(std::min(std::max(0, chosen), m_neighbour->count() - 1));
+    m_align->setVisible(m_viewer->presenter().isComparingUnaligned());
 }
 
 void ReviewMode::compare(int comparison) {

@@ -3,11 +3,14 @@
 
 #include "ui/frame/mode.h"
 
+#include "spherewalk/store/records.h"
+
 #include <QList>
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 class QAction;
 class QComboBox;
@@ -31,17 +34,22 @@ class ReviewMode : public Mode {
   public:
     explicit ReviewMode(TaskList& tasks, QWidget* parent = nullptr);
     /// thumbnailFolder: the folder that keeps small pictures.
-    ReviewMode(std::filesystem::path thumbnailFolder, QWidget* parent);
+    ReviewMode(TaskList& tasks, std::filesystem::path thumbnailFolder, QWidget* parent);
 
     void setSession(SurveySession* session) override;
     void activated() override;
+    /// part: "doubtful" lists the doubtful photos, or the failed ones without any.
+    void showPart(const QString& part) override;
 
   private:
     QWidget* makeList();
     QWidget* makeViewer();
     QWidget* makePlan();
     QAction* makeAction(const QString& text, const QList<QKeySequence>& keys, const QString& toolTip);
+    void decide(store::Decision decision);
+    std::vector<std::int64_t> chosen() const;
     void showRows();
+    void showBatch();
     void showCurrent();
     void showNeighbours();
     void showNote();
@@ -56,6 +64,9 @@ class ReviewMode : public Mode {
     QComboBox* m_filter = nullptr;
     QLineEdit* m_search = nullptr;
     QLabel* m_summary = nullptr;
+    QPushButton* m_acceptGood = nullptr;
+    QPushButton* m_check = nullptr;
+    QPushButton* m_align = nullptr;
     QLabel* m_reasons = nullptr;
     QLineEdit* m_note = nullptr;
     std::optional<std::int64_t> m_notePhoto; ///< The photo that m_note belongs to.

@@ -2,6 +2,8 @@
 #include "ui/review/review_model.h"
 
 #include "ui/map/station_words.h"
+#include "ui/review/finding_words.h"
+#include "ui/session/standings.h"
 
 #include "spherewalk/jobs/judge_survey.h"
 
@@ -16,27 +18,6 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// found: result of the checks of the picture. aligned: result of the alignment.
-Standing standingOf(store::Decision decision, survey::Quality found, survey::Quality aligned) {
-    switch (decision) {
-    case store::Decision::Accepted:
-        return Standing::Accepted;
-    case store::Decision::Rejected:
-        return Standing::Rejected;
-    case store::Decision::Open:
-        break;
-    }
-    switch (std::max(found, aligned)) {
-    case survey::Quality::Good:
-        return Standing::Taken;
-    case survey::Quality::Doubtful:
-        return Standing::Doubtful;
-    case survey::Quality::Failed:
-        break;
-    }
-    return Standing::Failed;
-}
-
 void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem::path& folder) {
     row.photo = photo.id;
     row.file = folder / photo.fileName;
@@ -44,9 +25,17 @@ void fill(ReviewRow& row, const store::PhotoRecord& photo, const std::filesystem
     row.sha256 = QString::fromStdString(photo.fileSha256);
 }
 
+void addFlag(ReviewRow& row, const QString& sentence, const QString& reason) {
+    row.flags << sentence;
+    row.reasons << reason;
+    if (const auto area = areaOf(sentence)) {
+        row.areas.push_back(*area);
+    }
+}
+
 void fill(ReviewRow& row, const store::PhotoVerdict& verdict) {
     for (const photo::Finding& finding : jobs::verdictOf(verdict).findings) {
-        row.flags << QString::fromStdString(finding.sentence);
+        addFlag(row, QString::fromStdString(finding.sentence), shortText(finding));
     }
 }
 
@@ -55,13 +44,14 @@ void fill(ReviewRow& row, const jobs::PhotoFinding& finding) {
     row.sigmaYaw = finding.sigmaYaw;
     row.residual = finding.residual;
     for (const std::string& flag : finding.flags) {
-        row.flags << QString::fromStdString(flag);
+        const QString sentence = QString::fromStdString(flag);
+        addFlag(row, sentence, shortText(sentence));
     }
 }
 
 bool isSame(const ReviewRow& a, const ReviewRow& b) {
     return a.station == b.station && a.photo == b.photo && a.sha256 == b.sha256 && a.standing == b.standing &&
-           a.note == b.note && a.flags == b.flags && a.errorPx == b.errorPx;
+           a.note == b.note && a.flags == b.flags && a.isChecked == b.isChecked && a.errorPx == b.errorPx;
 }
 
 QString errorText(const ReviewRow& row) {
@@ -106,7 +96,8 @@ void paintThumbnail(QPainter& painter, const QRect& box, const QModelIndex& inde
 
 ShownPhoto ReviewRow::shown() const {
     return {file, QObject::tr("%1 (%2)").arg(stationName, fileName),
-            roomFromPhoto.value_or(Rigid3{Eigen::Quaterniond::Identity(), positionM})};
+            roomFromPhoto.value_or(Rigid3{Eigen::Quaterniond::Identity(), positionM}),
+            roomFromPhoto.has_value(), areas};
 }
 
 std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
@@ -132,10 +123,13 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             found.emplace(finding.photo, &finding);
         }
     }
+    const bool isAligned = findings && findings->solution.source == "align"; // an import grades nothing
+    const std::map<std::int64_t, Standing> standing = standings(store, findings);
     std::vector<ReviewRow> rows;
     for (const store::StationRecord& station : store.stations()) {
         ReviewRow row;
         row.station = station.id;
+        row.standing = standing.at(station.id);
         row.stationName = stationWords(station.name);
         row.positionM = station.station.positionM;
         if (const auto photo = photos.find(station.id); photo != photos.end()) {
@@ -152,10 +146,8 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             if (finding != found.end()) {
                 fill(row, *finding->second);
             }
-            row.standing = standingOf(
-                row.decision, verdict != verdicts.end() ? verdict->second.quality : survey::Quality::Good,
-                finding != found.end() ? finding->second->quality.value_or(survey::Quality::Good)
-                                       : survey::Quality::Good);
+            row.isChecked = verdict != verdicts.end() ||
+                            (isAligned && finding != found.end() && finding->second->quality);
         }
         rows.push_back(std::move(row));
     }
@@ -228,7 +220,7 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
     case NoteRole:
         return row.note;
     case ReasonRole:
-        return row.flags.join(' ');
+        return row.reasons.join(QStringLiteral(", "));
     case ErrorRole:
         return errorText(row);
     case UnreadableRole:

@@ -35,13 +35,16 @@ struct ReviewRow {
     QString sha256;
     store::Decision decision = store::Decision::Open;
     QString note;
-    QStringList flags; ///< Sentences of the checks and of the alignment.
+    QStringList flags;            ///< Sentences of the checks and of the alignment.
+    QStringList reasons;          ///< The same in short.
+    std::vector<PhotoArea> areas; ///< Areas of the photo that the flags tell of.
+    bool isChecked = false;       ///< The checks or the alignment have graded the photo.
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
     std::optional<Radians> residual;
     std::optional<double> errorPx; ///< Measured error of views at the place of the photo.
 
-    /// Returns the photo for the viewer; a photo that is not aligned is not turned. Range: a row with a
+    /// Returns the photo for the viewer, with the areas of its flags. Range: a row with a
     /// photo.
     ShownPhoto shown() const;
 };
@@ -63,7 +66,7 @@ class ReviewModel : public QAbstractListModel {
         StationRole = Qt::UserRole, ///< Id of the station.
         StandingRole,
         NoteRole,
-        ReasonRole, ///< All flags in one text.
+        ReasonRole, ///< All reasons in one short text.
         UnreadableRole,
         ErrorRole, ///< "3.4 px"; empty without a measurement.
     };

@@ -5,6 +5,7 @@
 #include "ui/frame/settings.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/jobs/judge_survey.h"
 #include "spherewalk/scene/room_fit.h"
 
 #include <QFileInfo>
@@ -89,9 +90,10 @@ void SurveyWatch::look(bool isKnown) {
                   });
 }
 
-ReviewPresenter::ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
-                                 QObject* parent)
+ReviewPresenter::ReviewPresenter(TaskList& tasks, std::filesystem::path thumbnailFolder,
+                                 PanoramaPresenter& viewer, QObject* parent)
     : SurveyPresenter(parent),
+      m_tasks(tasks),
       m_viewer(viewer),
       m_thumbnails(std::move(thumbnailFolder)),
       m_model(m_thumbnails),
@@ -210,6 +212,57 @@ void ReviewPresenter::decide(store::Decision decision) {
         step(1); // before: a decided photo may leave the list
     }
     m_reviewer.decide({photo}, decision);
+}
+
+void ReviewPresenter::decideAll(const std::vector<std::int64_t>& stations, store::Decision decision) {
+    std::vector<std::int64_t> photos;
+    for (const std::int64_t station : stations) {
+        const ReviewRow* row = m_model.rowOf(station);
+        if (row != nullptr && row->photo) {
+            photos.push_back(*row->photo);
+        }
+    }
+    if (!photos.empty()) {
+        m_reviewer.decide(photos, decision);
+    }
+}
+
+std::vector<std::int64_t> ReviewPresenter::goodStations() const {
+    std::vector<std::int64_t> result;
+    for (const ReviewRow& row : m_model.rows()) {
+        if (row.isChecked && row.standing == Standing::Taken) {
+            result.push_back(row.station);
+        }
+    }
+    return result;
+}
+
+int ReviewPresenter::unchecked() const {
+    return static_cast<int>(std::count_if(m_model.rows().begin(), m_model.rows().end(),
+                                          [](const ReviewRow& row) { return row.photo && !row.isChecked; }));
+}
+
+void ReviewPresenter::check() {
+    if (!canDecide() || (m_checking && m_checking->isRunning())) {
+        return;
+    }
+    m_checking = m_tasks.start(
+        tr("Checking photos"), this,
+        [folder = session()->path()](ProgressSink& progress, const std::stop_token& stop) {
+            auto store = store::SurveyStore::open(folder, store::Access::Write);
+            return jobs::judgeSurvey(store, false, progress, stop);
+        },
+        [this](const jobs::JudgeReport& report) {
+            emit message(tr("%n photo(s) checked: %1 good, %2 doubtful, %3 failed.", nullptr, report.judged)
+                             .arg(report.good)
+                             .arg(report.doubtful)
+                             .arg(report.failed));
+        });
+    connect(m_checking, &Task::ended, this, [this] {
+        if (session() != nullptr) {
+            session()->noteChanged(SurveySession::Photos);
+        }
+    });
 }
 
 void ReviewPresenter::setNote(std::int64_t photo, const QString& note) {

@@ -6,6 +6,7 @@
 #include "ui/session/photo_reviewer.h"
 #include "ui/session/survey_session.h"
 #include "ui/tasks/background_worker.h"
+#include "ui/tasks/task.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -46,8 +47,8 @@ class ReviewPresenter : public SurveyPresenter {
     Q_OBJECT
 
   public:
-    explicit ReviewPresenter(std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
-                             QObject* parent = nullptr);
+    ReviewPresenter(TaskList& tasks, std::filesystem::path thumbnailFolder, PanoramaPresenter& viewer,
+                    QObject* parent = nullptr);
 
     void setSession(SurveySession* session) override;
 
@@ -63,6 +64,15 @@ class ReviewPresenter : public SurveyPresenter {
 
     /// Decides on the current photo. After accepting or rejecting it goes on to the next one.
     void decide(store::Decision decision);
+    /// Decides on the photos of these stations in one step.
+    void decideAll(const std::vector<std::int64_t>& stations, store::Decision decision);
+
+    /// Returns the stations whose photo the checks and the alignment call good, and nobody has decided on.
+    std::vector<std::int64_t> goodStations() const;
+    /// Returns the number of photos that no check has seen.
+    int unchecked() const;
+    /// Checks these photos in a task.
+    void check();
     void setNote(std::int64_t photo, const QString& note);
 
     /// Returns the photos near the current one, nearest first, for a comparison.
@@ -96,6 +106,7 @@ class ReviewPresenter : public SurveyPresenter {
     void takeErrors(const QString& reportFile);
     QString surveyId() const;
 
+    TaskList& m_tasks;
     PanoramaPresenter& m_viewer;
     ThumbnailCache m_thumbnails;
     ReviewModel m_model;
@@ -107,6 +118,7 @@ class ReviewPresenter : public SurveyPresenter {
     std::optional<jobs::MeasuredPhotos> m_errors;
     QString m_errorsFile;    ///< The report that the errors come from.
     QDateTime m_errorsSince; ///< Time of its last change.
+    QPointer<Task> m_checking;
 };
 
 } // namespace spherewalk::ui

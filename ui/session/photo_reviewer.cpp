@@ -48,6 +48,8 @@ class ReviewCommand : public QUndoCommand {
         }
         try {
             record(*m_session, reviews);
+            // What has changed is shown.
+            m_session->selection()->setCurrent(m_session->store().photo(reviews.front().photo).station);
         } catch (const Error& error) {
             setObsolete(true);
             if (m_reviewer) {

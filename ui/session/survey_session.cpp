@@ -3,6 +3,8 @@
 
 #include "spherewalk/base/error.h"
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 using store::Access;
@@ -32,7 +34,21 @@ SurveyState readState(const store::SurveyStore& store) {
         state.missing.insert(station.id);
     }
     state.counts = store.counts();
+    try {
+        state.findings = jobs::activeFindings(store);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Corrupt) {
+            throw;
+        }
+        // The pages that show findings read them again and say it.
+    }
+    state.standings = standings(store, state.findings);
     return state;
+}
+
+int SurveyState::count(Standing standing) const {
+    return static_cast<int>(std::count_if(standings.begin(), standings.end(),
+                                          [&](const auto& one) { return one.second == standing; }));
 }
 
 std::unique_ptr<SurveySession> SurveySession::open(const QString& folder) {

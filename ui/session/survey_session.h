@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/standings.h"
 #include "ui/tasks/background_worker.h"
 
 #include "spherewalk/store/survey_store.h"
@@ -12,6 +13,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,6 +31,12 @@ struct SurveyState {
     std::vector<store::StationRecord> stations; ///< In walking order.
     std::set<std::int64_t> missing;             ///< Ids of the stations without a photo.
     store::Counts counts;
+    /// What the active solution says; nothing without one, or with one that cannot be read.
+    std::optional<jobs::SolutionFindings> findings;
+    std::map<std::int64_t, Standing> standings; ///< Standing of each station's photo, by station.
+
+    /// Returns the number of stations whose photo has this standing.
+    int count(Standing standing) const;
 };
 
 /// Reads the state from the database. Errors: those of the store.

@@ -120,6 +120,7 @@ void MainWindow::makeBar() {
     QAction* home = m_bar->addAction(ui::icon("home"), tr("Start"), this, [this] { showMode(nullptr); });
     home->setToolTip(tr("The start page (Ctrl+0)"));
     home->setShortcut(QKeySequence("Ctrl+0"));
+    addAction(home);
     m_modes = makeModes(m_tasks, this);
     int number = 0;
     for (Mode* mode : std::as_const(m_modes)) {
@@ -131,62 +132,13 @@ void MainWindow::makeBar() {
         action->setToolTip(
             tr("%1 (%2)").arg(mode->hint(), action->shortcut().toString(QKeySequence::NativeText)));
         m_modeActions->addAction(action);
+        addAction(action);
         connect(mode, &Mode::message, this, &MainWindow::say);
         connect(mode, &Mode::openRequested, this, &MainWindow::openSurvey);
         connect(mode, &Mode::newRequested, this, &MainWindow::beginSurvey);
+        connect(mode, &Mode::pageRequested, this, &MainWindow::showPage);
         ++number;
     }
-}
-
-void MainWindow::makeMenus() {
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& key, auto slot) {
-        QAction* action = menu->addAction(text, this, slot);
-        action->setShortcut(key);
-        return action;
-    };
-    add(file, tr("&New survey"), QKeySequence::New, &MainWindow::beginSurvey);
-    add(file, tr("&Open survey..."), QKeySequence::Open, &MainWindow::chooseSurvey);
-    add(file, tr("&Practice room"), {}, &MainWindow::runPractice);
-    add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
-    file->addSeparator();
-    add(file, tr("&Quit"), QKeySequence::Quit, &QWidget::close);
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = m_undo->createUndoAction(this, tr("&Undo"));
-    undo->setShortcut(QKeySequence::Undo);
-    QAction* redo = m_undo->createRedoAction(this, tr("&Redo"));
-    redo->setShortcut(QKeySequence::Redo);
-    edit->addActions({undo, redo});
-    makeView(menuBar()->addMenu(tr("&View")));
-    add(menuBar()->addMenu(tr("&Help")), tr("&About Spherewalk"), {}, &MainWindow::showAbout);
-}
-
-void MainWindow::makeView(QMenu* view) {
-    QAction* full = view->addAction(tr("&Full screen"));
-    full->setShortcut(Qt::Key_F11);
-    full->setCheckable(true);
-    connect(full, &QAction::toggled, this, [this](bool isFull) { isFull ? showFullScreen() : showNormal(); });
-    view->addAction(m_planDock->toggleViewAction());
-    QAction* tasks = m_tasksDock->toggleViewAction();
-    tasks->setShortcut(QKeySequence("Ctrl+T"));
-    view->addAction(tasks);
-    QMenu* looks = view->addMenu(tr("&Appearance"));
-    addTheme(looks, Theme::System, tr("As the &desktop"));
-    addTheme(looks, Theme::Light, tr("&Light"));
-    addTheme(looks, Theme::Dark, tr("Da&rk"));
-}
-
-void MainWindow::addTheme(QMenu* menu, Theme theme, const QString& text) {
-    auto* group = menu->findChild<QActionGroup*>();
-    group = group != nullptr ? group : new QActionGroup(menu);
-    QAction* action = menu->addAction(text);
-    action->setCheckable(true);
-    action->setChecked(Settings().theme() == theme);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [theme] {
-        Settings().setTheme(theme);
-        applyTheme(theme);
-    });
 }
 
 void MainWindow::makeStart() {
@@ -227,6 +179,7 @@ void MainWindow::showMode(Mode* mode) {
     for (qsizetype i = 0; i < m_modes.size(); ++i) {
         actions[i]->setChecked(m_modes[i] == mode);
     }
+    showBars();
     m_planDock->setVisible(m_wantsPlan && m_session && mode != nullptr && mode->wantsPlan());
     if (mode != nullptr) {
         mode->activated();
@@ -235,11 +188,33 @@ void MainWindow::showMode(Mode* mode) {
     }
 }
 
+/// Hides menus and bars on the whole screen, where the page wants that.
+void MainWindow::showBars() {
+    const Mode* shown = mode();
+    const bool isWhole = isFullScreen() && shown != nullptr && shown->takesWholeScreen();
+    for (QWidget* bar : std::initializer_list<QWidget*>{menuBar(), m_bar, statusBar()}) {
+        bar->setVisible(!isWhole);
+    }
+    for (Mode* mode : std::as_const(m_modes)) {
+        mode->setWholeScreen(isWhole && mode == shown);
+    }
+}
+
+void MainWindow::showPage(const QString& name, const QString& part) {
+    for (Mode* mode : std::as_const(m_modes)) {
+        if (mode->objectName() == name) {
+            showMode(mode);
+            mode->showPart(part);
+        }
+    }
+}
+
 void MainWindow::enableModes() {
     const QList<QAction*> actions = m_modeActions->actions();
     for (qsizetype i = 0; i < m_modes.size(); ++i) {
         actions[i]->setEnabled(m_session || m_modes[i]->worksWithoutSurvey());
     }
+    m_import->setEnabled(m_session != nullptr);
 }
 
 bool MainWindow::openSurvey(const QString& folder) {
@@ -339,11 +314,6 @@ void MainWindow::runPractice() {
         showMode(capture);
         capture->desk().runPractice();
     }
-}
-
-void MainWindow::showAbout() {
-    say(tr("Spherewalk %1, free software under the GNU General Public License, version 3 or later.")
-            .arg(QCoreApplication::applicationVersion()));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -10,6 +10,7 @@
 
 #include <memory>
 
+class QAction;
 class QActionGroup;
 class QDockWidget;
 class QLabel;
@@ -21,6 +22,7 @@ class QWidget;
 
 namespace spherewalk::ui {
 
+class HelpWindow;
 class Mode;
 class StartPage;
 class SurveyPlanView;
@@ -56,6 +58,9 @@ class MainWindow : public QMainWindow {
     /// Null: the start page.
     void showMode(Mode* mode);
 
+    /// Takes photos into the open survey, in a task. positions: a CSV file. photos: their folder.
+    void importPhotos(const QString& positions, const QString& photos);
+
     /// Puts a sentence into the status line.
     void say(const QString& sentence);
 
@@ -70,11 +75,17 @@ class MainWindow : public QMainWindow {
     void makeView(QMenu* view);
     void addTheme(QMenu* menu, Theme theme, const QString& text);
     void chooseUndo(Mode* mode);
+    void showPage(const QString& name, const QString& part);
     void chooseSurvey();
     void beginSurvey();
     void showCounts();
     void showTasks();
     void showAbout();
+    void showGuide();
+    void showKeys();
+    void showBars();
+    void chooseImport();
+    HelpWindow& help();
     void enableModes();
     template <class Wanted>
     Wanted* findMode() const;
@@ -92,6 +103,8 @@ class MainWindow : public QMainWindow {
     QDockWidget* m_tasksDock;
     QLabel* m_counts;
     QToolButton* m_tasksButton;
+    HelpWindow* m_help = nullptr;
+    QAction* m_import = nullptr;
     bool m_wantsPlan = true; ///< Whether the user wants the plan beside the pages.
 };
 

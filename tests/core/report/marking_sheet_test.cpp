@@ -136,15 +136,14 @@ TEST(MarkingSheet, MarksEachStopWhereItIs) {
     EXPECT_GT(stops, 10U);
 }
 
-TEST(MarkingSheet, NamesCornersAndLengthsOutsideOfTheRoom) {
+TEST(MarkingSheet, NamesLengthsOutsideOfTheRoom) {
     const Sheet sheet;
     const test::PdfPage page = sheet.pages().front();
     Polygon walls;
     for (const Eigen::Vector2d& corner : sheet.room.outline) {
         walls.push_back(sheet.onPaper(corner));
     }
-    for (const auto& [words, times] :
-         {std::pair("A", 1U), {"B", 1U}, {"C", 1U}, {"D", 1U}, {"5.00 m", 2U}, {"4.00 m", 2U}}) {
+    for (const auto& [words, times] : {std::pair("5.00 m", 2U), {"4.00 m", 2U}}) {
         const std::vector<test::PdfWords> found = allOf(page, words);
         EXPECT_EQ(found.size(), times) << words;
         for (const test::PdfWords& one : found) {
@@ -153,6 +152,74 @@ TEST(MarkingSheet, NamesCornersAndLengthsOutsideOfTheRoom) {
             }
             EXPECT_GE(one.at.x(), 0) << words;
             EXPECT_LE(one.rightMm(), page.widthMm) << words;
+        }
+    }
+}
+
+TEST(MarkingSheet, NamesEachCornerOfAThinWallOnItsOwnSide) {
+    for (const double depth : {4.0, 9.0}) { // in two scales
+        Sheet sheet;
+        const double door = 0.4 * depth;
+        sheet.room.outline = {{0, 0},          {3, 0},        {3, door},  {3.1, door},
+                              {3.1, 0},        {6, 0},        {6, depth}, {3.1, depth},
+                              {3.1, door + 1}, {3, door + 1}, {3, depth}, {0, depth}};
+        sheet.plan = survey::plan(sheet.room, sheet.options);
+        const test::PdfPage page = sheet.pages().front();
+        Polygon walls;
+        for (const Eigen::Vector2d& corner : sheet.room.outline) {
+            walls.push_back(sheet.onPaper(corner));
+        }
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            const std::string name = survey::cornerName(static_cast<int>(i));
+            const std::vector<test::PdfWords> found = allOf(page, name);
+            ASSERT_EQ(found.size(), 1U) << name;
+            const Eigen::Vector2d middle = found[0].at + Eigen::Vector2d(0.5 * found[0].widthMm, -1.3);
+            const auto nearest =
+                std::min_element(walls.begin(), walls.end(), [&](const auto& a, const auto& b) {
+                    return (a - middle).norm() < (b - middle).norm();
+                });
+            EXPECT_EQ(nearest - walls.begin(), static_cast<std::ptrdiff_t>(i)) << name;
+            for (const double x : {0.0, 1.0}) {
+                for (const double y : {0.0, -0.7}) {
+                    EXPECT_TRUE(contains(
+                        walls, found[0].at + Eigen::Vector2d(x * found[0].widthMm, y * found[0].heightMm)))
+                        << name;
+                }
+            }
+            EXPECT_TRUE(std::any_of(page.segments.begin(), page.segments.end(), [&](const auto& one) {
+                return isAt(one.from, walls[i]) && (one.to - middle).norm() < 2.5;
+            })) << name; // it is joined to its corner
+        }
+    }
+}
+
+TEST(MarkingSheet, NamesTheLengthsOfAThinWallOnTheirOwnSides) {
+    Sheet sheet;
+    sheet.room.outline = {{0, 0}, {3, 0}, {3, 3}, {3.1, 3}, {3.1, 0}, {6, 0}, {6, 4}, {0, 4}};
+    sheet.plan = survey::plan(sheet.room, sheet.options);
+    const std::vector<test::PdfWords> lengths = allOf(sheet.pages().front(), "3.00 m");
+    const double wall = sheet.onPaper({3.05, 0}).x();
+    ASSERT_EQ(lengths.size(), 3U); // also that of A to B
+    EXPECT_EQ(
+        std::count_if(lengths.begin(), lengths.end(), [&](const auto& one) { return one.at.x() > wall; }), 1);
+    for (const test::PdfWords& one : lengths) {
+        EXPECT_TRUE(one.rightMm() < wall || one.at.x() > wall);
+    }
+}
+
+TEST(MarkingSheet, TellsAThirdTapeAsACheck) {
+    const Sheet sheet;
+    const std::vector<survey::RailMark> marks = survey::railMarks(sheet.room, sheet.plan);
+    ASSERT_TRUE(marks.front().first.check);
+    const survey::TapeDistance check = *marks.front().first.check;
+    const std::string words = text("(", survey::cornerName(check.corner), "  ", fixed(check.metres, 3), ")");
+    const test::PdfPage table = sheet.pages().at(1);
+    EXPECT_TRUE(std::any_of(table.words.begin(), table.words.end(),
+                            [&](const test::PdfWords& one) { return one.words.ends_with(words); }));
+    for (const test::PdfWords& one : table.words) {
+        EXPECT_LT(one.rightMm(), table.widthMm - kMarginMm + 1) << one.words;
+        if (one.words.ends_with(")") && one.at.x() < kMarginMm + 60) {
+            EXPECT_LT(one.rightMm(), one.words.starts_with("Where") ? table.widthMm : kMarginMm + 92);
         }
     }
 }

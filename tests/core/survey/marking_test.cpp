@@ -137,6 +137,51 @@ TEST(Marking, MeasuresFromTheCornersThatItNames) {
     });
 }
 
+TEST(Marking, LettersStandOnTheFloorAndNearestToTheirOwnCorner) {
+    test::onRandomRooms(65, 40, [](const Room& room, const PlanOptions& options, auto&) {
+        const std::vector<Vector2d> labels = cornerLabels(room, plan(room, options), 0.35, 0.1);
+        ASSERT_EQ(labels.size(), room.outline.size());
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            EXPECT_TRUE(contains(room.outline, labels[i])) << i;
+            for (const Polygon& obstacle : room.obstacles) {
+                EXPECT_FALSE(contains(obstacle, labels[i])) << i;
+            }
+            for (std::size_t k = 0; k < labels.size(); ++k) {
+                EXPECT_LE((labels[i] - room.outline[i]).norm(), (labels[i] - room.outline[k]).norm());
+            }
+        }
+    });
+}
+
+TEST(Marking, LettersOfAThinWallKeepApartFromEachOther) {
+    Room room;
+    room.outline = {{0, 0}, {3, 0}, {3, 3}, {3.1, 3}, {3.1, 0}, {6, 0}, {6, 4}, {0, 4}};
+    room.ceilingM = 2.6;
+    const std::vector<Vector2d> labels = cornerLabels(room, {}, 0.35, 0.1);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t k = i + 1; k < labels.size(); ++k) {
+            EXPECT_GT((labels[i] - labels[k]).norm(), 0.2) << i << ' ' << k;
+        }
+    }
+}
+
+TEST(Marking, ChecksWithAThirdCorner) {
+    const Room room = concaveRoom();
+    int checked = 0;
+    for (const MarkedPoint& mark : allPoints(room)) {
+        if (!mark.check) {
+            continue;
+        }
+        ++checked;
+        for (const TapeDistance& tape : mark.tapes) {
+            EXPECT_NE(tape.corner, mark.check->corner);
+        }
+        const Vector2d& corner = room.outline[static_cast<std::size_t>(mark.check->corner)];
+        EXPECT_NEAR(mark.check->metres, (mark.point - corner).norm(), 1e-8);
+    }
+    EXPECT_GT(checked, 0);
+}
+
 TEST(Marking, NamesCornersAsSheetsDo) {
     EXPECT_EQ(cornerName(0), "A");
     EXPECT_EQ(cornerName(25), "Z");

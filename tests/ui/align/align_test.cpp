@@ -104,8 +104,7 @@ class AlignModeTest : public AlignTest {
 
 TEST_F(AlignPresenterTest, SaysWhatTheSolutionIs) {
     addFlagged();
-    EXPECT_TRUE(
-        presenter.summary().startsWith("4 photo(s): 0 good, 2 doubtful, 1 failed. 1 photo(s) came since"));
+    EXPECT_TRUE(presenter.summary().startsWith("Alignment of 4 photo(s): 0 good, 2 doubtful, 1 failed."));
     EXPECT_TRUE(presenter.summary().contains("Because of the matches."));
 }
 
@@ -158,7 +157,7 @@ TEST_F(AlignModeTest, AlignsAndShowsHowEachPhotoIsTurned) {
     ASSERT_EQ(solution->source, "align");
     EXPECT_EQ(session->store().solvedPhotos(solution->id).size(), 4U);
     EXPECT_EQ(widget<QTableView>("photos").model()->rowCount(), 4);
-    EXPECT_TRUE(widget<QLabel>("summary").text().startsWith("4 photo(s):"));
+    EXPECT_TRUE(widget<QLabel>("summary").text().startsWith("Alignment of 4 photo(s):"));
 }
 
 TEST_F(AlignModeTest, StopsWithTheSurveyAsItWas) {

@@ -7,6 +7,8 @@
 #include "spherewalk/practice/fault.h"
 #include "spherewalk/practice/theta_jpeg.h"
 
+#include <QPushButton>
+
 namespace spherewalk::ui {
 
 using State = CaptureDesk::State;
@@ -16,6 +18,14 @@ namespace {
 // Waiting for a camera takes seconds. What is measured, 50 ms being wanted, is recorded: a busy machine adds
 // to it.
 constexpr double kHeldMs = 1000;
+
+/// Options of a camera that the desk does not own.
+practice::PracticeCameraOptions quickCamera() {
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    options.timeScale = 0.001;
+    return options;
+}
 
 } // namespace
 
@@ -133,6 +143,88 @@ TEST_F(CaptureDeskTest, OffersAPhotoThatTheChecksFailedToBeTakenAgain) {
     desk().trigger();
     waitFor(State::AtStation);
     EXPECT_EQ(desk().next()->id, station);
+}
+
+TEST_F(CaptureDeskTest, AnotherCameraWaitsForTheKeyAfterThePracticeCamera) {
+    desk().runPractice();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    practice::PracticeCamera other(quickCamera());
+    other.start();
+    jobs::newPracticeSurvey(folder / "flat.spherewalk", 1.2);
+    const auto flat = SurveySession::open(QString::fromStdString((folder / "flat.spherewalk").string()));
+    mode.setSession(flat.get());
+    desk().connectTo(QString("127.0.0.1:%1").arg(other.port()));
+    waitFor(State::Ready);
+    EXPECT_FALSE(desk().isAutomatic());
+    auto* key = mode.findChild<QPushButton*>("shutter");
+    key->click();
+    waitFor(State::AtStation);
+    EXPECT_TRUE(key->isEnabled());
+    key->click();
+    waitUntil(
+        [&] { return desk().state() == State::AtStation && desk().stationsLeft() == desk().stations() - 1; });
+    EXPECT_EQ(other.stats().exposures, 1);
+    mode.setSession(session.get());
+    waitFor(State::Ready); // the run that was stopped has ended
+}
+
+TEST_F(CaptureDeskTest, AnotherCameraShootsInTheSameSurveyToo) {
+    connectPractice();
+    desk().setAutomatic(true);
+    practice::PracticeCamera other(quickCamera());
+    other.start();
+    desk().connectTo(QString("127.0.0.1:%1").arg(other.port()));
+    waitFor(State::Ready);
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return other.stats().exposures == 1; });
+    EXPECT_EQ(desk().practice()->camera().stats().exposures, 0);
+}
+
+TEST_F(CaptureDeskTest, ThePracticeCameraIsLeftWithItsSurvey) {
+    connectPractice();
+    EXPECT_TRUE(desk().hasPracticeCamera());
+    jobs::newPracticeSurvey(folder / "flat.spherewalk", 1.2);
+    const auto flat = SurveySession::open(QString::fromStdString((folder / "flat.spherewalk").string()));
+    mode.setSession(flat.get());
+    EXPECT_EQ(desk().state(), State::NoCamera);
+    EXPECT_FALSE(desk().hasPracticeCamera());
+    EXPECT_FALSE(desk().camera());
+    desk().trigger(); // what a Return does
+    EXPECT_FALSE(desk().isRunning());
+    EXPECT_EQ(flat->store().counts().photos, 0);
+    mode.setSession(session.get());
+}
+
+TEST_F(CaptureDeskTest, ARunOfThePracticeCameraEndsWithItsSurvey) {
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    mode.setSession(nullptr);
+    waitFor(State::NoCamera);
+    EXPECT_FALSE(desk().camera());
+}
+
+TEST_F(CaptureDeskTest, ThePracticeCameraIsLeftWhileItIsConnected) {
+    desk().connectToPractice();
+    ASSERT_EQ(desk().state(), State::Connecting);
+    mode.setSession(nullptr);
+    EXPECT_EQ(desk().state(), State::NoCamera);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(desk().hasPracticeCamera());
+    EXPECT_EQ(desk().state(), State::NoCamera);
+}
+
+TEST_F(CaptureDeskTest, AnotherSurveyBeginsWithThePlansPace) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    ASSERT_TRUE(desk().photosAMinute());
+    mode.setSession(nullptr);
+    mode.setSession(session.get());
+    EXPECT_FALSE(desk().photosAMinute());
 }
 
 TEST_F(CaptureDeskTest, AKeyDuringTheCountdownEndsIt) {

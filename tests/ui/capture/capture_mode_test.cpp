@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "capture_fixture.h"
+#include "made_survey.h"
+#include "ui/capture/camera_panel.h"
 #include "ui/capture/operator_signals.h"
+#include "ui/look/theme.h"
 
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 
@@ -46,6 +50,64 @@ TEST_F(CaptureModeTest, SaysWhatWentWrong) {
     EXPECT_EQ(mode.findChild<QLabel*>("verdict")->text(), desk().sentence());
 }
 
+TEST_F(CaptureModeTest, ThePracticeCameraIsToldApartInColourAndWords) {
+    auto* words = mode.findChild<QLabel*>("practiceWords");
+    EXPECT_FALSE(words->isVisible());
+    connectPractice();
+    EXPECT_TRUE(words->isVisible());
+    EXPECT_TRUE(words->text().contains("PRACTICE"));
+    EXPECT_EQ(words->grab().toImage().pixelColor(words->width() - 20, 2), doubtfulColour());
+    EXPECT_EQ(mode.findChild<QLabel*>("capture")->text(), "practice camera");
+    mode.findChild<QPushButton*>("practiceCamera")->click(); // leaves it
+    EXPECT_EQ(desk().state(), State::NoCamera);
+    EXPECT_FALSE(words->isVisible());
+}
+
+TEST_F(CaptureModeTest, AsksBeforePracticePhotosComeIntoARealSurvey) {
+    const auto flat =
+        SurveySession::open(QString::fromStdString(test::makeSurvey(folder / "flat.spherewalk").string()));
+    mode.setSession(flat.get());
+    auto* practice = mode.findChild<QPushButton*>("practiceCamera");
+    practice->click();
+    auto* question = mode.findChild<QMessageBox*>("practiceQuestion");
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->text().contains(flat->name()));
+    QTest::keyClick(question, Qt::Key_Return); // the safe answer is the first
+    EXPECT_EQ(desk().state(), State::NoCamera);
+    practice->click();
+    for (auto* box : mode.findChildren<QMessageBox*>("practiceQuestion")) {
+        if (box->isVisible()) {
+            box->buttons().back()->text().contains("Use") ? box->buttons().back()->click()
+                                                          : box->buttons().front()->click();
+        }
+    }
+    waitFor(State::Ready);
+    mode.setSession(session.get());
+}
+
+TEST_F(CaptureModeTest, SpaceIsTheShutterAlsoAfterATab) {
+    connectPractice();
+    mode.findChild<QPushButton*>("shutter")->click();
+    waitFor(State::AtStation);
+    auto* find = mode.findChild<QPushButton*>("findCameras");
+    find->setFocus();
+    QTest::keyClick(find, Qt::Key_Space);
+    waitUntil([&] { return desk().stationsLeft() == desk().stations() - 1; });
+    EXPECT_FALSE(mode.finder().isLooking());
+}
+
+TEST_F(CaptureModeTest, AnAnsweringCameraNeedsNoAdviceHowToFindOne) {
+    camera::FindOptions nowhere;
+    nowhere.places = {{{"127.0.0.1", 1}, "here"}};
+    nowhere.browseTime = std::chrono::milliseconds(0);
+    mode.finder().setOptions(nowhere);
+    mode.finder().find();
+    auto* words = mode.findChild<QLabel*>("findWords");
+    EXPECT_TRUE(words->isVisible());
+    connectPractice();
+    EXPECT_FALSE(words->isVisible());
+}
+
 TEST_F(CaptureModeTest, ASelectedStationGoesOnTheListAndOff) {
     connectPractice();
     const std::int64_t station = session->store().stations().back().id;
@@ -56,6 +118,74 @@ TEST_F(CaptureModeTest, ASelectedStationGoesOnTheListAndOff) {
     EXPECT_TRUE(desk().isAgain(station));
     button->click();
     EXPECT_FALSE(desk().isAgain(station));
+}
+
+TEST_F(CaptureModeTest, SaysAtTheEndWhatWasTakenAndWhatComesNext) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().isComplete(); });
+    const auto photos = session->store().chosenPhotos();
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        for (const store::PhotoRecord& photo : photos) {
+            store.setVerdict({photo.id, survey::Quality::Good, "[]"});
+        }
+        store.setVerdict({photos.at(0).id, survey::Quality::Doubtful, "[]"});
+        store.setVerdict({photos.at(1).id, survey::Quality::Failed, "[]"});
+    });
+    EXPECT_EQ(mode.findChild<BigText*>("nextStation")->text(),
+              QString("%1 taken, 1 doubtful, 1 failed").arg(desk().stations()));
+    EXPECT_FALSE(mode.findChild<QPushButton*>("shutter")->isVisible());
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    QTest::keyClick(&mode, Qt::Key_R);
+    QTest::keyClick(&mode, Qt::Key_A);
+    QTest::keyClick(&mode, Qt::Key_Space); // the first of the buttons
+    ASSERT_EQ(wanted.size(), 3);
+    EXPECT_EQ(wanted[0][0].toString(), "review");
+    EXPECT_EQ(wanted[1][0].toString(), "align");
+    EXPECT_EQ(wanted[2][0].toString(), "review");
+    QTest::keyClick(&mode, Qt::Key_T);
+    EXPECT_EQ(desk().stationsLeft(), 2);
+    EXPECT_TRUE(mode.findChild<QPushButton*>("shutter")->isVisible());
+}
+
+TEST_F(CaptureModeTest, AtTheEndOfAGoodSurveyTheKeyGoesOnToAlign) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().isComplete(); });
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+            store.setVerdict({photo.id, survey::Quality::Good, "[]"});
+        }
+    });
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    QTest::keyClick(&mode, Qt::Key_PageDown);
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), "align");
+}
+
+TEST_F(CaptureModeTest, OnTheWholeScreenOnlyWhatTheCartNeedsIsShown) {
+    connectPractice();
+    desk().setHideSeconds(30);
+    mode.setWholeScreen(true);
+    EXPECT_FALSE(mode.findChild<CameraPanel*>()->isVisible());
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    EXPECT_EQ(mode.findChild<BigText*>("nextStation")->text(), "30"); // as large as it can be
+    desk().trigger();
+    desk().setHideSeconds(0);
+    desk().trigger();
+    waitUntil([&] { return !played.empty() && desk().state() == State::AtStation; });
+    ASSERT_TRUE(desk().verdict());
+    const QColor colour = *desk().verdict() == survey::Quality::Good ? goodColour() : doubtfulColour();
+    const QImage shown = mode.grab().toImage();
+    for (const QPoint& at : {QPoint(4, 400), QPoint(640, 4), QPoint(1275, 400), QPoint(640, 795)}) {
+        EXPECT_EQ(shown.pixelColor(at), colour) << at.x() << ' ' << at.y();
+    }
+    mode.setWholeScreen(false);
+    EXPECT_TRUE(mode.findChild<CameraPanel*>()->isVisible());
 }
 
 } // namespace spherewalk::ui

@@ -138,4 +138,31 @@ TEST_F(ExportTest, StopsAndLeavesNothing) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !widget<QPushButton>("stop").isVisible(); }));
 }
 
+TEST_F(ExportTest, ListsDoubtfulPhotosWithTheWayToThem) {
+    auto& toReview = widget<QPushButton>("toReview");
+    check();
+    EXPECT_FALSE(toReview.isVisible());
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        store.setVerdict({store.chosenPhotos().at(0).id, survey::Quality::Doubtful, "[]"});
+        store.setVerdict({store.chosenPhotos().at(1).id, survey::Quality::Failed, "[]"});
+    });
+    check();
+    EXPECT_TRUE(widget<QLabel>("findings").text().contains("2 photo(s) are doubtful or failed"));
+    ASSERT_TRUE(toReview.isVisible());
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    toReview.click();
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), "review");
+}
+
+TEST_F(ExportTest, ProposesToMeasureWhereThereIsEnoughToCompare) {
+    EXPECT_EQ(widget<QComboBox>("scene").currentIndex(), 0); // three photos
+    const test::PhotographedSurvey larger(8);
+    const auto other = SurveySession::open(QString::fromStdString(larger.path().string()));
+    mode.setSession(other.get());
+    EXPECT_FALSE(widget<QComboBox>("scene").currentData().isValid()); // the cheapest that holds a tolerance
+    EXPECT_TRUE(widget<QDoubleSpinBox>("sceneTolerance").isVisible());
+    mode.setSession(session.get());
+}
+
 } // namespace spherewalk::ui

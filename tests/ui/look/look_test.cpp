@@ -6,6 +6,7 @@
 #include "ui/look/words.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
 #include <QFormLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@
 #include <QPainter>
 #include <QPalette>
 #include <QPushButton>
+#include <QToolBar>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,6 +128,38 @@ TEST(Theme, ADarkWindowIsDarkerThanItsText) {
     EXPECT_LT(luminance(dark.color(QPalette::Window)), luminance(dark.color(QPalette::WindowText)));
     EXPECT_GT(luminance(QApplication::palette().color(QPalette::Window)),
               luminance(dark.color(QPalette::Window)));
+    applyTheme(Theme::System);
+}
+
+TEST(Theme, OpenWidgetsWithAStyleSheetChangeWithIt) {
+    applyTheme(Theme::Light);
+    QPushButton button("Go");
+    button.resize(120, 40);
+    makePrimary(&button);
+    QToolBar bar;
+    bar.setStyleSheet("QToolBar { background: palette(window); border: none; }");
+    bar.resize(60, 60);
+    button.grab();
+    bar.grab();
+    applyTheme(Theme::Dark);
+    const QPalette dark = QApplication::palette();
+    EXPECT_EQ(button.grab().toImage().pixelColor(12, 20), dark.color(QPalette::Highlight));
+    EXPECT_EQ(bar.grab().toImage().pixelColor(50, 50), dark.color(QPalette::Window));
+    applyTheme(Theme::System);
+}
+
+TEST(Theme, ACheckBoxHasAFrameInTheDark) {
+    applyTheme(Theme::Dark);
+    QCheckBox box("Shoot by itself");
+    box.resize(box.sizeHint());
+    const QImage shown = box.grab().toImage();
+    double best = 1;
+    for (int x = 0; x < 8; ++x) {
+        best = std::max(best, contrast(shown.pixelColor(x, shown.height() / 2),
+                                       QApplication::palette().color(QPalette::Window)));
+    }
+    constexpr double kLeastForControls = 3;
+    EXPECT_GE(best, kLeastForControls);
     applyTheme(Theme::System);
 }
 

@@ -126,7 +126,7 @@ TEST(PlanCanvas, ALayerLiesAboveTheFloorUntilItIsRemoved) {
 TEST_F(SurveyPlanTest, HasAMarkForEachStation) {
     ASSERT_EQ(view.stations().size(), session->state().stations.size());
     EXPECT_EQ(view.stations().front().standing, Standing::Missing);
-    EXPECT_EQ(view.stations().front().note, "no photo yet");
+    EXPECT_EQ(view.stations().front().note, "missing");
 }
 
 TEST_F(SurveyPlanTest, FollowsAChangeOfThePlan) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/outline_pen.h"
+#include "ui/plan/plan_draft.h"
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,16 @@ TEST(OutlinePen, DoesNotCloseWithFewerThanThreeCorners) {
     pen.press();
     EXPECT_FALSE(pen.close());
     EXPECT_TRUE(pen.isDrawing());
+}
+
+TEST(PlanDraft, NamesCornersOfTheOutlineAsTheTableDoes) {
+    PlanDraft draft = firstDraft();
+    draft.room.outline = {{0, 0}, {3, 0}, {0, 3}, {3, 3}};
+    EXPECT_TRUE(outcomeOf(draft).problem.contains("the wall after corner B crosses the wall after corner D"))
+        << outcomeOf(draft).problem.toStdString();
+    draft.room.outline = {{0, 0}, {3, 0}, {3, 0}, {3, 3}};
+    EXPECT_TRUE(outcomeOf(draft).problem.contains("corners B and C are the same point"))
+        << outcomeOf(draft).problem.toStdString();
 }
 
 } // namespace spherewalk::ui

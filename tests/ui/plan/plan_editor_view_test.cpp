@@ -167,4 +167,14 @@ TEST_F(PlanEditorViewTest, AltDrawsOffTheGrid) {
     EXPECT_LT((room().obstacles[0][2] - Vector2d(3.3, 2.4)).norm(), 0.05);
 }
 
+TEST_F(PlanEditorViewTest, ARoomThatIsStillBeingDrawnIsNoProblem) {
+    press(Qt::Key_O);
+    for (const Vector2d& corner : Polygon{{0, 0}, {2, 0}, {2, 3}, {2.3, 3}, {2.3, 0}, {4, 0}}) {
+        QTest::mouseMove(&view, at(corner.x(), corner.y()));
+        QTest::mouseClick(&view, Qt::LeftButton, {}, at(corner.x(), corner.y()));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return editor.isSettled(); }, 20'000));
+        EXPECT_TRUE(editor.outcome().problem.isEmpty()) << editor.outcome().problem.toStdString();
+    }
+}
+
 } // namespace spherewalk::ui

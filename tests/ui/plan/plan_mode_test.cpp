@@ -148,4 +148,28 @@ TEST_F(PlanModeTest, RefusesANameThatIsTaken) {
     std::filesystem::remove(form->folder().toStdString());
 }
 
+TEST_F(PlanModeTest, ReturnInTheLengthSetsTheScaleOfThePicture) {
+    QImage picture(100, 80, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    const QString file = QString::fromStdString((folder / "floor.png").string());
+    ASSERT_TRUE(picture.save(file));
+    ASSERT_TRUE(mode.view().picture().load(file));
+    const double before = mode.view().picture().metresPerPixel();
+    emit mode.view().scaleDrawn(QLineF(0, 0, 2, 0));
+    auto* length = mode.findChild<QDoubleSpinBox*>("scaleLength");
+    length->setValue(4);
+    QTest::keyClick(length, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(mode.view().picture().metresPerPixel(), 2 * before);
+}
+
+TEST_F(PlanModeTest, TheButtonThatMakesTheSurveyIsAlwaysInSight) {
+    mode.setSession(nullptr);
+    mode.resize(1000, 560);
+    mode.show();
+    QCoreApplication::processEvents();
+    auto* create = mode.findChild<QPushButton*>("createSurvey");
+    ASSERT_TRUE(create->isVisible());
+    EXPECT_EQ(create->visibleRegion().boundingRect(), create->rect());
+}
+
 } // namespace spherewalk::ui

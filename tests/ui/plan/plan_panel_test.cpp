@@ -170,4 +170,14 @@ TEST(PlanWords, TheSheetKeepsItsPlaceholders) {
     }
 }
 
+TEST_F(PlanPanelTest, TabLeavesTheTableOfCorners) {
+    panel.show();
+    test::activate(panel);
+    auto* corners = panel.findChild<QTableView*>("corners");
+    corners->setFocus();
+    ASSERT_TRUE(corners->hasFocus());
+    QTest::keyClick(corners, Qt::Key_Tab);
+    EXPECT_FALSE(corners->hasFocus());
+}
+
 } // namespace spherewalk::ui

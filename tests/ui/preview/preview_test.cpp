@@ -32,6 +32,7 @@ class PreviewTest : public testing::Test {
         mode.show();
         test::activate(mode);
         mode.activated();
+        widget<QCheckBox>("withDepth").setChecked(false); // it takes its time
     }
 
     ~PreviewTest() override { mode.setSession(nullptr); }
@@ -84,6 +85,29 @@ TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
     // Ahead is the room's x axis, where the world is red.
     const QColor ahead = view.picture.pixelColor(320, 240);
     EXPECT_GT(ahead.red(), ahead.blue() + 30);
+}
+
+TEST_F(PreviewTest, DepthFollowsWhereTheRobotIsByThen) {
+    widget<QCheckBox>("withDepth").setChecked(true);
+    preview();
+    ASSERT_TRUE(presenter().isDeepening());
+    EXPECT_TRUE(widget<QLabel>("what").text().contains("depth follows"));
+    presenter().setRobot({{1, 1}, Radians(0.5)});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
+    const std::vector<render::SceneKind> scenes = render::scenesOf(presenter().dataset()->info());
+    EXPECT_NE(std::find(scenes.begin(), scenes.end(), render::SceneKind::Depth), scenes.end());
+    EXPECT_EQ(presenter().robot().pInRoom, Eigen::Vector2d(1, 1));
+    EXPECT_FALSE(widget<QLabel>("what").text().contains("depth follows"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 30'000));
+}
+
+TEST_F(PreviewTest, DepthOfASurveyThatWasClosedIsNotShown) {
+    widget<QCheckBox>("withDepth").setChecked(true);
+    preview();
+    mode.setSession(nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(presenter().dataset(), nullptr);
 }
 
 TEST_F(PreviewTest, DrawsTheRobotOnThePlanWhereItStands) {

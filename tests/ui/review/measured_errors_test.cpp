@@ -58,7 +58,8 @@ class MeasuredErrorsTest : public testing::Test {
 
 TEST_F(MeasuredErrorsTest, BelongToThePhotosThatTheDatasetWasMadeOf) {
     PanoramaPresenter viewer;
-    ReviewPresenter presenter(survey / "cache", viewer);
+    TaskList tasks;
+    ReviewPresenter presenter(tasks, survey / "cache", viewer);
     presenter.setSession(session.get());
     EXPECT_TRUE(presenter.errorWords().startsWith("No dataset"));
     presenter.readErrors(writeReport(session->store().info().uuid));
@@ -76,7 +77,8 @@ TEST_F(MeasuredErrorsTest, BelongToThePhotosThatTheDatasetWasMadeOf) {
 
 TEST_F(MeasuredErrorsTest, OfAnotherSurveyAreRefused) {
     PanoramaPresenter viewer;
-    ReviewPresenter presenter(survey / "cache", viewer);
+    TaskList tasks;
+    ReviewPresenter presenter(tasks, survey / "cache", viewer);
     presenter.setSession(session.get());
     QSignalSpy messages(&presenter, &SurveyPresenter::message);
     presenter.readErrors(writeReport("another"));
@@ -88,7 +90,8 @@ TEST_F(MeasuredErrorsTest, OfAnotherSurveyAreRefused) {
 }
 
 TEST_F(MeasuredErrorsTest, AreHeatOnThePlanOnceADatasetWasMeasured) {
-    ReviewMode mode(survey / "cache", nullptr);
+    TaskList tasks;
+    ReviewMode mode(tasks, survey / "cache", nullptr);
     mode.setSession(session.get());
     mode.show();
     mode.activated();

@@ -8,11 +8,13 @@
 #include "ui/review/review_model.h"
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/geometry/equirect.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -49,7 +51,8 @@ class ReviewModeTest : public testing::Test {
     test::PhotographedSurvey survey{3};
     std::unique_ptr<SurveySession> session =
         SurveySession::open(QString::fromStdString(survey.path().string()));
-    ReviewMode mode{survey / "cache", nullptr};
+    TaskList tasks;
+    ReviewMode mode{tasks, survey / "cache", nullptr};
 };
 
 } // namespace
@@ -153,6 +156,101 @@ TEST_F(ReviewModeTest, OnlyLooksOnWhileAnotherProgramWrites) {
     EXPECT_FALSE(widget<QToolButton>("accept").isEnabled());
     EXPECT_FALSE(widget<QLineEdit>("note").isEnabled());
     EXPECT_TRUE(mode.findChild<PanoramaView*>()->presenter().photo().has_value());
+}
+
+TEST_F(ReviewModeTest, TurnsToWhatTheChecksFoundAndOutlinesIt) {
+    const std::int64_t photo = session->store().chosenPhoto(session->store().stations().at(1).id)->id;
+    const std::string sentence =
+        "Something is in view that its neighbours do not show, 54 degrees to the left of the "
+        "picture's middle (4.7 % of the sphere); if it is a person, step aside.";
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        store.setVerdict(
+            {photo, survey::Quality::Doubtful,
+             Json::array({{{"flaw", "foreign"}, {"quality", "doubtful"}, {"sentence", sentence}}}).dump()});
+    });
+    auto& viewer = mode.findChild<PanoramaView*>()->presenter();
+    EXPECT_TRUE(viewer.outlines({640, 480}).empty());
+    press(Qt::Key_J);
+    ASSERT_TRUE(viewer.photo());
+    const Eigen::Vector3d there =
+        viewer.photo()->roomFromPhoto.rotation * direction(SphericalDirection{Degrees(54.0), Degrees(0.0)});
+    EXPECT_NEAR(wrapped(viewer.look().yaw - sphericalDirection(there).azimuth).value(), 0, 0.05);
+    const std::vector<QPolygonF> outlines = viewer.outlines({640, 480});
+    ASSERT_EQ(outlines.size(), 1U);
+    EXPECT_NEAR(outlines[0].boundingRect().center().x(), 320, 10);
+    viewer.turn(Degrees(180.0), Degrees(0.0));
+    EXPECT_TRUE(viewer.outlines({640, 480}).empty()); // it is behind
+    const QModelIndex row = widget<QListView>("stations").model()->index(1, 0);
+    EXPECT_EQ(row.data(ReviewModel::ReasonRole).toString(), "foreign, 4.7 %");
+}
+
+TEST_F(ReviewModeTest, SaysThatPhotosAreNotAlignedWhereTheyAreCompared) {
+    press(Qt::Key_C);
+    EXPECT_FALSE(widget<QPushButton>("toAlign").isVisible());
+    session->write(SurveySession::Solutions, [](store::SurveyStore& store) {
+        store.addSolution({"align", "yaw", "{}", {}}, true); // which knows no photo
+    });
+    EXPECT_TRUE(mode.findChild<PanoramaView*>()->presenter().isComparingUnaligned());
+    ASSERT_TRUE(widget<QPushButton>("toAlign").isVisible());
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    widget<QPushButton>("toAlign").click();
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), "align");
+}
+
+TEST_F(ReviewModeTest, DecidesOnAllThatAreSelectedAndUndoShowsThem) {
+    auto& list = widget<QListView>("stations");
+    const auto click = [&](int row, Qt::KeyboardModifiers modifiers) {
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, modifiers,
+                          list.visualRect(list.model()->index(row, 0)).center());
+    };
+    click(0, {});
+    click(2, Qt::ShiftModifier);
+    press(Qt::Key_A);
+    for (const std::size_t station : {0U, 1U, 2U}) {
+        EXPECT_EQ(review(station).decision, store::Decision::Accepted) << station;
+    }
+    session->selection()->setCurrent(session->store().stations().at(1).id);
+    session->undoStack()->undo();
+    EXPECT_EQ(review(2).decision, store::Decision::Open);
+    EXPECT_EQ(session->selection()->current(), session->store().stations().at(0).id);
+}
+
+TEST_F(ReviewModeTest, AcceptsAllThatTheChecksCallGood) {
+    auto& accept = widget<QPushButton>("acceptGood");
+    EXPECT_FALSE(accept.isEnabled()); // no check has graded them
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        const auto photos = store.chosenPhotos();
+        store.setVerdict({photos.at(0).id, survey::Quality::Good, "[]"});
+        store.setVerdict({photos.at(1).id, survey::Quality::Doubtful, "[]"});
+    });
+    const std::int64_t doubtful = session->store().chosenPhotos().at(1).id;
+    ASSERT_TRUE(accept.isEnabled());
+    accept.click();
+    EXPECT_EQ(review(0).decision, store::Decision::Accepted);
+    EXPECT_EQ(session->store().review(doubtful).decision, store::Decision::Open);
+    EXPECT_FALSE(accept.isEnabled());
+}
+
+TEST_F(ReviewModeTest, ChecksPhotosThatNoCheckHasSeen) {
+    session->write(SurveySession::Solutions, [](store::SurveyStore& store) {
+        store.addSolution({"align", "yaw", "{}", {}}, true); // which grades no photo
+    });
+    auto& check = widget<QPushButton>("checkPhotos");
+    ASSERT_TRUE(check.isVisible());
+    check.click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !check.isVisible(); }, 60'000));
+    EXPECT_EQ(session->store().verdicts().size(), 3U);
+}
+
+TEST_F(ReviewModeTest, ListsTheDoubtfulForAnotherPage) {
+    const std::int64_t second = session->store().stations().at(1).id;
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        store.setVerdict({store.chosenPhoto(second)->id, survey::Quality::Doubtful, "[]"});
+    });
+    mode.showPart("doubtful");
+    EXPECT_EQ(widget<QListView>("stations").model()->rowCount(), 1);
+    EXPECT_EQ(session->selection()->current(), second);
 }
 
 } // namespace spherewalk::ui

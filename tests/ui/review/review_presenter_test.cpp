@@ -33,7 +33,8 @@ class ReviewPresenterTest : public testing::Test {
     std::unique_ptr<SurveySession> session =
         SurveySession::open(QString::fromStdString(survey.path().string()));
     PanoramaPresenter viewer;
-    ReviewPresenter presenter{survey / "cache", viewer};
+    TaskList tasks;
+    ReviewPresenter presenter{tasks, survey / "cache", viewer};
 };
 
 } // namespace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 #include "made_survey.h"
+#include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
+#include "ui/map/plan_view.h"
+#include "ui/review/review_model.h"
 #include "ui/session/survey_session.h"
 
 #include <QSignalSpy>
@@ -81,6 +84,35 @@ TEST(SurveySession, TellsNothingIfAChangeFails) {
         session->write(SurveySession::Photos, [](store::SurveyStore& store) { store.choosePhoto(99); });
     });
     EXPECT_TRUE(changes.isEmpty());
+}
+
+TEST(SurveySession, TellsOneStandingOfEachPhoto) {
+    const test::PhotographedSurvey survey(4);
+    const auto session = SurveySession::open(QString::fromStdString(survey.path().string()));
+    const auto stationAt = [&](std::size_t i) { return session->store().stations().at(i).id; };
+    const auto photoAt = [&](std::size_t i) { return session->store().chosenPhoto(stationAt(i))->id; };
+    session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+        store.setVerdict({photoAt(0), survey::Quality::Good, "[]"});
+        store.setVerdict({photoAt(1), survey::Quality::Doubtful, "[]"});
+        store.setVerdict({photoAt(2), survey::Quality::Failed, "[]"});
+        store.setVerdict({photoAt(3), survey::Quality::Failed, "[]"});
+        store.setReview({photoAt(3), store::Decision::Accepted, ""});
+    });
+    const auto& standings = session->state().standings;
+    EXPECT_EQ(standings.at(stationAt(0)), Standing::Taken);
+    EXPECT_EQ(standings.at(stationAt(1)), Standing::Doubtful);
+    EXPECT_EQ(standings.at(stationAt(2)), Standing::Failed);
+    EXPECT_EQ(standings.at(stationAt(3)), Standing::Accepted);
+    EXPECT_EQ(standings.at(stationAt(4)), Standing::Missing);
+    EXPECT_EQ(session->state().count(Standing::Doubtful), 1);
+    SurveyPlanView plan;
+    plan.setSession(session.get());
+    const std::vector<ReviewRow> rows = reviewRows(session->store(), session->state().findings);
+    ASSERT_EQ(plan.stations().size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(plan.stations()[i].standing, rows[i].standing) << i;
+    }
+    plan.setSession(nullptr);
 }
 
 } // namespace spherewalk::ui

@@ -42,6 +42,7 @@ void beginCapture(Scene& scene) {
     Person& person = scene.person;
     person.choose("Capture");
     person.press("practiceCamera");
+    person.agree();
     person.waitFor(CaptureDesk::State::Ready);
     person.press("automatic");
     const int left = person.page<CaptureMode>().desk().stationsLeft();
@@ -82,6 +83,7 @@ void checkExport(const Scene& scene) {
 void beginRecording(Scene& scene) {
     Person& person = scene.person;
     person.choose("Preview");
+    person.press("withDepth"); // not for this test
     person.press("make");
     PreviewPresenter& presenter = person.page<PreviewMode>().presenter();
     person.waitUntil([&] { return presenter.dataset() != nullptr; });

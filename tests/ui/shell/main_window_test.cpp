@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made_survey.h"
+#include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
 #include "ui/capture/capture_mode.h"
 #include "ui/frame/settings.h"
 #include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
+#include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 
 #include <QAction>
@@ -16,8 +18,12 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <QTest>
+#include <QTextBrowser>
 #include <QToolBar>
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace spherewalk::ui {
 
@@ -132,6 +138,97 @@ TEST(MainWindow, TheMainButtonOfTheFirstPagePhotographsThePracticeRoom) {
     EXPECT_TRUE(ends[0][0].toBool()) << desk.sentence().toStdString();
     const store::Counts counts = window.session()->store().counts();
     EXPECT_EQ(counts.stationsWithPhoto, counts.stations);
+}
+
+TEST(MainWindow, F1OpensTheGuideAtThePageInSight) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    window.show();
+    for (Mode* mode : window.modes()) {
+        test::activate(window);
+        window.showMode(mode);
+        QTest::keyClick(&window, Qt::Key_F1);
+        auto* help = window.findChild<HelpWindow*>("help");
+        ASSERT_NE(help, nullptr) << mode->title().toStdString();
+        EXPECT_TRUE(help->isVisible());
+        EXPECT_EQ(help->heading(), mode->title());
+    }
+}
+
+TEST(MainWindow, ListsItsKeys) {
+    MainWindow window;
+    window.show();
+    test::activate(window);
+    QTest::keyClick(&window, Qt::Key_Slash, Qt::ControlModifier);
+    auto* words = window.findChild<QTextBrowser*>("helpText");
+    ASSERT_NE(words, nullptr);
+    for (const char* wanted : {"F1", "F11", "Ctrl+Z", "Ctrl+2", "Space, Return", "Accept", "Reject"}) {
+        EXPECT_TRUE(words->toPlainText().contains(wanted)) << wanted;
+    }
+}
+
+TEST(MainWindow, NoLetterOpensBothAMenuAndSomethingOfAPage) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    const auto letterOf = [](const QString& text) { return QKeySequence::mnemonic(text).toString(); };
+    std::set<QString> menus;
+    for (const QAction* action : window.menuBar()->actions()) {
+        EXPECT_TRUE(menus.insert(letterOf(action->text())).second) << action->text().toStdString();
+    }
+    for (Mode* mode : window.modes()) {
+        window.showMode(mode);
+        for (const QWidget* widget : mode->findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<const QLabel*>(widget);
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            const QString letter = label != nullptr && label->buddy() != nullptr ? letterOf(label->text())
+                                   : button != nullptr                           ? letterOf(button->text())
+                                                                                 : QString();
+            EXPECT_FALSE(!letter.isEmpty() && menus.contains(letter))
+                << mode->title().toStdString() << ": " << letter.toStdString() << " of "
+                << widget->objectName().toStdString();
+        }
+    }
+}
+
+TEST(MainWindow, TheCartsViewHasTheWholeScreen) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    window.show();
+    window.showMode(modeOf<CaptureMode>(window));
+    test::activate(window);
+    QTest::keyClick(&window, Qt::Key_F11);
+    EXPECT_FALSE(window.menuBar()->isVisible());
+    EXPECT_FALSE(window.findChild<QToolBar*>("modes")->isVisible());
+    window.showMode(modeOf<PlanMode>(window)); // as Ctrl+1 does
+    EXPECT_TRUE(window.menuBar()->isVisible());
+    window.showMode(modeOf<CaptureMode>(window));
+    QTest::keyClick(&window, Qt::Key_F11);
+    EXPECT_TRUE(window.menuBar()->isVisible());
+}
+
+TEST(MainWindow, ImportsPhotosIntoTheOpenSurvey) {
+    const test::TemporaryFolder folder;
+    const test::PhotographedSurvey other(3);
+    MainWindow window;
+    EXPECT_FALSE(window.findChild<QAction*>("importPhotos")->isEnabled());
+    window.openSurvey(surveyIn(folder));
+    EXPECT_TRUE(window.findChild<QAction*>("importPhotos")->isEnabled());
+    window.importPhotos(QString::fromStdString((other / "p.csv").string()),
+                        QString::fromStdString((other / "in").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 60'000));
+    EXPECT_EQ(window.session()->state().counts.photos, 3);
+}
+
+TEST(MainWindow, LeadsFromPageToPage) {
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    window.openSurvey(surveyIn(folder));
+    window.showMode(modeOf<CaptureMode>(window));
+    emit modeOf<CaptureMode>(window)->pageRequested("align");
+    EXPECT_EQ(window.mode()->objectName(), "align");
 }
 
 } // namespace spherewalk::ui

@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
@@ -88,6 +89,19 @@ class Person {
             dialog->selectFile(file);
             QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
         });
+    }
+
+    /// Agrees to the question that the window asks.
+    void agree() {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(question, nullptr);
+        for (QAbstractButton* button : question->buttons()) {
+            if (question->buttonRole(button) == QMessageBox::AcceptRole) {
+                button->click();
+                return test::activate(m_window);
+            }
+        }
+        FAIL() << question->text().toStdString();
     }
 
     /// Where a place of the room is on a plan.

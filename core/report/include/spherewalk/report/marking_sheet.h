@@ -13,7 +13,8 @@ struct SheetWords {
     std::string title = "Marking out: %1";
     std::string summary = "%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m";
     std::string scale = "Scale 1:%1. Print at 100 %: this bar is 10 cm long.";
-    std::string tableTitle = "Where the rails lie: tape distances in metres from the corners of the room";
+    std::string tableTitle =
+        "Where the rails lie: metres by tape from two corners (and from a third, as a check)";
     std::string rail = "Rail";
     std::string stops = "Stops";
     std::string firstStop = "First stop (ring)";

@@ -22,6 +22,8 @@ struct MarkedPoint {
     Eigen::Vector2d point = Eigen::Vector2d::Zero();
     /// Two tapes from corners with a free line to the point; empty where no two corners fix the point.
     std::vector<TapeDistance> tapes;
+    /// A third corner in sight, to see whether the point is right; nothing where only two are seen.
+    std::optional<TapeDistance> check;
     /// Standard deviation of the point. Each tape is read to 2 mm and 0.5 mm more per metre.
     std::optional<double> sigmaM;
 };
@@ -40,5 +42,12 @@ std::vector<RailMark> railMarks(const Room& room, const Plan& plan);
 
 /// The letters by which people call a corner of the outline: "A", "B" ... "Z", "AA". Range: index >= 0.
 std::string cornerName(int index);
+
+/// The place of the letter of each corner: on the free floor before its corner, and nearer to it than to any
+/// other. At a thin wall the letters of its two sides thus cannot be confused. Letters keep clear of walls,
+/// obstacles, rails and each other where there is room. Frames: room. Units: metres.
+/// awayM: the wanted distance from the corner. radiusM: half the size of a letter.
+/// Errors: those of Room::validate().
+std::vector<Eigen::Vector2d> cornerLabels(const Room& room, const Plan& plan, double awayM, double radiusM);
 
 } // namespace spherewalk::survey

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/frame/mode.h"
+#include "ui/frame/settings.h"
+#include "ui/shell/help_window.h"
+#include "ui/shell/main_window.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/jobs/import_photos.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QUndoGroup>
+
+namespace spherewalk::ui {
+
+void MainWindow::makeMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    const auto add = [this](QMenu* menu, const QString& text, const QKeySequence& key, auto slot) {
+        QAction* action = menu->addAction(text, this, slot);
+        action->setShortcut(key);
+        addAction(action); // its key works while the menus are hidden
+        return action;
+    };
+    add(file, tr("&New survey"), QKeySequence::New, &MainWindow::beginSurvey);
+    add(file, tr("&Open survey..."), QKeySequence::Open, &MainWindow::chooseSurvey);
+    add(file, tr("&Practice room"), {}, &MainWindow::runPractice);
+    add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
+    m_import = add(file, tr("&Import photos..."), {}, &MainWindow::chooseImport);
+    m_import->setObjectName("importPhotos");
+    file->addSeparator();
+    add(file, tr("&Quit"), QKeySequence::Quit, &QWidget::close);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_undo->createUndoAction(this, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = m_undo->createRedoAction(this, tr("&Redo"));
+    redo->setShortcut(QKeySequence::Redo);
+    edit->addActions({undo, redo});
+    addActions({undo, redo});
+    makeView(menuBar()->addMenu(tr("&View")));
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    add(help, tr("&Guide to this page"), Qt::Key_F1, &MainWindow::showGuide);
+    add(help, tr("&Keys"), QKeySequence("Ctrl+/"), &MainWindow::showKeys);
+    add(help, tr("&About Spherewalk"), {}, &MainWindow::showAbout);
+}
+
+void MainWindow::makeView(QMenu* view) {
+    QAction* full = view->addAction(tr("&Full screen"));
+    full->setShortcut(Qt::Key_F11);
+    full->setCheckable(true);
+    addAction(full);
+    connect(full, &QAction::toggled, this, [this](bool isFull) {
+        isFull ? showFullScreen() : showNormal();
+        showBars();
+    });
+    view->addAction(m_planDock->toggleViewAction());
+    QAction* tasks = m_tasksDock->toggleViewAction();
+    tasks->setShortcut(QKeySequence("Ctrl+T"));
+    view->addAction(tasks);
+    addAction(tasks);
+    QMenu* looks = view->addMenu(tr("&Appearance"));
+    addTheme(looks, Theme::System, tr("As the &desktop"));
+    addTheme(looks, Theme::Light, tr("&Light"));
+    addTheme(looks, Theme::Dark, tr("Da&rk"));
+}
+
+void MainWindow::addTheme(QMenu* menu, Theme theme, const QString& text) {
+    auto* group = menu->findChild<QActionGroup*>();
+    group = group != nullptr ? group : new QActionGroup(menu);
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(Settings().theme() == theme);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [theme] {
+        Settings().setTheme(theme);
+        applyTheme(theme);
+    });
+}
+
+void MainWindow::showAbout() {
+    say(tr("Spherewalk %1, free software under the GNU General Public License, version 3 or later.")
+            .arg(QCoreApplication::applicationVersion()));
+}
+
+HelpWindow& MainWindow::help() {
+    if (m_help == nullptr) {
+        m_help = new HelpWindow(this);
+    }
+    return *m_help;
+}
+
+void MainWindow::showGuide() {
+    help().showPage(mode() != nullptr ? mode()->objectName() : QString());
+}
+
+/// Lists the keys of the menus, and those of each page.
+void MainWindow::showKeys() {
+    QString text = "# " + tr("Keys") + "\n";
+    const auto addPart = [&](const QString& title, const QList<Mode::Key>& keys) {
+        if (!keys.isEmpty()) {
+            text += "\n## " + title + "\n\n| " + tr("Key") + " | " + tr("What it does") + " |\n|---|---|\n";
+        }
+        for (const Mode::Key& key : keys) {
+            text += "| " + key.name + " | " + key.what + " |\n";
+        }
+    };
+    const auto keysOf = [](const QList<QAction*>& actions) {
+        QList<Mode::Key> keys;
+        for (const QAction* action : actions) {
+            QStringList names;
+            for (const QKeySequence& key : action->shortcuts()) {
+                names << key.toString(QKeySequence::NativeText);
+            }
+            if (!names.isEmpty()) {
+                keys << Mode::Key{names.join(", "), QString(action->text()).remove('&')};
+            }
+        }
+        return keys;
+    };
+    addPart(tr("Everywhere"), keysOf(actions()));
+    for (const Mode* mode : std::as_const(m_modes)) {
+        addPart(mode->title(), mode->keys() + keysOf(mode->findChildren<QAction*>()));
+    }
+    help().showText(text);
+}
+
+/// Asks for a list of positions and the folder of its photos, and takes the photos into the survey.
+void MainWindow::chooseImport() {
+    const QString positions =
+        QFileDialog::getOpenFileName(this, tr("Positions of the photos"), {}, tr("Positions (*.csv)"));
+    if (positions.isEmpty()) {
+        return;
+    }
+    const QString photos = QFileDialog::getExistingDirectory(this, tr("Folder of the photos"),
+                                                             QFileInfo(positions).absolutePath());
+    if (!photos.isEmpty()) {
+        importPhotos(positions, photos);
+    }
+}
+
+void MainWindow::importPhotos(const QString& positions, const QString& photos) {
+    if (!m_session) {
+        return;
+    }
+    jobs::ImportOptions options;
+    options.photos = photos.toStdString();
+    options.positions = positions.toStdString();
+    const Task* task = m_tasks.start(
+        tr("Importing photos"), this,
+        [folder = m_session->path(), options](ProgressSink& progress, const std::stop_token& stop) {
+            auto store = store::SurveyStore::open(folder, store::Access::Write);
+            return jobs::importPhotos(store, options, progress, stop);
+        },
+        [this](const jobs::ImportReport& report) {
+            say(tr("%n photo(s) imported, %1 were there already. Check them in Review.", nullptr,
+                   report.imported)
+                    .arg(report.alreadyThere));
+        });
+    connect(task, &Task::ended, m_session.get(),
+            [session = m_session.get()] { session->noteChanged(SurveySession::Everything); });
+}
+
+} // namespace spherewalk::ui
