@@ -132,8 +132,13 @@ TEST_F(BadInput, ATruncatedJpegWithAnHonestHash) {
     writeFile(path("in2") + "/1.JPG", ByteView(whole).first(whole.size() / 2));
     fs::remove_all(path("t.spherewalk"));
     ASSERT_EQ(runCli({"new", path("t.spherewalk"), "--rect", "0,0,4,3", "--ceiling", "2.5"}).status, 0);
-    expectRefused({"import", path("t.spherewalk"), "--photos", path("in2"), "--positions", path("p.csv")},
-                  "1.JPG");
+    const CliResult imported = runCli(
+        {"import", path("t.spherewalk"), "--photos", path("in2"), "--positions", path("p.csv"), "--json"});
+    EXPECT_EQ(imported.status, 1);
+    EXPECT_THAT(imported.errors, HasSubstr("1.JPG"));
+    EXPECT_EQ(imported.json()["imported"], 2);
+    ASSERT_EQ(imported.json()["refused"].size(), 1U);
+    EXPECT_EQ(imported.json()["refused"][0]["line"], 3);
 }
 
 TEST_F(BadInput, RoomsAndPlansThatCannotBe) {

@@ -72,6 +72,7 @@ TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
         keyboard.press(i == 0 ? "\n\n\n" : "\n");
     }
     ASSERT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_THAT(program.output(), HasSubstr("Took 3 photos"));
 
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
     std::map<std::string, Eigen::Vector3d> placeOf;

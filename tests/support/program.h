@@ -15,9 +15,9 @@ class Program {
   public:
     struct Options {
         std::string input = {};                 ///< standard input
-        std::string inputFile = {};             ///< what standard input is in its place: a terminal, a pipe
         std::optional<long> fileSizeLimit = {}; ///< RLIMIT_FSIZE, bytes
         bool obeysPermissions = false;          ///< of files and folders, also as the superuser
+        std::string inputFile = {};             ///< what standard input is in its place: a terminal, a pipe
     };
 
     Program(const std::vector<std::string>& command, const Options& options);
