@@ -11,13 +11,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n photo(s): %1 good, %2 doubtful, %3 failed.</source>
-        <translation>
-            <numerusform>%n photo: %1 good, %2 doubtful, %3 failed.</numerusform>
-            <numerusform>%n photos: %1 good, %2 doubtful, %3 failed.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n photo(s) came since, or were left out: align again.</source>
         <translation>
             <numerusform>%n photo came since, or was left out: align again.</numerusform>
@@ -36,6 +29,20 @@
         <translation>
             <numerusform>Moved %n photo; align again to be sure.</numerusform>
             <numerusform>Moved %n photos; align again to be sure.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Alignment of %n photo(s): %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>Alignment of %n photo: %1 good, %2 doubtful, %3 failed.</numerusform>
+            <numerusform>Alignment of %n photos: %1 good, %2 doubtful, %3 failed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With what the checks found, %n photo(s) are to be looked at in Review.</source>
+        <translation>
+            <numerusform>With what the checks found, %n photo is to be looked at in Review.</numerusform>
+            <numerusform>With what the checks found, %n photos are to be looked at in Review.</numerusform>
         </translation>
     </message>
 </context>
@@ -60,6 +67,23 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::CaptureMode</name>
+    <message numerus="yes">
+        <source>Look at %n in Review (R)</source>
+        <translation>
+            <numerusform>Look at %n in Review (R)</numerusform>
+            <numerusform>Look at %n in Review (R)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n again (T)</source>
+        <translation>
+            <numerusform>Take %n again (T)</numerusform>
+            <numerusform>Take %n again (T)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::ExportMode</name>
     <message numerus="yes">
         <source>%1: %n photo(s), %2, in %3.</source>
@@ -73,6 +97,13 @@
         <translation>
             <numerusform>%n photo, about %1 and %2; %3 are free.</numerusform>
             <numerusform>%n photos, about %1 and %2; %3 are free.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) are doubtful or failed, and nobody has decided.</source>
+        <translation>
+            <numerusform>%n photo is doubtful or failed, and nobody has decided.</numerusform>
+            <numerusform>%n photos are doubtful or failed, and nobody has decided.</numerusform>
         </translation>
     </message>
 </context>
@@ -123,6 +154,13 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
         <translation>
             <numerusform>%n task</numerusform>
             <numerusform>%n tasks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
+        <translation>
+            <numerusform>%n photo imported, %1 were there already. Check it in Review.</numerusform>
+            <numerusform>%n photos imported, %1 were there already. Check them in Review.</numerusform>
         </translation>
     </message>
 </context>
@@ -208,6 +246,26 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
         <translation>
             <numerusform>Wrote %n frame to %1.</numerusform>
             <numerusform>Wrote %n frames to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewMode</name>
+    <message numerus="yes">
+        <source>&amp;Check %n photo(s)</source>
+        <translation>
+            <numerusform>&amp;Check %n photo</numerusform>
+            <numerusform>&amp;Check %n photos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewPresenter</name>
+    <message numerus="yes">
+        <source>%n photo(s) checked: %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>%n photo checked: %1 good, %2 doubtful, %3 failed.</numerusform>
+            <numerusform>%n photos checked: %1 good, %2 doubtful, %3 failed.</numerusform>
         </translation>
     </message>
 </context>

@@ -157,10 +157,6 @@
         <translation>Ile pracy idzie w zdjęcia: około 0,1, 0,5, 1,5 albo 3,5 s na zdjęcie na jednym rdzeniu</translation>
     </message>
     <message>
-        <source>&amp;Effort</source>
-        <translation>&amp;Jakość</translation>
-    </message>
-    <message>
         <source>What the photos support</source>
         <translation>Na ile pozwalają zdjęcia</translation>
     </message>
@@ -215,10 +211,6 @@
     <message>
         <source>Stop; what was found in the pictures is kept for the next run</source>
         <translation>Zatrzymaj; to, co znaleziono na zdjęciach, zostaje na następny raz</translation>
-    </message>
-    <message>
-        <source>Only photos with a &amp;flag</source>
-        <translation>Tylko zdjęcia z &amp;uwagą</translation>
     </message>
     <message>
         <source>Photos and what the alignment says of them</source>
@@ -279,6 +271,14 @@
     <message>
         <source>Mas&amp;k: %1</source>
         <translation>Mas&amp;ka: %1</translation>
+    </message>
+    <message>
+        <source>Eff&amp;ort</source>
+        <translation>&amp;Jakość</translation>
+    </message>
+    <message>
+        <source>Only photos with a fla&amp;g</source>
+        <translation>Tylko zdjęcia z &amp;uwagą</translation>
     </message>
 </context>
 <context>
@@ -379,14 +379,6 @@
         <translation>Orientacja zdjęć nie jest jeszcze wyznaczona.</translation>
     </message>
     <message numerus="yes">
-        <source>%n photo(s): %1 good, %2 doubtful, %3 failed.</source>
-        <translation>
-            <numerusform>%n zdjęcie: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
-            <numerusform>%n zdjęcia: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
-            <numerusform>%n zdjęć: dobrych %1, wątpliwych %2, nieudanych %3.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n photo(s) came since, or were left out: align again.</source>
         <translation>
             <numerusform>%n zdjęcie doszło później albo zostało pominięte: wyznacz ponownie.</numerusform>
@@ -428,6 +420,22 @@
             <numerusform>Przeniesiono %n zdjęcie; dla pewności wyznacz orientację ponownie.</numerusform>
             <numerusform>Przeniesiono %n zdjęcia; dla pewności wyznacz orientację ponownie.</numerusform>
             <numerusform>Przeniesiono %n zdjęć; dla pewności wyznacz orientację ponownie.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Alignment of %n photo(s): %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>Orientacja %n zdjęcia: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+            <numerusform>Orientacja %n zdjęć: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+            <numerusform>Orientacja %n zdjęć: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With what the checks found, %n photo(s) are to be looked at in Review.</source>
+        <translation>
+            <numerusform>Razem z wynikami kontroli %n zdjęcie trzeba obejrzeć w Ocenie.</numerusform>
+            <numerusform>Razem z wynikami kontroli %n zdjęcia trzeba obejrzeć w Ocenie.</numerusform>
+            <numerusform>Razem z wynikami kontroli %n zdjęć trzeba obejrzeć w Ocenie.</numerusform>
         </translation>
     </message>
 </context>
@@ -518,10 +526,6 @@
         <translation>Zapytaj kamerę pod tym adresem o jej stan.</translation>
     </message>
     <message>
-        <source>Start a camera inside of the program, which photographs a practice room.</source>
-        <translation>Uruchom kamerę wewnątrz programu, która fotografuje pokój ćwiczebny.</translation>
-    </message>
-    <message>
         <source>Time to hide</source>
         <translation>Czas na ukrycie się</translation>
     </message>
@@ -540,10 +544,6 @@
     <message>
         <source>The practice camera moves from station to station without the key.</source>
         <translation>Kamera ćwiczebna przechodzi od stanowiska do stanowiska bez klawisza.</translation>
-    </message>
-    <message>
-        <source>Time to &amp;hide:</source>
-        <translation>Czas na &amp;ukrycie:</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -632,6 +632,38 @@
     <message>
         <source>E&amp;xposure: %1</source>
         <translation>Ek&amp;spozycja: %1</translation>
+    </message>
+    <message>
+        <source>PRACTICE: photos of a room that exists only in the program</source>
+        <translation>ĆWICZENIE: zdjęcia pokoju, który istnieje tylko w programie</translation>
+    </message>
+    <message>
+        <source>The camera inside of the program, which photographs a practice room.</source>
+        <translation>Kamera wewnątrz programu, która fotografuje pokój ćwiczebny.</translation>
+    </message>
+    <message>
+        <source>Ti&amp;me to hide:</source>
+        <translation>Czas na &amp;ukrycie:</translation>
+    </message>
+    <message>
+        <source>Practice camera</source>
+        <translation>Kamera ćwiczebna</translation>
+    </message>
+    <message>
+        <source>The practice camera photographs a room of the program. Its photos would become photos of %1.</source>
+        <translation>Kamera ćwiczebna fotografuje pokój z programu. Jego zdjęcia stałyby się zdjęciami pomiaru %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Use it here</source>
+        <translation>&amp;Użyj go tutaj</translation>
+    </message>
+    <message>
+        <source>Leave the &amp;practice camera</source>
+        <translation>Odłącz &amp;kamerę ćwiczebną</translation>
+    </message>
+    <message>
+        <source>practice camera</source>
+        <translation>kamera ćwiczebna</translation>
     </message>
 </context>
 <context>
@@ -771,6 +803,58 @@
         <source>Take the photos, station by station</source>
         <translation>Rób zdjęcia, stanowisko po stanowisku</translation>
     </message>
+    <message>
+        <source>Align (A)</source>
+        <translation>Orientacja (A)</translation>
+    </message>
+    <message>
+        <source>%1 taken, %2 doubtful, %3 failed</source>
+        <translation>%1 zrobionych, %2 wątpliwych, %3 nieudanych</translation>
+    </message>
+    <message numerus="yes">
+        <source>Look at %n in Review (R)</source>
+        <translation>
+            <numerusform>Obejrzyj %n w Ocenie (R)</numerusform>
+            <numerusform>Obejrzyj %n w Ocenie (R)</numerusform>
+            <numerusform>Obejrzyj %n w Ocenie (R)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n again (T)</source>
+        <translation>
+            <numerusform>Zrób %n ponownie (T)</numerusform>
+            <numerusform>Zrób %n ponownie (T)</numerusform>
+            <numerusform>Zrób %n ponownie (T)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look at the doubtful photos while the rail is still here.</source>
+        <translation>Obejrzyj wątpliwe zdjęcia, póki szyna jest jeszcze na miejscu.</translation>
+    </message>
+    <message>
+        <source>Next: solve how each photo is turned.</source>
+        <translation>Dalej: oblicz, jak obrócone jest każde zdjęcie.</translation>
+    </message>
+    <message>
+        <source>Space, Return, Page Down</source>
+        <translation>Spacja, Enter, Page Down</translation>
+    </message>
+    <message>
+        <source>Start, shoot, try again, or end the countdown</source>
+        <translation>Zacznij, zrób zdjęcie, spróbuj ponownie albo przerwij odliczanie</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Stop capturing</source>
+        <translation>Zatrzymaj fotografowanie</translation>
+    </message>
+    <message>
+        <source>At the end: review, take again, align</source>
+        <translation>Na końcu: oceń, zrób ponownie, orientacja</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -866,14 +950,6 @@
         <translation>Folder, którego jeszcze nie ma</translation>
     </message>
     <message>
-        <source>C&amp;hoose...</source>
-        <translation>Wy&amp;bierz...</translation>
-    </message>
-    <message>
-        <source>&amp;Folder</source>
-        <translation>&amp;Folder</translation>
-    </message>
-    <message>
         <source>Fastest views (photos grow by about 2 %)</source>
         <translation>Najszybsze widoki (zdjęcia rosną o około 2 %)</translation>
     </message>
@@ -904,10 +980,6 @@
     <message>
         <source>Look again at what the dataset would have and lack</source>
         <translation>Sprawdź jeszcze raz, co zbiór danych będzie miał i czego mu zabraknie</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>&amp;Eksportuj</translation>
     </message>
     <message>
         <source>Open the fol&amp;der</source>
@@ -966,10 +1038,6 @@
         <translation>Z czego można liczyć widoki z miejsc między zdjęciami; tańsze modele są dołączane</translation>
     </message>
     <message>
-        <source>Scene mode&amp;l</source>
-        <translation>Mode&amp;l sceny</translation>
-    </message>
-    <message>
         <source>No program could open %1.</source>
         <translation>Żaden program nie mógł otworzyć %1.</translation>
     </message>
@@ -988,6 +1056,34 @@
     <message>
         <source>within</source>
         <translation>z dokładnością</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wybierz...</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder</source>
+        <translation>Fo&amp;lder</translation>
+    </message>
+    <message>
+        <source>S&amp;cene model</source>
+        <translation>Model s&amp;ceny</translation>
+    </message>
+    <message>
+        <source>Look at them in &amp;Review</source>
+        <translation>Obejrzyj je w &amp;Ocenie</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>Ek&amp;sportuj</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) are doubtful or failed, and nobody has decided.</source>
+        <translation>
+            <numerusform>%n zdjęcie jest wątpliwe lub nieudane, a nikt nie zdecydował.</numerusform>
+            <numerusform>%n zdjęcia są wątpliwe lub nieudane, a nikt nie zdecydował.</numerusform>
+            <numerusform>%n zdjęć jest wątpliwych lub nieudanych, a nikt nie zdecydował.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1011,6 +1107,65 @@
             <numerusform>Wyeksportowano %n zdjęcia do %1: %2.</numerusform>
             <numerusform>Wyeksportowano %n zdjęć do %1: %2.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FindingWords</name>
+    <message>
+        <source>foreign, %L1 %</source>
+        <translation>obce, %L1 %</translation>
+    </message>
+    <message>
+        <source>foreign</source>
+        <translation>obce</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>uszkodzone</translation>
+    </message>
+    <message>
+        <source>other size</source>
+        <translation>inny rozmiar</translation>
+    </message>
+    <message>
+        <source>no sphere</source>
+        <translation>nie sfera</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>inne ustawienia</translation>
+    </message>
+    <message>
+        <source>too dark or bright</source>
+        <translation>za ciemne lub jasne</translation>
+    </message>
+    <message>
+        <source>other colours</source>
+        <translation>inne kolory</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>nieostre</translation>
+    </message>
+    <message>
+        <source>black area</source>
+        <translation>czarny obszar</translation>
+    </message>
+    <message>
+        <source>burnt area</source>
+        <translation>prześwietlone</translation>
+    </message>
+    <message>
+        <source>leaning</source>
+        <translation>przechylone</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>obrócone</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>gdzie indziej</translation>
     </message>
 </context>
 <context>
@@ -1152,6 +1307,13 @@ Znaleziono w %2: %n zdjęcia co %L3 cm.</numerusform>
             <numerusform>%1
 Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::HelpWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Przewodnik</translation>
     </message>
 </context>
 <context>
@@ -1335,6 +1497,58 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Spherewalk %1, free software under the GNU General Public License, version 3 or later.</source>
         <translation>Spherewalk %1, wolne oprogramowanie na licencji GNU GPL w wersji 3 lub późniejszej.</translation>
     </message>
+    <message>
+        <source>&amp;Import photos...</source>
+        <translation>&amp;Importuj zdjęcia...</translation>
+    </message>
+    <message>
+        <source>&amp;Guide to this page</source>
+        <translation>Przewodnik po tej &amp;stronie</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Klawisze</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klawisze</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klawisz</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Co robi</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Wszędzie</translation>
+    </message>
+    <message>
+        <source>Positions of the photos</source>
+        <translation>Położenia zdjęć</translation>
+    </message>
+    <message>
+        <source>Positions (*.csv)</source>
+        <translation>Położenia (*.csv)</translation>
+    </message>
+    <message>
+        <source>Folder of the photos</source>
+        <translation>Folder ze zdjęciami</translation>
+    </message>
+    <message>
+        <source>Importing photos</source>
+        <translation>Importowanie zdjęć</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
+        <translation>
+            <numerusform>Zaimportowano %n zdjęcie, %1 już było. Sprawdź je w Ocenie.</numerusform>
+            <numerusform>Zaimportowano %n zdjęcia, %1 już było. Sprawdź je w Ocenie.</numerusform>
+            <numerusform>Zaimportowano %n zdjęć, %1 już było. Sprawdź je w Ocenie.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -1471,6 +1685,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>heading %1°, %2° up, %3° wide</source>
         <translation>kierunek %1°, %2° w górę, szerokość %3°</translation>
+    </message>
+    <message>
+        <source>Not aligned yet: these photos may be turned differently. Align the survey first.</source>
+        <translation>Orientacja nie jest jeszcze wyznaczona: te zdjęcia mogą być różnie obrócone. Najpierw ją wyznacz.</translation>
     </message>
 </context>
 <context>
@@ -1787,10 +2005,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Najmniejsza odległość postoju od ścian i przeszkód.</translation>
     </message>
     <message>
-        <source>Lens &amp;height (m)</source>
-        <translation>&amp;Wysokość obiektywu (m)</translation>
-    </message>
-    <message>
         <source>Of the lens above the floor; several heights, separated by semicolons, make layers.</source>
         <translation>Obiektywu nad podłogą; kilka wysokości rozdzielonych średnikami daje warstwy.</translation>
     </message>
@@ -1837,6 +2051,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Corners of the room</source>
         <translation>Narożniki pomieszczenia</translation>
+    </message>
+    <message>
+        <source>Le&amp;ns height (m)</source>
+        <translation>Wysokość &amp;obiektywu (m)</translation>
     </message>
 </context>
 <context>
@@ -1916,10 +2134,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Skala 1:%1. Drukuj w 100 %: ten pasek ma 10 cm.</translation>
     </message>
     <message>
-        <source>Where the rails lie: tape distances in metres from the corners of the room</source>
-        <translation>Położenie szyn: odległości taśmą w metrach od narożników</translation>
-    </message>
-    <message>
         <source>Rail</source>
         <translation>Szyna</translation>
     </message>
@@ -1946,6 +2160,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Page %1</source>
         <translation>Strona %1</translation>
+    </message>
+    <message>
+        <source>Where the rails lie: metres by tape from two corners (and from a third, as a check)</source>
+        <translation>Gdzie leżą szyny: metry taśmą od dwóch narożników (i od trzeciego, dla sprawdzenia)</translation>
     </message>
 </context>
 <context>
@@ -2149,6 +2367,22 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Depth of each pixel</source>
         <translation>Głębia każdego piksela</translation>
     </message>
+    <message>
+        <source>&amp;With depth</source>
+        <translation>Z &amp;głębią</translation>
+    </message>
+    <message>
+        <source>Blend: depth, photos mixed</source>
+        <translation>Mieszanie: głębia, zdjęcia zmieszane</translation>
+    </message>
+    <message>
+        <source>%1: a sphere stands for the room; depth follows.</source>
+        <translation>%1: pokój zastępuje kula; głębia dojdzie.</translation>
+    </message>
+    <message>
+        <source>The depth of each pixel follows while you drive, in surveys of up to %1 photos</source>
+        <translation>Głębia każdego piksela dochodzi podczas jazdy, w pomiarach do %1 zdjęć</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -2183,6 +2417,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
             <numerusform>Zapisano %n klatki w %1.</numerusform>
             <numerusform>Zapisano %n klatek w %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Depth for the preview of %1</source>
+        <translation>Głębia dla podglądu %1</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2714,34 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Report (report.json *.json)</source>
         <translation>Raport (report.json *.json)</translation>
     </message>
+    <message>
+        <source>Accept every photo that the checks and the alignment call good</source>
+        <translation>Przyjmij każde zdjęcie, które kontrole i orientacja uznają za dobre</translation>
+    </message>
+    <message>
+        <source>Judge the photos that no check has seen, such as imported ones</source>
+        <translation>Oceń zdjęcia, których nie widziała żadna kontrola, na przykład importowane</translation>
+    </message>
+    <message>
+        <source>Align first</source>
+        <translation>Najpierw orientacja</translation>
+    </message>
+    <message>
+        <source>Photos that are not aligned may be turned differently</source>
+        <translation>Zdjęcia bez orientacji mogą być różnie obrócone</translation>
+    </message>
+    <message>
+        <source>Accept all &amp;good ones (%1)</source>
+        <translation>Przyjmij wszystkie &amp;dobre (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Check %n photo(s)</source>
+        <translation>
+            <numerusform>&amp;Sprawdź %n zdjęcie</numerusform>
+            <numerusform>&amp;Sprawdź %n zdjęcia</numerusform>
+            <numerusform>&amp;Sprawdź %n zdjęć</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ReviewModel</name>
@@ -2505,6 +2771,25 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Displacement of 95 of 100 places, where the photo was left out of %1; scene model %2, tolerance %L3 px.</source>
         <translation>Przesunięcie 95 ze 100 miejsc, gdy zdjęcie pominięto w %1; model sceny: %2, tolerancja %L3 px.</translation>
+    </message>
+    <message>
+        <source>Checking photos</source>
+        <translation>Sprawdzanie zdjęć</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) checked: %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>Sprawdzono %n zdjęcie: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+            <numerusform>Sprawdzono %n zdjęcia: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+            <numerusform>Sprawdzono %n zdjęć: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RobotMap</name>
+    <message>
+        <source>No dataset is open</source>
+        <translation>Żaden zbiór danych nie jest otwarty</translation>
     </message>
 </context>
 <context>
@@ -2568,6 +2853,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>As needed</source>
         <translation>Wedle potrzeby</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>mieszanie</translation>
     </message>
 </context>
 <context>
@@ -2642,17 +2931,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Lay the rail. First stop: %1. Last stop: %2.</source>
         <translation>Ułóż szynę. Pierwszy postój: %1. Ostatni: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::SurveyPlanView</name>
-    <message>
-        <source>no photo yet</source>
-        <translation>jeszcze bez zdjęcia</translation>
-    </message>
-    <message>
-        <source>has a photo</source>
-        <translation>ma zdjęcie</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/application.h"
+#include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 
 #include "spherewalk/base/file.h"
@@ -85,6 +86,7 @@ class Album {
         open<PlanMode>();
         shoot("plan-fixed");
         shootGridStudy(place);
+        shootEnd();
     }
 
   private:
@@ -152,8 +154,12 @@ class Album {
         }
         waitUntil([&] { return desk.state() == State::AtStation; });
         shoot("capture");
+        open<CaptureMode>().setWholeScreen(true);
+        shoot("capture-cart");
         desk.setHideSeconds(5);
         desk.trigger();
+        shoot("capture-cart-hide");
+        open<CaptureMode>().setWholeScreen(false);
         shoot("capture-hide");
         desk.trigger();
         desk.setHideSeconds(0);
@@ -204,6 +210,7 @@ class Album {
         auto& preview = open<PreviewMode>();
         PreviewPresenter& presenter = preview.presenter();
         shoot("preview-none");
+        preview.findChild<QCheckBox*>("withDepth")->setChecked(false); // pictures at once
         presenter.makeDataset();
         waitUntil([&] { return !presenter.views().empty(); });
         preview.findChild<QCheckBox*>("ball")->setChecked(true);
@@ -255,6 +262,20 @@ class Album {
         waitForTasks();
         plan.findChild<QScrollArea*>()->ensureWidgetVisible(plan.findChild<QTableView*>("gridTable"));
         shoot("plan-grid");
+    }
+
+    /// What comes after the last photo, and the guide.
+    void shootEnd() {
+        CaptureDesk& desk = open<CaptureMode>().desk();
+        desk.connectToPractice();
+        waitUntil([&] { return desk.state() == CaptureDesk::State::Ready; });
+        desk.setAutomatic(true);
+        desk.trigger();
+        waitUntil([&] { return desk.isComplete(); });
+        shoot("capture-done");
+        HelpWindow help;
+        help.showPage("capture");
+        shoot("help", help);
     }
 
     QString m_folder;

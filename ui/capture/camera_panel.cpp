@@ -138,6 +138,7 @@ QWidget* CameraPanel::makeFinder() {
     row->addWidget(m_find);
     row->addWidget(m_found);
     row->addWidget(m_findWords, 1);
+    row->addStretch(); // for a row without words
     connect(m_find, &QPushButton::clicked, &m_finder, &CameraFinder::find);
     connect(m_found, &QComboBox::activated, this, [this](int index) {
         if (index > 0) {

@@ -114,7 +114,8 @@ void PanoramaView::paintNames(QPainter& painter) const {
 
 void PanoramaView::paintLook(QPainter& painter) const {
     if (m_presenter->isComparingUnaligned()) {
-        paintPlate(painter, rect(), Qt::AlignBottom | Qt::AlignHCenter,
+        constexpr int kLookPx = 34; // the height of the plate below
+        paintPlate(painter, rect().adjusted(0, 0, 0, -kLookPx), Qt::AlignBottom | Qt::AlignHCenter,
                    tr("Not aligned yet: these photos may be turned differently. Align the survey first."));
     }
     const Look& look = m_presenter->look();

@@ -90,8 +90,7 @@ QWidget* PreviewMode::makeBar() {
     m_depth = new QCheckBox(tr("&With depth"), bar);
     m_depth->setObjectName("withDepth");
     m_depth->setChecked(true);
-    m_depth->setToolTip(tr("The depth of each pixel follows while you drive: right views between photos. "
-                           "Surveys of more than %1 photos are exported for that.")
+    m_depth->setToolTip(tr("The depth of each pixel follows while you drive, in surveys of up to %1 photos")
                             .arg(PreviewPresenter::kMostDeepened));
     connect(m_depth, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setWantsDepth);
     m_what = new QLabel(bar);
