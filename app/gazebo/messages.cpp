@@ -159,9 +159,9 @@ void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration) {
 
 void setReport(msgs::Param& message, const simulator::Frame& frame, double latencyMs) {
     const render::ViewReport& report = frame.view.report;
-    put(message, "trust", frame.trust);
+    put(message, "trust", report.trust);
     put(message, "late", report.isLate);
-    put(message, "outside", frame.isOutside);
+    put(message, "outside", report.isOutside);
     put(message, "overlay", std::string(nameOf(frame.overlay)));
     put(message, "photo", report.file);
     put(message, "origin", std::string(name(report.origin)));

@@ -114,14 +114,20 @@ void bindReport(py::module_& module) {
         .def_readonly("offset_m", &ViewReport::offsetM, "Between the camera and the photo.")
         .def_readonly(
             "parallax_px", &ViewReport::parallaxPx,
-            "By how much a thing at half or twice the distance that the scene model assumes would be "
-            "displaced at the picture's centre.")
+            "By how many pixels things are displaced: the median over the view of what the evidence says.")
+        .def_readonly("outside", &ViewReport::isOutside,
+                      "The camera is outside of what was scanned; the trust is then 0.")
+        .def_readonly("sees_place", &ViewReport::seesPlace,
+                      "The photos see the camera's place. If none does, the nearest ones are shown.")
+        .def_readonly("seen_share", &ViewReport::seenShare,
+                      "Of the pixels, that are neither filled nor unsure.")
         .def_readonly("filled_share", &ViewReport::filledShare,
                       "Of the pixels, that had to come from another photo.")
         .def_readonly("blur_px", &ViewReport::blurPx, "Of a thumbnail.")
         .def_readonly(
             "trust", &ViewReport::trust,
-            "1 / (1 + parallax_px + blur_px): 1 at a photo's own place, 0.5 with one pixel in doubt.")
+            "1 / (1 + parallax_px + blur_px): 1 at a photo's own place, 0.5 with one pixel in doubt, 0 where "
+            "nothing is known.")
         .def_readonly("decode_ms", &ViewReport::decodeMs, "Waiting for the photo to be decoded.")
         .def_readonly("decoded_tiles", &ViewReport::decodedTiles, "That it waited for.")
         .def_readonly("whole_decode", &ViewReport::isWholeDecode, "The photo has no restart markers.")
@@ -223,6 +229,8 @@ void bindViews(py::module_& module) {
         flags["SEAM"] = static_cast<int>(PixelFlag::Seam);
         flags["COARSE"] = static_cast<int>(PixelFlag::Coarse);
         flags["OVERLAY"] = static_cast<int>(PixelFlag::Overlay);
+        flags["FILLED"] = static_cast<int>(PixelFlag::Filled);
+        flags["UNSURE"] = static_cast<int>(PixelFlag::Unsure);
         return flags;
     }();
 }

@@ -22,11 +22,6 @@ namespace {
 constexpr double kFarthestM = 1e7;
 constexpr double kUnitTolerance = 0.01;
 
-bool isIn(const render::DatasetInfo& dataset, const Eigen::Vector3d& pInRoom) {
-    const bool isBetween = dataset.ceilingM <= 0 || (pInRoom.z() >= 0 && pInRoom.z() <= dataset.ceilingM);
-    return isBetween && (dataset.outline.size() < 3 || contains(dataset.outline, pInRoom.head<2>()));
-}
-
 OverlayParts partOf(OverlayPart part, const RawPicture& picture, const CameraIntrinsics& camera) {
     OverlayParts parts;
     switch (part) {
@@ -175,13 +170,11 @@ void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
                     : view.overlays.empty() ? OverlayUse::Missing
                                             : OverlayUse::Laid;
     with.stream.next(due.roomFromCamera, std::chrono::duration<double>(due.stamp).count(), view, frame.view);
-    frame.isOutside = !isIn(renderer.dataset().info(), due.roomFromCamera.translation);
-    frame.trust = frame.isOutside ? 0 : frame.view.report.trust;
 }
 
 void SimulatedCamera::State::countFrame() {
     ++counters.frames;
-    counters.outside += frame.isOutside ? 1 : 0;
+    counters.outside += frame.view.report.isOutside ? 1 : 0;
     counters.overlaysLaid += frame.overlay == OverlayUse::Laid ? 1 : 0;
     counters.overlaysMissing += frame.overlay == OverlayUse::Missing ? 1 : 0;
 }

@@ -10,6 +10,7 @@
 #include "spherewalk/photo/picture_file.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace spherewalk::cli {
@@ -22,6 +23,17 @@ struct ViewArguments {
     std::string out;
     std::string ball;
 };
+
+/// What a person must know before the picture is used, as sentences that go on.
+std::string doubtOf(const render::ViewReport& report) {
+    if (report.isOutside) {
+        return " The camera is outside of what was scanned; nothing in the picture can be relied on.";
+    }
+    if (!report.seesPlace) {
+        return " No photo sees the camera's place; the picture may show what lies behind a wall.";
+    }
+    return "";
+}
 
 Result renderView(const ViewArguments& options, Context& context) {
     const Rigid3 pose = options.dataset.opticalPose(parsePose(options.pose));
@@ -40,7 +52,7 @@ Result renderView(const ViewArguments& options, Context& context) {
     return {json, text("Wrote ", options.out, ": ", view.picture.width(), " x ", view.picture.height(),
                        " pixels from ", view.report.file, ", ", fixed(100 * view.report.offsetM, 1),
                        " cm away, trust ", fixed(view.report.trust, 2), ", rendered in ",
-                       fixed(view.report.renderMs, 1), " ms.")};
+                       fixed(view.report.renderMs, 1), " ms.", doubtOf(view.report))};
 }
 
 struct WalkArguments {
@@ -79,12 +91,14 @@ Result renderWalk(const WalkArguments& options, Context& context) {
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
     const std::string known =
         report.reused > 0 ? text(", ", report.reused, " of them were there before") : "";
+    const std::string outside =
+        report.outside > 0 ? text(" ", report.outside, " frames are from outside of what was scanned.") : "";
     return {jobs::toJson(report),
             report.isComplete
                 ? text("Wrote ", report.frames, " frames", known, ", index.csv, and contact-sheet.png to ",
                        options.out, " (median ", fixed(report.medianRenderMs, 1), " ms to render, ",
                        report.photosUsed, " photos used, ", report.stream.late,
-                       " frames not decoded in time).")
+                       " frames not decoded in time).", outside)
                 : text("Wrote ", report.frames, " frames", known, " to ", options.out,
                        ". Other parts are still to come; the last one to end writes index.csv.")};
 }

@@ -55,6 +55,8 @@ class PixelFlag(enum.IntFlag):
     SEAM = 8  #: partly from the photo's left border, partly from its right one
     COARSE = 16  #: blurred, since the view was made from a coarser picture than the photo
     OVERLAY = 32  #: at least partly covered by an overlay
+    FILLED = 64  #: filled in from beside, as no photo shows what is there
+    UNSURE = 128  #: perhaps displaced by more than two pixels, or nothing is known
 
 
 __all__ = [

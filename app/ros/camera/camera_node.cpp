@@ -84,7 +84,7 @@ class CameraDiagnostics {
 void CameraDiagnostics::add(const simulator::Frame& frame) {
     const std::chrono::duration<double, std::milli> latency =
         std::chrono::steady_clock::now() - frame.poseTakenAt;
-    m_leastTrust = std::min(m_leastTrust, frame.trust);
+    m_leastTrust = std::min(m_leastTrust, frame.view.report.trust);
     m_worstLatencyMs = std::max(m_worstLatencyMs, latency.count());
     m_photo = frame.view.report.file;
     m_offsetM = frame.view.report.offsetM;

@@ -251,6 +251,8 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     for (std::size_t i = 0; i < end; ++i) {
         throwIfStopped(stop);
         report.frames += i < begin ? 0 : 1;
+        report.outside +=
+            i >= begin && renderer.dataset().isOutside(path[i].roomFromCamera.translation) ? 1 : 0;
         if (i < begin || isThere(i)) {
             report.reused += i < begin ? 0 : 1;
             stream.pass(path[i].roomFromCamera, frame); // a frame has the same photos in any part
@@ -297,6 +299,10 @@ Json toJson(const render::ViewReport& report) {
             {"origin", name(report.origin)},
             {"late", report.isLate},
             {"trust", report.trust},
+            {"outside", report.isOutside},
+            {"sees_place", report.seesPlace},
+            {"seen_share", report.seenShare},
+            {"filled_share", report.filledShare},
             {"parallax_px", report.parallaxPx},
             {"blur_px", report.blurPx},
             {"decode_ms", report.decodeMs},
@@ -329,6 +335,7 @@ Json toJson(const WalkReport& report) {
             {"median_decode_ms", report.medianDecodeMs},
             {"worst_offset_m", report.worstOffsetM},
             {"least_trust", report.leastTrust},
+            {"outside", report.outside},
             {"late", report.stream.late},
             {"waited", report.stream.waited},
             {"coarse", report.stream.coarse},

@@ -159,6 +159,7 @@ struct CStruct<spherewalk_view> : detail::PlainCStruct<spherewalk_view> {
 template <>
 struct CStruct<spherewalk_report> : detail::PlainCStruct<spherewalk_report> {
     static constexpr const char* kName = "spherewalk_report";
+    static constexpr std::array kSizes{offsetof(spherewalk_report, is_outside), sizeof(spherewalk_report)};
 };
 
 template <>

@@ -81,6 +81,8 @@ static_assert(SPHEREWALK_PIXEL_STITCHING == static_cast<int>(PixelFlag::Stitchin
 static_assert(SPHEREWALK_PIXEL_SEAM == static_cast<int>(PixelFlag::Seam));
 static_assert(SPHEREWALK_PIXEL_COARSE == static_cast<int>(PixelFlag::Coarse));
 static_assert(SPHEREWALK_PIXEL_OVERLAY == static_cast<int>(PixelFlag::Overlay));
+static_assert(SPHEREWALK_PIXEL_FILLED == static_cast<int>(PixelFlag::Filled));
+static_assert(SPHEREWALK_PIXEL_UNSURE == static_cast<int>(PixelFlag::Unsure));
 
 void take(const spherewalk_overlay* overlay, const CameraIntrinsics& camera, Overlay& into) {
     const spherewalk_overlay source = taken(overlay);
@@ -148,6 +150,10 @@ spherewalk_report cReport(const ViewReport& source) {
     result.decode_ms = source.decodeMs;
     result.render_ms = source.renderMs;
     result.decoded_tiles = source.decodedTiles;
+    result.is_outside = source.isOutside ? 1 : 0;
+    result.sees_place = source.seesPlace ? 1 : 0;
+    result.seen_share = source.seenShare;
+    result.filled_share = source.filledShare;
     return result;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "dataset/evidence.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/recently_used.h"
@@ -145,6 +147,12 @@ class SightMap {
     std::vector<float> m_inverseM;
 };
 
+/// What is kept of a photo's depth.
+struct DepthKept {
+    SightMap sight;
+    std::shared_ptr<const DepthEvidence> evidence;
+};
+
 } // namespace
 
 /// What is kept to tell what photos see. Threads: any.
@@ -203,12 +211,16 @@ class SightMaps {
         if (of.depth.empty()) {
             return Look::Unknown;
         }
-        const auto map = m_maps.get(photo, [&] { return made(of); });
-        return map->look(of.roomFromPhoto.rotation.conjugate() * (place - of.roomFromPhoto.translation));
+        return kept(photo, of)->sight.look(of.roomFromPhoto.rotation.conjugate() *
+                                           (place - of.roomFromPhoto.translation));
+    }
+
+    std::shared_ptr<const DepthEvidence> evidence(std::size_t photo, const DatasetPhoto& of) {
+        return of.depth.empty() ? nullptr : kept(photo, of)->evidence;
     }
 
   private:
-    static constexpr std::size_t kKept = 192; ///< Each has 128 KB.
+    static constexpr std::size_t kKept = 96; ///< Each has 640 KB.
 
     struct Solid {
         Polygon outline;
@@ -216,13 +228,16 @@ class SightMaps {
     };
 
     /// A depth that cannot be read tells nothing. A view that draws with it reports the error.
-    SightMap made(const DatasetPhoto& of) const {
-        try {
-            const std::filesystem::path file = m_folder / of.depth;
-            return SightMap(DepthMap::parse(readFile(file, kLargestDepthFile), file.string()));
-        } catch (const Error&) {
-            return {};
-        }
+    std::shared_ptr<const DepthKept> kept(std::size_t photo, const DatasetPhoto& of) {
+        return m_maps.get(photo, [&]() -> DepthKept {
+            try {
+                const std::filesystem::path file = m_folder / of.depth;
+                const DepthMap map = DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
+                return {SightMap(map), std::make_shared<const DepthEvidence>(map)};
+            } catch (const Error&) {
+                return {};
+            }
+        });
     }
 
     /// Whether an obstacle lies between. One in which the place itself lies does not tell.
@@ -239,7 +254,7 @@ class SightMaps {
     std::filesystem::path m_folder;
     Polygon m_outline; ///< It is empty if it is not known.
     std::vector<Solid> m_solids;
-    RecentlyUsed<std::size_t, SightMap> m_maps{kKept};
+    RecentlyUsed<std::size_t, DepthKept> m_maps{kKept};
 };
 
 Dataset::Dataset(std::filesystem::path folder, DatasetInfo info)
@@ -261,6 +276,10 @@ bool Dataset::seesFirmly(std::size_t photo, const Vector3d& pInRoom) const {
     return std::all_of(kSteps.begin(), kSteps.end(), [&](const std::pair<double, double>& step) {
         return sees(photo, pInRoom + kFirmM * Vector3d(step.first, step.second, 0));
     });
+}
+
+std::shared_ptr<const DepthEvidence> Dataset::evidence(std::size_t photo) const {
+    return m_sight->evidence(photo, m_info.photos.at(photo));
 }
 
 bool Dataset::isOutside(const Vector3d& pInRoom) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/view_engine.h"
 
-#include "layers/view_geometry.h"
 #include "sphere/exact_view.h"
 
 #include "spherewalk/base/error.h"
@@ -18,15 +17,32 @@ namespace spherewalk::render {
 namespace {
 
 constexpr double kUsualDistanceM = 2;
-/// The error of 1 / distance as a share of it, where depths are not measured against anything.
-constexpr double kDepthResidual = 0.02;
+/// So many photos tell about a view's errors.
+constexpr std::size_t kWitnesses = 4;
+/// Mixing photos averages the errors of their depths.
+constexpr double kMixedShare = 0.88;
 
-/// See ViewReport::parallaxPx: offset times the error of the inverse distance times the focal length.
-double parallax(SceneKind scene, double radiusM, double offsetM, const CameraModel& camera) {
-    const double inverseDistanceError = usesDepths(scene)          ? kDepthResidual / radiusM
-                                        : scene == SceneKind::None ? 1 / radiusM
-                                                                   : 1 / (0.5 * radiusM) - 1 / radiusM;
-    return std::max(camera.intrinsics().fx, camera.intrinsics().fy) * offsetM * inverseDistanceError;
+/// What the dataset says about a photo's pose, across a ray: two of three directions.
+void fillSigmas(const DatasetPhoto& photo, PhotoEvidence& evidence) {
+    const auto across = [](const Eigen::Vector3d& sigmas) { return std::sqrt(2.0 / 3.0) * sigmas.norm(); };
+    if (photo.rotationSigma) {
+        const auto& [yaw, pitch, roll] = *photo.rotationSigma;
+        evidence.rotationSigmaRad = across({yaw.value(), pitch.value(), roll.value()});
+    }
+    if (photo.positionSigmaM) {
+        evidence.positionSigmaM = across(*photo.positionSigmaM);
+    }
+}
+
+bool isRotationKnown(const DatasetPhoto& photo) {
+    return photo.rotationSource != "metadata" && photo.rotationSource != "unknown";
+}
+
+std::optional<RoomShape> roomOf(const DatasetInfo& info) {
+    if (info.roomShape || info.outline.size() < 3 || !(info.ceilingM > 0)) {
+        return info.roomShape;
+    }
+    return RoomShape{info.outline, 0, info.ceilingM};
 }
 
 double elapsedMs(std::chrono::steady_clock::time_point begin) {
@@ -207,7 +223,7 @@ void ViewEngine::draw(const ViewRequest& request, const Plan& plan, const PlaneV
         renderView(*plan.rays, request.roomFromCamera, source, plan.sampling, tools.pool, tools.threads,
                    tools.memory.workspace, view.picture);
     }
-    addLayers(request, plan, photo, tools, {}, view);
+    addLayers(request, plan, photo, tools, evidence(request, plan, {plan.level.photo}), {}, view);
 }
 
 /// Makes all of a view whose plan has surfaces, from these photos.
@@ -262,7 +278,12 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, cons
     if (request.options.wantsDepth || !request.options.overlays.empty()) {
         depth = surfaceView.depth(*rays);
     }
-    addLayers(request, plan, planes.front(), tools, std::move(depth), view);
+    ViewEvidence evidence = this->evidence(request, plan, chosen.photos);
+    evidence.inverseM = [&surfaceView, isPinhole = request.camera.intrinsics().lens == LensModel::Pinhole](
+                            int x, int y, const Eigen::Vector3d& ray) {
+        return surfaceView.inverse(x, y) * (isPinhole ? ray.z() : 1);
+    };
+    addLayers(request, plan, planes.front(), tools, evidence, std::move(depth), view);
 }
 
 void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Served& served,
@@ -275,23 +296,51 @@ void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Serv
     report.origin = served.origin;
     report.isLate = served.isLate;
     report.offsetM = (request.roomFromCamera.translation - photo.roomFromPhoto.translation).norm();
-    report.parallaxPx = parallax(plan.surface && usesDepths(*plan.surface) ? SceneKind::Depth : plan.scene,
-                                 plan.radiusM, report.offsetM, request.camera);
     report.blurPx =
         served.coarse
             ? std::max(0.0, 0.5 / minification(request.camera, served.coarse->view().size().width) - 0.5)
             : 0;
-    report.trust = 1 / (1 + report.parallaxPx + report.blurPx);
+    report.isOutside = m_dataset->isOutside(request.roomFromCamera.translation);
     report.decodeMs = served.lease.waitedMs();
     report.decodedTiles = served.lease.waitedTiles();
     report.isWholeDecode = served.lease.isWholeDecode();
     report.isVerified = m_photos->hash(plan.level.photo) == PhotoHash::Verified;
 }
 
-/// Adds the dataset's colour correction. Then it adds depth, overlays and trust, if they are wanted. depth:
-/// that of the view, if it is known already.
+/// What is known about a view of these photos. The photos near the camera tell about it, too.
+ViewEvidence ViewEngine::evidence(const ViewRequest& request, const Plan& plan,
+                                  const std::vector<std::size_t>& shown) const {
+    const DatasetInfo& info = m_dataset->info();
+    ViewEvidence evidence;
+    const auto add = [&](std::size_t photo) {
+        PhotoEvidence of;
+        of.roomFromPhoto = roomFromPhoto(photo);
+        of.depth = m_dataset->evidence(photo);
+        fillSigmas(info.photos[photo], of);
+        evidence.photos.push_back(std::move(of));
+    };
+    std::for_each(shown.begin(), shown.end(), add);
+    PhotoQuery near;
+    near.most = kWitnesses;
+    near.without = request.options.without;
+    near.isUsable = [&](std::size_t photo) { return !info.photos[photo].depth.empty(); };
+    for (const std::size_t photo : m_dataset->photosNear(request.roomFromCamera.translation, near).photos) {
+        const bool isShown = std::find(shown.begin(), shown.end(), photo) != shown.end();
+        if (!isShown && photo != request.options.without && evidence.photos.size() < kWitnesses) {
+            add(photo);
+        }
+    }
+    evidence.shown = shown.size();
+    evidence.showsDepths = plan.surface && usesDepths(*plan.surface);
+    evidence.residualShare = plan.surface == SceneKind::Blend ? kMixedShare : 1;
+    evidence.room = roomOf(info);
+    return evidence;
+}
+
+/// Adds the dataset's colour correction, and to the report how far the view can be trusted. Then it adds
+/// depth, overlays and trust, if they are wanted. depth: that of the view, if it is known already.
 void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo,
-                           const Tools& tools, DepthImage depth, View& view) {
+                           const Tools& tools, ViewEvidence evidence, DepthImage depth, View& view) {
     const ViewOptions& options = request.options;
     view.depth = {};
     view.trust = {};
@@ -299,14 +348,19 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
     if (m_colour && options.correctsColour) {
         m_colour->apply(view.picture, *pixelRaysOf(request.camera, tools), tools.pool, tools.threads);
     }
-    if (!options.wantsDepth && !options.wantsTrust && options.overlays.empty()) {
-        return;
-    }
     const auto rays = pixelRaysOf(request.camera, tools);
     const DatasetPhoto& whole = m_dataset->info().photos[plan.level.photo];
     const ViewGeometry geometry{
         *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
         plan.radiusM};
+    TrustOptions trust;
+    trust.evidence = &evidence;
+    ViewReport& report = view.report;
+    const ViewTrust judged = viewTrust(geometry, trust);
+    evidence.isKnown = isRotationKnown(whole) && report.seesPlace && !report.isOutside;
+    report.parallaxPx = judged.displacementPx;
+    report.seenShare = evidence.isKnown ? judged.seenShare : 0;
+    report.trust = evidence.isKnown ? 1 / (1 + report.parallaxPx + report.blurPx) : 0;
     const bool needDepth = std::any_of(options.overlays.begin(), options.overlays.end(),
                                        [](const Overlay& overlay) { return overlay.roomDepth.empty(); });
     if (options.wantsDepth || needDepth) {
@@ -319,9 +373,7 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
                            &view.overlaid);
     }
     if (options.wantsTrust) {
-        TrustOptions trust;
         trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
-        trust.distanceResidual = plan.surface && usesDepths(*plan.surface) ? kDepthResidual : 1;
         trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
         view.trust = pixelTrust(geometry, trust, tools.pool, tools.threads);
     }

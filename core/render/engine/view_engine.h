@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/tile_supply.h"
+#include "layers/view_geometry.h"
 #include "sphere/sphere_view.h"
 #include "surface/surface_view.h"
 #include "tiles/photo_files.h"
@@ -106,8 +107,10 @@ class ViewEngine {
     void drawSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
                       const Tools& tools, SurfaceView& surfaceView, View& view);
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
+    ViewEvidence evidence(const ViewRequest& request, const Plan& plan,
+                          const std::vector<std::size_t>& shown) const;
     void addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
-                   DepthImage depth, View& view);
+                   ViewEvidence evidence, DepthImage depth, View& view);
 
     std::shared_ptr<const Dataset> m_dataset;
     std::shared_ptr<PhotoFiles> m_photos;

@@ -8,9 +8,17 @@
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/ladder.h"
 #include "spherewalk/render/pixel_rays.h"
+#include "spherewalk/render/scene_depth.h"
 #include "spherewalk/render/view.h"
 
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
 namespace spherewalk::render {
+
+class DepthEvidence;
 
 /// What follows from a view's geometry without its colours: the depth and the trust of each pixel.
 
@@ -38,9 +46,31 @@ struct ViewGeometry {
 /// use, 0 for all of the pool; the values are the same for any number. Errors: as ViewGeometry::validate().
 DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads = 0);
 
+/// What a photo knows about the things that it shows, and how well its own pose is known.
+struct PhotoEvidence {
+    Rigid3 roomFromPhoto;
+    std::shared_ptr<const DepthEvidence> depth; ///< Nothing if the photo has no depth.
+    double rotationSigmaRad = 0;                ///< By how much it is turned across a ray.
+    double positionSigmaM = 0;                  ///< By how much it is displaced across a ray.
+};
+
+/// What is known about a view besides its scene model.
+struct ViewEvidence {
+    std::vector<PhotoEvidence> photos; ///< The photos that the view shows, and then others near the camera.
+    std::size_t shown = 1;             ///< The number of photos that the view shows.
+    bool showsDepths = false;          ///< Whether the view's distances are those of the photos' depths.
+    double residualShare = 1;          ///< What is left of a depth's error where photos are mixed.
+    /// 1 / distance along a pixel's ray in the view. It is empty for scene models without surfaces.
+    std::function<double(int x, int y, const Eigen::Vector3d& ray)> inverseM;
+    std::optional<RoomShape> room; ///< What lies beyond it is a mirror image or outside of a window.
+    bool isKnown = true;           ///< Whether anything can be said. If not, all errors are infinite.
+};
+
 struct TrustOptions {
+    /// What errors are told from. Without it the next member is all that is known.
+    const ViewEvidence* evidence = nullptr;
     /// The error of the scene model's 1 / distance, as a share of it. With 1, things may be at half of the
-    /// distance or at any greater one. ViewReport::parallaxPx assumes this.
+    /// distance or at any greater one.
     double distanceResidual = 1;
     /// Photo pixels along one pixel of the picture that the view was made from: 1 for the photo itself, 2 for
     /// its half.
@@ -61,15 +91,24 @@ struct TrustOptions {
 ///
 /// Displacement is the product of three factors: the part of the offset between camera and photo that lies
 /// across the ray; the error of the scene model's 1 / distance along the ray; the pixels per radian that the
-/// lens has there. With SceneKind::None the error of 1 / distance is that of things at the usual distance. At
-/// the picture's centre, with an offset across the axis, this is ViewReport::parallaxPx. (The one takes the
-/// sphere's radius, the other the displaced camera's distance to it.) Blur is half of what a pixel of a
-/// coarser picture spans beyond a pixel of the view, or of the photo where that is the larger.
+/// lens has there. The photos' depths tell that error: how far the scene model is from the photo's own depth,
+/// how far other photos' depths disagree, how steep the depth is close by, and whether it was measured at
+/// all. The uncertainty of the photo's pose is added. resources/docs/trust.md says more. Blur is half of what
+/// a pixel of a coarser picture spans beyond a pixel of the view, or of the photo where that is the larger.
 ///
 /// threads: the most to use, 0 for all of the pool; the values are the same for any number. Errors: as
-/// validate() of the view and of the options; InvalidInput for a mask of another size. Cost: a third of a
+/// validate() of the view and of the options; InvalidInput for a mask of another size. Cost: half a
 /// microsecond a pixel.
 PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, WorkerPool& pool,
                       int threads = 0);
+
+/// How far a view can be believed as a whole.
+struct ViewTrust {
+    double displacementPx = 0; ///< The median of the pixels' displacements.
+    double seenShare = 0;      ///< The share of pixels that are neither filled nor unsure.
+};
+
+/// The trust of a view from 16 x 12 of its pixels. Cost: some microseconds.
+ViewTrust viewTrust(const ViewGeometry& view, const TrustOptions& options);
 
 } // namespace spherewalk::render

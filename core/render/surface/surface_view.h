@@ -119,6 +119,10 @@ class SurfaceView {
     /// rays: those of prepare().
     DepthImage depth(const PixelRays& rays) const;
 
+    /// 1 / s of a pixel of the prepared view, as InverseBuffer defines it. Holes have what they were filled
+    /// with.
+    double inverse(int x, int y) const { return *m_coordinates.inverse.at(x, y); }
+
     /// The share of the view's pixels that the first photo's surface does not cover. Pixels that the lens
     /// does not see count, too.
     double filledShare() const { return m_filledShare; }

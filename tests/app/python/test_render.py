@@ -22,6 +22,7 @@ def test_the_command_line_gives_the_same_pixels_and_report(renderer, camera, tmp
     assert (got.file, got.scene, got.sampling, got.origin) == (
         report["photo"], report["scene"], report["sampling"], report["origin"])
     assert (got.offset_m, got.parallax_px, got.trust) == (report["offset_m"], report["parallax_px"], report["trust"])
+    assert (got.outside, got.sees_place, got.seen_share) == (report["outside"], report["sees_place"], report["seen_share"])
     assert renderer.render(camera, BODY_POSE, frame="body").report.verified
 
 

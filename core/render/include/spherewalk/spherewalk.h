@@ -281,12 +281,11 @@ enum {
 
 typedef struct spherewalk_view_options {
     size_t struct_size;
-    int32_t scene;    ///< Default: SPHEREWALK_SCENE_BEST.
-    int32_t sampling; ///< Default: SPHEREWALK_SAMPLING_DEFAULT.
-    int32_t threads;  ///< The most to use, 0 for all. The pixels are the same for any number.
-    /// 1 computes in double precision, bilinearly, a hundred times slower, for comparisons. Default: 0.
-    int32_t is_exact;
-    double tolerance_db;                       ///< The tolerance of SPHEREWALK_SAMPLING_AUTO. Default: 40.
+    int32_t scene;       ///< Default: SPHEREWALK_SCENE_BEST.
+    int32_t sampling;    ///< Default: SPHEREWALK_SAMPLING_DEFAULT.
+    int32_t threads;     ///< The most to use, 0 for all. The pixels are the same for any number.
+    int32_t is_exact;    ///< 1 computes exactly, bilinearly, and a hundred times slower. Default: 0.
+    double tolerance_db; ///< The tolerance of SPHEREWALK_SAMPLING_AUTO. Default: 40.
     const spherewalk_overlay* const* overlays; ///< They are laid into the picture. NULL: none.
     uint64_t overlay_count;                    ///< Range: up to 1000.
     /// How far an object may lie behind the room's surface and still be shown. The larger of metres (default
@@ -305,8 +304,10 @@ enum {
     SPHEREWALK_PIXEL_POLE = 2,   ///< It is near the photo's zenith or nadir, where the camera's own foot is.
     SPHEREWALK_PIXEL_STITCHING = 4, ///< It is near where the pictures of a camera's two lenses were joined.
     SPHEREWALK_PIXEL_SEAM = 8, ///< It comes partly from the photo's left border, partly from its right one.
-    SPHEREWALK_PIXEL_COARSE = 16, ///< It is blurred, since the view was made from a coarser picture.
-    SPHEREWALK_PIXEL_OVERLAY = 32 ///< An overlay covers at least a part of it.
+    SPHEREWALK_PIXEL_COARSE = 16,  ///< It is blurred, since the view was made from a coarser picture.
+    SPHEREWALK_PIXEL_OVERLAY = 32, ///< An overlay covers at least a part of it.
+    SPHEREWALK_PIXEL_FILLED = 64,  ///< No photo shows what is there: it was filled in from beside.
+    SPHEREWALK_PIXEL_UNSURE = 128  ///< It may be displaced by more than two pixels, or nothing is known.
 };
 
 /// The memory that a view is written to. A buffer without data is not wanted and costs nothing; rgb must have
@@ -314,11 +315,9 @@ enum {
 typedef struct spherewalk_view {
     size_t struct_size;
     spherewalk_buffer rgb; ///< Red, green, blue: 3 bytes a pixel. Black where the lens sees nothing.
-    /// The depth of the scene model without overlays, a float a pixel: z along the optical axis in metres. It
-    /// is +infinity where it is unknown.
+    /// The scene model's depth, a float a pixel: z along the optical axis in metres, +infinity if unknown.
     spherewalk_buffer depth;
-    /// By how many pixels the shown thing may be displaced, a float a pixel. It is +infinity where the lens
-    /// sees nothing. 1 / (1 + error) is the pixel's trust.
+    /// By how many pixels the shown thing is displaced, a float a pixel; +infinity where nothing is known.
     spherewalk_buffer error_px;
     spherewalk_buffer flags;    ///< SPHEREWALK_PIXEL_..., a byte a pixel.
     spherewalk_buffer overlaid; ///< How much of it overlays cover, a byte a pixel, 255 for all.
@@ -344,20 +343,21 @@ typedef struct spherewalk_report {
     int32_t is_verified;     ///< 1 if the photo's hash is known to be the one in dataset.json.
     int32_t is_whole_decode; ///< 1 if all of the photo was decoded, as it has no restart markers.
     double offset_m;         ///< The distance between the camera and the photo.
-    /// The displacement, at the picture's centre, of a thing that is half or twice as far as in the scene
-    /// model.
-    double parallax_px;
-    double blur_px;   ///< The blur of a thumbnail.
-    double trust;     ///< 1 / (1 + parallax_px + blur_px).
-    double decode_ms; ///< How long the view waited for tiles to be decoded.
+    double parallax_px;      ///< By how many pixels things are displaced: the median over the view.
+    double blur_px;          ///< The blur of a thumbnail.
+    double trust;            ///< 1 / (1 + parallax_px + blur_px); 0 where nothing is known, as outside.
+    double decode_ms;        ///< How long the view waited for tiles to be decoded.
     double render_ms;
     int64_t decoded_tiles; ///< The number of tiles that the view waited for.
+    int32_t is_outside;    ///< 1 if the camera is outside of what was scanned.
+    int32_t sees_place;    ///< 0 if no photo sees the camera's place, so that the nearest ones are shown.
+    double seen_share;     ///< The share of pixels that are neither filled nor unsure.
+    double filled_share;   ///< The share of pixels that the first photo does not show.
 } spherewalk_report;
 
 SPHEREWALK_API spherewalk_status spherewalk_report_init(spherewalk_report* report, size_t size);
 
-/// Makes the view of a camera at this pose of its optical frame. It waits for what is not decoded yet.
-/// options: may be NULL. report: may be NULL.
+/// Makes the view from this pose of the optical frame. It may wait. options, report: may be NULL.
 SPHEREWALK_API spherewalk_status spherewalk_renderer_render(const spherewalk_renderer* renderer,
                                                             const spherewalk_camera* camera,
                                                             const spherewalk_pose* room_from_camera,

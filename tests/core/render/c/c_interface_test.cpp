@@ -155,6 +155,10 @@ TEST_F(CInterface, RendersWhatTheLibraryRenders) {
         EXPECT_EQ(report.offset_m, expected.report.offsetM);
         EXPECT_EQ(report.parallax_px, expected.report.parallaxPx);
         EXPECT_EQ(report.trust, expected.report.trust);
+        EXPECT_EQ(report.is_outside, expected.report.isOutside ? 1 : 0);
+        EXPECT_EQ(report.sees_place, expected.report.seesPlace ? 1 : 0);
+        EXPECT_EQ(report.seen_share, expected.report.seenShare);
+        EXPECT_EQ(report.filled_share, expected.report.filledShare);
         EXPECT_EQ(report.is_verified, 1);
         EXPECT_EQ(report.is_whole_decode, expected.report.isWholeDecode ? 1 : 0);
     }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace spherewalk::render {
@@ -197,6 +198,63 @@ TEST_F(TwoRooms, AStreamTakesThePhotoThatIsNearerByTwoCentimetres) {
     EXPECT_EQ(photoAt(1.235), 1.5);
     EXPECT_EQ(photoAt(1.225), 1.0);
     EXPECT_EQ(photoAt(3.0), 3.0);
+}
+
+TEST_F(TwoRooms, OutsideOfWhatWasScannedNothingIsTrusted) {
+    write(Knows::Plan);
+    const Renderer renderer = this->renderer();
+    for (const Vector3d& outside : {Vector3d(-0.5, 1, 1.2), Vector3d(1, 1, 2.7), Vector3d(1, 1, -0.1),
+                                    Vector3d(kWall + 0.05, 3, 1.2)}) {
+        SCOPED_TRACE(testing::Message() << outside.transpose());
+        EXPECT_TRUE(renderer.dataset().isOutside(outside));
+        const View view =
+            renderer.render(camera, {bodyFromOptical(), outside}, {.scene = {}, .wantsTrust = true});
+        EXPECT_TRUE(view.report.isOutside);
+        EXPECT_EQ(view.report.trust, 0);
+        EXPECT_EQ(view.report.seenShare, 0);
+        for (const std::uint8_t flags : view.trust.flags.values()) {
+            ASSERT_TRUE(has(flags, PixelFlag::Unsure));
+        }
+        for (const float error : view.trust.errorPx.values()) {
+            ASSERT_EQ(error, HUGE_VALF);
+        }
+    }
+    EXPECT_FALSE(renderer.render(camera, {bodyFromOptical(), {1.1, 1, 1.2}}).report.isOutside);
+}
+
+// A camera over a table whose outline is an obstacle is not outside where the photos see free space.
+TEST_F(TwoRooms, WhereADepthShowsFreeSpaceAnObstacleIsNotSolid) {
+    write(Knows::Depth);
+    info.obstacles = {{{1.1, 1.1}, {1.4, 1.1}, {1.4, 1.4}, {1.1, 1.4}}};
+    test::rewriteInfo(folder.path(), info);
+    EXPECT_FALSE(Dataset::open(folder.path()).isOutside({1.25, 1.25, 1.2}));
+    info.photos.erase(info.photos.begin() + 1, info.photos.end());
+    info.photos.front().depth.clear();
+    test::rewriteInfo(folder.path(), info);
+    EXPECT_TRUE(Dataset::open(folder.path()).isOutside({1.25, 1.25, 1.2}));
+}
+
+TEST_F(TwoRooms, APhotosUncertaintyLowersTrustByAsMuch) {
+    write(Knows::Depth);
+    const Rigid3 pose{bodyFromOptical(), info.photos[8].roomFromPhoto.translation};
+    const auto report = [&] {
+        test::rewriteInfo(folder.path(), info);
+        return renderer().render(camera, pose, {.scene = SceneKind::Depth}).report;
+    };
+    EXPECT_EQ(report().photo, 8U);
+    EXPECT_EQ(report().trust, 1);
+    const double focal = camera.intrinsics().fx;
+    info.photos[8].rotationSigma = RotationSigma{Radians(0.02), Radians(0.02), Radians(0.02)};
+    const double turned = report().parallaxPx;
+    EXPECT_NEAR(turned, std::sqrt(2) * 0.02 * focal, 0.3 * turned); // the lens magnifies off the axis
+    info.photos[8].rotationSigma.reset();
+    info.photos[8].positionSigmaM = Vector3d::Constant(0.1);
+    EXPECT_GT(report().parallaxPx, std::sqrt(2) * 0.1 / 5 * focal);
+    info.photos[8].positionSigmaM.reset();
+    for (const char* source : {"metadata", "unknown"}) {
+        info.photos[8].rotationSource = source;
+        EXPECT_EQ(report().trust, 0) << source;
+    }
 }
 
 } // namespace

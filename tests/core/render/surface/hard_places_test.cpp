@@ -108,7 +108,7 @@ TEST_P(HardPlaces, GiveWholeViewsWithDepthAndTrust) {
                                     [](float z) { return std::isfinite(z) && z > 0; }));
             EXPECT_TRUE(std::all_of(seen.trust.errorPx.values().begin(), seen.trust.errorPx.values().end(),
                                     [](float error) { return error >= 0; })); // NaN is not
-            EXPECT_GT(seen.report.trust, 0);
+            EXPECT_EQ(seen.report.trust > 0, seen.report.seesPlace && !seen.report.isOutside);
             EXPECT_LE(seen.report.trust, 1);
             EXPECT_TRUE(std::isfinite(seen.report.parallaxPx));
         }

@@ -50,6 +50,7 @@ struct WalkReport {
     render::LoadCounters load;
     double worstOffsetM = 0;
     double leastTrust = 1;
+    std::size_t outside = 0; ///< Frames of this part from outside of what was scanned.
 };
 
 /// Renders a view at each pose and writes 000000.png, 000001.png, ... into the folder, which is made if need

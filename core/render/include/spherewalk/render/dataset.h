@@ -64,6 +64,7 @@ struct NearPhotos {
     bool seesPlace = true; ///< Whether the photos see the place. If none does, the nearest ones are given.
 };
 
+class DepthEvidence;
 class SightMaps;
 
 /// A dataset on disk, opened and checked. Threads: const functions may run on any number at a time.
@@ -97,6 +98,10 @@ class Dataset {
     /// ceiling, or in an obstacle. An obstacle in or over which photos were taken, or a depth shows free
     /// space, is not solid there.
     bool isOutside(const Eigen::Vector3d& pInRoom) const;
+
+    /// What a photo's depth tells about its own errors; nothing if the photo has no depth, or none that can
+    /// be read.
+    std::shared_ptr<const DepthEvidence> evidence(std::size_t photo) const;
 
     /// The bytes of the photo's JPEG. Errors: NotFound, Io; Corrupt if its size or hash is not the one that
     /// dataset.json says.

@@ -55,13 +55,16 @@ struct ViewReport {
     /// Whether the photos see the camera's place (Dataset::sees()). If none does, the view is made from the
     /// nearest ones, and may show what lies behind a wall.
     bool seesPlace = true;
-    /// The largest displacement of a thing at half or at twice the distance that the scene model assumes, in
-    /// pixels at the picture's centre. With SceneKind::None the thing is at the dataset's usual distance (its
-    /// sphere's radius, or 2 m if it has none).
+    /// Whether the camera is outside of what was scanned (Dataset::isOutside()). Its trust is then 0.
+    bool isOutside = false;
+    /// By how many pixels things are displaced: the median over the view of what the evidence says.
     double parallaxPx = 0;
+    double seenShare = 0;   ///< The share of pixels that have neither PixelFlag::Filled nor Unsure.
     double filledShare = 0; ///< The share of pixels from further photos, for scene models with surfaces.
     double blurPx = 0;      ///< How far a thumbnail's pixels reach beyond one of the view's.
-    double trust = 0; ///< 1 / (1 + parallaxPx + blurPx): 1 at a photo's own position, 0.5 at 1 px of doubt.
+    /// 1 / (1 + parallaxPx + blurPx): 1 at a photo's own position, 0.5 at 1 px of doubt. It is 0 where
+    /// nothing is known: outside, where no photo sees the place, and for a photo whose rotation is not known.
+    double trust = 0;
     double decodeMs = 0;  ///< How long the view waited for tiles to be decoded; 0 if all were in memory.
     int decodedTiles = 0; ///< The number of tiles that the view waited for.
     bool isWholeDecode = false; ///< Whether all of the photo was decoded, as it has no restart markers.
@@ -77,6 +80,10 @@ enum class PixelFlag : std::uint8_t {
     Seam = 8,      ///< It comes partly from the photo's left border, partly from its right one.
     Coarse = 16,   ///< It is blurred, since the view was made from a coarser picture than the photo.
     Overlay = 32,  ///< An overlay covers at least a part of it.
+    Filled = 64,   ///< No photo shows what is there: it was filled in from beside.
+    /// It may be displaced by more than two pixels. The error is above that, the depth is doubtful there, or
+    /// nothing is known, as outside of what was scanned.
+    Unsure = 128,
 };
 
 /// Whether the flags of a pixel (PixelTrust::flags) hold this one.
@@ -86,8 +93,9 @@ constexpr bool has(std::uint8_t flags, PixelFlag flag) {
 
 /// How far each pixel can be believed. Shape: both pictures have the view's size.
 struct PixelTrust {
-    /// By how many pixels of the view the shown thing may be displaced. It is +infinity where the lens sees
-    /// nothing. Under an overlay it is the error of the photo's pixel.
+    /// By how many pixels of the view the shown thing is displaced, as far as the evidence tells. It is
+    /// +infinity where the lens sees nothing, and in all of a view about which nothing is known. Under an
+    /// overlay it is the error of the photo's pixel.
     Image<float, 1> errorPx;
     MaskImage flags; ///< The bits are those of PixelFlag.
 };

@@ -26,8 +26,6 @@ struct Frame {
     CameraIntrinsics camera;
     render::View view;
     OverlayUse overlay = OverlayUse::NotWanted;
-    bool isOutside = false; ///< The camera is outside of the dataset's outline, floor and ceiling.
-    double trust = 0;       ///< ViewReport::trust; 0 if isOutside.
     std::chrono::steady_clock::time_point poseTakenAt; ///< When the pose was handed over.
 };
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random.h"
+#include "temporary_folder.h"
+#include "test_dataset.h"
+
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/render/renderer.h"
+#include "spherewalk/scene/depth_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <numeric>
+
+namespace spherewalk {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Ranks from 0; equal values have the mean of their ranks.
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<double> result(values.size());
+    for (std::size_t i = 0; i < order.size();) {
+        std::size_t end = i + 1;
+        while (end < order.size() && values[order[end]] == values[order[i]]) {
+            ++end;
+        }
+        for (std::size_t k = i; k < end; ++k) {
+            result[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+        }
+        i = end;
+    }
+    return result;
+}
+
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> ranksA = ranks(a);
+    const std::vector<double> ranksB = ranks(b);
+    const double middle = 0.5 * static_cast<double>(a.size() - 1);
+    double ab = 0;
+    double aa = 0;
+    double bb = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (ranksA[i] - middle) * (ranksB[i] - middle);
+        aa += (ranksA[i] - middle) * (ranksA[i] - middle);
+        bb += (ranksB[i] - middle) * (ranksB[i] - middle);
+    }
+    return ab / std::sqrt(std::max(aa * bb, 1e-300));
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What views said of their pixels, and what was true.
+struct Stated {
+    std::vector<double> stated;
+    std::vector<double> found;
+    std::vector<bool> isFlagged;
+    std::vector<double> inViews; ///< Rank correlation inside each view.
+    std::vector<double> ofViews; ///< What each view said of itself.
+    std::vector<double> foundOfViews;
+
+    /// The share of the pixels stated better than e that are worse than 2 e.
+    double worse(double e) const {
+        double all = 0;
+        double bad = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            all += stated[i] < e ? 1 : 0;
+            bad += stated[i] < e && found[i] > 2 * e ? 1 : 0;
+        }
+        return all > 0 ? bad / all : 0;
+    }
+
+    double ratio() const {
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            ratios.push_back(stated[i] / std::max(found[i], 1e-3));
+        }
+        return median(ratios);
+    }
+
+    /// The share of the pixels off by more than 10 px that are flagged.
+    double flaggedOfBad() const {
+        double all = 0;
+        double flagged = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            all += found[i] > 10 ? 1 : 0;
+            flagged += found[i] > 10 && isFlagged[i] ? 1 : 0;
+        }
+        return all > 0 ? flagged / all : 1;
+    }
+};
+
+/// A block of photos of a practice room, 40 cm apart, with depths that are found in the photos.
+class MeasuredTrust : public testing::TestWithParam<practice::RoomStyle> {
+  protected:
+    static constexpr int kPhotoWidth = 1024;
+    static constexpr int kSide = 3;
+    static constexpr double kStepM = 0.4;
+
+    MeasuredTrust() {
+        practice::PracticeRoomOptions options;
+        options.style = GetParam();
+        if (options.style == practice::RoomStyle::Flat) {
+            options.sizeM = {8, 6, 2.6};
+            m_corner = {1.6, 2.6};
+        }
+        m_room = std::make_unique<practice::PracticeRoom>(options);
+        write();
+    }
+
+    /// The views between the photos, and what they are off.
+    Stated views(render::SceneKind scene) {
+        const render::Renderer renderer(
+            std::make_shared<const render::Dataset>(render::Dataset::open(m_folder.path())));
+        const CameraModel camera(CameraIntrinsics::pinhole(320, 240, 1.0));
+        test::Random random(93);
+        Stated result;
+        for (int i = 0; i < 24; ++i) {
+            const Vector3d place(m_corner.x() + random.uniform(-0.3, 0.3 + 2 * kStepM),
+                                 m_corner.y() + random.uniform(-0.3, 0.3 + 2 * kStepM),
+                                 random.uniform(0.8, 1.5));
+            const Rigid3 pose{
+                rotation({Radians(random.uniform(-3, 3)), Radians(random.uniform(-0.2, 0.4)), Radians(0)}) *
+                    bodyFromOptical(),
+                place};
+            render::ViewOptions options;
+            options.scene = scene;
+            options.wantsDepth = options.wantsTrust = true;
+            add(renderer.render(camera, pose, options), camera, pose, result);
+        }
+        return result;
+    }
+
+  private:
+    void write() {
+        std::vector<Rigid3> poses;
+        std::vector<RgbImage> pictures;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            poses.push_back(
+                {yawRotation(Radians(0.7 * i)),
+                 {m_corner.x() + kStepM * (i % kSide), m_corner.y() + kStepM * (i / kSide), 1.2}});
+            pictures.push_back(m_room->spherical(poses.back(), {kPhotoWidth, kPhotoWidth / 2}));
+        }
+        m_info = test::writeTestDataset(
+            m_folder.path(), poses, [](const Vector3d&) { return Vector3d(9, 9, 9); }, kPhotoWidth, 2.0);
+        const practice::RoomPlan plan = m_room->plan();
+        m_info.ceilingM = plan.ceilingM;
+        constexpr double kFitM = 0.008; // how exact a fitted room is
+        m_info.roomShape = render::RoomShape{plan.outline, kFitM, plan.ceilingM - kFitM};
+        for (Vector2d& corner : m_info.roomShape->outline) {
+            corner += kFitM * (corner.array() > 1).cast<double>().matrix();
+        }
+        std::filesystem::create_directories(m_folder.path() / "depth");
+        scene::SweepOptions options;
+        options.width = 512;
+        options.coarseWidth = 256;
+        options.distances = 96;
+        std::vector<std::vector<std::size_t>> neighbours;
+        std::vector<scene::PhotoDepth> swept;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            neighbours.push_back(scene::sweepNeighbours(poses, i, options));
+            std::vector<scene::PosedPicture> others;
+            for (const std::size_t other : neighbours.back()) {
+                others.push_back({&pictures[other], poses[other]});
+            }
+            swept.push_back(scene::sweptDepth({&pictures[i], poses[i]}, others, options));
+        }
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            std::vector<scene::PosedDepth> others;
+            for (std::size_t k = 0; k < std::min<std::size_t>(4, neighbours[i].size()); ++k) {
+                others.push_back({&swept[neighbours[i][k]], poses[neighbours[i][k]]});
+            }
+            scene::PhotoDepth depth = scene::agreeingDepth({&swept[i], poses[i]}, pictures[i], others);
+            writePhoto(m_info.photos[i], pictures[i],
+                       render::DepthMap(std::move(depth.inverseM), std::move(depth.sure)));
+        }
+        test::rewriteInfo(m_folder.path(), m_info);
+    }
+
+    void writePhoto(render::DatasetPhoto& photo, const RgbImage& picture, const render::DepthMap& depth) {
+        const Bytes bytes = jpeg::encode(picture, 92);
+        writeFile(m_folder.path() / photo.file, bytes);
+        photo.sha256 = sha256Hex(bytes);
+        photo.sizeBytes = bytes.size();
+        photo.depth = "depth/" + std::filesystem::path(photo.file).stem().string() + ".pgm";
+        writeFile(m_folder.path() / photo.depth, depth.serialised());
+    }
+
+    /// The displacement is that of the thing at its true distance, seen where the view has it.
+    void add(const render::View& view, const CameraModel& camera, const Rigid3& pose, Stated& all) const {
+        const DepthImage truth = m_room->viewDepth(camera, pose);
+        const Vector3d offset =
+            pose.rotation.conjugate() *
+            (pose.translation - m_info.photos[view.report.photo].roomFromPhoto.translation);
+        std::vector<double> stated;
+        std::vector<double> found;
+        for (int y = 1; y < camera.height(); y += 3) {
+            for (int x = 1; x < camera.width(); x += 3) {
+                const Vector3d ray = camera.ray(Vector2d(x, y)).value();
+                const double inverse = view.depth.empty() ? 0 : ray.z() / *view.depth.at(x, y);
+                const Vector3d across = offset - offset.dot(ray) * ray;
+                constexpr double kSmall = 1e-4;
+                const Vector2d moved =
+                    (camera.project(ray + kSmall * across).value() - Vector2d(x, y)) / kSmall;
+                found.push_back(moved.norm() * std::abs(inverse - ray.z() / *truth.at(x, y)));
+                stated.push_back(*view.trust.errorPx.at(x, y));
+                const std::uint8_t flags = *view.trust.flags.at(x, y);
+                all.isFlagged.push_back(has(flags, render::PixelFlag::Filled) ||
+                                        has(flags, render::PixelFlag::Unsure));
+            }
+        }
+        all.stated.insert(all.stated.end(), stated.begin(), stated.end());
+        all.found.insert(all.found.end(), found.begin(), found.end());
+        all.inViews.push_back(rankCorrelation(stated, found));
+        all.ofViews.push_back(view.report.parallaxPx);
+        all.foundOfViews.push_back(median(found));
+    }
+
+    Vector2d m_corner{2.1, 1.6};
+    std::unique_ptr<practice::PracticeRoom> m_room;
+    test::TemporaryFolder m_folder;
+    render::DatasetInfo m_info;
+};
+
+std::string nameOf(practice::RoomStyle style) {
+    return style == practice::RoomStyle::Flat ? "Flat" : "Lively";
+}
+
+TEST_P(MeasuredTrust, IsWhatTheViewIsOff) {
+    using render::SceneKind;
+    std::cout << "room scene inside over ratio worse0.5 worse1 worse2 worse5 flagged_of_bad flagged\n";
+    for (const SceneKind scene :
+         {SceneKind::None, SceneKind::Sphere, SceneKind::Room, SceneKind::Depth, SceneKind::Blend}) {
+        const Stated all = views(scene);
+        const double inside = std::accumulate(all.inViews.begin(), all.inViews.end(), 0.0) /
+                              static_cast<double>(all.inViews.size());
+        const double over = rankCorrelation(all.ofViews, all.foundOfViews);
+        std::cout << std::fixed << std::setprecision(3) << nameOf(GetParam()) << ' ' << name(scene) << ' '
+                  << inside << ' ' << over << ' ' << all.ratio();
+        for (const double e : {0.5, 1.0, 2.0, 5.0}) {
+            std::cout << ' ' << all.worse(e);
+            EXPECT_LT(all.worse(e), 0.2) << name(scene) << ' ' << e;
+        }
+        std::cout << ' ' << all.flaggedOfBad() << ' '
+                  << static_cast<double>(std::count(all.isFlagged.begin(), all.isFlagged.end(), true)) /
+                         static_cast<double>(all.isFlagged.size())
+                  << '\n';
+        // The room's planes and the depths are about equally exact on walls, so either may be stated.
+        const bool isRoom = scene == SceneKind::Room;
+        EXPECT_GT(inside, hasSurfaces(scene) ? 0.4 : 0.8) << name(scene);
+        EXPECT_GT(over, hasSurfaces(scene) ? 0.5 : 0.9) << name(scene);
+        EXPECT_GT(all.ratio(), 0.7) << name(scene);
+        EXPECT_LT(all.ratio(), isRoom ? 2.5 : 1.5) << name(scene);
+        EXPECT_GT(all.flaggedOfBad(), 0.85) << name(scene);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, MeasuredTrust,
+                         testing::Values(practice::RoomStyle::Lively, practice::RoomStyle::Flat),
+                         [](const auto& tested) { return nameOf(tested.param); });
+
+} // namespace
+} // namespace spherewalk
