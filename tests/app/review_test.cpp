@@ -3,6 +3,8 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,6 +52,20 @@ TEST(RetagCommand, SaysThatMovedPhotosAreNoLongerAligned) {
     const CliResult exported = runCli({"export", path, survey / "d"});
     EXPECT_THAT(exported.errors, HasSubstr("heading of 2 of 2 photos is not known"));
     EXPECT_EQ(runCli({"check", survey / "d"}).status, 0);
+}
+
+TEST(AlignCommand, NamesAnImportedPhotoForWhichAnotherStands) {
+    const test::PhotographedSurvey survey(1);
+    const Eigen::Vector3d at = survey.open().stations().front().station.positionM;
+    const Bytes first = readFile(survey / "in/R1001.JPG");
+    writeFile(survey / "in/R2000.JPG", jpeg::encode(jpeg::decode(first, "R1001.JPG"), 70));
+    writeFile(survey / "q.csv",
+              bytesOf(text("file,x_m,y_m,z_m\nR2000.JPG,", at.x(), ",", at.y(), ",", at.z(), "\n")));
+    const CliResult imported = runCli(
+        {"import", survey.path().string(), "--photos", survey / "in", "--positions", survey / "q.csv"});
+    EXPECT_THAT(imported.errors, HasSubstr("R2000.JPG (line 2) and R1001.JPG are both at rail 1, stop 1"));
+    const CliResult aligned = runCli({"align", survey.path().string(), "--effort", "draft"});
+    EXPECT_THAT(aligned.errors, HasSubstr("R1001.JPG is left out: R2000.JPG stands for rail 1, stop 1."));
 }
 
 TEST(AlignCommand, FailsWhereNothingCouldBeSolved) {

@@ -78,6 +78,7 @@ class Run {
         if (!isComplete()) {
             m_report.findings.violations.push_back("the last program said: " + m_lastWords);
         }
+        expectSoundDataset();
         Findings findings = examine(m_survey, m_folder / "truth.jsonl", profileOptions(), m_said);
         for (std::string& violation : m_report.findings.violations) {
             findings.violations.push_back(std::move(violation));
@@ -89,6 +90,20 @@ class Run {
   private:
     bool isComplete() const {
         return store::SurveyStore::open(m_survey, store::Access::Read).stationsWithoutPhoto().empty();
+    }
+
+    /// What a simulator gets says the same places as the survey.
+    void expectSoundDataset() {
+        const std::string dataset = (m_folder / "dataset").string();
+        for (const std::vector<std::string>& command :
+             {std::vector<std::string>{m_options.cli, "export", m_survey.string(), dataset},
+              std::vector<std::string>{m_options.cli, "check", dataset}}) {
+            test::Program program(command);
+            if (program.wait() != 0) {
+                m_report.findings.violations.push_back(
+                    text(command[1], " said: ", program.errors(), program.output()));
+            }
+        }
     }
 
     void armScript(practice::PracticeCamera& camera) {

@@ -95,6 +95,7 @@ class AlignRun {
                 {station.name, station.station.positionM, station.station.placement, station.station.stop});
             stations.emplace(station.id, std::move(station));
         }
+        nameLeftOut(stations);
         ProgressStep step(m_progress, 0, 0.02);
         for (const store::PhotoRecord& photo : m_photos) {
             throwIfStopped(m_stop);
@@ -114,6 +115,17 @@ class AlignRun {
             readTilt(photo, m_priors.back());
             step.progress(static_cast<double>(m_priors.size()) / static_cast<double>(m_photos.size()),
                           "Reading what the photos say");
+        }
+    }
+
+    /// The imported photos for which another stands: perhaps two were given one place by mistake.
+    void nameLeftOut(const std::map<std::int64_t, store::StationRecord>& stations) const {
+        for (const store::PhotoRecord& photo : m_store.photos()) {
+            if (m_options.isRecorded && !photo.choose && !m_store.shotOf(photo.id)) {
+                m_progress.warning(text(photo.fileName,
+                                        " is left out: ", m_store.chosenPhoto(photo.station)->fileName,
+                                        " stands for ", stations.at(photo.station).name, "."));
+            }
         }
     }
 
