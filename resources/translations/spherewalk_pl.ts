@@ -855,6 +855,10 @@
         <source>At the end: review, take again, align</source>
         <translation>Na końcu: oceń, zrób ponownie, orientacja</translation>
     </message>
+    <message>
+        <source>PRACTICE. %1</source>
+        <translation>ĆWICZENIE. %1</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>

@@ -283,7 +283,8 @@ void CaptureMode::showAll() {
     const State state = m_desk.state();
     const bool canPress = state == State::AtStation || state == State::AskAgain || state == State::Hiding ||
                           (state == State::Ready && m_desk.next());
-    m_state->setText(stateText());
+    const bool hidesPractice = m_isWhole && m_desk.hasPracticeCamera(); // its own line is not shown then
+    m_state->setText(hidesPractice ? tr("PRACTICE. %1").arg(stateText()) : stateText());
     const bool countsDown = m_isWhole && state == State::Hiding;
     m_next->setText(countsDown ? QString::number(m_desk.countdown()) : m_desk.nextText());
     m_way->setText(m_desk.wayText());
@@ -342,6 +343,8 @@ void CaptureMode::setWholeScreen(bool isWhole) {
         font.setPointSizeF(font.pointSizeF() * (isWhole ? kFromAfar : 1 / kFromAfar));
         words->setFont(font);
     }
+    constexpr int kKeyPx = 64;
+    m_key->setMinimumHeight(isWhole ? 2 * kKeyPx : kKeyPx);
     const int edge = isWhole ? kEdgePx : 0;
     layout()->setContentsMargins(edge, edge, edge, edge);
     showAll();

@@ -70,14 +70,25 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
 }
 
 void ExportMode::setSession(SurveySession* session) {
-    constexpr int kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
-    const int photos = session != nullptr ? session->state().counts.stationsWithPhoto : 0;
-    m_scene->setCurrentIndex(photos >= kEnoughToMeasure ? m_scene->count() - 1 : 0);
+    m_isSceneChosen = false;
     m_presenter->setSession(session);
     m_folder->setText(m_presenter->folder());
+    proposeScene();
+}
+
+/// Proposes to measure where there is enough to compare, until somebody chooses.
+void ExportMode::proposeScene() {
+    constexpr int kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
+    if (m_isSceneChosen || m_presenter->session() == nullptr) {
+        return;
+    }
+    const int photos = m_presenter->session()->state().counts.stationsWithPhoto;
+    m_scene->setCurrentIndex(photos >= kEnoughToMeasure ? m_scene->count() - 1 : 0);
+    m_isSceneChosen = false;
 }
 
 void ExportMode::activated() {
+    proposeScene();
     m_presenter->check();
     m_folder->setFocus();
 }
@@ -108,7 +119,10 @@ QWidget* ExportMode::makeWhere() {
     m_scene->addItem(tr("The cheapest that holds a tolerance (all are tried and measured)"));
     m_scene->setToolTip(
         tr("What views of places between photos can be computed with; cheaper ones come with it"));
-    connect(m_scene, &QComboBox::currentIndexChanged, this, &ExportMode::applyOptions);
+    connect(m_scene, &QComboBox::currentIndexChanged, this, [this] {
+        m_isSceneChosen = true;
+        applyOptions();
+    });
     form->addRow(tr("S&cene model"), m_scene);
     form->addRow(tr("Eno&ugh for"), makeTolerance(box));
     m_markers = new QComboBox(box);

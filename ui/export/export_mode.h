@@ -42,6 +42,7 @@ class ExportMode : public Mode {
     QWidget* makeBefore();
     QWidget* makeAfter();
     void chooseFolder();
+    void proposeScene();
     void applyOptions();
     void showTolerance(bool isWanted);
     void open(const QString& path);
@@ -61,6 +62,7 @@ class ExportMode : public Mode {
     QCheckBox* m_opens = nullptr;
     QLabel* m_amount = nullptr;
     QLabel* m_findings = nullptr;
+    bool m_isSceneChosen = false; ///< Somebody has chosen the scene model.
     QPushButton* m_review = nullptr;
     QPushButton* m_check = nullptr;
     QPushButton* m_export = nullptr;

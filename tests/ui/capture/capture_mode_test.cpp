@@ -170,6 +170,7 @@ TEST_F(CaptureModeTest, OnTheWholeScreenOnlyWhatTheCartNeedsIsShown) {
     desk().setHideSeconds(30);
     mode.setWholeScreen(true);
     EXPECT_FALSE(mode.findChild<CameraPanel*>()->isVisible());
+    EXPECT_TRUE(mode.findChild<QLabel*>("captureState")->text().startsWith("PRACTICE"));
     desk().trigger();
     waitFor(State::AtStation);
     desk().trigger();

@@ -162,6 +162,9 @@ TEST_F(ExportTest, ProposesToMeasureWhereThereIsEnoughToCompare) {
     mode.setSession(other.get());
     EXPECT_FALSE(widget<QComboBox>("scene").currentData().isValid()); // the cheapest that holds a tolerance
     EXPECT_TRUE(widget<QDoubleSpinBox>("sceneTolerance").isVisible());
+    widget<QComboBox>("scene").setCurrentIndex(1);
+    mode.activated();
+    EXPECT_EQ(widget<QComboBox>("scene").currentIndex(), 1); // who has chosen is not asked again
     mode.setSession(session.get());
 }
 
