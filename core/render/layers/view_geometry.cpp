@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "layers/view_geometry.h"
 
+#include "layers/shown_errors.h"
 #include "sphere/exact_view.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace spherewalk::render {
 
@@ -17,6 +20,9 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kUnitTolerance = 1e-6;
+/// The view's own error is the median of so many pixels.
+constexpr int kColumns = 8;
+constexpr int kRows = 6;
 
 [[noreturn]] void refuseGeometry(const std::string& what) {
     throw Error(ErrorKind::InvalidInput,
@@ -81,6 +87,32 @@ DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads) {
         }
     });
     return depth;
+}
+
+ViewTrust viewTrust(const ViewGeometry& view, const TrustOptions& options) {
+    const CameraModel& camera = view.rays.camera();
+    const SceneRays scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM);
+    const ShownErrors errors(scene, view, options);
+    std::vector<double> all;
+    int seen = 0;
+    for (int row = 0; row < kRows; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+            const int x = (2 * column + 1) * camera.width() / (2 * kColumns);
+            const int y = (2 * row + 1) * camera.height() / (2 * kRows);
+            const Vector3d ray = view.rays.ray(x, y);
+            if (!ray.isZero(0)) {
+                const ShownError error = errors.at(x, y, ray);
+                all.push_back(error.px);
+                seen += error.isFilled || error.isUnsure ? 0 : 1;
+            }
+        }
+    }
+    if (all.empty()) {
+        return {std::numeric_limits<double>::infinity(), 0};
+    }
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return {*middle, seen / static_cast<double>(kRows * kColumns)};
 }
 
 } // namespace spherewalk::render

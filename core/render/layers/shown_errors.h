@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dataset/evidence.h"
+#include "layers/view_geometry.h"
+#include "sphere/exact_view.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace spherewalk::render {
+
+/// How far a pixel's thing may be displaced.
+struct ShownError {
+    double px = 0;
+    bool isFilled = false;
+    bool isUnsure = false;
+};
+
+/// The errors of a view's pixels. Frames: rays are unit vectors of the camera's optical frame. Owner: all
+/// that it is made from must outlive it.
+class ShownErrors {
+  public:
+    ShownErrors(const SceneRays& scene, const ViewGeometry& view, const TrustOptions& options)
+        : m_camera(view.rays.camera()), m_scene(scene), m_view(view), m_options(options) {
+        if (options.evidence != nullptr) {
+            for (const PhotoEvidence& photo : options.evidence->photos) {
+                m_offsets.push_back(view.roomFromCamera.translation - photo.roomFromPhoto.translation);
+            }
+        }
+    }
+
+    ShownError at(int x, int y, const Vector3d& ray) const {
+        return m_options.evidence != nullptr ? known(x, y, ray) : ShownError{assumedPx(x, y, ray)};
+    }
+
+  private:
+    /// What is known of the thing that a pixel shows.
+    struct Thing {
+        std::size_t source = 0; ///< The photo that shows it.
+        double inverseM = 0;    ///< 1 / its distance from the camera.
+        double residualM = 0;   ///< The error of that.
+        Vector3d fromCamera;    ///< Frames: room.
+        bool isFilled = false;
+        bool isDoubtful = false;
+    };
+
+    double modelInverseM(int x, int y, const Vector3d& ray) const {
+        if (m_options.evidence->inverseM) {
+            return m_options.evidence->inverseM(x, y, ray);
+        }
+        const double distance = m_scene.distanceM(ray);
+        return std::isfinite(distance) ? 1 / distance : 0;
+    }
+
+    /// The place, in a photo's frame and times any factor, of what lies there from the camera.
+    Vector3d inPhoto(std::size_t photo, const Vector3d& direction, double inverseM) const {
+        return m_options.evidence->photos[photo].roomFromPhoto.rotation.conjugate() *
+               (direction + inverseM * m_offsets[photo]);
+    }
+
+    double assumedPx(int x, int y, const Vector3d& ray) const;
+    ShownError known(int x, int y, const Vector3d& ray) const;
+    Thing shown(const Vector3d& direction, double modelInverseM) const;
+    Thing ofDepths(const Vector3d& direction, double modelInverseM) const;
+    Thing ofFirst(const Vector3d& direction, double modelInverseM) const;
+    void askOthers(Thing& thing) const;
+
+    const CameraModel& m_camera;
+    const SceneRays& m_scene;
+    const ViewGeometry& m_view;
+    const TrustOptions& m_options;
+    std::vector<Vector3d> m_offsets; ///< The camera minus each photo. Frames: room.
+};
+
+} // namespace spherewalk::render
