@@ -150,14 +150,15 @@ class Run {
 
     /// Between two programs people move the cart, and may press the camera's own button.
     void moveOn(practice::PracticeCamera& camera) {
-        if (m_random.integer(0, 1) == 0) {
+        const bool isInDoubt = hasShotInDoubt(); // then it would do the most harm
+        if (!isInDoubt && m_random.integer(0, 1) == 0) {
             return;
         }
         camera.setPosition({m_random.uniform(0.2, 1.8), m_random.uniform(0.2, 1.4), 1.2});
-        if (m_random.integer(0, 2) > 0) {
+        if (!isInDoubt && m_random.integer(0, 2) > 0) {
             return;
         }
-        if (hasShotInDoubt()) {
+        if (isInDoubt) {
             std::this_thread::sleep_for(kCarried);
         }
         camera.befall({practice::FaultKind::ExtraPhoto, "", 0, 1, 0, 0});
