@@ -269,6 +269,7 @@ class Album {
         CaptureDesk& desk = open<CaptureMode>().desk();
         desk.connectToPractice();
         waitUntil([&] { return desk.state() == CaptureDesk::State::Ready; });
+        desk.practice()->camera().disarm();
         desk.setAutomatic(true);
         desk.trigger();
         waitUntil([&] { return desk.isComplete(); });
