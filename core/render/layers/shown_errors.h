@@ -5,6 +5,8 @@
 #include "layers/view_geometry.h"
 #include "sphere/exact_view.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <vector>
 
@@ -30,22 +32,22 @@ class ShownErrors {
         }
     }
 
-    ShownError at(int x, int y, const Vector3d& ray) const {
+    ShownError at(int x, int y, const Eigen::Vector3d& ray) const {
         return m_options.evidence != nullptr ? known(x, y, ray) : ShownError{assumedPx(x, y, ray)};
     }
 
   private:
     /// What is known of the thing that a pixel shows.
     struct Thing {
-        std::size_t source = 0; ///< The photo that shows it.
-        double inverseM = 0;    ///< 1 / its distance from the camera.
-        double residualM = 0;   ///< The error of that.
-        Vector3d fromCamera;    ///< Frames: room.
+        std::size_t source = 0;     ///< The photo that shows it.
+        double inverseM = 0;        ///< 1 / its distance from the camera.
+        double residualM = 0;       ///< The error of that.
+        Eigen::Vector3d fromCamera; ///< Frames: room.
         bool isFilled = false;
         bool isDoubtful = false;
     };
 
-    double modelInverseM(int x, int y, const Vector3d& ray) const {
+    double modelInverseM(int x, int y, const Eigen::Vector3d& ray) const {
         if (m_options.evidence->inverseM) {
             return m_options.evidence->inverseM(x, y, ray);
         }
@@ -54,23 +56,23 @@ class ShownErrors {
     }
 
     /// The place, in a photo's frame and times any factor, of what lies there from the camera.
-    Vector3d inPhoto(std::size_t photo, const Vector3d& direction, double inverseM) const {
+    Eigen::Vector3d inPhoto(std::size_t photo, const Eigen::Vector3d& direction, double inverseM) const {
         return m_options.evidence->photos[photo].roomFromPhoto.rotation.conjugate() *
                (direction + inverseM * m_offsets[photo]);
     }
 
-    double assumedPx(int x, int y, const Vector3d& ray) const;
-    ShownError known(int x, int y, const Vector3d& ray) const;
-    Thing shown(const Vector3d& direction, double modelInverseM) const;
-    Thing ofDepths(const Vector3d& direction, double modelInverseM) const;
-    Thing ofFirst(const Vector3d& direction, double modelInverseM) const;
+    double assumedPx(int x, int y, const Eigen::Vector3d& ray) const;
+    ShownError known(int x, int y, const Eigen::Vector3d& ray) const;
+    Thing shown(const Eigen::Vector3d& direction, double modelInverseM) const;
+    Thing ofDepths(const Eigen::Vector3d& direction, double modelInverseM) const;
+    Thing ofFirst(const Eigen::Vector3d& direction, double modelInverseM) const;
     void askOthers(Thing& thing) const;
 
     const CameraModel& m_camera;
     const SceneRays& m_scene;
     const ViewGeometry& m_view;
     const TrustOptions& m_options;
-    std::vector<Vector3d> m_offsets; ///< The camera minus each photo. Frames: room.
+    std::vector<Eigen::Vector3d> m_offsets; ///< The camera minus each photo. Frames: room.
 };
 
 } // namespace spherewalk::render
