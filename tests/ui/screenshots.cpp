@@ -227,6 +227,7 @@ class Album {
     void shootExport() {
         auto& exporting = open<ExportMode>();
         exporting.findChild<QCheckBox*>("opens")->setChecked(false);
+        exporting.findChild<QComboBox*>("scene")->setCurrentIndex(0); // measuring takes minutes
         waitForTasks();
         shoot("export");
         exporting.findChild<QPushButton*>("export")->click();
