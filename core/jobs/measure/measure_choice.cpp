@@ -195,7 +195,7 @@ std::string passedOverWords(const PassedOver& passed) {
 
 double nominalCost(render::SceneKind scene, render::Sampling sampling) {
     // What surfaces add, and the samplings, as resources/docs/figures.md has them.
-    constexpr std::array kOfScene{0.0, 0.0, 0.7, 1.5, 25.0}; // none, sphere, room, depth, blend
+    constexpr std::array kOfScene{0.0, 0.0, 0.7, 1.5, 7.0}; // none, sphere, room, depth, blend
     constexpr std::array kOfSampling{1.05, 1.0, 0.95, 2.4,
                                      2.6}; // nearest, bilinear, reduced, footprint, bicubic
     return kOfScene.at(static_cast<std::size_t>(scene)) + kOfSampling.at(static_cast<std::size_t>(sampling));

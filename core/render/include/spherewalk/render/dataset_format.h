@@ -83,8 +83,8 @@ struct DatasetInfo {
 /// The scene models that the dataset has for at least one photo, cheap to exact. None is always among them.
 std::vector<SceneKind> scenesOf(const DatasetInfo& info);
 
-/// The most exact scene model that the dataset has for a photo, but for Blend, which takes ten times as long
-/// as Depth: who wants it asks for it.
+/// The most exact scene model that the dataset has for a photo, but for Blend, which takes three times as
+/// long as Depth: who wants it asks for it.
 SceneKind bestScene(const DatasetInfo& info, std::size_t photo);
 
 /// The chosen scene model for views from a photo, if the choice holds for the camera; else bestScene().
