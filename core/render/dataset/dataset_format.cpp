@@ -91,25 +91,22 @@ Json photoJson(const DatasetPhoto& photo) {
                          {"pitch", Degrees(photo.rotationSigma->pitch).value()},
                          {"roll", Degrees(photo.rotationSigma->roll).value()}};
     }
-    Json json{{"file", photo.file},
-              {"sha256", photo.sha256},
-              {"size_bytes", photo.sizeBytes},
-              {"width", photo.width},
-              {"height", photo.height},
-              {"restart_index", optionalText(photo.restartIndex)},
-              {"thumbnail", optionalText(photo.thumbnail)},
-              {"depth", optionalText(photo.depth)},
-              {"station", photo.station},
-              {"position_m", listOf(photo.roomFromPhoto.translation)},
-              {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
-              {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
-              {"rotation_sigma_deg", rotationSigma},
-              {"rotation_source", photo.rotationSource},
-              {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
-    if (photo.exposureGain) {
-        json["exposure_gain"] = listOf(*photo.exposureGain);
-    }
-    return json;
+    return {{"file", photo.file},
+            {"sha256", photo.sha256},
+            {"size_bytes", photo.sizeBytes},
+            {"width", photo.width},
+            {"height", photo.height},
+            {"restart_index", optionalText(photo.restartIndex)},
+            {"thumbnail", optionalText(photo.thumbnail)},
+            {"depth", optionalText(photo.depth)},
+            {"station", photo.station},
+            {"position_m", listOf(photo.roomFromPhoto.translation)},
+            {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
+            {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
+            {"rotation_sigma_deg", rotationSigma},
+            {"exposure_gain", photo.exposureGain ? listOf(*photo.exposureGain) : Json()},
+            {"rotation_source", photo.rotationSource},
+            {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
 }
 
 Eigen::Quaterniond rotationOf(const JsonReader& photo) {

@@ -5,6 +5,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,8 +20,13 @@ namespace {
 
 /// One worker does so many rows in turn: neighbouring rows share their rays.
 constexpr int kTrustRows = 8;
-/// Errors are told for blocks of so many pixels along an axis. kTrustRows is a multiple of it.
-constexpr int kTrustBlock = 8;
+
+/// Errors are told for blocks of pixels in large views. Returns a block's pixels along an axis, of which
+/// kTrustRows is a multiple: a power of two, at most an eightieth of the view's width.
+int blockOf(int width) {
+    constexpr int kInRow = 80;
+    return std::clamp(static_cast<int>(std::bit_floor(static_cast<unsigned>(width / kInRow))), 1, kTrustRows);
+}
 
 [[noreturn]] void refuseTrust(const std::string& what) {
     throw Error(ErrorKind::InvalidInput, text("The trust of the view's pixels cannot be told: ", what, "."));
@@ -38,6 +44,7 @@ class TrustRows {
           m_scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM),
           m_options(options),
           m_errors(m_scene, view, options),
+          m_block(blockOf(view.rays.camera().width())),
           m_photoPixel(2 * std::numbers::pi / view.photo.width),
           m_sinPole(std::sin(std::min(Radians(options.poleRadius).value(), std::numbers::pi / 2))),
           m_sinStitching(
@@ -66,6 +73,7 @@ class TrustRows {
     SceneRays m_scene;
     const TrustOptions& m_options;
     ShownErrors m_errors;
+    int m_block;
     double m_photoPixel; ///< Radians that a pixel of the photo spans at the equator.
     double m_sinPole;
     double m_sinStitching;
@@ -119,8 +127,8 @@ std::uint8_t TrustRows::flags(const Vector3d& inPhoto, double footprint, bool is
 std::vector<ShownError> TrustRows::errorsOfBlocks(int y, const Row& row) const {
     const int width = m_rays.camera().width();
     std::vector<ShownError> errors;
-    for (int left = 0; left < width; left += kTrustBlock) {
-        const int end = std::min(width, left + kTrustBlock);
+    for (int left = 0; left < width; left += m_block) {
+        const int end = std::min(width, left + m_block);
         int x = (left + end) / 2;
         for (int other = left; other < end && row[static_cast<std::size_t>(x)].ray.isZero(0); ++other) {
             x = other;
@@ -141,7 +149,7 @@ void TrustRows::computeRow(int y, const Row& row, const Row& other, std::span<co
         } else {
             const double angle = footprint(row, other, static_cast<std::size_t>(x));
             const double blur = blurPx(angle);
-            const ShownError& error = errors[static_cast<std::size_t>(x / kTrustBlock)];
+            const ShownError& error = errors[static_cast<std::size_t>(x / m_block)];
             *trust.errorPx.at(x, y) = static_cast<float>(error.px + blur);
             *trust.flags.at(x, y) = static_cast<std::uint8_t>(flags(inPhoto, angle, blur > 0) | bits(error));
         }
@@ -156,8 +164,8 @@ void TrustRows::compute(int begin, int end, PixelTrust& trust) const {
     Row row = seen(begin);
     std::vector<ShownError> errors;
     for (int y = begin; y < end; ++y) {
-        if (y % kTrustBlock == 0) {
-            const int middle = std::min(y + kTrustBlock / 2, height - 1);
+        if (y % m_block == 0) {
+            const int middle = std::min(y + m_block / 2, height - 1);
             errors = errorsOfBlocks(middle, middle == y ? row : seen(middle));
         }
         Row other = y + 1 < height ? seen(y + 1) : y > 0 ? seen(y - 1) : Row();

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-6;
 /// The view's own error is the median of so many pixels.
-constexpr int kColumns = 8;
-constexpr int kRows = 6;
+constexpr int kColumns = 16;
+constexpr int kRows = 12;
 
 [[noreturn]] void refuseGeometry(const std::string& what) {
     throw Error(ErrorKind::InvalidInput,

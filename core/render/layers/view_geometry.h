@@ -108,7 +108,7 @@ struct ViewTrust {
     double seenShare = 0;      ///< The share of pixels that are neither filled nor unsure.
 };
 
-/// The trust of a view from 8 x 6 of its pixels.
+/// The trust of a view from 16 x 12 of its pixels. Cost: a tenth of a millisecond.
 ViewTrust viewTrust(const ViewGeometry& view, const TrustOptions& options);
 
 } // namespace spherewalk::render

@@ -56,7 +56,8 @@ def test_depth_and_trust_are_there_when_they_are_wanted(renderer, small):
     assert view.depth.dtype == view.error_px.dtype == view.trust.dtype == np.float32
     assert (view.depth > 0).all() and np.allclose(view.trust, 1 / (1 + view.error_px))
     at_photo = spherewalk.pose_matrix([*renderer_photo_position(renderer, small), 0, 0, 0, 1], frame="body")
-    assert renderer.render(small, at_photo, ViewOptions(trust=True)).trust.min() > 0.99
+    # What is left at a photo is the uncertainty of its own pose.
+    assert renderer.render(small, at_photo, ViewOptions(trust=True)).trust.min() > 0.8
 
 
 def renderer_photo_position(renderer, camera):
