@@ -39,7 +39,7 @@ class LabelFinder {
         }
         std::vector<Vector2d> result;
         for (const Vector2d& label : m_labels) {
-            result.push_back(label + m_floor.anchor());
+            result.emplace_back(label + m_floor.anchor());
         }
         return result;
     }
