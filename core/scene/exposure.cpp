@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 namespace spherewalk::scene {
@@ -84,38 +83,6 @@ void addLogs(const std::uint8_t* a, const std::uint8_t* b, std::array<std::vecto
     }
 }
 
-/// The number of the part that each photo belongs to.
-std::vector<std::size_t> partsOf(std::size_t photos, std::span<const ExposureRatio> ratios) {
-    std::vector<std::size_t> parts(photos);
-    std::iota(parts.begin(), parts.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-        while (parts[i] != i) {
-            i = parts[i] = parts[parts[i]];
-        }
-        return i;
-    };
-    for (const ExposureRatio& ratio : ratios) {
-        parts[root(ratio.photo)] = root(ratio.other);
-    }
-    for (std::size_t i = 0; i < photos; ++i) {
-        parts[i] = root(i);
-    }
-    return parts;
-}
-
-/// Takes the mean of each part off.
-void centre(const std::vector<std::size_t>& parts, Eigen::VectorXd& logs) {
-    std::vector<double> sums(parts.size());
-    std::vector<double> counts(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        sums[parts[i]] += logs[static_cast<Eigen::Index>(i)];
-        counts[parts[i]] += 1;
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        logs[static_cast<Eigen::Index>(i)] -= sums[parts[i]] / counts[parts[i]];
-    }
-}
-
 } // namespace
 
 Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto) {
@@ -159,7 +126,7 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
     const auto count = static_cast<Eigen::Index>(photos);
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < count; ++i) {
-        entries.emplace_back(i, i, 1e-9); // what no ratio tells is 0
+        entries.emplace_back(i, i, 1e-9); // each part's mean is 0, and so is what no ratio tells
     }
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
     for (const ExposureRatio& ratio : ratios) {
@@ -178,11 +145,9 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
     Eigen::SparseMatrix<double> normal(count, count);
     normal.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(normal);
-    const std::vector<std::size_t> parts = partsOf(photos, ratios);
     std::vector<Gains> gains(photos);
     for (std::size_t c = 0; c < 3; ++c) {
-        Eigen::VectorXd logs = solver.solve(right.col(static_cast<Eigen::Index>(c)));
-        centre(parts, logs);
+        const Eigen::VectorXd logs = solver.solve(right.col(static_cast<Eigen::Index>(c)));
         for (std::size_t i = 0; i < photos; ++i) {
             gains[i][c] = static_cast<float>(
                 std::exp(std::clamp(logs[static_cast<Eigen::Index>(i)], -kMostLog, kMostLog)));

@@ -22,7 +22,6 @@ namespace spherewalk::jobs {
 namespace {
 
 constexpr int kDepthMethod = 3; ///< grows when the same photos and options give another depth
-constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
@@ -42,7 +41,7 @@ void keep(const std::filesystem::path& file, const scene::PhotoDepth& depth) {
 }
 
 scene::PhotoDepth kept(const std::filesystem::path& file) {
-    const auto map = render::DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
+    const auto map = render::DepthMap::read(file);
     return {map.inverseM(), map.sure()};
 }
 
@@ -196,16 +195,19 @@ class DepthJob {
     }
 
     std::shared_ptr<const RgbImage> picture(std::size_t photo) {
-        return m_pictures.get(photo, [&] {
-            const std::string name = m_photos[photo].file.string();
-            const Bytes bytes = readFile(m_photos[photo].file);
-            const int width = jpeg::readInfo(bytes, name).width;
-            int denominator = 1;
-            while (denominator < 8 && width / (2 * denominator) >= 2 * m_options.sweep.width) {
-                denominator *= 2;
-            }
-            return jpeg::decode(bytes, name, denominator);
-        });
+        return m_pictures.get(photo, [&] { return decoded(photo, 2 * m_options.sweep.width); });
+    }
+
+    /// A photo at the least size that JPEG offers and that has this width, or as it is.
+    RgbImage decoded(std::size_t photo, int leastWidth) const {
+        const std::string name = m_photos[photo].file.string();
+        const Bytes bytes = readFile(m_photos[photo].file);
+        const int width = jpeg::readInfo(bytes, name).width;
+        int denominator = 1;
+        while (denominator < 8 && width / (2 * denominator) >= leastWidth) {
+            denominator *= 2;
+        }
+        return jpeg::decode(bytes, name, denominator);
     }
 
     std::shared_ptr<const scene::PhotoDepth> swept(std::size_t photo) {
@@ -286,11 +288,8 @@ class DepthJob {
 
     /// The picture that exposures are told from.
     std::shared_ptr<const RgbImage> small(std::size_t photo) {
-        return m_small.get(photo, [&] {
-            const std::string name = m_photos[photo].file.string();
-            const RgbImage picture = jpeg::decode(readFile(m_photos[photo].file), name, 8);
-            return photo::resized(picture, kSmallWidth, kSmallWidth / 2);
-        });
+        return m_small.get(
+            photo, [&] { return photo::resized(decoded(photo, kSmallWidth), kSmallWidth, kSmallWidth / 2); });
     }
 
     /// How bright photos are, compared with their neighbours.

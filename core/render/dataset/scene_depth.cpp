@@ -2,6 +2,7 @@
 #include "spherewalk/render/scene_depth.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/equirect.h"
 
@@ -61,6 +62,11 @@ DepthMap::DepthMap(Image<float, 1> inverseM, MaskImage sure)
         const double steps = std::clamp(std::floor(value / kStepPerM + 0.5), 1.0, double{kSteps});
         value = static_cast<float>(steps * kStepPerM);
     }
+}
+
+DepthMap DepthMap::read(const std::filesystem::path& file) {
+    constexpr std::uint64_t kLargestFile = 128ULL << 20;
+    return parse(readFile(file, kLargestFile), file.string());
 }
 
 DepthMap DepthMap::parse(ByteView bytes, std::string_view source) {

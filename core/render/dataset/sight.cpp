@@ -34,7 +34,6 @@ constexpr double kHoldM = 0.02;
 constexpr double kFirmM = 0.03;
 /// So many photos are asked for their depths at most.
 constexpr int kMostLooks = 96;
-constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 
 double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -231,8 +230,7 @@ class SightMaps {
     std::shared_ptr<const DepthKept> kept(std::size_t photo, const DatasetPhoto& of) {
         return m_maps.get(photo, [&]() -> DepthKept {
             try {
-                const std::filesystem::path file = m_folder / of.depth;
-                const DepthMap map = DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
+                const DepthMap map = DepthMap::read(m_folder / of.depth);
                 return {SightMap(map), std::make_shared<const DepthEvidence>(map)};
             } catch (const Error&) {
                 return {};

@@ -74,8 +74,11 @@ ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFro
                     text("The dataset ", m_dataset->folder().string(),
                          " has no sphere scene model; use none, or export it again."));
     }
-    if (options.scene && hasSurfaces(*options.scene) &&
-        photosFor({camera, roomFromCamera, options, {}}, options.scene).photos.empty()) {
+    const auto hasScene = [&](SceneKind scene) {
+        const std::vector<SceneKind> scenes = scenesOf(m_dataset->info());
+        return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+    };
+    if (options.scene && hasSurfaces(*options.scene) && !hasScene(*options.scene)) {
         throw Error(ErrorKind::InvalidInput,
                     text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
                          " scene model; use another, or export it again with one."));
@@ -353,10 +356,8 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
     const ViewGeometry geometry{
         *rays,       request.roomFromCamera, whole.roomFromPhoto, {whole.width, whole.height}, plan.scene,
         plan.radiusM};
-    TrustOptions trust;
-    trust.evidence = &evidence;
     ViewReport& report = view.report;
-    const ViewTrust judged = viewTrust(geometry, trust);
+    const ViewTrust judged = viewTrust(geometry, evidence);
     evidence.isKnown = isRotationKnown(whole) && report.seesPlace && !report.isOutside;
     report.parallaxPx = judged.displacementPx;
     report.seenShare = evidence.isKnown ? judged.seenShare : 0;
@@ -373,9 +374,10 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
                            &view.overlaid);
     }
     if (options.wantsTrust) {
+        TrustOptions trust;
         trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
         trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
-        view.trust = pixelTrust(geometry, trust, tools.pool, tools.threads);
+        view.trust = pixelTrust(geometry, evidence, trust, tools.pool, tools.threads);
     }
     if (!options.wantsDepth) {
         view.depth = {};

@@ -39,11 +39,11 @@ unsigned bits(const ShownError& error) {
 
 class TrustRows {
   public:
-    TrustRows(const ViewGeometry& view, const TrustOptions& options)
+    TrustRows(const ViewGeometry& view, const ViewEvidence& evidence, const TrustOptions& options)
         : m_rays(view.rays),
           m_scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM),
           m_options(options),
-          m_errors(m_scene, view, options),
+          m_errors(m_scene, view, evidence),
           m_block(blockOf(view.rays.camera().width())),
           m_photoPixel(2 * std::numbers::pi / view.photo.width),
           m_sinPole(std::sin(std::min(Radians(options.poleRadius).value(), std::numbers::pi / 2))),
@@ -177,12 +177,9 @@ void TrustRows::compute(int begin, int end, PixelTrust& trust) const {
 } // namespace
 
 void TrustOptions::validate() const {
-    for (const double value : {distanceResidual, poleRadius.value(), stitchingHalfWidth.value()}) {
+    for (const double value : {poleRadius.value(), stitchingHalfWidth.value()}) {
         if (!(value >= 0) || !std::isfinite(value)) {
-            refuseTrust(
-                text("the residual of the distance and the widths of pole and stitching zone must be 0 or "
-                     "more, not ",
-                     value));
+            refuseTrust(text("the widths of pole and stitching zone must be 0 or more, not ", value));
         }
     }
     if (!(coarseness >= 1) || !std::isfinite(coarseness)) {
@@ -190,7 +187,8 @@ void TrustOptions::validate() const {
     }
 }
 
-PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, WorkerPool& pool, int threads) {
+PixelTrust pixelTrust(const ViewGeometry& view, const ViewEvidence& evidence, const TrustOptions& options,
+                      WorkerPool& pool, int threads) {
     view.validate();
     options.validate();
     const CameraModel& camera = view.rays.camera();
@@ -202,7 +200,7 @@ PixelTrust pixelTrust(const ViewGeometry& view, const TrustOptions& options, Wor
     }
     PixelTrust result{Image<float, 1>(camera.width(), camera.height()),
                       MaskImage(camera.width(), camera.height())};
-    const TrustRows rows(view, options);
+    const TrustRows rows(view, evidence, options);
     pool.run((camera.height() + kTrustRows - 1) / kTrustRows, threads, [&](int band, int) {
         rows.compute(kTrustRows * band, std::min(kTrustRows * (band + 1), camera.height()), result);
     });

@@ -15,10 +15,10 @@ using Eigen::Vector3d;
 namespace {
 
 // resources/docs/trust.md explains these numbers.
-/// How far 1 / distance spreads in rooms, as a share, where nothing was measured.
-constexpr double kPriorShare = 0.3;
 /// How exactly a depth's matching finds places in pictures, in pixels of the depth.
 constexpr double kMatchedPx = 0.02;
+/// Photos that stand closer together than this are not matched.
+constexpr double kLeastBaselineM = 0.05;
 /// The part of the mean disagreement with other photos' depths that a depth is off.
 constexpr double kDisagreementShare = 0.34;
 /// What one photo's disagreement counts at most, in 1/m: it may see something else there.
@@ -64,28 +64,14 @@ bool isBeyond(const RoomShape& room, const Vector3d& pInRoom) {
 
 } // namespace
 
-/// The displacement if all that is known is the scene model.
-double ShownErrors::assumedPx(int x, int y, const Vector3d& ray) const {
-    const Vector3d& offset = m_scene.offsetInCamera();
-    const Vector3d across = offset - offset.dot(ray) * ray;
-    const double acrossM = across.norm();
-    if (!(acrossM > 0)) {
-        return 0;
-    }
-    const double modelM = m_scene.distanceM(ray);
-    const double distanceM = std::isfinite(modelM) ? modelM : m_view.sphereRadiusM;
-    return pixelsPerRadian(m_camera, Vector2d(x, y), ray, across / acrossM) * acrossM *
-           m_options.distanceResidual / distanceM;
-}
-
 /// The thing in a view of photos' depths: the first photo whose depth agrees shows it.
 ShownErrors::Thing ShownErrors::ofDepths(const Vector3d& direction, double modelInverseM) const {
-    const std::vector<PhotoEvidence>& photos = m_options.evidence->photos;
+    const std::vector<PhotoEvidence>& photos = m_evidence.photos;
     Thing thing;
     thing.inverseM = modelInverseM;
     thing.fromCamera = direction / modelInverseM;
     thing.isFilled = thing.isDoubtful = true;
-    for (std::size_t i = 0; i < m_options.evidence->shown; ++i) {
+    for (std::size_t i = 0; i < m_evidence.shown; ++i) {
         if (!photos[i].depth) {
             continue;
         }
@@ -112,7 +98,7 @@ ShownErrors::Thing ShownErrors::ofDepths(const Vector3d& direction, double model
 
 /// The thing in a view of a scene model that is not the photos' depths.
 ShownErrors::Thing ShownErrors::ofFirst(const Vector3d& direction, double modelInverseM) const {
-    const PhotoEvidence& photo = m_options.evidence->photos.front();
+    const PhotoEvidence& photo = m_evidence.photos.front();
     const Vector3d towards = inPhoto(0, direction, modelInverseM).normalized();
     const KnownDepth depth = photo.depth->at(towards);
     Thing thing;
@@ -127,66 +113,65 @@ ShownErrors::Thing ShownErrors::ofFirst(const Vector3d& direction, double modelI
 
 /// Asks the other photos' depths what they know of the thing.
 void ShownErrors::askOthers(Thing& thing) const {
-    const ViewEvidence& evidence = *m_options.evidence;
     double sum = 0;
     double apartM = 0;
     int asked = 0;
-    for (std::size_t i = 0; i < evidence.photos.size(); ++i) {
-        if (i == thing.source || !evidence.photos[i].depth) {
+    for (std::size_t i = 0; i < m_evidence.photos.size(); ++i) {
+        if (i == thing.source || !m_evidence.photos[i].depth) {
             continue;
         }
         const Vector3d place = inPhoto(i, thing.fromCamera, 1);
-        const double disagreement = std::abs(evidence.photos[i].depth->at(place).inverseM - 1 / place.norm());
+        const double disagreement =
+            std::abs(m_evidence.photos[i].depth->at(place).inverseM - 1 / place.norm());
         thing.isDoubtful = thing.isDoubtful || disagreement > kUnsureDisagreement;
         sum += std::min(disagreement, kMostDisagreement);
         apartM += (m_offsets[i] - m_offsets[thing.source]).norm();
         ++asked;
     }
-    const double matchedM =
-        asked > 0 ? kMatchedPx * evidence.photos[thing.source].depth->pixelRad() * asked / apartM : 0;
+    const double matchedM = asked > 0 ? kMatchedPx * m_evidence.photos[thing.source].depth->pixelRad() /
+                                            std::max(apartM / asked, kLeastBaselineM)
+                                      : 0;
     thing.residualM += 0.5 * DepthMap::kStepPerM + matchedM +
                        kDisagreementShare * (asked > 0 ? sum / asked : kUnaskedShare * thing.inverseM);
-    if (evidence.room) {
+    if (m_evidence.room) {
         thing.isDoubtful = thing.isDoubtful ||
-                           isBeyond(*evidence.room, m_view.roomFromCamera.translation + thing.fromCamera);
+                           isBeyond(*m_evidence.room, m_view.roomFromCamera.translation + thing.fromCamera);
     }
 }
 
 ShownErrors::Thing ShownErrors::shown(const Vector3d& direction, double modelInverseM) const {
-    const ViewEvidence& evidence = *m_options.evidence;
-    if (evidence.photos.front().depth) {
+    if (m_evidence.photos.front().depth) {
         Thing thing =
-            evidence.showsDepths ? ofDepths(direction, modelInverseM) : ofFirst(direction, modelInverseM);
+            m_evidence.showsDepths ? ofDepths(direction, modelInverseM) : ofFirst(direction, modelInverseM);
         askOthers(thing);
         return thing;
     }
     Thing thing;
     thing.inverseM = modelInverseM > 0 ? modelInverseM : 1 / m_view.sphereRadiusM;
     thing.fromCamera = direction / thing.inverseM;
-    thing.residualM = kPriorShare * thing.inverseM;
+    thing.residualM = m_evidence.priorShare * thing.inverseM;
     thing.isDoubtful = true;
     return thing;
 }
 
-ShownError ShownErrors::known(int x, int y, const Vector3d& ray) const {
-    const ViewEvidence& evidence = *m_options.evidence;
+ShownError ShownErrors::at(int x, int y, const Vector3d& ray) const {
     const double model = modelInverseM(x, y, ray);
     const Thing thing = shown(m_view.roomFromCamera.rotation * ray, model);
-    const PhotoEvidence& source = evidence.photos[thing.source];
+    const PhotoEvidence& source = m_evidence.photos[thing.source];
     const Vector3d offset = m_view.roomFromCamera.rotation.conjugate() * m_offsets[thing.source];
     const Vector3d across = offset - offset.dot(ray) * ray;
     const double acrossM = across.norm();
     const Vector3d unit = acrossM > 0 ? Vector3d(across / acrossM) : ray.unitOrthogonal();
     const double perRadian = pixelsPerRadian(m_camera, Vector2d(x, y), ray, unit);
-    const double inverseError = evidence.showsDepths ? evidence.residualShare * thing.residualM
-                                                     : std::hypot(model - thing.inverseM, thing.residualM);
+    const double inverseError = m_evidence.showsDepths ? m_evidence.residualShare * thing.residualM
+                                                       : std::hypot(model - thing.inverseM, thing.residualM);
     ShownError error;
     error.px = perRadian * std::hypot(acrossM * inverseError, source.rotationSigmaRad,
                                       source.positionSigmaM * thing.inverseM);
     error.isFilled = thing.isFilled;
     error.isUnsure =
         error.px > kUnsurePx || (thing.isDoubtful && perRadian * acrossM * thing.inverseM > kUnsurePx);
-    if (!evidence.isKnown || std::isnan(error.px)) { // NaN: a camera at 10^300 m
+    if (!m_evidence.isKnown || std::isnan(error.px)) { // NaN: a camera at 10^300 m
         error.px = std::numeric_limits<double>::infinity();
         error.isUnsure = true;
     }

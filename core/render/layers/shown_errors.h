@@ -23,18 +23,14 @@ struct ShownError {
 /// that it is made from must outlive it.
 class ShownErrors {
   public:
-    ShownErrors(const SceneRays& scene, const ViewGeometry& view, const TrustOptions& options)
-        : m_camera(view.rays.camera()), m_scene(scene), m_view(view), m_options(options) {
-        if (options.evidence != nullptr) {
-            for (const PhotoEvidence& photo : options.evidence->photos) {
-                m_offsets.push_back(view.roomFromCamera.translation - photo.roomFromPhoto.translation);
-            }
+    ShownErrors(const SceneRays& scene, const ViewGeometry& view, const ViewEvidence& evidence)
+        : m_camera(view.rays.camera()), m_scene(scene), m_view(view), m_evidence(evidence) {
+        for (const PhotoEvidence& photo : evidence.photos) {
+            m_offsets.push_back(view.roomFromCamera.translation - photo.roomFromPhoto.translation);
         }
     }
 
-    ShownError at(int x, int y, const Eigen::Vector3d& ray) const {
-        return m_options.evidence != nullptr ? known(x, y, ray) : ShownError{assumedPx(x, y, ray)};
-    }
+    ShownError at(int x, int y, const Eigen::Vector3d& ray) const;
 
   private:
     /// What is known of the thing that a pixel shows.
@@ -48,8 +44,8 @@ class ShownErrors {
     };
 
     double modelInverseM(int x, int y, const Eigen::Vector3d& ray) const {
-        if (m_options.evidence->inverseM) {
-            return m_options.evidence->inverseM(x, y, ray);
+        if (m_evidence.inverseM) {
+            return m_evidence.inverseM(x, y, ray);
         }
         const double distance = m_scene.distanceM(ray);
         return std::isfinite(distance) ? 1 / distance : 0;
@@ -57,12 +53,10 @@ class ShownErrors {
 
     /// The place, in a photo's frame and times any factor, of what lies there from the camera.
     Eigen::Vector3d inPhoto(std::size_t photo, const Eigen::Vector3d& direction, double inverseM) const {
-        return m_options.evidence->photos[photo].roomFromPhoto.rotation.conjugate() *
+        return m_evidence.photos[photo].roomFromPhoto.rotation.conjugate() *
                (direction + inverseM * m_offsets[photo]);
     }
 
-    double assumedPx(int x, int y, const Eigen::Vector3d& ray) const;
-    ShownError known(int x, int y, const Eigen::Vector3d& ray) const;
     Thing shown(const Eigen::Vector3d& direction, double modelInverseM) const;
     Thing ofDepths(const Eigen::Vector3d& direction, double modelInverseM) const;
     Thing ofFirst(const Eigen::Vector3d& direction, double modelInverseM) const;
@@ -71,7 +65,7 @@ class ShownErrors {
     const CameraModel& m_camera;
     const SceneRays& m_scene;
     const ViewGeometry& m_view;
-    const TrustOptions& m_options;
+    const ViewEvidence& m_evidence;
     std::vector<Eigen::Vector3d> m_offsets; ///< The camera minus each photo. Frames: room.
 };
 

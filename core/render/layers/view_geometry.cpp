@@ -89,10 +89,10 @@ DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads) {
     return depth;
 }
 
-ViewTrust viewTrust(const ViewGeometry& view, const TrustOptions& options) {
+ViewTrust viewTrust(const ViewGeometry& view, const ViewEvidence& evidence) {
     const CameraModel& camera = view.rays.camera();
     const SceneRays scene(view.roomFromCamera, view.roomFromPhoto, view.scene, view.sphereRadiusM);
-    const ShownErrors errors(scene, view, options);
+    const ShownErrors errors(scene, view, evidence);
     std::vector<double> all;
     int seen = 0;
     for (int row = 0; row < kRows; ++row) {

@@ -22,7 +22,6 @@ namespace {
 
 /// The width of a room's depth. Walls are flat between its pixels, only corners are blunt.
 constexpr int kRoomWidth = 512;
-constexpr std::uint64_t kLargestDepthFile = 128ULL << 20;
 
 double pixels(std::int32_t fixed) {
     return fixed / double{kFixedOne} - PlaneLayout::kGuard;
@@ -428,7 +427,7 @@ SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
         return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth));
     }
     const std::filesystem::path file = m_dataset->folder() / of.depth;
-    const DepthMap map = DepthMap::parse(readFile(file, kLargestDepthFile), file.string());
+    const DepthMap map = DepthMap::read(file);
     if (map.width() % SurfaceMesh::kBlock != 0) {
         throw Error(ErrorKind::Corrupt,
                     text("The depth ", file.string(), " is damaged: its width of ", map.width(),

@@ -40,6 +40,15 @@ struct Made {
     Made& operator=(const Made&) = delete;
 };
 
+/// The trust of a view from photos without depths. priorShare: ViewEvidence::priorShare.
+PixelTrust trustOf(const Made& made, WorkerPool& pool, const TrustOptions& options = {}, int threads = 0,
+                   double priorShare = 1) {
+    ViewEvidence evidence;
+    evidence.photos.push_back({made.view.roomFromPhoto, nullptr});
+    evidence.priorShare = priorShare;
+    return pixelTrust(made.view, evidence, options, pool, threads);
+}
+
 Rigid3 looking(Radians yaw, Radians pitch, const Vector3d& position = Vector3d::Zero()) {
     return {rotation({yaw, pitch, Radians(0)}) * bodyFromOptical(), position};
 }
@@ -62,7 +71,7 @@ TEST(PixelTrust, IsWholeAtThePhotosOwnPosition) {
     for (const CameraIntrinsics& camera : cameras) {
         for (const SceneKind scene : {SceneKind::None, SceneKind::Sphere}) {
             const Made made(camera, {random.rotation(), photo.translation}, scene, pool, photo);
-            const PixelTrust result = pixelTrust(made.view, {}, pool);
+            const PixelTrust result = trustOf(made, pool);
             for (int y = 0; y < 30; ++y) {
                 for (int x = 0; x < 40; ++x) {
                     const bool isSeen = made.rays.camera().ray(Vector2d(x, y)).has_value();
@@ -119,7 +128,7 @@ TEST(PixelTrust, IsHowFarAThingAtHalfOfTheDistanceIsOffItsPlace) {
             const Rigid3 pose{random.rotation(), photo.translation + random.direction() * 1e-4};
             const Made made(intrinsics, pose, SceneKind::Sphere, pool, photo);
             const CameraModel& camera = made.rays.camera();
-            const PixelTrust result = pixelTrust(made.view, {}, pool);
+            const PixelTrust result = trustOf(made, pool);
             for (int y = 0; y < 30; ++y) {
                 for (int x = 0; x < 40; ++x) {
                     const auto ray = camera.ray(Vector2d(x, y));
@@ -147,21 +156,18 @@ TEST(PixelTrust, AnOffsetAlongTheRayDisplacesNothing) {
     WorkerPool pool(1);
     const Made made(CameraIntrinsics::pinhole(41, 31, 1), looking(Radians(0), Radians(0), {0.5, 0, 0}),
                     SceneKind::Sphere, pool);
-    const PixelTrust result = pixelTrust(made.view, {}, pool);
+    const PixelTrust result = trustOf(made, pool);
     EXPECT_NEAR(*result.errorPx.at(20, 15), 0, 1e-6);
     EXPECT_GT(*result.errorPx.at(0, 15), 1);
 }
 
-TEST(PixelTrust, ErrorGrowsWithTheResidualOfTheSceneModel) {
+TEST(PixelTrust, ErrorGrowsWithTheSpreadOfTheDistances) {
     WorkerPool pool(1);
     const Made made(CameraIntrinsics::pinhole(41, 31, 1), looking(Radians(0.2), Radians(0.1), {0, 0.5, 0.1}),
                     SceneKind::Sphere, pool);
-    TrustOptions options;
-    const float whole = *pixelTrust(made.view, options, pool).errorPx.at(7, 9);
-    options.distanceResidual = 0.25;
-    EXPECT_FLOAT_EQ(*pixelTrust(made.view, options, pool).errorPx.at(7, 9), 0.25F * whole);
-    options.distanceResidual = 0;
-    EXPECT_EQ(*pixelTrust(made.view, options, pool).errorPx.at(7, 9), 0);
+    const float whole = *trustOf(made, pool).errorPx.at(7, 9);
+    EXPECT_FLOAT_EQ(*trustOf(made, pool, {}, 0, 0.25).errorPx.at(7, 9), 0.25F * whole);
+    EXPECT_EQ(*trustOf(made, pool, {}, 0, 0).errorPx.at(7, 9), 0);
 }
 
 TEST(PixelTrust, ACoarserPictureIsABlurWhereTheViewWouldShowMore) {
@@ -172,7 +178,7 @@ TEST(PixelTrust, ACoarserPictureIsABlurWhereTheViewWouldShowMore) {
         for (const double coarseness : {1.0, 2.0, 8.0}) {
             TrustOptions options;
             options.coarseness = coarseness;
-            const PixelTrust result = pixelTrust(made.view, options, pool);
+            const PixelTrust result = trustOf(made, pool, options);
             const double expected = 0.5 * std::max(0.0, coarseness * full - std::max(1.0, full));
             EXPECT_NEAR(*result.errorPx.at(320, 240), expected, 1e-4 * (1 + expected)) << fovDeg;
             EXPECT_EQ(flagged(result, 320, 240, PixelFlag::Coarse), expected > 0) << fovDeg;
@@ -193,7 +199,7 @@ TEST(PixelTrust, FlagsThePolesAndTheStitchingOfTheTurnedPhoto) {
         const Rigid3 photo{random.rotation(), Vector3d::Zero()};
         const Made made(CameraIntrinsics::pinhole(40, 30, 1.5), {random.rotation(), Vector3d::Zero()},
                         SceneKind::None, pool, photo);
-        const PixelTrust result = pixelTrust(made.view, options, pool);
+        const PixelTrust result = trustOf(made, pool, options);
         for (int y = 0; y < 30; ++y) {
             for (int x = 0; x < 40; ++x) {
                 const Vector3d inPhoto =
@@ -215,7 +221,7 @@ TEST(PixelTrust, FlagsThePolesAndTheStitchingOfTheTurnedPhoto) {
     options.poleRadius = options.stitchingHalfWidth = Degrees(0);
     const Made made(CameraIntrinsics::pinhole(41, 31, 1), looking(Radians(0), Radians(pi / 2)),
                     SceneKind::None, pool);
-    const PixelTrust none = pixelTrust(made.view, options, pool);
+    const PixelTrust none = trustOf(made, pool, options);
     for (const std::uint8_t flags : none.flags.values()) {
         EXPECT_FALSE(has(flags, PixelFlag::Pole) || has(flags, PixelFlag::Stitching));
     }
@@ -233,7 +239,7 @@ TEST(PixelTrust, FlagsTheSeamOnBothOfItsSidesAndNothingElse) {
         const Rigid3 pose = looking(Radians(pi + random.uniform(-0.3, 0.3)),
                                     Radians(random.uniform(-0.8, 0.8)), random.direction() * 0.8);
         const Made made(camera, pose, scene, pool);
-        const PixelTrust result = pixelTrust(made.view, {}, pool);
+        const PixelTrust result = trustOf(made, pool);
         const Projection projection(made.rays.camera(), pose, {}, kPhoto, scene, 2);
         for (int y = 0; y < 48; ++y) {
             for (int x = 0; x + 1 < 64; ++x) {
@@ -266,7 +272,7 @@ TEST(PixelTrust, FlagsOverlays) {
     *shown.at(3, 2) = 1;
     TrustOptions options;
     options.overlays = &shown;
-    const PixelTrust result = pixelTrust(made.view, options, pool);
+    const PixelTrust result = trustOf(made, pool, options);
     for (int y = 0; y < 4; ++y) {
         for (int x = 0; x < 5; ++x) {
             EXPECT_EQ(flagged(result, x, y, PixelFlag::Overlay), x == 3 && y == 2);
@@ -283,7 +289,7 @@ TEST(PixelTrust, IsFiniteAtPolesAtTheSpheresEdgeAndForAnyField) {
                      {Vector3d(0, 0, 1.9), Vector3d(1.9, 0, 0), Vector3d(30, 40, 0)}) {
                     const Made made(CameraIntrinsics::pinhole(side, side, fovDeg * pi / 180),
                                     looking(Radians(pi), Radians(pitch), offset), SceneKind::Sphere, pool);
-                    const PixelTrust result = pixelTrust(made.view, {}, pool);
+                    const PixelTrust result = trustOf(made, pool);
                     for (const float error : result.errorPx.values()) {
                         ASSERT_TRUE(std::isfinite(error) && error >= 0) << fovDeg << " " << side;
                     }
@@ -297,9 +303,9 @@ TEST(PixelTrust, IsTheSameForAnyNumberOfThreads) {
     WorkerPool pool(4);
     for (const CameraIntrinsics& camera : test::everyLens(67, 51)) {
         const Made made(camera, looking(Radians(3), Radians(0.3), {0.3, 0.2, 0.1}), SceneKind::Sphere, pool);
-        const PixelTrust one = pixelTrust(made.view, {}, pool, 1);
+        const PixelTrust one = trustOf(made, pool, {}, 1);
         for (const int threads : {0, 2, 3}) {
-            const PixelTrust many = pixelTrust(made.view, {}, pool, threads);
+            const PixelTrust many = trustOf(made, pool, {}, threads);
             EXPECT_EQ(many.errorPx, one.errorPx) << threads;
             EXPECT_EQ(many.flags, one.flags) << threads;
         }
@@ -312,9 +318,8 @@ TEST(PixelTrust, RefusesOptionsThatAreNone) {
     const auto refused = [&](const std::string& part, auto&& change) {
         TrustOptions options;
         change(options);
-        test::expectError(ErrorKind::InvalidInput, part, [&] { pixelTrust(made.view, options, pool); });
+        test::expectError(ErrorKind::InvalidInput, part, [&] { trustOf(made, pool, options); });
     };
-    refused("residual", [](TrustOptions& options) { options.distanceResidual = -1; });
     refused("pole", [](TrustOptions& options) { options.poleRadius = Degrees(std::nan("")); });
     refused("stitching", [](TrustOptions& options) { options.stitchingHalfWidth = Degrees(-1); });
     refused("coarseness", [](TrustOptions& options) { options.coarseness = 0.5; });

@@ -59,8 +59,8 @@ struct SurveyDepth {
     /// One path a photo. It is empty where no other photo stands farther away than
     /// SweepOptions::leastBaselineM, or where no depth was wanted.
     std::vector<std::filesystem::path> files;
-    /// What each photo's values are multiplied by to be as bright as the others. It is empty where too few
-    /// depths tell.
+    /// What each photo's values are multiplied by to be as bright as the others. It is empty if depths are
+    /// wanted for radius and room alone.
     std::vector<scene::Gains> gains;
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
     std::optional<render::RoomShape> room; ///< The room that scene::fittedRoom() finds in the depths.

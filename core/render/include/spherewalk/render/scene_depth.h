@@ -6,6 +6,7 @@
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <filesystem>
 #include <string_view>
 
 namespace spherewalk::render {
@@ -27,6 +28,9 @@ class DepthMap {
 
     /// The map that serialised() wrote. source: a name for sentences. Errors: Corrupt.
     static DepthMap parse(ByteView bytes, std::string_view source);
+
+    /// The map in a file. Errors: those of readFile() and parse().
+    static DepthMap read(const std::filesystem::path& file);
 
     /// The map as a binary PGM of 16 bits. A value is twice the number of steps, plus 1 where it is sure.
     Bytes serialised() const;
