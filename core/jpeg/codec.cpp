@@ -197,4 +197,21 @@ void Compressor::append(j_compress_ptr info, std::size_t count) {
     }
 }
 
+void writeCoefficients(jpeg_decompress_struct* from, jvirt_barray_ptr* coefficients, jpeg_compress_struct* to,
+                       int mcusPerInterval) {
+    jpeg_copy_critical_parameters(from, to);
+    // The source's own segments are written below, as they are; libjpeg must add none.
+    to->write_JFIF_header = FALSE;
+    to->write_Adobe_marker = FALSE;
+    to->restart_interval = static_cast<unsigned>(mcusPerInterval);
+    to->restart_in_rows = 0;
+    to->optimize_coding = TRUE;
+    jpeg_write_coefficients(to, coefficients);
+    for (jpeg_saved_marker_ptr marker = from->marker_list; marker != nullptr; marker = marker->next) {
+        jpeg_write_marker(to, marker->marker, marker->data, marker->data_length);
+    }
+    jpeg_finish_compress(to);
+    jpeg_finish_decompress(from);
+}
+
 } // namespace spherewalk::jpeg

@@ -110,4 +110,9 @@ class Compressor {
     Destination m_destination;
 };
 
+/// Writes a decompressor's coefficients and segments as a JPEG with optimised Huffman tables. to: with the
+/// parameters of the other. mcusPerInterval: 0 for no restart markers. Range: within guarded() of both traps.
+void writeCoefficients(jpeg_decompress_struct* from, jvirt_barray_ptr* coefficients, jpeg_compress_struct* to,
+                       int mcusPerInterval);
+
 } // namespace spherewalk::jpeg

@@ -1022,6 +1022,10 @@
         </translation>
     </message>
     <message>
+        <source>What the camera carries along covers %1 % of each photo. The dataset shows floor and walls there, as other photos see them.</source>
+        <translation>To, co kamera wiezie ze sobą, zakrywa %1 % każdego zdjęcia. Zbiór danych pokazuje tam podłogę i ściany tak, jak widzą je inne zdjęcia.</translation>
+    </message>
+    <message>
         <source>Nothing is missing or doubtful.</source>
         <translation>Niczego nie brakuje i nic nie budzi wątpliwości.</translation>
     </message>

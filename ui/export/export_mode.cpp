@@ -259,6 +259,12 @@ void ExportMode::showAll() {
     if (const QString reason = m_presenter->reason(); !reason.isEmpty()) {
         words += QLatin1Char('\n') + reason;
     }
+    if (report.carriedShare > 0) {
+        words +=
+            QLatin1Char('\n') + tr("What the camera carries along covers %1 % of each photo. The dataset "
+                                   "shows floor and walls there, as other photos see them.")
+                                    .arg(100 * report.carriedShare, 0, 'f', 1);
+    }
     m_result->setText(words);
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;

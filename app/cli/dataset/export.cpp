@@ -22,6 +22,7 @@ struct ExportArguments {
     std::string dataset;
     jobs::ExportOptions write;
     std::string scene = "sphere";
+    bool keepsCarried = false;
     std::string camera;
     jobs::MeasureOptions measure;
     std::string format = "spherewalk";
@@ -33,6 +34,7 @@ struct ExportArguments {
 
 jobs::ExportOptions exportOptions(const ExportArguments& options) {
     jobs::ExportOptions wanted = options.write;
+    wanted.clearsCarried = !options.keepsCarried;
     wanted.scene = options.isChosen() ? render::SceneKind::Depth : render::sceneKind(options.scene);
     return wanted;
 }
@@ -73,6 +75,11 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
                  : text("\n",
                         counted(report.rejected, "photo was rejected and is", "photos were rejected and are"),
                         " left out.");
+    words += report.carriedShare == 0
+                 ? ""
+                 : text("\nWhat the camera carries along covers ", fixed(100 * report.carriedShare, 1),
+                        " % of each photo. The dataset shows floor and walls there, as other photos see "
+                        "them; --keep-carried leaves the photos as they are.");
     return {json, words};
 }
 
@@ -163,6 +170,8 @@ void addExport(Commands& commands) {
                 "the tolerance; the cheaper ones come with it")
         .among({"sphere", "room", "depth", "auto"})
         .showDefault();
+    command.flag("--keep-carried", options->keepsCarried,
+                 "With room or depth, leave cart, robot or operator below the camera in the photos");
     command.option(
         "--camera", options->camera,
         "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML");

@@ -200,6 +200,9 @@ class DepthJob {
 
     /// A photo at the least size that JPEG offers and that has this width, or as it is.
     RgbImage decoded(std::size_t photo, int leastWidth) const {
+        if (m_options.beforeReading) {
+            m_options.beforeReading(photo);
+        }
         const std::string name = m_photos[photo].file.string();
         const Bytes bytes = readFile(m_photos[photo].file);
         const int width = jpeg::readInfo(bytes, name).width;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_dataset.h"
 
+#include "export/cleared_photos.h"
+
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
@@ -166,12 +168,38 @@ std::optional<render::RoomShape> drawnRoom(const survey::Room& room, ProgressSin
     return render::RoomShape{room.outline, 0, room.ceilingM};
 }
 
+/// The photos that depths are estimated from.
+ClearedPhotos clearedPhotos(const store::SurveyStore& store, const ExportOptions& options,
+                            const DepthCache& cache, const dataset::Contents& contents,
+                            const std::stop_token& stop) {
+    return {depthInputs(contents), store.room(), cache.path(), options.clearsCarried, stop};
+}
+
+/// Makes the photos without what is carried along, and exports them.
+void takeCleared(ClearedPhotos& cleared, dataset::Contents& contents, ProgressSink& progress,
+                 const std::stop_token& stop) {
+    const std::size_t count = cleared.carried().empty() ? 0 : contents.photos.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        cleared.make(i, stop);
+        contents.photos[i].file = cleared.inputs()[i].file;
+        contents.photos[i].sha256 = sha256Hex(readFile(contents.photos[i].file));
+        progress.progress(static_cast<double>(i + 1) / static_cast<double>(count),
+                          text("Clearing the floor below the camera, photo ", i + 1, " of ", count));
+    }
+}
+
 /// Radius, room and depths from what the photos show.
 void addScene(const store::SurveyStore& store, const ExportOptions& options, const DepthCache& cache,
               dataset::Contents& contents, ExportReport& report, ProgressSink& progress,
               const std::stop_token& stop) {
-    const DepthOptions depth = depthOptions(store, options, cache);
-    const SurveyDepth found = surveyDepth(depthInputs(contents), depth, progress, stop);
+    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, stop);
+    report.carriedShare = cleared.carried().share();
+    DepthOptions depth = depthOptions(store, options, cache);
+    depth.beforeReading = [&](std::size_t photo) { cleared.make(photo, stop); };
+    ProgressStep sweeping(progress, 0, cleared.carried().empty() ? 1 : 0.9);
+    const SurveyDepth found = surveyDepth(cleared.inputs(), depth, sweeping, stop);
+    ProgressStep clearing(progress, 0.9, 1);
+    takeCleared(cleared, contents, clearing, stop);
     report.depth = found.report;
     if (found.radiusM) {
         contents.info.sphereRadiusM = found.radiusM;
@@ -252,7 +280,10 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
     ExportReport report;
     const dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
     const DepthCache cache(store, options);
-    return depthForecast(depthInputs(contents), depthOptions(store, options, cache), withTrial, stop);
+    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, stop);
+    DepthOptions depth = depthOptions(store, options, cache);
+    depth.beforeReading = [&](std::size_t photo) { cleared.make(photo, stop); };
+    return depthForecast(cleared.inputs(), depth, withTrial, stop);
 }
 
 render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& depth) {
@@ -262,17 +293,12 @@ render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions
 }
 
 Json toJson(const ExportReport& report) {
-    return {{"photos", report.written.photos},
-            {"stations_without_photo", report.withoutPhoto},
-            {"rejected_photos", report.rejected},
-            {"photos_without_rotation", report.withoutRotation},
-            {"sphere_radius_m", report.sphereRadiusM},
-            {"photos_with_depth", report.depth.photos},
-            {"depths_reused", report.depth.reused},
-            {"depth_seconds", report.depth.seconds},
-            {"source_bytes", report.written.sourceBytes},
-            {"photo_bytes", report.written.photoBytes},
-            {"total_bytes", report.written.totalBytes},
+    return {{"photos", report.written.photos},          {"stations_without_photo", report.withoutPhoto},
+            {"rejected_photos", report.rejected},       {"photos_without_rotation", report.withoutRotation},
+            {"sphere_radius_m", report.sphereRadiusM},  {"photos_with_depth", report.depth.photos},
+            {"depths_reused", report.depth.reused},     {"depth_seconds", report.depth.seconds},
+            {"carried_share", report.carriedShare},     {"source_bytes", report.written.sourceBytes},
+            {"photo_bytes", report.written.photoBytes}, {"total_bytes", report.written.totalBytes},
             {"seconds", report.written.seconds}};
 }
 

@@ -71,6 +71,66 @@ TEST(Jpeg, InfoTellsSamplingAndKind) {
     EXPECT_EQ(info({.restartInterval = 5}).restartInterval, 5);
 }
 
+/// All pixels of the right lower quarter.
+MaskImage rightLowerQuarter(int width, int height) {
+    MaskImage where(width, height);
+    for (int y = height / 2; y < height; ++y) {
+        for (int x = width / 2; x < width; ++x) {
+            *where.at(x, y) = 255;
+        }
+    }
+    return where;
+}
+
+TEST(Jpeg, PixelsAreReplacedWhereTheyShallAndNowhereElse) {
+    const RgbImage picture = test::madePicture(160, 96);
+    RgbImage other(160, 96);
+    std::fill(other.values().begin(), other.values().end(), std::uint8_t{200});
+    for (const bool isProgressive : {false, true}) {
+        for (const int sampling : {1, 2}) {
+            const Bytes before = test::madeJpeg(
+                picture, {.horizontal = sampling, .vertical = sampling, .isProgressive = isProgressive});
+            const Bytes after = jpeg::withPixels(before, other, rightLowerQuarter(160, 96), "a.jpg");
+            const RgbImage old = jpeg::decode(before, "a.jpg");
+            const RgbImage read = jpeg::decode(after, "a.jpg");
+            // The quarter begins where a unit of 16 pixels does; colours reach over by a pixel.
+            for (int y = 0; y < 96; ++y) {
+                for (int x = 0; x < 160; ++x) {
+                    const bool isInside = x >= 80 && y >= 48;
+                    const bool isBeside = x >= 78 && y >= 46;
+                    if (!isBeside) {
+                        ASSERT_TRUE(std::equal(read.at(x, y), read.at(x, y) + 3, old.at(x, y)))
+                            << x << " " << y;
+                    } else if (isInside && x > 81 && y > 49) {
+                        ASSERT_NEAR(read.at(x, y)[1], 200, 4) << x << " " << y;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Jpeg, ReplacingNothingKeepsAllCoefficientsAndSegments) {
+    const Bytes before = jpeg::encode(test::madePicture(75, 37), 90);
+    const Bytes after = jpeg::withPixels(before, RgbImage(75, 37), MaskImage(75, 37), "a.jpg");
+    EXPECT_EQ(jpeg::decode(after, "a.jpg"), jpeg::decode(before, "a.jpg"));
+    EXPECT_EQ(jpeg::segments(after, "a.jpg").size(), jpeg::segments(before, "a.jpg").size());
+}
+
+TEST(Jpeg, PixelsOfAnotherSizeAndGreyPicturesAreRefused) {
+    const RgbImage picture = test::madePicture(64, 32);
+    const MaskImage where(64, 32);
+    const Bytes grey = test::madeJpeg(picture, {.isGrey = true});
+    test::expectError(ErrorKind::Unsupported, "it is grey",
+                      [&] { jpeg::withPixels(grey, picture, where, "a.jpg"); });
+    const Bytes colour = jpeg::encode(picture, 90);
+    test::expectError(ErrorKind::InvalidInput, "its size is 64 x 32",
+                      [&] { jpeg::withPixels(colour, RgbImage(62, 31), where, "a.jpg"); });
+    Bytes cut(colour.begin(), colour.begin() + static_cast<std::ptrdiff_t>(colour.size() / 2));
+    test::expectError(ErrorKind::Corrupt, "replace a part of a.jpg",
+                      [&] { jpeg::withPixels(cut, picture, where, "a.jpg"); });
+}
+
 TEST(Jpeg, GreyBecomesEqualRedGreenAndBlue) {
     const RgbImage read = jpeg::decode(test::madeJpeg(test::madePicture(19, 11), {.isGrey = true}), "a.jpg");
     for (int y = 0; y < 11; ++y) {

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -39,12 +40,14 @@ struct DepthOptions {
     /// Estimates the depths of up to a dozen photos only, spread evenly. That is enough for the same radius
     /// and room. Exports set it unless the scene model is Depth.
     bool onlyForScene = false;
+    /// Called with a photo's index before its file is read; may be empty.
+    std::function<void(std::size_t)> beforeReading = {};
 };
 
 /// A photo whose depth is to be estimated.
 struct DepthInput {
     std::filesystem::path file; ///< A JPEG file.
-    std::string sha256;         ///< Hash of the file.
+    std::string sha256;         ///< Hash of the file, or of all that it is made of.
     Rigid3 roomFromPhoto;
 };
 
@@ -97,6 +100,9 @@ struct ExportOptions {
     /// Depth some seconds a photo.
     render::SceneKind scene = render::SceneKind::Sphere;
     DepthOptions depth;
+    /// Puts floor and walls in place of what the camera carries along, see scene::carriedThings(). It holds
+    /// for Room and Depth.
+    bool clearsCarried = true;
 };
 
 struct ExportReport {
@@ -107,6 +113,7 @@ struct ExportReport {
     double sphereRadiusM = 0; ///< 0 if neither depths nor the outline tell it.
     std::optional<render::RoomShape> roomShape;
     DepthReport depth;
+    double carriedShare = 0; ///< Share of each photo that other photos' floor and walls replace.
 };
 
 /// Exports the chosen photo of every station, unless a person rejected it, with the poses of the active

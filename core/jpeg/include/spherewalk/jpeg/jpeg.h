@@ -37,6 +37,12 @@ RgbImage decode(ByteView jpeg, std::string_view source, int denominator = 1);
 /// Errors: InvalidInput for another quality, or sides outside [1, 65500].
 Bytes encode(const RgbImage& picture, int quality);
 
+/// The JPEG with other pixels in some places. Minimum coded units that hold none of these places keep their
+/// coefficients, and so their pixels but for colours next to a replaced unit. All segments stay. picture: all
+/// pixels of the JPEG in its size; only those in replaced units count. where: other than 0 at the places.
+/// Errors: Corrupt; Unsupported for a grey picture and as readInfo(); InvalidInput if sizes differ.
+Bytes withPixels(ByteView jpeg, const RgbImage& picture, const MaskImage& where, std::string_view source);
+
 /// The second bytes of JPEG markers. Source: ITU-T T.81, table B.1.
 enum Marker : std::uint8_t {
     kSof0 = 0xC0,

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/cleared_photos.h"
+
+#include "parts/cache_key.h"
+
+#include "spherewalk/base/digest.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/folder.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <set>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr int kMethod = 1; ///< grows when the same photos are cleared in another way
+constexpr std::size_t kHelpers = 8;
+constexpr double kLeastBaselineM = 0.1; ///< a nearer photo shows nothing that this one does not
+constexpr std::size_t kHelpersKept = 16;
+constexpr std::size_t kPhotosToLookAt = 24;
+constexpr int kLookWidth = 256;
+constexpr int kHelperWidth = 2048; ///< of the pictures that floor and walls are taken from, at least
+
+/// A photo at the least size that JPEG offers and that has this width, or as it is.
+RgbImage decoded(const std::filesystem::path& file, int leastWidth) {
+    const Bytes bytes = readFile(file);
+    const int width = jpeg::readInfo(bytes, file.string()).width;
+    int denominator = 1;
+    while (denominator < 8 && width / (2 * denominator) >= leastWidth) {
+        denominator *= 2;
+    }
+    return jpeg::decode(bytes, file.string(), denominator);
+}
+
+scene::CarriedThings lookedAt(const std::vector<DepthInput>& photos, const std::stop_token& stop) {
+    std::vector<RgbImage> pictures;
+    std::vector<Rigid3> poses;
+    const std::size_t count = std::min(photos.size(), kPhotosToLookAt);
+    for (std::size_t k = 0; k < count; ++k) {
+        throwIfStopped(stop);
+        const DepthInput& photo = photos[k * photos.size() / count];
+        pictures.push_back(photo::resized(decoded(photo.file, kLookWidth), kLookWidth, kLookWidth / 2));
+        poses.push_back(photo.roomFromPhoto);
+    }
+    std::vector<scene::PosedPicture> posed;
+    for (std::size_t k = 0; k < count; ++k) {
+        posed.push_back({&pictures[k], poses[k]});
+    }
+    return scene::carriedThings(posed);
+}
+
+} // namespace
+
+ClearedPhotos::ClearedPhotos(std::vector<DepthInput> photos, survey::Room room,
+                             std::filesystem::path cacheFolder, bool looks, const std::stop_token& stop)
+    : m_photos(std::move(photos)),
+      m_room(std::move(room)),
+      m_carried(looks ? lookedAt(m_photos, stop) : scene::CarriedThings()),
+      m_inputs(m_photos),
+      m_pictures(kHelpersKept) {
+    if (m_carried.empty()) {
+        return;
+    }
+    std::vector<Rigid3> poses;
+    for (const DepthInput& photo : m_photos) {
+        poses.push_back(photo.roomFromPhoto);
+    }
+    scene::SweepOptions nearest;
+    nearest.neighbours = static_cast<int>(kHelpers);
+    nearest.leastBaselineM = kLeastBaselineM;
+    for (std::size_t i = 0; i < m_photos.size(); ++i) {
+        m_helpers.push_back(scene::sweepNeighbours(poses, i, nearest));
+    }
+    for (std::size_t i = 0; i < m_photos.size(); ++i) {
+        const std::string key = keyOfPhoto(i);
+        m_inputs[i].sha256 = key;
+        m_inputs[i].file = cacheFolder / key.substr(0, 32) / m_photos[i].file.filename();
+    }
+}
+
+std::string ClearedPhotos::keyOfPhoto(std::size_t photo) const {
+    std::string key = text("cleared ", kMethod, " ", m_photos[photo].sha256, " ",
+                           keyOf(m_photos[photo].roomFromPhoto), "\n", m_room.ceilingM);
+    for (const float reach : m_carried.reachRad()) {
+        key += text(" ", reach);
+    }
+    for (const Eigen::Vector2d& corner : m_room.outline) {
+        key += text(" ", corner.x(), " ", corner.y());
+    }
+    for (const std::size_t other : m_helpers[photo]) {
+        key += text("\n", m_photos[other].sha256, " ", keyOf(m_photos[other].roomFromPhoto));
+    }
+    return sha256Hex(bytesOf(key));
+}
+
+scene::FilledPicture ClearedPhotos::filled(std::size_t photo, const RgbImage& picture) {
+    std::vector<std::shared_ptr<const RgbImage>> pictures;
+    std::vector<scene::PosedPicture> others;
+    for (const std::size_t other : m_helpers[photo]) {
+        pictures.push_back(
+            m_pictures.get(other, [&] { return decoded(m_photos[other].file, kHelperWidth); }));
+        others.push_back({pictures.back().get(), m_photos[other].roomFromPhoto});
+    }
+    return scene::withoutCarried({&picture, m_photos[photo].roomFromPhoto}, others, m_carried, m_room);
+}
+
+void ClearedPhotos::make(std::size_t photo, const std::stop_token& stop) {
+    throwIfStopped(stop);
+    const std::filesystem::path& file = m_inputs[photo].file;
+    if (m_carried.empty() || std::filesystem::is_regular_file(file)) {
+        return;
+    }
+    const std::string name = m_photos[photo].file.string();
+    const Bytes bytes = readFile(m_photos[photo].file);
+    ensureFolder(file.parent_path());
+    if (jpeg::readInfo(bytes, name).components != RgbImage::kChannels) {
+        writeFile(file, bytes); // colours cannot be put into a grey photo
+        return;
+    }
+    const scene::FilledPicture clear = filled(photo, jpeg::decode(bytes, name));
+    writeFile(file, jpeg::withPixels(bytes, clear.picture, clear.filled, name));
+}
+
+} // namespace spherewalk::jobs

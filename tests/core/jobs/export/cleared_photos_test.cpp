@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "temporary_folder.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/render/dataset.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace spherewalk::jobs {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kColumns = 3;
+constexpr int kRows = 3;
+
+/// A robot below the lens, with four wheels.
+void drawRobotBelow(RgbImage& picture) {
+    for (int y = picture.height() * 155 / 180; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const bool isWheel = std::cos(8 * std::acos(-1.0) * x / picture.width()) > 0.7;
+            std::fill_n(picture.at(x, y), RgbImage::kChannels, std::uint8_t(isWheel ? 20 : 120));
+        }
+    }
+}
+
+/// A survey of the practice room whose photos all show a robot.
+class RobotSurvey : public testing::Test {
+  protected:
+    RobotSurvey() {
+        const practice::PracticeRoom pictured;
+        fs::create_directories(m_folder / "in");
+        std::string lines = "file,x_m,y_m,z_m,yaw_deg\n";
+        for (int i = 0; i < kColumns * kRows; ++i) {
+            const Eigen::Vector3d position(1.5 + 0.5 * (i % kColumns), 1.2 + 0.5 * (i / kColumns), 1.2);
+            RgbImage picture = pictured.spherical({Eigen::Quaterniond::Identity(), position}, {512, 256});
+            drawRobotBelow(picture);
+            const std::string name = "R" + std::to_string(i) + ".JPG";
+            writeFile(m_folder / "in" / name, jpeg::encode(picture, 95));
+            lines +=
+                name + "," + std::to_string(position.x()) + "," + std::to_string(position.y()) + ",1.2,0\n";
+        }
+        writeFile(m_folder / "p.csv", bytesOf(lines));
+        survey::Room room;
+        room.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
+        room.ceilingM = 2.5;
+        survey::PlanOptions plan;
+        plan.stepM = 0.5;
+        m_store.emplace(
+            store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan)));
+        importPhotos(*m_store, {m_folder / "in", m_folder / "p.csv", 0.05, false}, noProgress(), {});
+        m_options.scene = render::SceneKind::Depth;
+        m_options.depth.sweep.width = 64;
+        m_options.depth.sweep.coarseWidth = 64;
+    }
+
+    ExportReport exported(const std::string& name) {
+        return exportDataset(*m_store, m_folder / name, m_options, noProgress(), {});
+    }
+
+    RgbImage photoIn(const std::string& dataset) const {
+        return jpeg::decode(readFile(m_folder / dataset / "photos/R4.jpg"), "R4.jpg");
+    }
+
+    /// The mean brightness of the rows that show the robot.
+    static double robotsShade(const RgbImage& picture) {
+        double sum = 0;
+        double count = 0;
+        for (int y = picture.height() * 160 / 180; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                sum += std::abs(picture.at(x, y)[0] - picture.at(x, y)[2]);
+                ++count;
+            }
+        }
+        return sum / count;
+    }
+
+    test::TemporaryFolder m_folder;
+    std::optional<store::SurveyStore> m_store;
+    ExportOptions m_options;
+};
+
+} // namespace
+
+TEST_F(RobotSurvey, TheDatasetShowsTheFloorInPlaceOfTheRobot) {
+    const ExportReport report = exported("d");
+    EXPECT_GT(report.carriedShare, 0.04);
+    EXPECT_LT(report.carriedShare, 0.09);
+    const RgbImage before = jpeg::decode(readFile(m_folder / "in" / "R4.JPG"), "R4.JPG");
+    const RgbImage after = photoIn("d");
+    EXPECT_LT(robotsShade(before), 5) << "a robot is grey";
+    EXPECT_GT(robotsShade(after), 25) << "the floor is of wood";
+    for (int y = 0; y < before.height() / 2; ++y) {
+        ASSERT_TRUE(std::equal(before.at(0, y), before.at(0, y) + 3 * before.width(), after.at(0, y))) << y;
+    }
+    // The dataset is whole, and the survey keeps the photo.
+    const auto dataset = render::Dataset::open(m_folder / "d", render::Verify::Hashes);
+    EXPECT_EQ(dataset.info().photos.size(), 9U);
+    EXPECT_EQ(jpeg::decode(readFile(m_store->photoFolder() / "R4.JPG"), "R4.JPG"), before);
+}
+
+TEST_F(RobotSurvey, ASecondExportFindsAllThatTheFirstHasMade) {
+    exported("d");
+    EXPECT_EQ(knownScene(*m_store, m_options.depth), render::SceneKind::Depth);
+    const ExportReport second = exported("d2");
+    EXPECT_EQ(second.depth.reused, second.depth.photos);
+    EXPECT_EQ(photoIn("d2"), photoIn("d"));
+}
+
+TEST_F(RobotSurvey, ThePhotosStayWhereTheyShall) {
+    const RgbImage before = jpeg::decode(readFile(m_folder / "in" / "R4.JPG"), "R4.JPG");
+    m_options.clearsCarried = false;
+    EXPECT_EQ(exported("kept").carriedShare, 0);
+    EXPECT_EQ(photoIn("kept"), before);
+    m_options.clearsCarried = true;
+    m_options.scene = render::SceneKind::Sphere;
+    EXPECT_EQ(exported("sphere").carriedShare, 0);
+    EXPECT_EQ(photoIn("sphere"), before);
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/scene/carried.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <optional>
+
+namespace spherewalk::scene {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr EquirectSize kCartSize{512, 256};
+
+/// The brightness of what is carried along in a direction of the photo; nothing beside it. Units: radians;
+/// the angle is that from straight down.
+using Cart = std::function<std::optional<double>(double azimuth, double angle)>;
+
+std::optional<double> noCart(double /*azimuth*/, double /*angle*/) {
+    return std::nullopt;
+}
+
+/// A round robot with four wheels: bare between them.
+std::optional<double> roundRobot(double azimuth, double angle) {
+    if (angle > 25 * kDegree) {
+        return std::nullopt;
+    }
+    return std::cos(4 * azimuth) > 0.75 && angle > 10 * kDegree ? 22 : 130 - 140 * angle;
+}
+
+/// Three thin legs, and a person who always stands behind the camera.
+std::optional<double> tripodAndOperator(double azimuth, double angle) {
+    const bool isLeg = angle < 20 * kDegree && std::cos(3 * azimuth) > 0.8;
+    const double aside = std::abs(std::remainder(azimuth - std::numbers::pi, 2 * std::numbers::pi));
+    const bool isPerson = aside < 12 * kDegree && angle < 80 * kDegree;
+    if (isPerson) {
+        return std::fmod(angle / kDegree, 14) < 7 ? 60 : 150; // a striped coat
+    }
+    return isLeg || angle < 4 * kDegree ? std::optional(25.0) : std::nullopt;
+}
+
+struct CartPhotos {
+    std::vector<Rigid3> poses;
+    std::vector<RgbImage> clear; ///< Without what is carried along.
+    std::vector<RgbImage> taken;
+
+    std::vector<PosedPicture> posed() const {
+        std::vector<PosedPicture> result;
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            result.push_back({&taken[i], poses[i]});
+        }
+        return result;
+    }
+};
+
+/// A photo with the cart, and as bright as the camera chose.
+RgbImage withCart(const RgbImage& clear, const Cart& cart, double gain) {
+    RgbImage picture = clear;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3d way = direction(kCartSize, Eigen::Vector2d(x, y));
+            const auto shade = cart(std::atan2(way.y(), way.x()), std::acos(std::clamp(-way.z(), -1.0, 1.0)));
+            for (int c = 0; c < RgbImage::kChannels; ++c) {
+                std::uint8_t& value = picture.at(x, y)[c];
+                value = static_cast<std::uint8_t>(std::min(255.0, gain * shade.value_or(value)));
+            }
+        }
+    }
+    return picture;
+}
+
+/// CartPhotos on a grid of half a metre, each turned and exposed in its own way.
+CartPhotos photographed(const Cart& cart, int columns, int rows) {
+    static const practice::PracticeRoom room;
+    static std::map<std::pair<int, int>, RgbImage> drawn;
+    CartPhotos photos;
+    for (int i = 0; i < columns * rows; ++i) {
+        const Eigen::Vector3d position(1.2 + 0.5 * (i % columns), 1.2 + 0.5 * (i / columns), 1.2);
+        photos.poses.push_back({Eigen::Quaterniond(Eigen::AngleAxisd(0.9 * (i % columns) + 2 * (i / columns),
+                                                                     Eigen::Vector3d::UnitZ())),
+                                position});
+        const double gain = 1 - 0.1 * (i % 4);
+        RgbImage& clear = drawn[{i % columns, i / columns}];
+        clear = clear.empty() ? room.spherical(photos.poses.back(), kCartSize) : clear;
+        photos.clear.push_back(withCart(clear, noCart, gain));
+        photos.taken.push_back(withCart(clear, cart, gain));
+    }
+    return photos;
+}
+
+Eigen::Vector3d fromBelow(double azimuthDeg, double angleDeg) {
+    const double azimuth = azimuthDeg * kDegree;
+    const double angle = angleDeg * kDegree;
+    return {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), -std::cos(angle)};
+}
+
+double psnr(const RgbImage& a, const RgbImage& b, const MaskImage& where) {
+    double sum = 0;
+    double count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            for (int c = 0; c < RgbImage::kChannels && *where.at(x, y) != 0; ++c) {
+                const double difference = a.at(x, y)[c] - b.at(x, y)[c];
+                sum += difference * difference;
+                ++count;
+            }
+        }
+    }
+    return 10 * std::log10(255 * 255 * count / std::max(1.0, sum));
+}
+
+TEST(Carried, NothingIsFoundWhereNothingIsCarriedAlong) {
+    const CartPhotos photos = photographed(noCart, 4, 3);
+    EXPECT_TRUE(carriedThings(photos.posed()).empty());
+    EXPECT_EQ(carriedThings(photos.posed()).share(), 0);
+}
+
+TEST(Carried, ARobotIsFoundToItsBorderAlsoWhereItIsBare) {
+    const CartPhotos photos = photographed(roundRobot, 4, 3);
+    const CarriedThings things = carriedThings(photos.posed());
+    for (double azimuth = -180; azimuth < 180; azimuth += 3) {
+        EXPECT_GT(things.depthInside(fromBelow(azimuth, 24)), 0) << azimuth;
+        EXPECT_LT(things.depthInside(fromBelow(azimuth, 34)), 0) << azimuth;
+    }
+    EXPECT_NEAR(things.share(), (1 - std::cos(25 * kDegree)) / 2, 0.02);
+}
+
+TEST(Carried, AnOperatorIsFoundFromFeetToHead) {
+    const CartPhotos photos = photographed(tripodAndOperator, 4, 3);
+    const CarriedThings things = carriedThings(photos.posed());
+    for (const double angle : {5.0, 30.0, 50.0, 70.0, 78.0}) {
+        EXPECT_GT(things.depthInside(fromBelow(180, angle)), 0) << angle;
+        EXPECT_GT(things.depthInside(fromBelow(171, angle)), 0) << angle;
+    }
+    EXPECT_GT(things.depthInside(fromBelow(0, 18)), 0) << "a leg";
+    EXPECT_LT(things.depthInside(fromBelow(0, 40)), 0);
+    EXPECT_LT(things.depthInside(fromBelow(90, 40)), 0);
+    EXPECT_LT(things.share(), 0.1);
+}
+
+TEST(Carried, PhotosInOneLineAndFewPhotosTellNothing) {
+    const CartPhotos line = photographed(roundRobot, 8, 1);
+    EXPECT_TRUE(carriedThings(line.posed()).empty());
+    const CartPhotos few = photographed(roundRobot, 2, 2);
+    EXPECT_TRUE(carriedThings(few.posed()).empty());
+}
+
+TEST(Carried, AnEmptyPictureIsRefused) {
+    const RgbImage none;
+    const std::vector<PosedPicture> photos{{&none, {}}};
+    test::expectError(ErrorKind::InvalidInput, "a picture is empty", [&] { carriedThings(photos); });
+}
+
+TEST(Carried, TheFloorStandsInItsPlaceAsOtherPhotosShowIt) {
+    const CartPhotos photos = photographed(roundRobot, 4, 3);
+    const std::vector<PosedPicture> posed = photos.posed();
+    const CarriedThings things = carriedThings(posed);
+    survey::Room room;
+    room.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
+    room.ceilingM = 2.5;
+    const std::size_t middle = 5;
+    std::vector<PosedPicture> others = posed;
+    others.erase(others.begin() + middle);
+    const FilledPicture clear = withoutCarried(posed[middle], others, things, room);
+    EXPECT_GT(psnr(clear.picture, photos.clear[middle], clear.filled), 20);
+    EXPECT_LT(psnr(photos.taken[middle], photos.clear[middle], clear.filled), 13);
+    for (int y = 0; y < kCartSize.height; ++y) {
+        for (int x = 0; x < kCartSize.width; ++x) {
+            const Eigen::Vector3d way = direction(kCartSize, Eigen::Vector2d(x, y));
+            ASSERT_EQ(*clear.filled.at(x, y) != 0, things.depthInside(way) > 0) << x << " " << y;
+            if (*clear.filled.at(x, y) == 0) {
+                ASSERT_TRUE(std::equal(clear.picture.at(x, y), clear.picture.at(x, y) + 3,
+                                       photos.taken[middle].at(x, y)));
+            }
+        }
+    }
+}
+
+TEST(Carried, WhatNoOtherPhotoSeesStaysAsItIs) {
+    const CartPhotos photos = photographed(roundRobot, 4, 3);
+    const CarriedThings things = carriedThings(photos.posed());
+    const FilledPicture clear = withoutCarried(photos.posed()[0], {}, things, {});
+    EXPECT_EQ(clear.picture.values()[0], photos.taken[0].values()[0]);
+    EXPECT_TRUE(std::all_of(clear.filled.values().begin(), clear.filled.values().end(),
+                            [](std::uint8_t value) { return value == 0; }));
+}
+
+} // namespace
+
+} // namespace spherewalk::scene
