@@ -73,6 +73,11 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
                  : text("\n",
                         counted(report.rejected, "photo was rejected and is", "photos were rejected and are"),
                         " left out.");
+    words += report.failed == 0 ? ""
+                                : text("\n",
+                                       counted(report.failed, "photo has no pose that holds and is",
+                                               "photos have no pose that holds and are"),
+                                       " left out.");
     return {json, words};
 }
 

@@ -217,7 +217,12 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
                            const ExportOptions& options, ProgressSink& progress,
                            const std::stop_token& stop) {
     ExportReport report;
-    dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    const PhotosToExport exported = photosToExport(store);
+    report.failed = static_cast<int>(exported.failed.size());
+    if (!exported.sentence.empty()) {
+        progress.warning(exported.sentence);
+    }
+    dataset::Contents contents = contentsOf(store, exported.photos, report);
     const DepthCache cache(store, options);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {
@@ -250,7 +255,7 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
         return {};
     }
     ExportReport report;
-    const dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    const dataset::Contents contents = contentsOf(store, photosToExport(store).photos, report);
     const DepthCache cache(store, options);
     return depthForecast(depthInputs(contents), depthOptions(store, options, cache), withTrial, stop);
 }
@@ -265,6 +270,7 @@ Json toJson(const ExportReport& report) {
     return {{"photos", report.written.photos},
             {"stations_without_photo", report.withoutPhoto},
             {"rejected_photos", report.rejected},
+            {"failed_photos", report.failed},
             {"photos_without_rotation", report.withoutRotation},
             {"sphere_radius_m", report.sphereRadiusM},
             {"photos_with_depth", report.depth.photos},
@@ -291,7 +297,7 @@ fs::path existingParent(fs::path folder) {
 class Look {
   public:
     Look(const store::SurveyStore& store, const ExportOptions& options)
-        : m_store(store), m_options(options), m_photos(store.keptPhotos()) {
+        : m_store(store), m_options(options), m_exported(photosToExport(store)), m_photos(m_exported.photos) {
         m_check.photos = m_photos.size();
     }
 
@@ -384,6 +390,9 @@ class Look {
                 "axis; align it first.");
             return;
         }
+        if (!m_exported.sentence.empty()) {
+            m_check.doubts.push_back(m_exported.sentence);
+        }
         std::set<std::int64_t> solved;
         std::set<std::int64_t> doubtful;
         for (const store::SolvedPhoto& photo : m_store.solvedPhotos(solution->id)) {
@@ -414,7 +423,8 @@ class Look {
 
     const store::SurveyStore& m_store;
     const ExportOptions& m_options;
-    std::vector<store::PhotoRecord> m_photos;
+    const PhotosToExport m_exported;
+    const std::vector<store::PhotoRecord>& m_photos;
     ExportCheck m_check;
 };
 

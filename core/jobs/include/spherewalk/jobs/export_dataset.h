@@ -103,16 +103,17 @@ struct ExportReport {
     dataset::WriteReport written;
     int withoutPhoto = 0;     ///< Stations without a photo, even a rejected one.
     int rejected = 0;         ///< Photos that a person rejected. The dataset leaves them out.
+    int failed = 0;           ///< Photos that the alignment found no pose for. The dataset leaves them out.
     int withoutRotation = 0;  ///< Photos whose heading is not known.
     double sphereRadiusM = 0; ///< 0 if neither depths nor the outline tell it.
     std::optional<render::RoomShape> roomShape;
     DepthReport depth;
 };
 
-/// Exports the chosen photo of every station, unless a person rejected it, with the poses of the active
-/// solution. A photo that the solution lacks gets the tilt that the photo itself states, and the heading 0;
-/// the dataset says so. Errors: those of reading such a photo and of dataset::writeDataset(); for Room and
-/// Depth also those of surveyDepth(). Stop: Stopped.
+/// Exports the chosen photo of every station, unless a person rejected it or it failed, with the poses of the
+/// active solution. A warning names the photos that failed. A photo that the solution lacks gets the tilt
+/// that the photo itself states, and the heading 0; the dataset says so. Errors: those of reading such a
+/// photo and of dataset::writeDataset(); for Room and Depth also those of surveyDepth(). Stop: Stopped.
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
