@@ -75,6 +75,11 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
                  : text("\n",
                         counted(report.rejected, "photo was rejected and is", "photos were rejected and are"),
                         " left out.");
+    words += report.failed == 0 ? ""
+                                : text("\n",
+                                       counted(report.failed, "photo has no pose that holds and is",
+                                               "photos have no pose that holds and are"),
+                                       " left out.");
     words += report.carriedShare == 0
                  ? ""
                  : text("\nWhat the camera carries along covers ", fixed(100 * report.carriedShare, 1),

@@ -194,9 +194,9 @@ void report(const Judged& judged, std::span<const PhotoPrior> photos, const Plan
         const double movedM = (judged.evidence.positionsM()[i] - photos[i].positionM).norm();
         if (judged.findings[i].timesMoved > 0 && movedM > kSamePositionM) {
             const int photo = static_cast<int>(i);
-            wrong.push_back({photo, judged.places[i], judged.findings[i].confidence,
-                             sentence(photo, photos, judged.places, judged.findings[i],
-                                      judged.evidence.positionsM()[i], lines)});
+            const Eigen::Vector3d& takenM = judged.evidence.positionsM()[i];
+            wrong.push_back({photo, judged.places[i], takenM, judged.findings[i].confidence,
+                             sentence(photo, photos, judged.places, judged.findings[i], takenM, lines)});
         }
     }
 }

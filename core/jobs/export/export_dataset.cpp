@@ -245,7 +245,12 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
                            const ExportOptions& options, ProgressSink& progress,
                            const std::stop_token& stop) {
     ExportReport report;
-    dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    const PhotosToExport exported = photosToExport(store);
+    report.failed = static_cast<int>(exported.failed.size());
+    if (!exported.sentence.empty()) {
+        progress.warning(exported.sentence);
+    }
+    dataset::Contents contents = contentsOf(store, exported.photos, report);
     const DepthCache cache(store, options);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {
@@ -278,7 +283,7 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
         return {};
     }
     ExportReport report;
-    const dataset::Contents contents = contentsOf(store, store.keptPhotos(), report);
+    const dataset::Contents contents = contentsOf(store, photosToExport(store).photos, report);
     const DepthCache cache(store, options);
     ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, stop);
     DepthOptions depth = depthOptions(store, options, cache);
@@ -293,169 +298,20 @@ render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions
 }
 
 Json toJson(const ExportReport& report) {
-    return {{"photos", report.written.photos},          {"stations_without_photo", report.withoutPhoto},
-            {"rejected_photos", report.rejected},       {"photos_without_rotation", report.withoutRotation},
-            {"sphere_radius_m", report.sphereRadiusM},  {"photos_with_depth", report.depth.photos},
-            {"depths_reused", report.depth.reused},     {"depth_seconds", report.depth.seconds},
-            {"carried_share", report.carriedShare},     {"source_bytes", report.written.sourceBytes},
-            {"photo_bytes", report.written.photoBytes}, {"total_bytes", report.written.totalBytes},
+    return {{"photos", report.written.photos},
+            {"stations_without_photo", report.withoutPhoto},
+            {"rejected_photos", report.rejected},
+            {"failed_photos", report.failed},
+            {"photos_without_rotation", report.withoutRotation},
+            {"sphere_radius_m", report.sphereRadiusM},
+            {"photos_with_depth", report.depth.photos},
+            {"depths_reused", report.depth.reused},
+            {"depth_seconds", report.depth.seconds},
+            {"carried_share", report.carriedShare},
+            {"source_bytes", report.written.sourceBytes},
+            {"photo_bytes", report.written.photoBytes},
+            {"total_bytes", report.written.totalBytes},
             {"seconds", report.written.seconds}};
-}
-
-namespace {
-
-/// Of the nearest folder that is there already.
-fs::path existingParent(fs::path folder) {
-    std::error_code none;
-    folder = fs::absolute(folder).lexically_normal();
-    while (!fs::exists(folder, none) && folder.has_relative_path()) {
-        folder = folder.parent_path();
-    }
-    return folder;
-}
-
-class Look {
-  public:
-    Look(const store::SurveyStore& store, const ExportOptions& options)
-        : m_store(store), m_options(options), m_photos(store.keptPhotos()) {
-        m_check.photos = m_photos.size();
-    }
-
-    ExportCheck run(const fs::path& folder, ProgressSink& progress, const std::stop_token& stop) {
-        progress.progress(0, "Trying one photo");
-        measure(stop);
-        if (!m_photos.empty()) {
-            progress.progress(0.3, "Trying one depth");
-            addDepth(stop);
-        }
-        progress.progress(0.9, "Looking at the survey");
-        lookAtPlace(folder);
-        lookAtStations();
-        lookAtRotations();
-        progress.progress(1, "Checked");
-        return std::move(m_check);
-    }
-
-  private:
-    /// On the photo of median size.
-    void measure(const std::stop_token& stop) {
-        if (m_photos.empty()) {
-            m_check.obstacles.emplace_back("No photo is left to export; capture some first, or accept some.");
-            return;
-        }
-        std::vector<store::PhotoRecord> bySize = m_photos;
-        const auto middle = bySize.begin() + static_cast<std::ptrdiff_t>(bySize.size() / 2);
-        std::nth_element(bySize.begin(), middle, bySize.end(),
-                         [](const auto& a, const auto& b) { return a.sizeBytes < b.sizeBytes; });
-        const TemporaryFolder folder("spherewalk-export-check");
-        const dataset::WriteReport one =
-            exportOne(m_store, *middle, folder.path() / "one", m_options.write, stop);
-        std::uint64_t sourceBytes = 0;
-        for (const store::PhotoRecord& photo : m_photos) {
-            sourceBytes += photo.sizeBytes;
-        }
-        const double share = static_cast<double>(sourceBytes) /
-                             static_cast<double>(std::max<std::uint64_t>(1, one.sourceBytes));
-        const int threads =
-            std::min(m_options.write.threads > 0 ? m_options.write.threads : hardwareThreads(),
-                     static_cast<int>(m_photos.size()));
-        m_check.totalBytes = static_cast<std::uint64_t>(share * static_cast<double>(one.totalBytes));
-        m_check.seconds = share * one.seconds / threads;
-    }
-
-    void addDepth(const std::stop_token& stop) {
-        const DepthForecast depth = exportForecast(m_store, m_options, true, stop);
-        m_check.seconds += depth.seconds();
-        m_check.totalBytes += render::usesDepths(m_options.scene) ? depth.bytes : 0;
-    }
-
-    void lookAtPlace(const fs::path& folder) {
-        std::error_code failure;
-        if (fs::exists(folder, failure)) {
-            m_check.obstacles.push_back(text("There is something by the name ", folder.string(),
-                                             " already; choose another name, or remove it."));
-        }
-        const fs::space_info space = fs::space(existingParent(folder), failure);
-        if (failure) {
-            m_check.doubts.push_back(text("How much space is left at ", folder.string(), " cannot be told."));
-            return;
-        }
-        m_check.freeBytes = space.available;
-        if (m_check.freeBytes < m_check.totalBytes) {
-            m_check.obstacles.push_back(text("The dataset needs about ", humanBytes(m_check.totalBytes),
-                                             ", and ", humanBytes(m_check.freeBytes), " are free at ",
-                                             folder.string(), "; make space, or choose another place."));
-        }
-    }
-
-    void lookAtStations() {
-        const store::Counts counts = m_store.counts();
-        const int missing = counts.stations - counts.stationsWithPhoto - counts.rejectedPhotos;
-        if (missing > 0) {
-            m_check.doubts.push_back(text(counted(missing, "station has no photo", "stations have no photo"),
-                                          ": near them, views come from farther away."));
-        }
-        if (counts.rejectedPhotos > 0) {
-            m_check.doubts.push_back(text(counted(counts.rejectedPhotos, "photo was rejected and is left out",
-                                                  "photos were rejected and are left out"),
-                                          "."));
-        }
-    }
-
-    void lookAtRotations() {
-        const auto solution = m_store.activeSolution();
-        if (!solution) {
-            m_check.doubts.emplace_back(
-                "The survey is not aligned: photos would be exported as if each looked along the room's x "
-                "axis; align it first.");
-            return;
-        }
-        std::set<std::int64_t> solved;
-        std::set<std::int64_t> doubtful;
-        for (const store::SolvedPhoto& photo : m_store.solvedPhotos(solution->id)) {
-            solved.insert(photo.photo);
-            if (photo.quality != survey::Quality::Good) {
-                doubtful.insert(photo.photo);
-            }
-        }
-        std::size_t unsolved = 0;
-        std::size_t inDoubt = 0;
-        for (const store::PhotoRecord& photo : m_photos) {
-            unsolved += solved.contains(photo.id) ? 0 : 1;
-            inDoubt += doubtful.contains(photo.id) ? 1 : 0;
-        }
-        if (unsolved > 0) {
-            m_check.doubts.push_back(text(counted(unsolved, "photo has", "photos have"),
-                                          " no known heading: it would be exported as if it looked along the "
-                                          "room's x axis; align again, or reject it."));
-        }
-        if (std::string elsewhere = placesInDoubt(m_store); !elsewhere.empty()) {
-            m_check.doubts.push_back(std::move(elsewhere));
-        }
-        if (inDoubt > 0) {
-            m_check.doubts.push_back(text("The alignment of ", counted(inDoubt, "photo", "photos"),
-                                          " is doubtful; review them, or export them as they are."));
-        }
-    }
-
-    const store::SurveyStore& m_store;
-    const ExportOptions& m_options;
-    std::vector<store::PhotoRecord> m_photos;
-    ExportCheck m_check;
-};
-
-} // namespace
-
-ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder, const ExportOptions& options,
-                        ProgressSink& progress, const std::stop_token& stop) {
-    return Look(store, options).run(folder, progress, stop);
-}
-
-Json toJson(const ExportCheck& check) {
-    return {{"photos", check.photos},        {"estimated_bytes", check.totalBytes},
-            {"free_bytes", check.freeBytes}, {"estimated_seconds", check.seconds},
-            {"obstacles", check.obstacles},  {"doubts", check.doubts},
-            {"possible", check.isPossible()}};
 }
 
 } // namespace spherewalk::jobs

@@ -31,8 +31,11 @@ constexpr const char* kCacheFolder = "align-cache";
 /// What cameras say of their own tilt agrees with their pictures to about a degree.
 constexpr Degrees kStatedTiltSigma{1};
 constexpr Degrees kLevelledTiltSigma{0.5};
-/// Of a photo whose position is known to be wrong, while none that fits is known.
-constexpr double kUnknownPositionSigmaM = 2;
+/// Of a photo whose tag is wrong, about the place where its neighbours' directions meet. It must stay well
+/// below the distance to the neighbours: a pair that may share one place tells only how it is turned.
+constexpr double kFreeSigmaM = 0.05;
+constexpr double kFreeSigmaShare = 0.25; ///< Of the distance to the nearest photo at another place.
+constexpr double kOnePlaceM = 0.02;
 
 double secondsSince(SteadyClock::time_point begin) {
     return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -291,12 +294,53 @@ class AlignRun {
             correctPositions();
         }
         throwIfStopped(m_stop);
+        m_tagged = m_priors;
+        solvePoses(0.87, 0.94);
+        if (m_options.checksPositions && freeMoved()) {
+            solvePoses(0.94, 0.98);
+        }
+        m_report.solveSeconds = secondsSince(begin);
+    }
+
+    void solvePoses(double begin, double end) {
         align::SolveOptions options;
         options.model = m_options.model;
         options.threads = m_options.threads;
-        ProgressStep step(m_progress, 0.87, 0.98);
+        const bool isAnyFree = std::ranges::any_of(
+            m_report.photos, [](const AlignedPhoto& photo) { return photo.freeSigmaM > 0; });
+        if (isAnyFree && options.model == align::Model::Auto) {
+            options.model = align::Model::Position;
+        }
+        ProgressStep step(m_progress, begin, end);
         m_report.alignment = align::solve(m_priors, m_pairs, m_estimates, options, step, m_stop);
-        m_report.solveSeconds = secondsSince(begin);
+        if (options.model != m_options.model) {
+            m_report.alignment.reason = "Photos with wrong tags are solved with their places.";
+        }
+    }
+
+    /// Frees the photos that were moved far from their tags, so that a wrong tag does not pull at the place.
+    bool freeMoved() {
+        const std::vector<std::size_t> moved = movedPhotos(m_tagged, m_report.alignment);
+        if (moved.empty() || 2 * moved.size() > m_priors.size()) {
+            return false;
+        }
+        for (const std::size_t photo : moved) {
+            free(photo, m_report.alignment.photos[photo].roomFromPhoto.translation);
+        }
+        return true;
+    }
+
+    void free(std::size_t photo, const Eigen::Vector3d& nearM) {
+        align::PhotoPrior& prior = m_priors.at(photo);
+        prior.positionM.head<2>() = nearM.head<2>();
+        double sigmaM = kFreeSigmaM;
+        for (std::size_t i = 0; i < m_priors.size(); ++i) {
+            const double apartM = (m_priors[i].positionM - prior.positionM).norm();
+            sigmaM = i == photo || apartM < kOnePlaceM ? sigmaM : std::min(sigmaM, kFreeSigmaShare * apartM);
+        }
+        prior.positionSigmaM = std::max(sigmaM, m_options.positionSigmaM);
+        prior.placement = -1;
+        m_report.photos.at(photo).freeSigmaM = prior.positionSigmaM;
     }
 
     /// What is solved is solved with the positions that fit.
@@ -307,7 +351,7 @@ class AlignRun {
             photo.flags.push_back(wrong.reason);
             photo.cure = wrong.fits < 0 ? Cure::Retake : Cure::Retag;
             if (wrong.fits < 0) {
-                prior.positionSigmaM = kUnknownPositionSigmaM;
+                free(static_cast<std::size_t>(wrong.photo), wrong.takenM);
                 continue;
             }
             const align::PlannedPosition& fits = m_planned.at(static_cast<std::size_t>(wrong.fits));
@@ -336,7 +380,7 @@ class AlignRun {
         ProgressStep searching(m_progress, 0.98, 0.995);
         tellForeignThings(m_store.photoFolder(), {readMask(m_options.mask), m_options.threads}, m_report,
                           searching, m_stop);
-        giveVerdicts(m_priors, m_report);
+        giveVerdicts(m_tagged, m_report);
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
             damaged.quality = survey::Quality::Failed;
@@ -385,6 +429,7 @@ class AlignRun {
     std::vector<store::PhotoRecord> m_photos;
     std::vector<align::PlannedPosition> m_planned;
     std::vector<align::PhotoPrior> m_priors; ///< one a photo, as all below
+    std::vector<align::PhotoPrior> m_tagged; ///< with the places that fit
     align::FoundFeatures m_features;
     std::vector<int> m_featureCounts; ///< of all looks
     std::vector<align::PhotoPair> m_pairs;

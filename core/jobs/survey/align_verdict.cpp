@@ -22,25 +22,23 @@ constexpr double kMostOutliers = 0.5;
 /// A photo that was moved farther from its tag than this was not where its tag says.
 constexpr double kMovedSigmas = 5;
 
+/// Of the deviation that a place was sought with: above it the matches told nothing of it.
+constexpr double kUnknownPlaceShare = 0.5;
+/// A photo whose neighbours contradict more than this is not of this place.
+constexpr double kNothingFits = 0.9;
+
+/// How far the solution moved a photo along the floor.
+double movedM(const align::PhotoPrior& tagged, const align::SolvedPose& pose) {
+    return (pose.roomFromPhoto.translation - tagged.positionM).head<2>().norm();
+}
+
 /// Names photos that the solution moved farther from their tags than tags err in this survey.
-void tellMoved(std::span<const align::PhotoPrior> priors, AlignReport& report) {
-    std::vector<double> movedM;
-    std::vector<double> solvedM;
-    for (std::size_t i = 0; i < priors.size(); ++i) {
-        const align::SolvedPose& pose = report.alignment.photos[i];
-        movedM.push_back((pose.roomFromPhoto.translation - priors[i].positionM).head<2>().norm());
-        if (pose.isSolved) {
-            solvedM.push_back(movedM.back());
-        }
-    }
-    // Of a length in two dimensions the median is 1.18 standard deviations along either axis.
-    const double usualM = solvedM.empty() ? 0 : median(std::move(solvedM)) / 1.18;
-    for (std::size_t i = 0; i < priors.size(); ++i) {
-        if (report.alignment.photos[i].hasSigmas() &&
-            movedM[i] > kMovedSigmas * std::max(usualM, priors[i].positionSigmaM)) {
+void tellMoved(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
+    for (const std::size_t i : movedPhotos(tagged, report.alignment)) {
+        if (report.alignment.photos[i].hasSigmas()) {
             propose(Cure::Retake, report.photos[i]);
             report.photos[i].flags.push_back(text(
-                "It seems to stand ", fixed(100 * movedM[i], 1),
+                "It seems to stand ", fixed(100 * movedM(tagged[i], report.alignment.photos[i]), 1),
                 " cm from where it is tagged, farther off than the others: correct its position, or retake "
                 "it at its station."));
         }
@@ -79,6 +77,15 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
                                    "its positions alone; take photos between the parts."));
     }
     photo.quality = photo.flags.empty() ? survey::Quality::Good : survey::Quality::Doubtful;
+    if (photo.freeSigmaM > 0 && pose.sigmaPositionM > kUnknownPlaceShare * photo.freeSigmaM) {
+        photo.quality = survey::Quality::Failed;
+        propose(Cure::Retake, photo);
+        photo.flags.push_back(text("Where it was taken is known to ", fixed(100 * pose.sigmaPositionM, 0),
+                                   " cm only: correct its position, or retake it at its station."));
+    }
+    if (pose.outlierShare > kNothingFits) {
+        photo.quality = survey::Quality::Failed;
+    }
     // Its own accelerometer is the better witness: such a pose is not handed on.
     if (prior.levelFromPhoto && pose.leanFromStated > align::kContradictingLean) {
         photo.quality = survey::Quality::Failed;
@@ -88,10 +95,30 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
 
 } // namespace
 
-void giveVerdicts(std::span<const align::PhotoPrior> priors, AlignReport& report) {
-    tellMoved(priors, report);
-    for (std::size_t i = 0; i < priors.size(); ++i) {
-        giveVerdict(report.alignment.photos[i], priors[i], report.alignment.components, report.photos[i]);
+std::vector<std::size_t> movedPhotos(std::span<const align::PhotoPrior> tagged,
+                                     const align::Alignment& alignment) {
+    std::vector<double> solvedM;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        if (alignment.photos[i].isSolved) {
+            solvedM.push_back(movedM(tagged[i], alignment.photos[i]));
+        }
+    }
+    // Of a length in two dimensions the median is 1.18 standard deviations along either axis.
+    const double usualM = solvedM.empty() ? 0 : median(std::move(solvedM)) / 1.18;
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        if (alignment.photos[i].isSolved && movedM(tagged[i], alignment.photos[i]) >
+                                                kMovedSigmas * std::max(usualM, tagged[i].positionSigmaM)) {
+            moved.push_back(i);
+        }
+    }
+    return moved;
+}
+
+void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
+    tellMoved(tagged, report);
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        giveVerdict(report.alignment.photos[i], tagged[i], report.alignment.components, report.photos[i]);
     }
 }
 

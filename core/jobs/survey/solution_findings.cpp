@@ -169,6 +169,34 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
     return reading.done();
 }
 
+PhotosToExport photosToExport(const store::SurveyStore& store) {
+    std::set<std::int64_t> failed;
+    if (const auto findings = activeFindings(store)) {
+        for (const PhotoFinding& photo : findings->photos) {
+            if (photo.quality == survey::Quality::Failed) {
+                failed.insert(photo.photo);
+            }
+        }
+    }
+    PhotosToExport made;
+    std::string names;
+    for (store::PhotoRecord& photo : store.keptPhotos()) {
+        if (!failed.contains(photo.id)) {
+            made.photos.push_back(std::move(photo));
+            continue;
+        }
+        names += text(made.failed.empty() ? "" : ", ", photo.fileName, " (",
+                      store.station(photo.station).name, ")");
+        made.failed.push_back(std::move(photo));
+    }
+    if (!made.failed.empty()) {
+        made.sentence = text(counted(made.failed.size(), "photo is", "photos are"),
+                             " left out, since the alignment found no pose that holds: ", names,
+                             ". Look at what the alignment says of each, mend it, and align again.");
+    }
+    return made;
+}
+
 std::string placesInDoubt(const store::SurveyStore& store) {
     const auto solution = store.activeSolution();
     std::map<std::int64_t, store::SolvedPhoto> solved;

@@ -120,6 +120,16 @@ class StopAt : public ProgressSink {
     double m_fraction;
 };
 
+/// Keeps what it is warned of.
+class Warnings : public ProgressSink {
+  public:
+    void progress(double /*fraction*/, std::string_view /*activity*/) override {}
+
+    void warning(std::string_view sentence) override { sentences.emplace_back(sentence); }
+
+    std::vector<std::string> sentences;
+};
+
 } // namespace
 
 TEST_F(AlignSurvey, FindsHowEveryPhotoIsTurnedAndTellsTheDataset) {
@@ -168,6 +178,29 @@ TEST_F(AlignSurvey, NamesPhotosThatShowNothingOrAreMirrored) {
     }
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 4U);
     EXPECT_LT(alignmentError(report, truePoses(store)).yawRmsDeg, 0.2);
+    Warnings said;
+    const ExportReport exported = exportDataset(store, folder / "d", {}, said, {});
+    EXPECT_EQ(exported.failed, 2);
+    EXPECT_EQ(exported.written.photos, 4U);
+    EXPECT_THAT(said.sentences, testing::Contains(testing::AllOf(HasSubstr("R1.JPG"), HasSubstr("R5.JPG"),
+                                                                 HasSubstr("left out"))));
+    EXPECT_THAT(checkExport(store, folder / "e", {}, noProgress(), {}).doubts,
+                testing::Contains(HasSubstr("R5.JPG")));
+}
+
+TEST_F(AlignSurvey, SolvesThePlaceOfAPhotoThatIsTaggedElsewhere) {
+    photograph();
+    places[4] += Eigen::Vector3d(0.12, 0.15, 0);
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    const AlignedPhoto& photo = photoOf(report, "R4.JPG");
+    EXPECT_FALSE(photo.flags.empty());
+    for (const AlignedPhoto& solved : report.photos) {
+        const Eigen::Vector3d& trueM =
+            truth.at(static_cast<std::size_t>(solved.file.at(1) - '0')).translation;
+        EXPECT_LT((solved.pose.roomFromPhoto.translation - trueM).head<2>().norm(), 0.015) << solved.file;
+    }
+    EXPECT_LT(photo.pose.sigmaPositionM, 0.01);
 }
 
 TEST_F(AlignSurvey, GoesOnWhereItWasStopped) {

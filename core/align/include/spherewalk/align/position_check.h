@@ -21,10 +21,11 @@ struct PlannedPosition {
 
 /// One photo whose matches contradict the position that it is tagged with.
 struct WrongPosition {
-    int photo = 0;         ///< Index among the priors.
-    int fits = -1;         ///< Index of the planned position that fits; -1 if none does.
-    double confidence = 0; ///< In [0, 1].
-    std::string reason;    ///< A sentence: "Rail 3 was walked from the other end."
+    int photo = 0; ///< Index among the priors.
+    int fits = -1; ///< Index of the planned position that fits; -1 if none does.
+    Eigen::Vector3d takenM = Eigen::Vector3d::Zero(); ///< Where it was taken, to some centimetres.
+    double confidence = 0;                            ///< In [0, 1].
+    std::string reason;                               ///< A sentence: "Rail 3 was walked from the other end."
 };
 
 /// Finds photos with wrong positions from the directions of the pairs' baselines and from the parallax:

@@ -64,6 +64,9 @@ struct AlignedPhoto {
     std::vector<std::string> flags; ///< Sentences that say why the photo is not good.
     std::string fits;               ///< Station that the position tag should name; empty if the tag is right.
     Cure cure = Cure::None;
+    /// Standard deviation that the place of a photo with a wrong tag is solved with, about where its
+    /// neighbours see it; 0 if the tag holds.
+    double freeSigmaM = 0;
 };
 
 struct AlignReport {
@@ -104,10 +107,16 @@ void propose(Cure cure, AlignedPhoto& photo);
 void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
                        AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
 
+/// The photos that the alignment moved farther from their tags than tags err in this survey, as indices.
+/// Shape: tagged has one entry a photo.
+std::vector<std::size_t> movedPhotos(std::span<const align::PhotoPrior> tagged,
+                                     const align::Alignment& alignment);
+
 /// Fills in the pose, the status and the flags of all photos from the report's alignment. A photo is judged
-/// by its own turn against the others. What all photos share is said once, by the alignment's warnings.
-/// Shape: priors are those that were solved with, one a photo.
-void giveVerdicts(std::span<const align::PhotoPrior> priors, AlignReport& report);
+/// by its own turn against the others. What all photos share is said once, by the alignment's warnings. A
+/// photo fails if its tag is wrong and its neighbours do not tell its place. Shape: tagged has one entry a
+/// photo.
+void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report);
 
 /// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);

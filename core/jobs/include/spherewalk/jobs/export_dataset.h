@@ -21,7 +21,8 @@
 
 namespace spherewalk::store {
 class SurveyStore;
-}
+struct PhotoRecord;
+} // namespace spherewalk::store
 
 namespace spherewalk::jobs {
 
@@ -109,6 +110,7 @@ struct ExportReport {
     dataset::WriteReport written;
     int withoutPhoto = 0;     ///< Stations without a photo, even a rejected one.
     int rejected = 0;         ///< Photos that a person rejected. The dataset leaves them out.
+    int failed = 0;           ///< Photos that the alignment found no pose for. The dataset leaves them out.
     int withoutRotation = 0;  ///< Photos whose heading is not known.
     double sphereRadiusM = 0; ///< 0 if neither depths nor the outline tell it.
     std::optional<render::RoomShape> roomShape;
@@ -116,12 +118,22 @@ struct ExportReport {
     double carriedShare = 0; ///< Share of each photo that other photos' floor and walls replace.
 };
 
-/// Exports the chosen photo of every station, unless a person rejected it, with the poses of the active
-/// solution. A photo that the solution lacks gets the tilt that the photo itself states, and the heading 0;
-/// the dataset says so. Errors: those of reading such a photo and of dataset::writeDataset(); for Room and
-/// Depth also those of surveyDepth(). Stop: Stopped.
+/// Exports the chosen photo of every station, unless a person rejected it or it failed, with the poses of the
+/// active solution. A warning names the photos that failed. A photo that the solution lacks gets the tilt
+/// that the photo itself states, and the heading 0; the dataset says so. Errors: those of reading such a
+/// photo and of dataset::writeDataset(); for Room and Depth also those of surveyDepth(). Stop: Stopped.
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
+
+/// Exports one photo without a scene model. Errors: those of exportDataset(). Stop: Stopped.
+dataset::WriteReport exportOne(const store::SurveyStore& store, const store::PhotoRecord& photo,
+                               const std::filesystem::path& folder, const dataset::WriteOptions& options,
+                               const std::stop_token& stop);
+
+/// Forecasts the depths of an export; nothing if its scene model needs none. withTrial: as of
+/// depthForecast(). Errors: those of depthForecast().
+DepthForecast exportForecast(const store::SurveyStore& store, const ExportOptions& options, bool withTrial,
+                             const std::stop_token& stop);
 
 /// The richest scene model that an export makes without sweeping depths. It is Depth if there are photos with
 /// neighbours and the cache has all their sweeps for these options, else Sphere. Errors: those of

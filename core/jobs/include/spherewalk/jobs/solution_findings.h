@@ -64,6 +64,16 @@ struct SolutionFindings {
 /// What the active solution says; nothing if there is none. Errors: Corrupt if the solution's report is none.
 std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
 
+/// The kept photos that a dataset gets: all but those that the active solution found no pose for.
+struct PhotosToExport {
+    std::vector<store::PhotoRecord> photos;
+    std::vector<store::PhotoRecord> failed;
+    std::string sentence; ///< Names those that failed; "" without any.
+};
+
+/// Errors: those of activeFindings().
+PhotosToExport photosToExport(const store::SurveyStore& store);
+
 /// A sentence on the kept photos that the active solution puts nearer to another station than to their own;
 /// "" without any.
 std::string placesInDoubt(const store::SurveyStore& store);
