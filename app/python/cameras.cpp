@@ -107,7 +107,8 @@ void bindCameras(py::module_& module) {
         .def(py::init(&fromMatrix), py::arg("width"), py::arg("height"), py::arg("K"),
              py::arg("distortion") = py::tuple(), py::arg("lens") = "none",
              "K: (3, 3); distortion: as many numbers as the lens model has: plumb_bob k1 k2 p1 p2 k3, "
-             "rational_polynomial k1 k2 p1 p2 k3 k4 k5 k6, equidistant k1 k2 k3 k4.")
+             "rational_polynomial k1 k2 p1 p2 k3 k4 k5 k6 and, if wanted, s1 s2 s3 s4 and two tilts, "
+             "equidistant k1 k2 k3 k4.")
         .def_static(
             "pinhole",
             [](int width, int height, double fov) {

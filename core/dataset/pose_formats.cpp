@@ -99,6 +99,11 @@ std::string colmapCamera(const CameraIntrinsics& k) {
     case LensModel::PlumbBob:
         return text("FULL_OPENCV ", line, " ", d[0], " ", d[1], " ", d[2], " ", d[3], " ", d[4], " 0 0 0");
     case LensModel::RationalPolynomial:
+        if (d.size() > 8) {
+            throw Error(ErrorKind::Unsupported,
+                        "COLMAP has no lens model with a thin prism or a tilted sensor: render with a camera "
+                        "of another lens model.");
+        }
         return text("FULL_OPENCV ", line, " ", d[0], " ", d[1], " ", d[2], " ", d[3], " ", d[4], " ", d[5],
                     " ", d[6], " ", d[7]);
     case LensModel::Equidistant:

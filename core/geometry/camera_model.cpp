@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -19,18 +20,38 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::size_t parameterCount(LensModel lens) {
+/// The counts of distortion parameters that a lens model may have. The greatest is last.
+std::vector<std::size_t> parameterCounts(LensModel lens) {
     switch (lens) {
     case LensModel::Pinhole:
-        return 0;
+        return {0};
     case LensModel::PlumbBob:
-        return 5;
+        return {5};
     case LensModel::RationalPolynomial:
-        return 8;
+        return {8, 12, 14};
     case LensModel::Equidistant:
         break;
     }
-    return 4;
+    return {4};
+}
+
+bool isOneOf(std::size_t count, const std::vector<std::size_t>& counts) {
+    return std::find(counts.begin(), counts.end(), count) != counts.end();
+}
+
+bool areZero(const double* begin, const double* end) {
+    return std::all_of(begin, end, [](double one) { return one == 0; });
+}
+
+/// Takes the distorted picture to the picture on a sensor that is tilted about its x and y axes, as OpenCV's
+/// calib3d does.
+Eigen::Matrix3d tiltOf(double aboutX, double aboutY) {
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(-aboutY, Vector3d::UnitY()) * Eigen::AngleAxisd(-aboutX, Vector3d::UnitX()))
+            .toRotationMatrix();
+    Eigen::Matrix3d onSensor;
+    onSensor << turn(2, 2), 0, -turn(0, 2), 0, turn(2, 2), -turn(1, 2), 0, 0, 1;
+    return onSensor * turn;
 }
 
 [[noreturn]] void refuseCamera(const std::string& what) {
@@ -38,6 +59,16 @@ std::size_t parameterCount(LensModel lens) {
 }
 
 } // namespace
+
+std::optional<LensModel> lensNamed(std::string_view lensName) {
+    for (const LensModel lens :
+         {LensModel::Pinhole, LensModel::PlumbBob, LensModel::RationalPolynomial, LensModel::Equidistant}) {
+        if (lensName == name(lens)) {
+            return lens;
+        }
+    }
+    return std::nullopt;
+}
 
 std::string_view name(LensModel model) {
     switch (model) {
@@ -85,20 +116,58 @@ void CameraIntrinsics::validate() const {
     if (!std::isfinite(cx) || !std::isfinite(cy)) {
         refuseCamera("its principal point is not a number");
     }
-    if (distortion.size() != parameterCount(lens)) {
-        refuseCamera(text("the lens model ", name(lens), " has ", parameterCount(lens),
-                          " distortion parameters, not ", distortion.size()));
+    const std::vector<std::size_t> counts = parameterCounts(lens);
+    if (!isOneOf(distortion.size(), counts)) {
+        const std::string possible = counts.size() == 1 ? text(counts[0]) : text("8, 12 or 14");
+        refuseCamera(text("the lens model ", name(lens), " has ", possible, " distortion parameters, not ",
+                          distortion.size()));
     }
     if (!std::all_of(distortion.begin(), distortion.end(), [](double k) { return std::isfinite(k); })) {
         refuseCamera("a distortion parameter is not a number");
+    }
+    constexpr double kSteepest = 0.5 * std::numbers::pi;
+    if (distortion.size() == kMostDistortion &&
+        !(std::abs(distortion[12]) < kSteepest && std::abs(distortion[13]) < kSteepest)) {
+        refuseCamera("its sensor is tilted by a quarter turn or more");
     }
 }
 
 CameraModel::CameraModel(CameraIntrinsics intrinsics) : m_intrinsics(std::move(intrinsics)) {
     m_intrinsics.validate();
     m_k = m_intrinsics.distortion;
-    m_k.resize(8, 0.0);
+    m_k.resize(CameraIntrinsics::kMostDistortion, 0.0);
+    if (!areZero(&m_k[12], &m_k[12] + 2)) {
+        m_tilt = tiltOf(m_k[12], m_k[13]);
+        m_untilted = m_tilt->inverse();
+    }
     m_largestField = largestField();
+    if (!seesAnything()) {
+        refuseCamera(
+            text("its lens sees nothing in the picture; check the parameters of ", name(m_intrinsics.lens)));
+    }
+}
+
+/// Whether a pixel has a ray, of some all over the picture and some about the principal point. The principal
+/// point alone tells nothing: its ray is the axis, whatever the distortion.
+bool CameraModel::seesAnything() const {
+    const Vector2d principal(m_intrinsics.cx, m_intrinsics.cy);
+    const Vector2d last(width() - 1, height() - 1);
+    bool isAsked = false;
+    const auto sees = [&](const Vector2d& pixel) {
+        const bool isInside = (pixel.array() >= 0).all() && (pixel.array() <= last.array()).all();
+        const bool isTold = isInside && (pixel - principal).norm() > 1;
+        isAsked |= isTold;
+        return isTold && ray(pixel).has_value();
+    };
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps * kSteps && m_intrinsics.lens != LensModel::Pinhole; ++i) {
+        const Vector2d share((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
+        const Vector2d beside(4 * (i % 2) - 2, i % 4 - 1.5);
+        if (sees(principal + beside) || sees(last.cwiseProduct(share))) {
+            return true;
+        }
+    }
+    return !isAsked;
 }
 
 double CameraModel::radialFactor(double r2) const {
@@ -122,11 +191,42 @@ double CameraModel::largestField() const {
         const double field = end * i / kSteps;
         const double image = fisheye ? distortedAngle(field) : field * radialFactor(field * field);
         if (!(image > last)) {
-            return end * (i - 1) / kSteps;
+            return unfoldedField(end * (i - 1) / kSteps);
         }
         last = image;
     }
-    return fisheye ? end : m_intrinsics.lens == LensModel::Pinhole ? HUGE_VAL : end;
+    return m_intrinsics.lens == LensModel::Pinhole ? HUGE_VAL : unfoldedField(end);
+}
+
+/// Where the field ends, at most at `end`, since parts of the distortion that are not radial fold the picture
+/// over in some direction.
+double CameraModel::unfoldedField(double end) const {
+    const bool isRadial = m_k[2] == 0 && m_k[3] == 0 && areZero(&m_k[8], &m_k[8] + 4);
+    if (m_intrinsics.lens == LensModel::Equidistant || isRadial) {
+        return end;
+    }
+    constexpr int kDirections = 16;
+    constexpr double kFirst = 0.02;
+    constexpr double kStep = 1.01;
+    double last = 0;
+    for (double field = kFirst; field < end; last = field, field *= kStep) {
+        for (int i = 0; i < kDirections; ++i) {
+            const double towards = 2 * std::numbers::pi * i / kDirections;
+            const Vector2d at = field * Vector2d(std::cos(towards), std::sin(towards));
+            if (!(jacobian(at).determinant() > 0)) {
+                return last;
+            }
+        }
+    }
+    return end;
+}
+
+Eigen::Matrix2d CameraModel::jacobian(const Vector2d& p) const {
+    const double h = 1e-6 * std::max(1.0, p.norm());
+    Eigen::Matrix2d result;
+    result.col(0) = (distorted(p + Vector2d(h, 0)) - distorted(p - Vector2d(h, 0))) / (2 * h);
+    result.col(1) = (distorted(p + Vector2d(0, h)) - distorted(p - Vector2d(0, h))) / (2 * h);
+    return result;
 }
 
 Vector2d CameraModel::distorted(const Vector2d& p) const {
@@ -135,7 +235,8 @@ Vector2d CameraModel::distorted(const Vector2d& p) const {
     const double p2 = m_k[3];
     const Vector2d tangential(2 * p1 * p.x() * p.y() + p2 * (r2 + 2 * p.x() * p.x()),
                               p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * p.x() * p.y());
-    return p * radialFactor(r2) + tangential;
+    const Vector2d prism(r2 * (m_k[8] + r2 * m_k[9]), r2 * (m_k[10] + r2 * m_k[11]));
+    return p * radialFactor(r2) + tangential + prism;
 }
 
 std::optional<Vector2d> CameraModel::undistorted(const Vector2d& target) const {
@@ -146,14 +247,11 @@ std::optional<Vector2d> CameraModel::undistorted(const Vector2d& target) const {
         if (error.norm() < 1e-13 * std::max(1.0, target.norm())) {
             break;
         }
-        const double h = 1e-6 * std::max(1.0, p.norm());
-        Eigen::Matrix2d jacobian;
-        jacobian.col(0) = (distorted(p + Vector2d(h, 0)) - distorted(p - Vector2d(h, 0))) / (2 * h);
-        jacobian.col(1) = (distorted(p + Vector2d(0, h)) - distorted(p - Vector2d(0, h))) / (2 * h);
-        if (std::abs(jacobian.determinant()) < 1e-12) {
+        const Eigen::Matrix2d slope = jacobian(p);
+        if (std::abs(slope.determinant()) < 1e-12) {
             return std::nullopt;
         }
-        Vector2d step = jacobian.inverse() * error;
+        Vector2d step = slope.inverse() * error;
         const double limit = 0.5 * (p.norm() + 0.1);
         if (step.norm() > limit) {
             step *= limit / step.norm();
@@ -164,6 +262,16 @@ std::optional<Vector2d> CameraModel::undistorted(const Vector2d& target) const {
     return found && p.norm() <= m_largestField ? std::optional(p) : std::nullopt;
 }
 
+namespace {
+
+/// Where the matrix takes a point of the plane; nothing if that is behind the plane.
+std::optional<Vector2d> projected(const Eigen::Matrix3d& matrix, const Vector2d& p) {
+    const Vector3d to = matrix * p.homogeneous();
+    return to.z() > 0 ? std::optional<Vector2d>(to.hnormalized()) : std::nullopt;
+}
+
+} // namespace
+
 std::optional<Vector3d> CameraModel::ray(const Vector2d& pixel) const {
     const CameraIntrinsics& k = m_intrinsics;
     const Vector2d image((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy);
@@ -171,7 +279,8 @@ std::optional<Vector3d> CameraModel::ray(const Vector2d& pixel) const {
         return Vector3d(image.x(), image.y(), 1).normalized();
     }
     if (k.lens != LensModel::Equidistant) {
-        const std::optional<Vector2d> plane = undistorted(image);
+        const std::optional<Vector2d> upright = m_tilt ? projected(m_untilted, image) : image;
+        const std::optional<Vector2d> plane = upright ? undistorted(*upright) : std::nullopt;
         return plane ? std::optional<Vector3d>(Vector3d(plane->x(), plane->y(), 1).normalized())
                      : std::nullopt;
     }
@@ -209,6 +318,13 @@ std::optional<Vector2d> CameraModel::project(const Vector3d& p) const {
             return std::nullopt;
         }
         image = k.lens == LensModel::Pinhole ? plane : distorted(plane);
+        if (m_tilt) {
+            const std::optional<Vector2d> onSensor = projected(*m_tilt, image);
+            if (!onSensor) {
+                return std::nullopt;
+            }
+            image = *onSensor;
+        }
     }
     return Vector2d(k.fx * image.x() + k.cx, k.fy * image.y() + k.cy);
 }
@@ -227,40 +343,65 @@ Calibration calibration(const CameraIntrinsics& camera) {
 
 namespace {
 
-LensModel lensOf(const Calibration& calibration) {
-    if (std::all_of(calibration.d.begin(), calibration.d.end(), [](double one) { return one == 0; })) {
-        return LensModel::Pinhole;
+/// The lens of a calibration with the count of parameters that the model has. Simulators write zero
+/// distortion, which a pinhole says more simply. An equidistant lens without distortion is still a fisheye.
+void takeLens(const Calibration& calibration, CameraIntrinsics& camera) {
+    const std::string& model = calibration.distortionModel;
+    const std::vector<double>& d = calibration.d;
+    const bool isZero = areZero(d.data(), d.data() + d.size());
+    const std::optional<LensModel> lens = model.empty()        ? LensModel::Pinhole
+                                          : model == "fisheye" ? LensModel::Equidistant
+                                                               : lensNamed(model);
+    if (!lens) {
+        throw Error(ErrorKind::Unsupported,
+                    text("The distortion model \"", printable(model),
+                         "\" is unknown; there are plumb_bob, rational_polynomial and equidistant."));
     }
-    for (const LensModel lens :
-         {LensModel::PlumbBob, LensModel::RationalPolynomial, LensModel::Equidistant}) {
-        if (calibration.distortionModel == name(lens)) {
-            return lens;
+    if (*lens == LensModel::Pinhole && !isZero) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The camera has distortion coefficients and names no distortion model; name plumb_bob, "
+                    "rational_polynomial or equidistant, or leave the coefficients out.");
+    }
+    if (*lens != LensModel::Equidistant && isZero) {
+        return;
+    }
+    camera.lens = *lens;
+    camera.distortion = d;
+    if (camera.lens == LensModel::PlumbBob && d.size() == 4) {
+        camera.distortion.push_back(0); // k3 left out, as OpenCV allows
+    }
+    if (camera.lens == LensModel::Equidistant && d.empty()) {
+        camera.distortion.resize(4);
+    }
+    for (const std::size_t count : parameterCounts(camera.lens)) {
+        if (camera.distortion.size() > count && isOneOf(d.size(), parameterCounts(camera.lens)) &&
+            areZero(d.data() + count, d.data() + d.size())) {
+            camera.distortion.resize(count);
         }
     }
-    throw Error(ErrorKind::Unsupported,
-                text("The distortion model \"", printable(calibration.distortionModel),
-                     "\" is unknown; there are plumb_bob, rational_polynomial and equidistant."));
+}
+
+void checkMatrix(const std::array<double, 9>& k) {
+    if (k[1] != 0) {
+        throw Error(ErrorKind::Unsupported,
+                    text("The camera matrix K has the skew ", k[1],
+                         ", and skewed pixels cannot be simulated. Calibrate the camera without skew."));
+    }
+    if (k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1) {
+        throw Error(ErrorKind::Unsupported,
+                    "The camera matrix K is not fx 0 cx, 0 fy cy, 0 0 1. Give the focal lengths and the "
+                    "centre in pixels, and 1 as the last entry.");
+    }
 }
 
 } // namespace
 
 CameraIntrinsics intrinsicsOf(const Calibration& calibration) {
     const auto& k = calibration.k;
-    if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1) {
-        throw Error(
-            ErrorKind::Unsupported,
-            "The camera matrix K is not fx 0 cx, 0 fy cy, 0 0 1; a camera with skewed pixels cannot be "
-            "simulated.");
-    }
-    const LensModel lens = lensOf(calibration);
-    CameraIntrinsics camera{calibration.width,
-                            calibration.height,
-                            k[0],
-                            k[4],
-                            k[2],
-                            k[5],
-                            lens,
-                            lens == LensModel::Pinhole ? std::vector<double>() : calibration.d};
+    checkMatrix(k);
+    CameraIntrinsics camera{
+        calibration.width, calibration.height, k[0], k[4], k[2], k[5], LensModel::Pinhole, {}};
+    takeLens(calibration, camera);
     camera.validate();
     return camera;
 }

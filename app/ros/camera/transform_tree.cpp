@@ -31,8 +31,8 @@ std::optional<Refused> refusalOf(const Transform& transform) {
         return refused(simulator::Refusal::FrameId,
                        "a frame and its parent have names, and not the same one.");
     }
-    if (!pose.translation.allFinite()) {
-        return refused(simulator::Refusal::Place, "its place is not finite.");
+    if (!isPose({Eigen::Quaterniond::Identity(), pose.translation})) {
+        return refused(simulator::Refusal::Place, "its place is not finite, or beyond 10^9 m.");
     }
     if (!isPose(pose, kUnitTolerance)) {
         return refused(simulator::Refusal::Rotation, "its rotation is not a unit quaternion.");

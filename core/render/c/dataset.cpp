@@ -13,7 +13,24 @@ namespace spherewalk::render {
 namespace {
 
 constexpr std::uint64_t kLargestYaml = 1 << 20;
-constexpr int kMostDistortion = 8;
+static_assert(sizeof(spherewalk_intrinsics::distortion) ==
+              CameraIntrinsics::kMostDistortion * sizeof(double));
+
+/// The number of distortion parameters for which the caller's struct has room.
+std::size_t roomOf(const spherewalk_intrinsics* callers) {
+    return (checkedSize(callers) - offsetof(spherewalk_intrinsics, distortion)) / sizeof(double);
+}
+
+/// Copies a camera to the caller. Errors: Unsupported if the caller's struct has too little room.
+void giveCamera(const CameraIntrinsics& source, spherewalk_intrinsics* callers) {
+    const std::size_t room = roomOf(callers);
+    if (source.distortion.size() > room) {
+        throw Error(ErrorKind::Unsupported, text("The camera has ", source.distortion.size(),
+                                                 " distortion parameters, and the program was compiled for ",
+                                                 room, "; compile it with this library's header."));
+    }
+    give(cIntrinsics(source), callers);
+}
 
 /// Tells the caller's function, and asks for a stop when it does.
 class CallerProgress : public ProgressSink {
@@ -61,10 +78,11 @@ void fillSigmas(const DatasetPhoto& photo, spherewalk_photo& result) {
 
 CameraIntrinsics intrinsicsOf(const spherewalk_intrinsics* intrinsics) {
     const spherewalk_intrinsics source = taken(intrinsics);
-    if (source.distortion_count < 0 || source.distortion_count > kMostDistortion) {
+    const auto most = static_cast<std::int32_t>(roomOf(intrinsics));
+    if (source.distortion_count < 0 || source.distortion_count > most) {
         throw Error(ErrorKind::InvalidInput,
                     text("The camera model cannot be used: it has ", source.distortion_count,
-                         " distortion parameters, and 0 to ", kMostDistortion, " are possible."));
+                         " distortion parameters, and 0 to ", most, " are possible."));
     }
     CameraIntrinsics result;
     result.width = source.width;
@@ -157,7 +175,7 @@ spherewalk_status spherewalk_dataset_get_camera(const spherewalk_dataset* datase
     return guarded([&] {
         const SuggestedCamera& source =
             elementAt(given(dataset, "dataset").dataset->info().cameras, index, "suggested camera");
-        give(cIntrinsics(source.intrinsics), intrinsics);
+        giveCamera(source.intrinsics, intrinsics);
         if (name != nullptr) {
             *name = source.name.c_str();
         }
@@ -216,7 +234,7 @@ void spherewalk_camera_destroy(spherewalk_camera* camera) {
 
 spherewalk_status spherewalk_camera_get_intrinsics(const spherewalk_camera* camera,
                                                    spherewalk_intrinsics* intrinsics) {
-    return guarded([&] { give(cIntrinsics(given(camera, "camera").model.intrinsics()), intrinsics); });
+    return guarded([&] { giveCamera(given(camera, "camera").model.intrinsics(), intrinsics); });
 }
 
 } // extern "C"

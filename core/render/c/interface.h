@@ -120,6 +120,8 @@ struct CStruct<spherewalk_photo> : detail::PlainCStruct<spherewalk_photo> {
 template <>
 struct CStruct<spherewalk_intrinsics> : detail::PlainCStruct<spherewalk_intrinsics> {
     static constexpr const char* kName = "spherewalk_intrinsics";
+    static constexpr std::array kSizes{offsetof(spherewalk_intrinsics, distortion) + 8 * sizeof(double),
+                                       sizeof(spherewalk_intrinsics)};
 };
 
 template <>

@@ -8,7 +8,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace spherewalk::render {
@@ -40,44 +39,13 @@ int sizeOf(const YAML::Node& root, const std::string& key, const std::string& so
     }
 }
 
-LensModel lensNamed(const std::string& name, const std::string& source) {
-    if (name == "plumb_bob") {
-        return LensModel::PlumbBob;
-    }
-    if (name == "rational_polynomial") {
-        return LensModel::RationalPolynomial;
-    }
-    if (name == "equidistant" || name == "fisheye") {
-        return LensModel::Equidistant;
-    }
-    if (name.empty() || name == "none") {
-        return LensModel::Pinhole;
-    }
-    refuseCamera(source, text("the distortion_model \"", printable(name), "\" is unknown"));
-}
-
-void readDistortion(const YAML::Node& root, const std::string& source, CameraIntrinsics& camera) {
+void readDistortion(const YAML::Node& root, const std::string& source, Calibration& calibration) {
     const YAML::Node model = root["distortion_model"];
-    camera.lens = lensNamed(model && model.IsScalar() ? model.as<std::string>() : "", source);
-    if (camera.lens == LensModel::Pinhole) {
-        return;
+    calibration.distortionModel = model && model.IsScalar() ? model.as<std::string>() : "";
+    const bool isPinhole = calibration.distortionModel.empty() || calibration.distortionModel == "none";
+    if (!isPinhole || root["distortion_coefficients"]) {
+        calibration.d = matrixOf(root, "distortion_coefficients", source);
     }
-    camera.distortion = matrixOf(root, "distortion_coefficients", source);
-    if (camera.lens == LensModel::PlumbBob && camera.distortion.size() == 4) {
-        camera.distortion.push_back(0); // k3 left out, as OpenCV allows
-    }
-}
-
-/// Simulators write zero distortion. A pinhole says the same, and its pixels are located faster.
-CameraIntrinsics simplestCamera(CameraIntrinsics camera) {
-    const bool isNone =
-        camera.lens != LensModel::Equidistant &&
-        std::all_of(camera.distortion.begin(), camera.distortion.end(), [](double k) { return k == 0; });
-    if (isNone) {
-        camera.lens = LensModel::Pinhole;
-        camera.distortion.clear();
-    }
-    return camera;
 }
 
 } // namespace
@@ -96,21 +64,17 @@ CameraIntrinsics parseCameraInfo(std::string_view yaml, const std::string& sourc
     if (k.size() != 9) {
         refuseCamera(source, text("the camera_matrix has ", k.size(), " values, not 9"));
     }
-    CameraIntrinsics camera;
-    camera.width = sizeOf(root, "image_width", source);
-    camera.height = sizeOf(root, "image_height", source);
-    camera.fx = k[0];
-    camera.cx = k[2];
-    camera.fy = k[4];
-    camera.cy = k[5];
-    readDistortion(root, source, camera);
+    Calibration calibration;
+    calibration.width = sizeOf(root, "image_width", source);
+    calibration.height = sizeOf(root, "image_height", source);
+    std::copy(k.begin(), k.end(), calibration.k.begin());
+    readDistortion(root, source, calibration);
     try {
-        camera.validate();
+        return intrinsicsOf(calibration);
     } catch (const Error& error) {
         throw Error(ErrorKind::InvalidInput,
                     text("Could not use the camera ", source, ": ", error.sentence()));
     }
-    return simplestCamera(std::move(camera));
 }
 
 CameraIntrinsics readCameraInfo(const std::filesystem::path& file) {

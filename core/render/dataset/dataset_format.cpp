@@ -191,17 +191,13 @@ SuggestedCamera cameraOf(const JsonReader& reader) {
     k.fy = reader.number("fy");
     k.cx = reader.number("cx");
     k.cy = reader.number("cy");
-    const std::string lens = reader.string("distortion_model");
-    constexpr std::array kDatasetLenses{LensModel::Pinhole, LensModel::PlumbBob,
-                                        LensModel::RationalPolynomial, LensModel::Equidistant};
-    const auto* found = std::find_if(kDatasetLenses.begin(), kDatasetLenses.end(),
-                                     [&](LensModel model) { return name(model) == lens; });
-    if (found == kDatasetLenses.end()) {
+    const std::optional<LensModel> lens = lensNamed(reader.string("distortion_model"));
+    if (!lens) {
         reader.member("distortion_model").fail("the lens model is unknown");
     }
-    k.lens = *found;
+    k.lens = *lens;
     const JsonReader distortion = reader.member("distortion");
-    for (std::size_t i = 0; i < distortion.arraySize(8); ++i) {
+    for (std::size_t i = 0; i < distortion.arraySize(CameraIntrinsics::kMostDistortion); ++i) {
         k.distortion.push_back(distortion.element(i).asNumber());
     }
     try {

@@ -67,7 +67,8 @@ ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFro
     if (!isPose(roomFromCamera)) {
         throw Error(
             ErrorKind::InvalidInput,
-            "The camera's pose is not a position in metres and a unit quaternion; nothing was rendered.");
+            "The camera's pose is not a position in metres, of at most 10^9, and a unit quaternion; nothing "
+            "was rendered.");
     }
     if (options.scene == SceneKind::Sphere && !m_dataset->info().sphereRadiusM) {
         throw Error(ErrorKind::InvalidInput,

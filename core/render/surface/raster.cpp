@@ -36,8 +36,13 @@ class SurfaceProjector {
     /// Whether a block may show in cells that are open.
     bool mayShow(const SurfaceMesh::Bound& bound, const OpenCells& open) const;
 
-    /// By how many pixels a point moves, about, if its 1 / distance changes by 1 per metre.
+    /// By how many pixels a point in the middle of the picture moves, about, if its 1 / distance changes by 1
+    /// per metre.
     float pixelsPerInverse() const;
+
+    /// The share of the tolerance in the middle of the picture that a block may use, since a very wide
+    /// pinhole's picture is stretched away from its middle.
+    float toleranceShare(const SurfaceMesh::Bound& bound) const;
 
     /// Through a lens straight edges are bent: large quads are not drawn as such.
     int largestLevel() const { return m_isPinhole ? SurfaceMesh::kLevels - 1 : 2; }
@@ -50,14 +55,15 @@ class SurfaceProjector {
 
     Vertex throughLens(const Eigen::Vector3f& direction, float inverseM) const;
 
-    /// The cosine of the largest angle to the axis at which vertices are projected.
+    /// The cosine of the largest angle to the axis in the picture. For a lens it is that of the largest angle
+    /// at which vertices are projected.
     static float leastCosine(const CameraModel& camera);
 
     Eigen::Matrix3f m_rotation;
     Eigen::Vector3f m_translation;
     const CameraModel& m_camera;
     bool m_isPinhole;
-    float m_leastCosine; ///< For a lens.
+    float m_leastCosine;
     simd::SurfaceCamera m_pinhole;
     /// Inward normals of the sides of what the pinhole sees, with a pixel more.
     std::array<Eigen::Vector3f, 5> m_sides;
@@ -68,7 +74,7 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
       m_translation(cameraFromPhoto.translation.cast<float>()),
       m_camera(camera),
       m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole),
-      m_leastCosine(m_isPinhole ? 0 : leastCosine(camera)) {
+      m_leastCosine(leastCosine(camera)) {
     const CameraIntrinsics& k = camera.intrinsics();
     for (int i = 0; i < 9; ++i) {
         m_pinhole.rotation[static_cast<std::size_t>(i)] = m_rotation(i / 3, i % 3);
@@ -92,8 +98,9 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
 /// A lens may project directions far beyond its picture, up to the one straight behind it. The corners of the
 /// quad there lie all around the picture, so that the quad would cover all of it.
 float SurfaceProjector::leastCosine(const CameraModel& camera) {
-    constexpr int kSteps = 8;          // along each side of the picture
-    constexpr double kMarginRad = 0.2; // more than a quad spans, so that quads at the border are whole
+    constexpr int kSteps = 8; // along each side of the picture
+    // More than a quad spans, so that quads at the border are whole.
+    const double marginRad = camera.intrinsics().lens == LensModel::Pinhole ? 0 : 0.2;
     constexpr double kMostRad = 3.05;
     double most = 0;
     const auto see = [&](double x, double y) {
@@ -108,7 +115,7 @@ float SurfaceProjector::leastCosine(const CameraModel& camera) {
         see(-0.5, y);
         see(camera.width() - 0.5, y);
     }
-    return static_cast<float>(std::cos(std::min(most + kMarginRad, kMostRad)));
+    return static_cast<float>(std::cos(std::min(most + marginRad, kMostRad)));
 }
 
 SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction, float inverseM) const {
@@ -204,6 +211,23 @@ float SurfaceProjector::pixelsPerInverse() const {
     return m_translation.norm() * std::max(m_pinhole.fx, m_pinhole.fy);
 }
 
+float SurfaceProjector::toleranceShare(const SurfaceMesh::Bound& bound) const {
+    // At the angle a from the axis, things move 1 / cos^2(a) times as far as in the middle. Up to this much,
+    // which is that at 55 degrees, the colours are stretched as well, and nobody sees it.
+    constexpr float kUnseen = 3;
+    if (!m_isPinhole || kUnseen * m_leastCosine * m_leastCosine >= 1) {
+        return 1;
+    }
+    const Vector3f turned = m_rotation * bound.centre;
+    float cosine = 1;
+    for (const float inverseM : {bound.least, bound.most}) {
+        const Vector3f q = turned + inverseM * m_translation;
+        cosine = std::min(cosine, (q.z() - bound.radius) / (q.norm() + bound.radius));
+    }
+    cosine = std::max(cosine, m_leastCosine);
+    return std::min(1.0F, kUnseen * cosine * cosine);
+}
+
 } // namespace
 
 /// Cuts one block of a surface into flat pieces.
@@ -221,6 +245,7 @@ class SurfaceRaster::BlockCutter {
 
     void cut(int blockX, int blockY) {
         m_block = static_cast<std::size_t>(blockY * m_mesh.blocksX() + blockX);
+        m_toleranceOfBlock = m_tolerance * m_projector.toleranceShare(m_mesh.bound(blockX, blockY));
         const simd::SurfaceBlock part = m_mesh.block(blockX, blockY);
         m_projector.project(part, m_part);
         simd::boxes(m_part, part.rows, m_boxes);
@@ -264,7 +289,7 @@ class SurfaceRaster::BlockCutter {
         if (level == 1 && std::isinf(deviation)) {
             return; // it is made of patches
         }
-        const bool flat = level <= m_projector.largestLevel() && deviation < m_tolerance;
+        const bool flat = level <= m_projector.largestLevel() && deviation < m_toleranceOfBlock;
         if (flat && add(x, y, x + size, endY)) {
             return;
         }
@@ -335,7 +360,8 @@ class SurfaceRaster::BlockCutter {
     const SurfaceMesh& m_mesh;
     const SurfaceProjector& m_projector;
     const OpenCells& m_open;
-    float m_tolerance;
+    float m_tolerance; ///< In 1/m, in the middle of the picture.
+    float m_toleranceOfBlock = 0;
     int m_width;
     int m_height;
     std::span<std::vector<Piece>> m_bands; ///< The pieces go here.

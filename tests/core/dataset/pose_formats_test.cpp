@@ -151,6 +151,9 @@ TEST(PoseFormats, NerfstudioSeesThePointWhereTheCameraDoes) {
     camera.distortion.assign(8, 0.001);
     test::expectError(ErrorKind::Unsupported, "rational",
                       [&] { poseFiles(PoseFormat::Nerfstudio, camera, frames()); });
+    camera.distortion.assign(12, 0.001);
+    test::expectError(ErrorKind::Unsupported, "thin prism",
+                      [&] { poseFiles(PoseFormat::Colmap, camera, frames()); });
 }
 
 /// Source of the rays: nerfstudio's documentation of its camera types.

@@ -77,4 +77,13 @@ TEST(Rigid3, InterpolationEndsAtItsPosesAndTurnsEvenly) {
     }
 }
 
+TEST(Rigid3, IsNoPoseBeyondTheMoon) {
+    const auto at = [](double x) { return Rigid3{Eigen::Quaterniond::Identity(), {x, 0, 0}}; };
+    EXPECT_TRUE(isPose(at(-1e9)));
+    EXPECT_FALSE(isPose(at(1.1e9)));
+    EXPECT_FALSE(isPose(at(1e160)));
+    EXPECT_FALSE(isPose(at(std::nan(""))));
+    EXPECT_FALSE(isPose({Eigen::Quaterniond(2, 0, 0, 0), {0, 0, 0}}));
+}
+
 } // namespace spherewalk

@@ -147,7 +147,7 @@ SPHEREWALK_API spherewalk_status spherewalk_dataset_get_photo(const spherewalk_d
 enum {
     SPHEREWALK_LENS_PINHOLE = 0,             ///< It has no parameters.
     SPHEREWALK_LENS_PLUMB_BOB = 1,           ///< k1 k2 p1 p2 k3.
-    SPHEREWALK_LENS_RATIONAL_POLYNOMIAL = 2, ///< k1 k2 p1 p2 k3 k4 k5 k6.
+    SPHEREWALK_LENS_RATIONAL_POLYNOMIAL = 2, ///< k1 k2 p1 p2 k3 k4 k5 k6, then s1 s2 s3 s4, then two tilts.
     SPHEREWALK_LENS_EQUIDISTANT = 3          ///< k1 k2 k3 k4 of the angle to the axis.
 };
 
@@ -160,8 +160,8 @@ typedef struct spherewalk_intrinsics {
     double cx;
     double cy;
     int32_t lens;
-    int32_t distortion_count; ///< The number of parameters that the lens model has.
-    double distortion[8];
+    int32_t distortion_count; ///< The number of parameters that the lens model has: 0, 4, 5, 8, 12 or 14.
+    double distortion[14];
 } spherewalk_intrinsics;
 
 SPHEREWALK_API spherewalk_status spherewalk_intrinsics_init(spherewalk_intrinsics* intrinsics, size_t size);

@@ -51,10 +51,26 @@ class AlignSurvey : public testing::Test {
         }
     }
 
+    /// Photos at these places of the practice flat: two rooms above a corridor, with a doorway each.
+    void photographFlat(const std::vector<Eigen::Vector2d>& nominals) {
+        practice::PracticeRoomOptions options;
+        options.sizeM = {8, 6, 2.6};
+        options.style = practice::RoomStyle::Flat;
+        const practice::PracticeRoom flat(options);
+        size = options.sizeM.head<2>();
+        practice::PhotoErrors errors;
+        errors.seed = 7;
+        for (const Eigen::Vector2d& nominal : nominals) {
+            places.emplace_back(nominal.x(), nominal.y(), 1.2);
+            truth.push_back(errors.truePose(places.back(), static_cast<int>(places.size())));
+            pictures.push_back(flat.spherical(truth.back(), {kWidth, kWidth / 2}));
+        }
+    }
+
     store::SurveyStore newSurvey(const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
         survey::Room room;
         const Eigen::Vector2d corner = origin.head<2>();
-        for (const Eigen::Vector2d& at : {Eigen::Vector2d(0, 0), {5, 0}, {5, 4}, {0, 4}}) {
+        for (const Eigen::Vector2d& at : {Eigen::Vector2d(0, 0), {size.x(), 0}, size, {0, size.y()}}) {
             room.outline.emplace_back(corner + at);
         }
         room.ceilingM = 2.6;
@@ -84,7 +100,7 @@ class AlignSurvey : public testing::Test {
     TruePoses truePoses(const store::SurveyStore& store) const {
         TruePoses poses;
         for (const store::PhotoRecord& photo : store.photos()) {
-            poses.emplace(photo.id, truth.at(static_cast<std::size_t>(photo.cameraFileName.at(1) - '0')));
+            poses.emplace(photo.id, truth.at(std::stoul(photo.cameraFileName.substr(1))));
         }
         return poses;
     }
@@ -95,6 +111,7 @@ class AlignSurvey : public testing::Test {
     }
 
     test::TemporaryFolder folder;
+    Eigen::Vector2d size{5, 4}; ///< of the floor
     std::vector<Rigid3> truth;
     std::vector<Eigen::Vector3d> places;
     std::vector<RgbImage> pictures;
@@ -295,6 +312,48 @@ TEST_F(AlignSurvey, LooksAgainWithMoreEffortBeforeAPartIsGivenUp) {
     const AlignmentError error = alignmentError(report, truePoses(store));
     EXPECT_EQ(error.photos, 3);
     EXPECT_LT(error.yawRmsDeg, 0.5);
+}
+
+/// A square of four places 25 cm apart.
+std::vector<Eigen::Vector2d> squareAt(double x, double y) {
+    return {{x, y}, {x + 0.25, y}, {x, y + 0.25}, {x + 0.25, y + 0.25}};
+}
+
+TEST_F(AlignSurvey, TellsThreeRoomsWithoutSightOfEachOtherAsThreeParts) {
+    std::vector<Eigen::Vector2d> all = squareAt(3.2, 4.2);
+    for (const auto& [x, y] : {std::pair(4.5, 4.6), {3.9, 0.5}}) {
+        const std::vector<Eigen::Vector2d> more = squareAt(x, y);
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    photographFlat(all);
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    EXPECT_EQ(report.alignment.components, 3);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const AlignedPhoto& photo = photoOf(report, text("R", i, ".JPG"));
+        EXPECT_TRUE(photo.pose.isSolved) << photo.file;
+        EXPECT_EQ(photo.pose.component, photoOf(report, text("R", i / 4 * 4, ".JPG")).pose.component)
+            << photo.file;
+        const bool isNamed = std::ranges::any_of(
+            photo.flags, [](const auto& flag) { return flag.find("(3 parts)") != flag.npos; });
+        EXPECT_EQ(isNamed, photo.pose.component > 0) << photo.file;
+    }
+    EXPECT_THAT(alignText(report), HasSubstr("3 parts"));
+}
+
+TEST_F(AlignSurvey, JoinsRoomAndCorridorByOnePhotoInTheDoorway) {
+    std::vector<Eigen::Vector2d> all = squareAt(1.9, 0.4);
+    const std::vector<Eigen::Vector2d> inside = squareAt(1.9, 2.1);
+    all.insert(all.end(), inside.begin(), inside.end());
+    all.emplace_back(2.0, 1.45); // in the doorway
+    photographFlat(all);
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    EXPECT_EQ(report.alignment.components, 1) << alignText(report);
+    const AlignmentError error = alignmentError(report, truePoses(store));
+    EXPECT_EQ(error.photos, 9);
+    EXPECT_LT(error.yawRmsDeg, 0.2);
+    EXPECT_LT(error.ownTiltRmsDeg, 0.1);
 }
 
 TEST_F(AlignSurvey, MeasuresWhatEachEffortAndModelCosts) {

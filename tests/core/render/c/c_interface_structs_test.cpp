@@ -82,6 +82,28 @@ void expectSizesChecked(spherewalk_status (*init)(Struct*, std::size_t), const U
 
 } // namespace
 
+TEST_F(CStructs, ACameraOfMoreParametersThanAProgramKnowsIsRefused) {
+    CameraIntrinsics tilted = CameraIntrinsics::pinhole(8, 8, 1);
+    tilted.lens = LensModel::RationalPolynomial;
+    tilted.distortion = {0.1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.1, 0.2};
+    info.cameras.push_back({"c", tilted});
+    writeFile(folder / kDatasetFile, bytesOf(toJson(info).dump()));
+    reopen();
+    auto known = ready(spherewalk_intrinsics_init);
+    ASSERT_EQ(spherewalk_dataset_get_camera(dataset.get(), 0, nullptr, &known), SPHEREWALK_OK);
+    EXPECT_EQ(std::vector<double>(known.distortion, known.distortion + known.distortion_count),
+              tilted.distortion);
+    constexpr std::size_t kOldSize = offsetof(spherewalk_intrinsics, distortion) + 8 * sizeof(double);
+    ASSERT_EQ(spherewalk_intrinsics_init(&known, kOldSize), SPHEREWALK_OK);
+    expectStatus(spherewalk_dataset_get_camera(dataset.get(), 0, nullptr, &known), SPHEREWALK_UNSUPPORTED,
+                 "compiled for 8");
+    ASSERT_EQ(spherewalk_intrinsics_pinhole(8, 8, 1, &known), SPHEREWALK_OK);
+    known.lens = SPHEREWALK_LENS_RATIONAL_POLYNOMIAL;
+    known.distortion_count = 14; // more than the program's struct has
+    spherewalk_camera* made = nullptr;
+    expectStatus(spherewalk_camera_create(&known, &made), SPHEREWALK_INVALID_INPUT, "0 to 8");
+}
+
 TEST_F(CStructs, StructsOfUnknownSizesAreRefused) {
     info.cameras.push_back({"c", CameraIntrinsics::pinhole(8, 8, 1)});
     writeFile(folder / kDatasetFile, bytesOf(toJson(info).dump()));

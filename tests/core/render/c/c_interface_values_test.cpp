@@ -2,6 +2,8 @@
 // Values that mean nothing to the C interface are answered by a status and a sentence, and change nothing.
 #include "c/c_test.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -210,7 +212,7 @@ TEST_F(CValues, PosesAndTimesThatAreNoneAreRefused) {
     EXPECT_EQ(pixels, std::vector<std::uint8_t>(pixels.size(), 7));
 }
 
-TEST_F(CValues, HugePosesAreServed) {
+TEST_F(CValues, FarPosesAreServedAndEndlessOnesRefused) {
     const auto stream = this->stream();
     std::vector<float> depth(pixels.size() / 3);
     std::vector<float> errorPx(pixels.size() / 3);
@@ -218,11 +220,15 @@ TEST_F(CValues, HugePosesAreServed) {
     into.depth = {depth.data(), 4 * depth.size(), 4 * kWidth};
     into.error_px = {errorPx.data(), 4 * errorPx.size(), 4 * kWidth};
     double time = -1e300;
-    for (const double huge : {1e9, -1e155, 1e300, 1.7e308, -1.7e308}) {
+    for (const double huge : {1e5, 5e8, 1e10, -1e155, 1e300, 1.7e308, -1.7e308}) {
+        const spherewalk_status expected =
+            huge == 1e5 || huge == 5e8 ? SPHEREWALK_OK : SPHEREWALK_INVALID_INPUT;
         const spherewalk_pose pose{huge, -huge, huge, 1, 0, 0, 0};
-        EXPECT_EQ(render(pose), SPHEREWALK_OK) << huge;
-        EXPECT_EQ(spherewalk_stream_next(stream.get(), &pose, time, nullptr, &into, nullptr), SPHEREWALK_OK);
+        EXPECT_EQ(render(pose), expected) << huge;
+        EXPECT_EQ(spherewalk_stream_next(stream.get(), &pose, time, nullptr, &into, nullptr), expected);
         EXPECT_EQ(spherewalk_stream_wait_for_prefetch(stream.get()), SPHEREWALK_OK);
+        EXPECT_TRUE(std::ranges::none_of(depth, [](float z) { return std::isnan(z); })) << huge;
+        EXPECT_TRUE(std::ranges::none_of(errorPx, [](float px) { return std::isnan(px); })) << huge;
         time += 1e300;
     }
 }
@@ -254,7 +260,7 @@ TEST_F(CValues, CamerasThatAreNoneAreRefused) {
     expectStatus(spherewalk_intrinsics_pinhole(8, 8, std::numbers::pi, &into), SPHEREWALK_INVALID_INPUT,
                  "field of view");
     refused([](auto& k) { k.cy = kNan; }, "principal point");
-    for (const std::int32_t count : {-1, 9, INT32_MIN, INT32_MAX}) {
+    for (const std::int32_t count : {-1, 9, 15, INT32_MIN, INT32_MAX}) {
         refused([&](auto& k) { k.distortion_count = count; }, "distortion parameters");
     }
     refused([](auto& k) { k.lens = SPHEREWALK_LENS_PLUMB_BOB; }, "has 5 distortion parameters");

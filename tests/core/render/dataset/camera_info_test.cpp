@@ -56,6 +56,12 @@ TEST(CameraInfo, TakesALensWithoutDistortionForAPinhole) {
     }
 }
 
+TEST(CameraInfo, OfAnIdealFisheyeIsNoPinhole) {
+    const CameraIntrinsics camera = parseCameraInfo(kHead + kMatrix + lens("equidistant", "0, 0, 0, 0"), "c");
+    EXPECT_EQ(camera.lens, LensModel::Equidistant);
+    EXPECT_EQ(parseCameraInfo(cameraInfoYaml(camera, "robot"), "c"), camera);
+}
+
 TEST(CameraInfo, ComesBackFromItsOwnYaml) {
     CameraIntrinsics camera = CameraIntrinsics::pinhole(1281, 719, 1.2345678901234567);
     camera.lens = LensModel::Equidistant;
@@ -81,6 +87,11 @@ TEST(CameraInfo, RefusesWhatIsNoCameraNamingTheEntry) {
     refused(kHead + "camera_matrix: {data: [a, 0, 0, 0, 1, 0, 0, 0, 1]}\n", "not a number");
     refused(kHead + "camera_matrix: {data: [.nan, 0, 0, 0, 1, 0, 0, 0, 1]}\n", "focal lengths");
     refused(kHead + kMatrix + lens("magic", "1"), "\"magic\" is unknown");
+    refused(kHead + "camera_matrix: {data: [500, 10, 320, 0, 500, 240, 0, 0, 1]}\n", "skew 10");
+    refused(kHead + "camera_matrix: {data: [500, 0, 320, 0, 500, 240, 0, 0, 2]}\n", "0 0 1");
+    refused(kHead + kMatrix + "distortion_coefficients: {data: [0.1, 0, 0, 0, 0]}\n",
+            "names no distortion model");
+    refused(kHead + kMatrix + lens("none", "0.1, 0, 0, 0, 0"), "names no distortion model");
     refused(kHead + kMatrix + lens("plumb_bob", "1, 2"), "5 distortion parameters, not 2");
     refused("image_width: -3\nimage_height: 480\n" + kMatrix, "-3 x 480");
     refused(std::string(100000, '['), "not valid YAML");

@@ -34,6 +34,7 @@ const std::vector<Place> kPlaces{{"a wall", {3, 0, 1.2}},
                                  {"inside of an obstacle", {-1.5, 0, 0.5}},
                                  {"outside of the outline", {2, 2, 1.2}},
                                  {"far outside", {60, -40, 1.2}},
+                                 {"beyond all rooms", {-6e8, 7e8, 1e8}},
                                  {"above the ceiling", {0, 0, 4}},
                                  {"a photo's own place", {0, 0, 1.2}}};
 

@@ -15,17 +15,24 @@ namespace spherewalk {
 enum class LensModel {
     Pinhole,            ///< No distortion. Files spell it "" or "none".
     PlumbBob,           ///< Brown-Conrady: k1 k2 p1 p2 k3.
-    RationalPolynomial, ///< Parameters k1 k2 p1 p2 k3 k4 k5 k6.
+    RationalPolynomial, ///< Parameters k1 k2 p1 p2 k3 k4 k5 k6; then s1 s2 s3 s4 of a thin prism; then the
+                        ///< angles of a tilted sensor. There are 8, 12 or 14.
     Equidistant,        ///< Fisheye: k1 k2 k3 k4 of the angle to the axis.
 };
 
 /// The name in ROS messages; "none" for a pinhole.
 std::string_view name(LensModel model);
 
+/// The lens model of that name(), if there is one.
+std::optional<LensModel> lensNamed(std::string_view lensName);
+
 /// The intrinsic parameters of a robot's camera. Frames: optical, z forward, x right, y down.
 /// Units: pixels; the centre of pixel (0, 0) has the coordinates (0, 0).
 /// Source: ROS sensor_msgs/CameraInfo, OpenCV calib3d and fisheye.
 struct CameraIntrinsics {
+    /// No lens model has more distortion parameters.
+    static constexpr std::size_t kMostDistortion = 14;
+
     int width = 0;
     int height = 0;
     double fx = 0;
@@ -41,14 +48,15 @@ struct CameraIntrinsics {
     static CameraIntrinsics pinhole(int width, int height, double horizontalFovRad);
 
     /// Throws for a camera that cannot exist. Errors: InvalidInput for sizes outside [1, 32768], focal
-    /// lengths that are not positive, values that are not finite, or a wrong count of distortion parameters.
+    /// lengths that are not positive, values that are not finite, a wrong count of distortion parameters, or
+    /// a sensor that is tilted by a quarter turn or more.
     void validate() const;
 };
 
 /// Takes pixels of a camera to rays and back. Threads: any number may share one.
 class CameraModel {
   public:
-    /// Errors: those of CameraIntrinsics::validate().
+    /// Errors: those of CameraIntrinsics::validate(); InvalidInput for a lens that sees nothing.
     explicit CameraModel(CameraIntrinsics intrinsics);
 
     const CameraIntrinsics& intrinsics() const { return m_intrinsics; }
@@ -70,11 +78,16 @@ class CameraModel {
     Eigen::Vector2d distorted(const Eigen::Vector2d& undistorted) const;
     double distortedAngle(double angle) const;
     double radialFactor(double radiusSquared) const;
+    Eigen::Matrix2d jacobian(const Eigen::Vector2d& undistorted) const;
     double largestField() const;
+    double unfoldedField(double end) const;
+    bool seesAnything() const;
 
     CameraIntrinsics m_intrinsics;
-    std::vector<double> m_k;   ///< The distortion, padded with zeros to 8 values.
-    double m_largestField = 0; ///< Up to this undistorted radius, or angle, the distortion grows.
+    std::vector<double> m_k;               ///< The distortion, padded with zeros.
+    double m_largestField = 0;             ///< Up to this undistorted radius, or angle, the distortion grows.
+    std::optional<Eigen::Matrix3d> m_tilt; ///< That of a tilted sensor, and its inverse.
+    Eigen::Matrix3d m_untilted = Eigen::Matrix3d::Identity();
 };
 
 /// A camera in the form of sensor_msgs/CameraInfo and gz.msgs.CameraInfo. Shape: k and r are 3 x 3, p is
@@ -91,9 +104,11 @@ struct Calibration {
 
 Calibration calibration(const CameraIntrinsics& camera);
 
-/// The camera of a calibration from outside. The matrices r and p concern rectified pictures and are ignored.
-/// Errors: InvalidInput for numbers that describe no camera. Unsupported for an unknown distortion model, and
-/// for a matrix k with entries besides focal lengths and centre.
+/// The camera of a calibration from outside. The distortion model may also be "fisheye", "none" or empty.
+/// Parameters that are zero are left out where that changes nothing: plumb_bob without distortion becomes a
+/// pinhole. The matrices r and p concern rectified pictures and are ignored. Errors: InvalidInput for numbers
+/// that describe no camera, and for distortion without a model. Unsupported for an unknown distortion model,
+/// and for a matrix k with entries besides focal lengths and centre.
 CameraIntrinsics intrinsicsOf(const Calibration& calibration);
 
 } // namespace spherewalk

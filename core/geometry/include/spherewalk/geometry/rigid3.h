@@ -34,9 +34,12 @@ struct Rigid3 {
     }
 };
 
-/// True for a finite translation and a quaternion whose length is 1 within the tolerance.
+/// True for a translation of at most 10^9 m and a quaternion whose length is 1 within the tolerance. Farther
+/// away, squares of single precision overflow.
 inline bool isPose(const Rigid3& pose, double tolerance = 1e-3) {
-    return pose.translation.allFinite() && std::abs(pose.rotation.norm() - 1) <= tolerance; // false for NaN
+    constexpr double kFarthestM = 1e9;
+    return pose.translation.norm() <= kFarthestM &&
+           std::abs(pose.rotation.norm() - 1) <= tolerance; // false for NaN
 }
 
 /// A pose between two: a at share 0, b at share 1. The translation follows the straight line. The rotation

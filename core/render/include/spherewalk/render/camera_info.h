@@ -10,10 +10,9 @@
 namespace spherewalk::render {
 
 /// The camera of a ROS camera-info YAML, as camera_calibration and camera_info_manager write it. It reads
-/// image_width, image_height, camera_matrix, distortion_model and distortion_coefficients. The models are
-/// plumb_bob, rational_polynomial, equidistant or fisheye, and none or absent. The rectification and
-/// projection matrices are not used: they concern rectified pictures, and a view shows what the camera itself
-/// sees. Errors: NotFound, Io; InvalidInput, with the file and the entry.
+/// image_width, image_height, camera_matrix, distortion_model and distortion_coefficients, as intrinsicsOf()
+/// does. The rectification and projection matrices are not used: they concern rectified pictures, and a view
+/// shows what the camera itself sees. Errors: NotFound, Io; InvalidInput, with the file and the entry.
 CameraIntrinsics readCameraInfo(const std::filesystem::path& file);
 
 /// The same from the YAML's text. source: a name of the text for sentences.
