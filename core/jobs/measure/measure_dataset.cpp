@@ -174,6 +174,11 @@ class Measurement {
         report.sphereRadiusM = info.sphereRadiusM;
         report.focalPx = std::max(m_camera.intrinsics().fx, m_camera.intrinsics().fy);
         report.samplingViews = samplingViews();
+        std::vector<Eigen::Vector3d> places;
+        for (const render::DatasetPhoto& photo : info.photos) {
+            places.push_back(photo.roomFromPhoto.translation);
+        }
+        report.betweenM = betweenPhotosM(places);
         SamplingSummary samplings;
         for (std::size_t i = 0; i < m_pictures.count; ++i) {
             if (comparesSamplings(i)) {
@@ -187,6 +192,11 @@ class Measurement {
                 summary.add(comparison, likenessOf(i, comparison));
             }
             report.scenes.push_back(summary.result());
+            std::vector<double> distances;
+            for (const ViewLikeness& view : report.scenes.back().views) {
+                distances.push_back(view.offset.norm());
+            }
+            report.viewM = median(distances); // about the same for all scene models
             const std::optional<double> errorPx = report.scenes.back().errorPx(m_options.places);
             for (const Sampling sampling : kSamplings) {
                 report.rungs.push_back({scene, sampling,

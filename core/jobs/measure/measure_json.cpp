@@ -124,6 +124,8 @@ Json toJson(const MeasureReport& report) {
             {"directions", report.directions},
             {"reused_views", report.reusedViews},
             {"sphere_radius_m", orNull(report.sphereRadiusM)},
+            {"view_distance_m", report.viewM},
+            {"between_distance_m", report.betweenM},
             {"camera_focal_px", report.focalPx},
             {"scenes", scenes},
             {"sampling_views", report.samplingViews},

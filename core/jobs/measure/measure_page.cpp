@@ -198,6 +198,23 @@ std::vector<std::string> predictionWords(const MeasureReport& report) {
     return result;
 }
 
+/// What the errors of photos that were left out mean for views between the photos; "" if that is not known.
+std::string betweenWords(const MeasureReport& report) {
+    std::string errors;
+    for (const SceneLikeness& scene : report.scenes) {
+        if (const std::optional<double> px = betweenPx(report, scene)) {
+            errors += text(errors.empty() ? "" : ", ", name(scene.scene), " ", fixed(*px, 2), " px");
+        }
+    }
+    if (!report.isLeaveOneOut || errors.empty()) {
+        return {};
+    }
+    return text("A view of a photo that is left out is made from ", fixed(report.viewM, 2),
+                " m away. A place between all photos is ", fixed(report.betweenM, 2), " m from one, ",
+                fixed(report.viewM / report.betweenM, 1), " times nearer. These are medians. From there, ",
+                "expect about this median error in views of the same directions: ", errors, ".");
+}
+
 std::string choicesText(const MeasureReport& report) {
     return text("What to render with, by tolerance", choiceBasis(report), ":\n", choiceTable(report).text());
 }
@@ -265,10 +282,16 @@ void addMeasured(const ReportContents& contents, Document& document) {
     document.blocks.emplace_back(sceneTable(report));
     document.blocks.emplace_back(worstTable(report));
     document.blocks.emplace_back(Paragraph{kColumnWords});
+    if (const std::string words = betweenWords(report); !words.empty()) {
+        document.blocks.emplace_back(Paragraph{words});
+    }
     if (report.leaveOneOut) {
         document.blocks.emplace_back(Heading{"What leaving photos out foretold"});
         document.blocks.emplace_back(Paragraph{text("Compared: ", subjectWords(*report.leaveOneOut), ".")});
         document.blocks.emplace_back(sceneTable(*report.leaveOneOut));
+        if (const std::string words = betweenWords(*report.leaveOneOut); !words.empty()) {
+            document.blocks.emplace_back(Paragraph{words});
+        }
         for (const std::string& sentence : predictionWords(report)) {
             document.blocks.emplace_back(Paragraph{sentence});
         }
@@ -334,8 +357,11 @@ std::string measureText(const MeasureReport& report) {
     std::string result =
         text(subjectWords(report), ":\n", sceneTable(report).text(), "\n", worstTable(report).text(), "\n",
              choicesText(report), "\n", report.choice.reason);
+    if (const std::string words = betweenWords(report); !words.empty()) {
+        result += "\n\n" + words;
+    }
     if (!report.predictions.empty()) {
-        result += "\n";
+        result += "\n\n" + betweenWords(*report.leaveOneOut);
         for (const std::string& sentence : predictionWords(report)) {
             result += "\n" + sentence;
         }

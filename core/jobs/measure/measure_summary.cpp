@@ -7,8 +7,13 @@
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/compare/rank_correlation.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace spherewalk::jobs {
 
@@ -108,6 +113,60 @@ std::optional<double> SamplingSummary::errorWith(render::Sampling sampling, rend
     return std::sqrt(std::max(0.0, *usualPx * *usualPx - *there * *there) + *added * *added);
 }
 
+double betweenPhotosM(const std::vector<Eigen::Vector3d>& photos) {
+    constexpr int kParts = 8;          // of the distance between neighbours
+    constexpr double kMostParts = 400; // along an axis
+    const auto nearestM = [&](const Eigen::Vector2d& place, std::size_t without) {
+        double nearest = HUGE_VAL;
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            if (i != without) {
+                nearest = std::min(nearest, (photos[i].head<2>() - place).norm());
+            }
+        }
+        return nearest;
+    };
+    if (photos.size() < 2) {
+        return 0;
+    }
+    std::vector<double> steps;
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        steps.push_back(nearestM(photos[i].head<2>(), i));
+        box.extend(Eigen::Vector2d(photos[i].head<2>()));
+    }
+    const double step = median(steps);
+    const double apart = std::max(step / kParts, box.sizes().maxCoeff() / kMostParts);
+    std::vector<double> distances;
+    for (double y = box.min().y(); apart > 0 && y <= box.max().y() + 0.5 * apart; y += apart) {
+        for (double x = box.min().x(); x <= box.max().x() + 0.5 * apart; x += apart) {
+            const double nearest = nearestM({x, y}, photos.size());
+            if (nearest <= 1.01 * step / std::numbers::sqrt2) {
+                distances.push_back(nearest);
+            }
+        }
+    }
+    return median(distances);
+}
+
+namespace {
+
+/// The share of its exact error that is a left-out view's own. The true picture's depth is estimated, too, so
+/// that with depths both are off: two equal errors are together sqrt(2) times as large.
+double ownShare(render::SceneKind scene) {
+    return render::usesDepths(scene) ? 1 / std::numbers::sqrt2 : 1;
+}
+
+} // namespace
+
+std::optional<double> betweenPx(const MeasureReport& leaveOneOut, const SceneLikeness& scene) {
+    const std::optional<double> px =
+        scene.exactMedianPx ? ownShare(scene.scene) * *scene.exactMedianPx : scene.medianPx;
+    const bool isKnown = isFinite(px) && leaveOneOut.viewM > 0 && leaveOneOut.betweenM > 0;
+    return isKnown && scene.scene != render::SceneKind::Room // that was found to be four times too large
+               ? std::optional(*px * leaveOneOut.betweenM / leaveOneOut.viewM)
+               : std::nullopt;
+}
+
 ShownView shownView(const ViewLikeness& likeness, Places places, const RgbImage& truth,
                     const RgbImage& view) {
     return {likeness.subject,          likeness.errorPx(places), likeness.looks, truth, view,
@@ -143,10 +202,37 @@ bool isInFrame(const Eigen::Vector2d& pixel, const CameraModel& camera) {
 
 /// What is foretold of one part of a view's frame.
 struct Part {
-    double nearestM = HUGE_VAL; ///< what hides the rest
-    double errors = 0;          ///< weighted sum
-    double weights = 0;
+    double nearestM = HUGE_VAL;                    ///< what hides the rest
+    std::vector<std::pair<double, double>> errors; ///< each with its weight
 };
+
+/// Range: at least one error.
+double weightedMean(const std::vector<std::pair<double, double>>& errors) {
+    double sum = 0;
+    double weights = 0;
+    for (const auto& [error, weight] : errors) {
+        sum += weight * error;
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/// Range: at least one error.
+double weightedMedian(std::vector<std::pair<double, double>> errors) {
+    std::sort(errors.begin(), errors.end());
+    double weights = 0;
+    for (const auto& [error, weight] : errors) {
+        weights += weight;
+    }
+    double below = 0;
+    for (const auto& [error, weight] : errors) {
+        below += weight;
+        if (below >= 0.5 * weights) {
+            return error;
+        }
+    }
+    return errors.back().first;
+}
 
 /// A view's frame in square parts, about as many as a person would tell apart.
 class Frame {
@@ -164,12 +250,13 @@ class Frame {
         return m_parts[row * static_cast<std::size_t>(m_columns) + column];
     }
 
-    /// Of the parts' errors; nothing where too few are known.
-    std::optional<double> median() const {
+    /// Of the parts' errors; nothing where too few are known. hasOutliers: whether a few things at edges are
+    /// off by very much, which a mean would spread over a part.
+    std::optional<double> median(bool hasOutliers) const {
         std::vector<double> errors;
         for (const Part& part : m_parts) {
-            if (part.weights > 0) {
-                errors.push_back(part.errors / part.weights);
+            if (!part.errors.empty()) {
+                errors.push_back(hasOutliers ? weightedMedian(part.errors) : weightedMean(part.errors));
             }
         }
         constexpr std::size_t kEnough = 4; // one part of so many
@@ -207,18 +294,20 @@ std::optional<double> foretoldByThings(const SceneLikeness& leaveOneOut, const V
         constexpr double kHidden = 1.2;
         if (seen.norm() <= kHidden * part.nearestM) {
             const double w = nearness(from, view);
-            part.errors += w * thing.errorPx * parallax(view.offset, seen) / parallax(from.offset, thing.at);
-            part.weights += w;
+            part.errors.emplace_back(ownShare(leaveOneOut.scene) * thing.errorPx *
+                                         parallax(view.offset, seen) / parallax(from.offset, thing.at),
+                                     w);
         }
     });
-    return frame.median();
+    return frame.median(render::hasSurfaces(leaveOneOut.scene));
 }
 
 std::optional<double> foretoldByViews(const SceneLikeness& leaveOneOut, const ViewLikeness& view) {
     double sum = 0;
     double weights = 0;
     for (const ViewLikeness& from : leaveOneOut.views) {
-        const std::optional<double>& found = from.exactMedianPx ? from.exactMedianPx : from.medianPx;
+        const std::optional<double> found =
+            from.exactMedianPx ? ownShare(leaveOneOut.scene) * *from.exactMedianPx : from.medianPx;
         if (isFinite(found)) {
             const double w = weight(from, view);
             sum += w * *found / std::max(kLeastAcrossM, offsetAcross(from.offset, from.axis()));

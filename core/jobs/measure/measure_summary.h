@@ -41,6 +41,11 @@ class SamplingSummary {
     SamplingErrors m_errors;
 };
 
+/// The median distance from places between the photos to the nearest photo, in metres. Places lie evenly,
+/// at the photos' mean height, no farther from a photo than the middle of a square of neighbours. It is 0 for
+/// a single photo.
+double betweenPhotosM(const std::vector<Eigen::Vector3d>& photos);
+
 ShownView shownView(const ViewLikeness& likeness, Places places, const RgbImage& truth, const RgbImage& view);
 
 /// Length in metres of the offset across the camera's axis that displaces things as much as this offset does.
@@ -51,7 +56,9 @@ double offsetAcross(const Eigen::Vector3d& offset, const Eigen::Vector3d& axis);
 /// model. Nothing if none of them was compared.
 ///
 /// If their views list things, the things in the view's frame count: each error is scaled by the ratio of
-/// parallaxes, and things seen from near weigh most; the result is the median over parts of the frame.
+/// parallaxes, and things seen from near weigh most. The result is the median over parts of the frame, of
+/// the medians in them with scene models that have surfaces, else of the means. With depths, the errors count
+/// less, since those of the photos that were left out are estimated, too.
 /// Otherwise it is the mean error per metre of offset, times the view's offset. Views that stood near and
 /// looked the same way weigh most.
 std::optional<double> foretoldPx(const SceneLikeness& leaveOneOut, const ViewLikeness& view,

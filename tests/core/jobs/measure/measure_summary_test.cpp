@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/measure_summary.h"
+#include "random.h"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,41 @@ TEST(SceneSummary, CountsMissesAboutAPhotoToo) {
     ASSERT_EQ(likeness.photos.size(), 1U);
     EXPECT_EQ(likeness.photos[0].p95Px, HUGE_VAL);
     EXPECT_EQ(likeness.photos[0].places, 100U);
+}
+
+TEST(BetweenPhotos, PlacesAreAsFarFromAPhotoAsTheGridMakesThem) {
+    std::vector<Eigen::Vector3d> grid;
+    std::vector<Eigen::Vector3d> line;
+    for (int i = 0; i < 25; ++i) {
+        grid.emplace_back(3 + 0.4 * (i % 5), 0.4 * (i / 5), 1.2);
+        line.emplace_back(0.4 * i, 7, 1.2);
+    }
+    EXPECT_NEAR(betweenPhotosM(grid), 0.16, 0.01); // half of the places: pi r^2 = step^2 / 2
+    EXPECT_NEAR(betweenPhotosM(line), 0.1, 0.01);
+    EXPECT_EQ(betweenPhotosM({{1, 2, 3}}), 0);
+    EXPECT_EQ(betweenPhotosM({{1, 2, 3}, {1, 2, 3}}), 0);
+}
+
+// One thing of ten lies at an edge and is off by very much. So it is in the views that are foretold.
+TEST(Foretold, IsTheUsualErrorAndNotTheMeanOfAFewGreatOnes) {
+    const CameraModel camera(CameraIntrinsics::pinhole(240, 180, 1.0));
+    test::Random random(84);
+    SceneLikeness leaveOneOut;
+    leaveOneOut.scene = render::SceneKind::Room;
+    ViewLikeness view;
+    view.offset = {0.2, 0, 0};
+    for (int i = 0; i < 20; ++i) {
+        ViewLikeness from = view;
+        from.offset = {0.4, 0, 0};
+        for (int thing = 0; thing < 60; ++thing) {
+            const Eigen::Vector2d pixel(random.uniform(0, 239), random.uniform(0, 179));
+            from.things.push_back({2 * *camera.ray(pixel), random.uniform(0, 1) < 0.1 ? 100 : 1.0});
+        }
+        leaveOneOut.views.push_back(std::move(from));
+    }
+    EXPECT_NEAR(foretoldPx(leaveOneOut, view, camera).value(), 0.5, 0.02);
+    leaveOneOut.scene = render::SceneKind::Depth; // the photos' own depths are off as much
+    EXPECT_NEAR(foretoldPx(leaveOneOut, view, camera).value(), 0.5 / std::sqrt(2), 0.02);
 }
 
 TEST(LooksSummary, HasMeansAndTheWorstOfEach) {

@@ -25,13 +25,16 @@ class PracticeDataset {
     static constexpr double kStepM = 0.2;
     static constexpr int kPhotoWidth = 512;
 
-    explicit PracticeDataset(int side, bool hasDepth = true) {
+    /// corner: the place of the first photo.
+    explicit PracticeDataset(int side, bool hasDepth = true, const practice::PracticeRoomOptions& room = {},
+                             const Eigen::Vector2d& corner = {1.9, 1.7})
+        : m_room(room) {
         std::filesystem::create_directories(path() / "photos");
         std::filesystem::create_directories(path() / "depth");
         render::DatasetInfo description = info();
         for (int i = 0; i < side * side; ++i) {
             description.photos.push_back(
-                photo(1.9 + kStepM * (i % side), 1.7 + kStepM * (i / side), i, hasDepth));
+                photo(corner.x() + kStepM * (i % side), corner.y() + kStepM * (i / side), i, hasDepth));
         }
         write(path() / render::kDatasetFile, bytesOf(render::toJson(description).dump()));
     }

@@ -162,6 +162,10 @@ struct MeasureReport {
     int directions = 0;          ///< Number of directions that each photo was compared in.
     std::size_t reusedViews = 0; ///< Views that an earlier run compared.
     std::optional<double> sphereRadiusM;
+    /// Median distance in metres of the compared views from the photos that they were made from.
+    double viewM = 0;
+    /// Median distance in metres from places between the photos to the nearest photo.
+    double betweenM = 0;
     double focalPx = 0;                ///< Focal length of the camera.
     std::vector<SceneLikeness> scenes; ///< The scene models that the dataset has, cheap to exact.
     std::size_t samplingViews = 0;     ///< Number of views that the samplings were compared on.
@@ -182,6 +186,11 @@ Choice chosen(const MeasureReport& report, double tolerancePx);
 
 /// The choice as dataset.json keeps it. Nothing if nothing could be compared.
 std::optional<render::ViewChoice> viewChoice(const MeasureReport& report);
+
+/// The median error in pixels that leaving photos out foretells of views between all photos: parallax grows
+/// with the distance to the photo. Nothing if it is not known, and for `room`, whose errors are not foretold
+/// so.
+std::optional<double> betweenPx(const MeasureReport& leaveOneOut, const SceneLikeness& scene);
 
 /// The errors, the choice and the reason, for people.
 std::string measureText(const MeasureReport& report);
