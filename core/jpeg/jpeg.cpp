@@ -127,6 +127,15 @@ RgbImage decode(ByteView jpeg, std::string_view source, int denominator) {
     return picture;
 }
 
+RgbImage decodeAtLeast(ByteView jpeg, std::string_view source, int width) {
+    const int all = readInfo(jpeg, source).width;
+    int denominator = 1;
+    while (denominator < 8 && all / (2 * denominator) >= width) {
+        denominator *= 2;
+    }
+    return decode(jpeg, source, denominator);
+}
+
 Bytes encode(const RgbImage& picture, int quality) {
     if (picture.empty() || picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION ||
         quality < 1 || quality > 100) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/scene/carried.h"
 
+#include "sweep_cost.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/equirect.h"
@@ -41,21 +43,13 @@ constexpr double kLeastShare = 0.001;      ///< Of the sphere; less is not worth
 constexpr double kLowestWithoutWalls = 15; ///< Degrees below the horizon.
 constexpr std::size_t kColours = 3;        ///< Photos that give the colour of a place.
 
-/// The colour in a direction, interpolated bilinearly.
+/// The colour in a direction.
 Eigen::Vector3f colourAt(const RgbImage& picture, const Eigen::Vector3d& way) {
     const Eigen::Vector2d at = pixel({picture.width(), picture.height()}, way);
-    const double left = std::floor(at.x());
-    const double above = std::floor(at.y());
-    const auto right = static_cast<float>(at.x() - left);
-    const auto down = static_cast<float>(at.y() - above);
-    const auto value = [&](int i, int j) -> Eigen::Vector3f {
-        const int x = (static_cast<int>(left) + i + picture.width()) % picture.width();
-        const int y = std::clamp(static_cast<int>(above) + j, 0, picture.height() - 1);
-        const std::uint8_t* rgb = picture.at(x, y);
-        return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
-    };
-    return (1 - down) * ((1 - right) * value(0, 0) + right * value(1, 0)) +
-           down * ((1 - right) * value(0, 1) + right * value(1, 1));
+    Eigen::Vector3f colour;
+    sampleColour(picture, static_cast<float>(at.x() < 0 ? at.x() + picture.width() : at.x()),
+                 static_cast<float>(std::max(0.0, at.y())), colour.data());
+    return colour;
 }
 
 /// Slopes are of the logarithm, so that the exposure does not count.
@@ -86,15 +80,6 @@ enum class Shown {
     Carried, ///< An edge at the same place in most photos.
     Room,    ///< What differs from photo to photo.
 };
-
-/// The median of values and how far they are spread about it: as a standard deviation, if they are normal.
-std::pair<float, float> medianAndSpread(std::vector<float> values) {
-    const float median = quantileInPlace(values, 0.5);
-    for (float& value : values) {
-        value = std::abs(value - median);
-    }
-    return {median, 1.4826F * quantileInPlace(values, 0.5)};
-}
 
 /// How far up all photos are alike at an azimuth.
 struct Reach {
@@ -142,7 +127,7 @@ class Comparison {
             for (int step = 0; step < kStepsForExposure; ++step) {
                 const std::vector<float> all =
                     brightness(fromBelow(azimuthOf(azimuth), (step + 0.5) * kStepRad));
-                const float median = medianAndSpread(all).first;
+                const float median = spherewalk::median(all);
                 for (std::size_t i = 0; i < all.size(); ++i) {
                     differences[i].push_back(all[i] - median);
                 }
@@ -205,7 +190,7 @@ class Comparison {
             static_cast<double>(alike) >= kAgreeing * static_cast<double>(all.size())) {
             return Shown::Carried;
         }
-        const float spread = medianAndSpread(brightness(fromBelow(azimuth, angle))).second;
+        const float spread = medianAndSpread(brightness(fromBelow(azimuth, angle))).sigma;
         return spread > kSpread || quantileInPlace(parts[2], 0.5) > kEdge ? Shown::Room : Shown::Alike;
     }
 

@@ -28,15 +28,12 @@ bool isWithin(int value) {
     return value > kDarkest && value < kBrightest;
 }
 
-float gainFrom(std::vector<double>& logs) {
+float gainFrom(const std::vector<double>& logs) {
     if (logs.size() < kFewest) {
         return 1;
     }
-    const double middle = quantileInPlace(logs, 0.5);
-    for (double& value : logs) {
-        value = std::abs(value - middle);
-    }
-    const double sigma = 1.4826 * quantileInPlace(logs, 0.5) / std::sqrt(kPatches);
+    const auto [middle, spread] = medianAndSpread(logs);
+    const double sigma = spread / std::sqrt(kPatches);
     return std::abs(middle) < kSigmas * sigma
                ? 1.0F
                : static_cast<float>(std::exp(std::clamp(middle, -kMostLog, kMostLog)));

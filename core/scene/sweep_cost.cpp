@@ -15,6 +15,22 @@
 
 namespace spherewalk::scene {
 
+void sampleColour(const RgbImage& photo, float u, float v, float* rgb) {
+    const int left = std::min(static_cast<int>(u), photo.width() - 1);
+    const int right = left + 1 < photo.width() ? left + 1 : 0;
+    const int above = std::min(static_cast<int>(v), photo.height() - 1);
+    const int below = std::min(above + 1, photo.height() - 1);
+    const float across = u - static_cast<float>(left);
+    const float down = v - static_cast<float>(above);
+    const std::array<const std::uint8_t*, 4> p{photo.at(left, above), photo.at(right, above),
+                                               photo.at(left, below), photo.at(right, below)};
+    for (int c = 0; c < 3; ++c) {
+        const auto upper = static_cast<float>(p[0][c]) + across * static_cast<float>(p[1][c] - p[0][c]);
+        const auto lower = static_cast<float>(p[2][c]) + across * static_cast<float>(p[3][c] - p[2][c]);
+        rgb[c] = upper + down * (lower - upper);
+    }
+}
+
 namespace {
 
 /// Finds where a photo shows a row of a frame's directions.
@@ -64,23 +80,6 @@ class TurnedRow {
     std::vector<float> m_v;
 };
 
-/// The colour at a place, interpolated bilinearly. Range: as fastPixel() returns.
-void sample(const RgbImage& photo, float u, float v, float* rgb) {
-    const int left = std::min(static_cast<int>(u), photo.width() - 1);
-    const int right = left + 1 < photo.width() ? left + 1 : 0;
-    const int above = std::min(static_cast<int>(v), photo.height() - 1);
-    const int below = std::min(above + 1, photo.height() - 1);
-    const float across = u - static_cast<float>(left);
-    const float down = v - static_cast<float>(above);
-    const std::array<const std::uint8_t*, 4> p{photo.at(left, above), photo.at(right, above),
-                                               photo.at(left, below), photo.at(right, below)};
-    for (int c = 0; c < 3; ++c) {
-        const auto upper = static_cast<float>(p[0][c]) + across * static_cast<float>(p[1][c] - p[0][c]);
-        const auto lower = static_cast<float>(p[2][c]) + across * static_cast<float>(p[3][c] - p[2][c]);
-        rgb[c] = upper + down * (lower - upper);
-    }
-}
-
 Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads) {
     Image<float, 3> picture(width, width / 2);
     parallelFor(picture.height(), 32, threads, [&](int begin, int end) {
@@ -88,7 +87,7 @@ Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFr
         for (int y = begin; y < end; ++y) {
             row.place(y, photo.width());
             for (int x = 0; x < width; ++x) {
-                sample(photo, row.u(x), row.v(x), picture.at(x, y));
+                sampleColour(photo, row.u(x), row.v(x), picture.at(x, y));
             }
         }
     });

@@ -15,6 +15,9 @@
 
 namespace spherewalk::scene {
 
+/// The colour at a place, interpolated bilinearly. Range: as fastPixel() returns. rgb: three values.
+void sampleColour(const RgbImage& photo, float u, float v, float* rgb);
+
 /// The values that are compared between photos: brightness, its two slopes, and red minus blue. Units: grey
 /// levels. Shape: four values a pixel; one column and one row more than the picture repeat its first column
 /// and its last row, so that four neighbours can be read at any place.

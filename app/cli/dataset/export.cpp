@@ -65,21 +65,13 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
              humanBytes(written.totalBytes), " (the photos take ", fixed(growth, 2),
              " % more than in the survey), in ",
              humanDuration(std::chrono::duration<double>(report.depth.seconds + written.seconds)), ".");
-    words += report.withoutPhoto == 0 ? ""
-                                      : text("\n",
-                                             counted(report.withoutPhoto, "station has no photo and is",
-                                                     "stations have no photo and are"),
-                                             " left out.");
-    words += report.rejected == 0
-                 ? ""
-                 : text("\n",
-                        counted(report.rejected, "photo was rejected and is", "photos were rejected and are"),
-                        " left out.");
-    words += report.failed == 0 ? ""
-                                : text("\n",
-                                       counted(report.failed, "photo has no pose that holds and is",
-                                               "photos have no pose that holds and are"),
-                                       " left out.");
+    const auto tellLeftOut = [&](int count, const char* one, const char* several) {
+        words += count == 0 ? "" : text("\n", counted(count, one, several), " left out.");
+    };
+    tellLeftOut(report.withoutPhoto, "station has no photo and is", "stations have no photo and are");
+    tellLeftOut(report.rejected, "photo was rejected and is", "photos were rejected and are");
+    tellLeftOut(report.failed, "photo has no pose that holds and is",
+                "photos have no pose that holds and are");
     words += report.carriedShare == 0
                  ? ""
                  : text("\nWhat the camera carries along covers ", fixed(100 * report.carriedShare, 1),

@@ -11,7 +11,10 @@
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <fstream>
+#include <numbers>
+#include <optional>
 
 namespace spherewalk::jobs {
 
@@ -25,32 +28,65 @@ constexpr std::size_t kPhotosToLookAt = 24;
 constexpr int kLookWidth = 256;
 constexpr int kHelperWidth = 2048; ///< of the pictures that floor and walls are taken from, at least
 
-/// A photo at the least size that JPEG offers and that has this width, or as it is.
 RgbImage decoded(const std::filesystem::path& file, int leastWidth) {
-    const Bytes bytes = readFile(file);
-    const int width = jpeg::readInfo(bytes, file.string()).width;
-    int denominator = 1;
-    while (denominator < 8 && width / (2 * denominator) >= leastWidth) {
-        denominator *= 2;
+    return jpeg::decodeAtLeast(readFile(file), file.string(), leastWidth);
+}
+
+/// The photos that are looked at, spread evenly.
+std::vector<DepthInput> photosToLookAt(const std::vector<DepthInput>& photos) {
+    std::vector<DepthInput> chosen;
+    const std::size_t count = std::min(photos.size(), kPhotosToLookAt);
+    for (std::size_t k = 0; k < count; ++k) {
+        chosen.push_back(photos[k * photos.size() / count]);
     }
-    return jpeg::decode(bytes, file.string(), denominator);
+    return chosen;
 }
 
 scene::CarriedThings lookedAt(const std::vector<DepthInput>& photos, const std::stop_token& stop) {
     std::vector<RgbImage> pictures;
-    std::vector<Rigid3> poses;
-    const std::size_t count = std::min(photos.size(), kPhotosToLookAt);
-    for (std::size_t k = 0; k < count; ++k) {
+    for (const DepthInput& photo : photos) {
         throwIfStopped(stop);
-        const DepthInput& photo = photos[k * photos.size() / count];
         pictures.push_back(photo::resized(decoded(photo.file, kLookWidth), kLookWidth, kLookWidth / 2));
-        poses.push_back(photo.roomFromPhoto);
     }
     std::vector<scene::PosedPicture> posed;
-    for (std::size_t k = 0; k < count; ++k) {
-        posed.push_back({&pictures[k], poses[k]});
+    for (std::size_t k = 0; k < photos.size(); ++k) {
+        posed.push_back({&pictures[k], photos[k].roomFromPhoto});
     }
     return scene::carriedThings(posed);
+}
+
+/// What an earlier run has found; nothing if none did, or if the file is damaged.
+std::optional<scene::CarriedThings> keptThings(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::array<float, scene::CarriedThings::kAzimuths> reach{};
+    for (float& angle : reach) {
+        if (!(in >> angle) || !(angle >= 0 && angle < std::numbers::pi_v<float>)) {
+            return std::nullopt;
+        }
+    }
+    return scene::CarriedThings(reach);
+}
+
+/// What is carried along. It is looked for once for the same photos.
+scene::CarriedThings carriedBy(const std::vector<DepthInput>& all, const std::filesystem::path& cacheFolder,
+                               const std::stop_token& stop) {
+    const std::vector<DepthInput> photos = photosToLookAt(all);
+    std::string key = text("carried ", kMethod);
+    for (const DepthInput& photo : photos) {
+        key += text("\n", photo.sha256, " ", keyOf(photo.roomFromPhoto));
+    }
+    const std::filesystem::path file = cacheFolder / (sha256Hex(bytesOf(key)).substr(0, 32) + ".txt");
+    if (const auto earlier = keptThings(file)) {
+        return *earlier;
+    }
+    const scene::CarriedThings found = lookedAt(photos, stop);
+    std::string lines;
+    for (const float angle : found.reachRad()) {
+        lines += text(angle, "\n");
+    }
+    ensureFolder(cacheFolder);
+    writeFile(file, bytesOf(lines));
+    return keptThings(file).value(); // rounded as a later run will find it
 }
 
 } // namespace
@@ -59,7 +95,7 @@ ClearedPhotos::ClearedPhotos(std::vector<DepthInput> photos, survey::Room room,
                              std::filesystem::path cacheFolder, bool looks, const std::stop_token& stop)
     : m_photos(std::move(photos)),
       m_room(std::move(room)),
-      m_carried(looks ? lookedAt(m_photos, stop) : scene::CarriedThings()),
+      m_carried(looks ? carriedBy(m_photos, cacheFolder, stop) : scene::CarriedThings()),
       m_inputs(m_photos),
       m_pictures(kHelpersKept) {
     if (m_carried.empty()) {

@@ -203,14 +203,8 @@ class DepthJob {
         if (m_options.beforeReading) {
             m_options.beforeReading(photo);
         }
-        const std::string name = m_photos[photo].file.string();
-        const Bytes bytes = readFile(m_photos[photo].file);
-        const int width = jpeg::readInfo(bytes, name).width;
-        int denominator = 1;
-        while (denominator < 8 && width / (2 * denominator) >= leastWidth) {
-            denominator *= 2;
-        }
-        return jpeg::decode(bytes, name, denominator);
+        const std::filesystem::path& file = m_photos[photo].file;
+        return jpeg::decodeAtLeast(readFile(file), file.string(), leastWidth);
     }
 
     std::shared_ptr<const scene::PhotoDepth> swept(std::size_t photo) {

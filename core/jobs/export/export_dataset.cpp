@@ -168,11 +168,13 @@ std::optional<render::RoomShape> drawnRoom(const survey::Room& room, ProgressSin
     return render::RoomShape{room.outline, 0, room.ceilingM};
 }
 
-/// The photos that depths are estimated from.
+/// The photos that depths are estimated from. Nothing is cleared if a heading is not known, since other
+/// photos would then be looked into at wrong places.
 ClearedPhotos clearedPhotos(const store::SurveyStore& store, const ExportOptions& options,
                             const DepthCache& cache, const dataset::Contents& contents,
-                            const std::stop_token& stop) {
-    return {depthInputs(contents), store.room(), cache.path(), options.clearsCarried, stop};
+                            const ExportReport& report, const std::stop_token& stop) {
+    const bool looks = options.clearsCarried && report.withoutRotation == 0;
+    return {depthInputs(contents), store.room(), cache.path(), looks, stop};
 }
 
 /// Makes the photos without what is carried along, and exports them.
@@ -192,7 +194,7 @@ void takeCleared(ClearedPhotos& cleared, dataset::Contents& contents, ProgressSi
 void addScene(const store::SurveyStore& store, const ExportOptions& options, const DepthCache& cache,
               dataset::Contents& contents, ExportReport& report, ProgressSink& progress,
               const std::stop_token& stop) {
-    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, stop);
+    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, report, stop);
     report.carriedShare = cleared.carried().share();
     DepthOptions depth = depthOptions(store, options, cache);
     depth.beforeReading = [&](std::size_t photo) { cleared.make(photo, stop); };
@@ -285,7 +287,7 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
     ExportReport report;
     const dataset::Contents contents = contentsOf(store, photosToExport(store).photos, report);
     const DepthCache cache(store, options);
-    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, stop);
+    ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, report, stop);
     DepthOptions depth = depthOptions(store, options, cache);
     depth.beforeReading = [&](std::size_t photo) { cleared.make(photo, stop); };
     return depthForecast(cleared.inputs(), depth, withTrial, stop);

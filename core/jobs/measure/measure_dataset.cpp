@@ -192,11 +192,6 @@ class Measurement {
                 summary.add(comparison, likenessOf(i, comparison));
             }
             report.scenes.push_back(summary.result());
-            std::vector<double> distances;
-            for (const ViewLikeness& view : report.scenes.back().views) {
-                distances.push_back(view.offset.norm());
-            }
-            report.viewM = median(distances); // about the same for all scene models
             const std::optional<double> errorPx = report.scenes.back().errorPx(m_options.places);
             for (const Sampling sampling : kSamplings) {
                 report.rungs.push_back({scene, sampling,
@@ -204,6 +199,13 @@ class Measurement {
                                         bytesWith(scene)});
             }
         }
+        std::vector<double> distances;
+        for (std::size_t i = 0; i < m_pictures.count;
+             ++i) { // of one scene model, since all use the same photos
+            const Comparison& comparison = m_results[i].views.at({m_scenes.back(), m_options.sampling});
+            distances.push_back(likenessOf(i, comparison).offset.norm());
+        }
+        report.viewM = median(std::move(distances));
         return report;
     }
 

@@ -27,14 +27,8 @@ bool isKnown(const align::SolvedPose& pose) {
 /// Empty if the photo cannot be read, which its own flag tells.
 RgbImage smallPicture(const std::filesystem::path& file) {
     try {
-        const Bytes bytes = readFile(file);
-        int denominator = 8;
-        while (denominator > 1 &&
-               jpeg::readInfo(bytes, file.string()).width < denominator * align::kSightWidth) {
-            denominator /= 2;
-        }
-        return photo::resized(jpeg::decode(bytes, file.string(), denominator), align::kSightWidth,
-                              align::kSightWidth / 2);
+        return photo::resized(jpeg::decodeAtLeast(readFile(file), file.string(), align::kSightWidth),
+                              align::kSightWidth, align::kSightWidth / 2);
     } catch (const Error&) {
         return {};
     }

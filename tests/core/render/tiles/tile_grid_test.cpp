@@ -3,7 +3,6 @@
 #include "sphere/exact_view.h"
 #include "tiles/tile_grid.h"
 
-#include "spherewalk/base/error.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace spherewalk::render {
 namespace {
@@ -47,6 +45,8 @@ CameraModel randomCamera(test::Random& random) {
     CameraIntrinsics k = CameraIntrinsics::pinhole(random.integer(1, 90), random.integer(1, 70), fov);
     switch (random.integer(0, 3)) {
     case 0:
+        // A wider one ends its field within the first pixels, and a lens that sees nothing is refused.
+        k = CameraIntrinsics::pinhole(k.width, k.height, std::min(fov, 2.0));
         k.lens = LensModel::PlumbBob;
         k.distortion = {random.uniform(-0.3, 0.1), random.uniform(-0.05, 0.05), 0.001, -0.002, 0};
         break;
@@ -67,14 +67,7 @@ TEST(ViewFootprint, HoldsEveryTileThatAViewTouches) {
     int touched = 0;
     int found = 0;
     for (int round = 0; round < 500; ++round) {
-        std::optional<CameraModel> seeing;
-        while (!seeing) { // a lens whose field lies beside the picture is refused
-            try {
-                seeing.emplace(randomCamera(random));
-            } catch (const Error&) {
-            }
-        }
-        const CameraModel& camera = *seeing;
+        const CameraModel camera = randomCamera(random);
         const double radius = 2;
         // Up to 0.95 of the radius from the photo, where the projection bends most.
         const Rigid3 pose{random.rotation(),

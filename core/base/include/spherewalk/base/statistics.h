@@ -30,4 +30,21 @@ Number median(std::vector<Number> values) {
     return values.empty() ? Number{0} : quantileInPlace(values, 0.5);
 }
 
+/// The median of values and how far they spread about it.
+template <class Number>
+struct MedianAndSpread {
+    Number median;
+    Number sigma; ///< The standard deviation if the values are normal; a few wrong ones do not change it.
+};
+
+/// sigma is 1.4826 times the median distance from the median. Range: at least one value, none of them NaN.
+template <class Number>
+MedianAndSpread<Number> medianAndSpread(std::vector<Number> values) {
+    const Number middle = quantileInPlace(values, 0.5);
+    for (Number& value : values) {
+        value = value < middle ? middle - value : value - middle;
+    }
+    return {middle, static_cast<Number>(1.4826) * quantileInPlace(values, 0.5)};
+}
+
 } // namespace spherewalk

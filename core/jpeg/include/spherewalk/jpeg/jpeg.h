@@ -33,6 +33,10 @@ Info readInfo(ByteView jpeg, std::string_view source);
 /// libjpeg warn: a truncated file is an error, not a grey area.
 RgbImage decode(ByteView jpeg, std::string_view source, int denominator = 1);
 
+/// The pixels at the least size that decode() has and that is at least this wide, or else as they are.
+/// Errors: those of decode().
+RgbImage decodeAtLeast(ByteView jpeg, std::string_view source, int width);
+
 /// The picture as a baseline JPEG, 4:2:0, with optimised Huffman tables. Range: quality 1 to 100.
 /// Errors: InvalidInput for another quality, or sides outside [1, 65500].
 Bytes encode(const RgbImage& picture, int quality);
