@@ -219,8 +219,11 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
     ExportReport report;
     const PhotosToExport exported = photosToExport(store);
     report.failed = static_cast<int>(exported.failed.size());
-    if (!exported.sentence.empty()) {
-        progress.warning(exported.sentence);
+    for (const std::string& doubt : exported.doubts) {
+        progress.warning(doubt);
+    }
+    if (exported.photos.empty() && !exported.failed.empty()) {
+        throw Error(ErrorKind::InvalidInput, text("Nothing can be exported. ", exported.doubts.front()));
     }
     dataset::Contents contents = contentsOf(store, exported.photos, report);
     const DepthCache cache(store, options);
@@ -390,9 +393,7 @@ class Look {
                 "axis; align it first.");
             return;
         }
-        if (!m_exported.sentence.empty()) {
-            m_check.doubts.push_back(m_exported.sentence);
-        }
+        m_check.doubts.insert(m_check.doubts.end(), m_exported.doubts.begin(), m_exported.doubts.end());
         std::set<std::int64_t> solved;
         std::set<std::int64_t> doubtful;
         for (const store::SolvedPhoto& photo : m_store.solvedPhotos(solution->id)) {
