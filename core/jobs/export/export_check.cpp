@@ -122,9 +122,7 @@ class Look {
                 "axis; align it first.");
             return;
         }
-        if (!m_exported.sentence.empty()) {
-            m_check.doubts.push_back(m_exported.sentence);
-        }
+        m_check.doubts.insert(m_check.doubts.end(), m_exported.doubts.begin(), m_exported.doubts.end());
         std::set<std::int64_t> solved;
         std::set<std::int64_t> doubtful;
         for (const store::SolvedPhoto& photo : m_store.solvedPhotos(solution->id)) {

@@ -249,8 +249,11 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
     ExportReport report;
     const PhotosToExport exported = photosToExport(store);
     report.failed = static_cast<int>(exported.failed.size());
-    if (!exported.sentence.empty()) {
-        progress.warning(exported.sentence);
+    for (const std::string& doubt : exported.doubts) {
+        progress.warning(doubt);
+    }
+    if (exported.photos.empty() && !exported.failed.empty()) {
+        throw Error(ErrorKind::InvalidInput, text("Nothing can be exported. ", exported.doubts.front()));
     }
     dataset::Contents contents = contentsOf(store, exported.photos, report);
     const DepthCache cache(store, options);

@@ -21,6 +21,10 @@ Json sigmaJson(const align::SolvedPose& pose) {
             {"roll", Degrees(pose.sigmaRoll).value()}};
 }
 
+Json scaleJson(const std::optional<align::Scale>& scale) {
+    return scale ? Json{{"value", scale->value}, {"sigma", scale->sigma}} : Json();
+}
+
 Json toJson(const AlignedPhoto& photo) {
     Json json = {{"photo", photo.photo},          {"file", photo.file},      {"station", photo.station},
                  {"status", name(photo.quality)}, {"roomFromPhoto", Json()}, {"position_m", Json()},
@@ -129,6 +133,10 @@ Json toJson(const AlignReport& report) {
             {"cycle_error_deg", Degrees(Radians(alignment.cycleErrorRad)).value()},
             {"sigma_common_yaw_deg", sigmaDegrees(alignment.sigmaCommonYaw, isKnown)},
             {"sigma_common_lean_deg", sigmaDegrees(alignment.sigmaCommonLean, isKnown)},
+            {"tags_mirrored", report.tagFrame.isMirrored},
+            {"tags_y_over_x", scaleJson(report.tagFrame.yOverX)},
+            {"tags_scale", scaleJson(report.scale)},
+            {"tag_warnings", report.tagWarnings},
             {"trials", trialsJson(alignment)},
             {"warnings", alignment.warnings},
             {"photos", photos}};

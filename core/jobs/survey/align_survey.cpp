@@ -31,11 +31,6 @@ constexpr const char* kCacheFolder = "align-cache";
 /// What cameras say of their own tilt agrees with their pictures to about a degree.
 constexpr Degrees kStatedTiltSigma{1};
 constexpr Degrees kLevelledTiltSigma{0.5};
-/// Of a photo whose tag is wrong, about the place where its neighbours' directions meet. It must stay well
-/// below the distance to the neighbours: a pair that may share one place tells only how it is turned.
-constexpr double kFreeSigmaM = 0.05;
-constexpr double kFreeSigmaShare = 0.25; ///< Of the distance to the nearest photo at another place.
-constexpr double kOnePlaceM = 0.02;
 
 double secondsSince(SteadyClock::time_point begin) {
     return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -291,12 +286,16 @@ class AlignRun {
         const auto begin = SteadyClock::now();
         if (m_options.checksPositions) {
             m_progress.progress(0.86, "Checking the positions");
-            correctPositions();
+            m_report.tagFrame = align::tagFrame(m_priors, m_estimates);
+            tellOnePlace(align::photosAtOnePlace(m_priors, m_estimates), m_report);
+            if (!m_report.tagFrame.isMirrored) { // Else most photos would seem to be swapped.
+                correctPositions();
+            }
         }
         throwIfStopped(m_stop);
         m_tagged = m_priors;
         solvePoses(0.87, 0.94);
-        if (m_options.checksPositions && freeMoved()) {
+        if (m_options.checksPositions && !m_report.tagFrame.isMirrored && freeMoved()) {
             solvePoses(0.94, 0.98);
         }
         m_report.solveSeconds = secondsSince(begin);
@@ -333,12 +332,7 @@ class AlignRun {
     void free(std::size_t photo, const Eigen::Vector3d& nearM) {
         align::PhotoPrior& prior = m_priors.at(photo);
         prior.positionM.head<2>() = nearM.head<2>();
-        double sigmaM = kFreeSigmaM;
-        for (std::size_t i = 0; i < m_priors.size(); ++i) {
-            const double apartM = (m_priors[i].positionM - prior.positionM).norm();
-            sigmaM = i == photo || apartM < kOnePlaceM ? sigmaM : std::min(sigmaM, kFreeSigmaShare * apartM);
-        }
-        prior.positionSigmaM = std::max(sigmaM, m_options.positionSigmaM);
+        prior.positionSigmaM = std::max(freeSigmaM(m_priors, prior.positionM), m_options.positionSigmaM);
         prior.placement = -1;
         m_report.photos.at(photo).freeSigmaM = prior.positionSigmaM;
     }
@@ -369,8 +363,11 @@ class AlignRun {
         for (const align::SolvedPose& pose : poses) {
             solved.push_back(pose.isSolved ? std::optional(pose.roomFromPhoto) : std::nullopt);
         }
-        for (const align::ChangedContent& changed :
-             align::changedContent(solved, m_pairs, align::fittingMatches(solved, m_pairs))) {
+        const std::vector<std::vector<bool>> fitting = align::fittingMatches(solved, m_pairs);
+        if (m_options.checksPositions) {
+            m_report.scale = align::scaleByFloor(solved, m_pairs, fitting);
+        }
+        for (const align::ChangedContent& changed : align::changedContent(solved, m_pairs, fitting)) {
             AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(changed.photo));
             if (std::find(photo.flags.begin(), photo.flags.end(), changed.reason) == photo.flags.end()) {
                 photo.flags.push_back(changed.reason);
@@ -381,6 +378,7 @@ class AlignRun {
         tellForeignThings(m_store.photoFolder(), {readMask(m_options.mask), m_options.threads}, m_report,
                           searching, m_stop);
         giveVerdicts(m_tagged, m_report);
+        tellTagFrame(m_report);
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
             damaged.quality = survey::Quality::Failed;
@@ -412,7 +410,8 @@ class AlignRun {
             solved.flags = Json(photo.flags).dump();
             solution.photos.push_back(std::move(solved));
         }
-        if (solution.photos.empty()) {
+        // A mirrored survey is recorded: nothing of it shall be exported at places that are wrong.
+        if (solution.photos.empty() && !m_report.tagFrame.isMirrored) {
             m_progress.warning("No photo could be aligned, so no solution was recorded; see what is said of "
                                "each photo.");
             return;

@@ -82,6 +82,9 @@ class Reading {
         if (!report.isAbsent("warnings")) {
             m_findings.warnings = strings(report.member("warnings"));
         }
+        if (!report.isAbsent("tag_warnings")) {
+            m_findings.tagWarnings = strings(report.member("tag_warnings"));
+        }
         if (report.isAbsent("photos")) {
             return;
         }
@@ -170,15 +173,16 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
 }
 
 PhotosToExport photosToExport(const store::SurveyStore& store) {
+    PhotosToExport made;
     std::set<std::int64_t> failed;
     if (const auto findings = activeFindings(store)) {
+        made.doubts = findings->tagWarnings;
         for (const PhotoFinding& photo : findings->photos) {
             if (photo.quality == survey::Quality::Failed) {
                 failed.insert(photo.photo);
             }
         }
     }
-    PhotosToExport made;
     std::string names;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
         if (!failed.contains(photo.id)) {
@@ -190,9 +194,9 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
         made.failed.push_back(std::move(photo));
     }
     if (!made.failed.empty()) {
-        made.sentence = text(counted(made.failed.size(), "photo is", "photos are"),
-                             " left out, since the alignment found no pose that holds: ", names,
-                             ". Look at what the alignment says of each, mend it, and align again.");
+        made.doubts.push_back(text(counted(made.failed.size(), "photo is", "photos are"),
+                                   " left out, since the alignment found no pose that holds: ", names,
+                                   ". Look at what the alignment says of each, mend it, and align again."));
     }
     return made;
 }

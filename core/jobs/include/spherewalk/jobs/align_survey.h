@@ -4,12 +4,14 @@
 #include "spherewalk/align/foreign_check.h"
 #include "spherewalk/align/match_pairs.h"
 #include "spherewalk/align/solve.h"
+#include "spherewalk/align/tag_check.h"
 #include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/survey/shot.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -74,10 +76,13 @@ struct AlignReport {
     align::Effort effort = align::Effort::Normal;
     align::Alignment alignment; ///< Its photos have the order of `photos`.
     std::vector<AlignedPhoto> photos;
-    std::size_t features = 0;     ///< Sum over all photos.
-    int fromCache = 0;            ///< Number of photos whose features an earlier run has found.
-    std::size_t pairs = 0;        ///< Number of pairs that were compared.
-    std::size_t holdingPairs = 0; ///< Number of pairs that constrain the solution.
+    align::TagFrame tagFrame;             ///< Empty unless positions were checked, as the next two.
+    std::optional<align::Scale> scale;    ///< Length of the solved positions over their true length.
+    std::vector<std::string> tagWarnings; ///< Sentences on all tags at once; the alignment's warnings too.
+    std::size_t features = 0;             ///< Sum over all photos.
+    int fromCache = 0;                    ///< Number of photos whose features an earlier run has found.
+    std::size_t pairs = 0;                ///< Number of pairs that were compared.
+    std::size_t holdingPairs = 0;         ///< Number of pairs that constrain the solution.
     /// Number of comparisons with more effort than was asked for, because parts were not joined.
     std::size_t pairsTriedAgain = 0;
     /// Number of photos that were not searched for persons: their pose, or that of all photos near them, is
@@ -111,6 +116,16 @@ void tellForeignThings(const std::filesystem::path& folder, const align::Foreign
 /// Shape: tagged has one entry a photo.
 std::vector<std::size_t> movedPhotos(std::span<const align::PhotoPrior> tagged,
                                      const align::Alignment& alignment);
+
+/// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
+/// standard deviations of all places.
+void tellTagFrame(AlignReport& report);
+
+/// The standard deviation that the place of a photo with a wrong tag is solved with, about pM.
+double freeSigmaM(std::span<const align::PhotoPrior> photos, const Eigen::Vector3d& pM);
+
+/// Names both photos of each pair that was taken at one place.
+void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report);
 
 /// Fills in the pose, the status and the flags of all photos from the report's alignment. A photo is judged
 /// by its own turn against the others. What all photos share is said once, by the alignment's warnings. A

@@ -53,9 +53,10 @@ struct PhotoFinding {
 
 struct SolutionFindings {
     store::SolutionRecord solution;
-    std::string reason;                ///< Sentence that says why this model; empty if not known.
-    std::vector<std::string> warnings; ///< Sentences about the solution as a whole.
-    std::vector<PhotoFinding> photos;  ///< In walking order; photos that the survey lost are left out.
+    std::string reason;                   ///< Sentence that says why this model; empty if not known.
+    std::vector<std::string> warnings;    ///< Sentences about the solution as a whole.
+    std::vector<std::string> tagWarnings; ///< Those warnings that say that all tags are wrong.
+    std::vector<PhotoFinding> photos;     ///< In walking order; photos that the survey lost are left out.
 
     /// The moves that put every photo that fits another station there.
     std::vector<PhotoPlace> retags() const;
@@ -68,7 +69,7 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
 struct PhotosToExport {
     std::vector<store::PhotoRecord> photos;
     std::vector<store::PhotoRecord> failed;
-    std::string sentence; ///< Names those that failed; "" without any.
+    std::vector<std::string> doubts; ///< Sentences: what is wrong with all places, and which photos failed.
 };
 
 /// Errors: those of activeFindings().

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_survey.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+constexpr double kToldSigmas = 5;
+constexpr double kToldStretch = 0.04;
+constexpr double kToldScale = 0.05; ///< A lens whose height is off by 6 cm says as much.
+
+bool isOff(const std::optional<align::Scale>& scale, double told) {
+    return scale && std::abs(scale->value - 1) > std::max(told, kToldSigmas * scale->sigma);
+}
+
+std::string scaleText(const align::Scale& scale) {
+    return text(fixed(scale.value, 2), " +- ", fixed(scale.sigma, 2));
+}
+
+/// Of a photo whose tag is wrong, about the place where its neighbours' directions meet. It must stay well
+/// below the distance to the neighbours: a pair that may share one place tells only how it is turned.
+constexpr double kFreeSigmaM = 0.05;
+constexpr double kFreeSigmaShare = 0.25; ///< Of the distance to the nearest photo at another place.
+constexpr double kOnePlaceM = 0.02;
+
+/// Half the greatest distance of two photos.
+double reachM(const AlignReport& report) {
+    double farthestM = 0;
+    for (const AlignedPhoto& a : report.photos) {
+        for (const AlignedPhoto& b : report.photos) {
+            const double apartM =
+                (a.pose.roomFromPhoto.translation - b.pose.roomFromPhoto.translation).norm();
+            farthestM = std::max(farthestM, a.pose.isSolved && b.pose.isSolved ? apartM : 0);
+        }
+    }
+    return farthestM / 2;
+}
+
+void tell(const std::string& sentence, AlignReport& report) {
+    report.tagWarnings.push_back(sentence);
+    report.alignment.warnings.push_back(sentence);
+}
+
+} // namespace
+
+void tellTagFrame(AlignReport& report) {
+    if (report.tagFrame.isMirrored) {
+        tell("The position tags are mirrored: one axis points the wrong way, or x and y are exchanged. No "
+             "photo "
+             "is aligned; correct the axis in all positions, and align again.",
+             report);
+        for (AlignedPhoto& photo : report.photos) {
+            photo.quality = survey::Quality::Failed;
+            photo.cure = Cure::None;
+            photo.flags.clear();
+        }
+        return;
+    }
+    double off = 0;
+    if (isOff(report.tagFrame.yOverX, kToldStretch)) {
+        tell(text("The scale of the tags differs along the axes: against x, the tags are ",
+                  scaleText(*report.tagFrame.yOverX),
+                  " times as long along y as the photos show. Measure the steps along the rails and between "
+                  "them, correct the positions, and align again."),
+             report);
+        off = std::abs(report.tagFrame.yOverX->value - 1);
+    }
+    if (isOff(report.scale, kToldScale)) {
+        tell(
+            text("The scale of the tags is wrong, or the height of the lens: by the floor that the photos "
+                 "show, the tags lie ",
+                 scaleText(*report.scale),
+                 " times as far apart as the photos. Measure the rail's steps and the lens's height, correct "
+                 "what is wrong, and align again."),
+            report);
+        off = std::max(off, std::abs(report.scale->value - 1));
+    }
+    // Nothing tells which point of the room the wrong scale leaves in its place.
+    const double offM = off * reachM(report);
+    for (AlignedPhoto& photo : report.photos) {
+        photo.pose.sigmaPositionM = std::hypot(photo.pose.sigmaPositionM, offM);
+    }
+}
+
+double freeSigmaM(std::span<const align::PhotoPrior> photos, const Eigen::Vector3d& pM) {
+    double sigmaM = kFreeSigmaM;
+    for (const align::PhotoPrior& photo : photos) {
+        const double apartM = (photo.positionM - pM).norm();
+        sigmaM = apartM < kOnePlaceM ? sigmaM : std::min(sigmaM, kFreeSigmaShare * apartM);
+    }
+    return sigmaM;
+}
+
+void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report) {
+    for (const align::OnePlace& one : found) {
+        for (const auto& [own, other] : {std::pair(one.a, one.b), std::pair(one.b, one.a)}) {
+            report.photos.at(static_cast<std::size_t>(own))
+                .flags.push_back(text("It was taken at one place with ",
+                                      report.photos.at(static_cast<std::size_t>(other)).file,
+                                      ", though their tags lie ", fixed(one.tagsApartM, 2),
+                                      " m apart: the camera was not moved between them. Retake the one whose "
+                                      "tag is wrong."));
+        }
+    }
+}
+
+} // namespace spherewalk::jobs

@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surveys with wrong position tags, through the real command line: the table of resources/docs/testing.md.
+
+    python3 wrong_places.py CLI DATA [--surveys N] [--first SEED] [--kind KIND]
+
+DATA is a folder with photos of a grid of 20 cm, and their true poses in truth.json. Each seed makes one survey of the photos
+whose part is "dense" with one kind of fault, aligns and exports it, and compares the dataset with the truth. It needs ffmpeg,
+for blurred photos.
+"""
+
+import argparse
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+KINDS = ("off", "swap", "scale", "stretch", "mirror", "blur", "twice", "still", "none")
+SOLVED_M = 0.015
+WRONG_M = 0.030
+
+
+def run(*command):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    return done.returncode, done.stdout, done.stderr
+
+
+def headers(jpeg):
+    """The APP1 segments, which say how the camera leaned."""
+    at, found = 2, b""
+    while jpeg[at] == 0xFF and jpeg[at + 1] != 0xDA:
+        size = 2 + int.from_bytes(jpeg[at + 2:at + 4], "big")
+        found += jpeg[at:at + size] if jpeg[at + 1] == 0xE1 else b""
+        at += size
+    return found
+
+
+def blurred(source, target, width):
+    command = ["ffmpeg", "-v", "error", "-y", "-i", source, "-vf", f"avgblur=sizeX={width // 2}:sizeY=1", "-q:v", "2", target]
+    subprocess.run([str(part) for part in command], check=True)
+    jpeg = target.read_bytes()
+    target.write_bytes(jpeg[:2] + headers(source.read_bytes()) + jpeg[2:])
+
+
+class Survey:
+    """The photos with one fault. tags: file to position; places: file to where it was truly taken."""
+
+    def __init__(self, data, seed, kind, folder):
+        self.seed, self.kind, self.folder = seed, kind, folder
+        self.random = random.Random(seed)
+        photos = [photo for photo in json.loads((data / "truth.json").read_text())["photos"] if photo["part"] == "dense"]
+        self.truth = {pathlib.Path(photo["file"]).name: photo for photo in photos}
+        self.files = sorted(self.truth)
+        self.tags = {name: list(photo["nominal_position"]) for name, photo in self.truth.items()}
+        self.wrong = set()
+        # Every second survey has no plan that fits: no station lies where a wrong photo was taken.
+        self.rect, self.step = ([-0.3, -0.3, 1.1, 1.1], 0.2) if seed % 2 else ([5, 5, 7, 7], 0.5)
+        (folder / "in").mkdir()
+        for name in self.files:
+            (folder / "in" / name).write_bytes((data / "photos" / name).read_bytes())
+        getattr(self, "make_" + kind)(data)
+
+    def pick(self, count):
+        return self.random.sample(self.files, count)
+
+    def make_none(self, data):
+        pass
+
+    def make_off(self, data):
+        for name in self.pick(self.random.randint(1, 4)):
+            angle, length = self.random.uniform(0, 2 * math.pi), self.random.uniform(0.05, 0.3)
+            self.tags[name][0] += length * math.cos(angle)
+            self.tags[name][1] += length * math.sin(angle)
+            self.wrong.add(name)
+
+    def make_swap(self, data):
+        chosen = self.pick(2 * self.random.randint(1, 2))
+        for a, b in zip(chosen[::2], chosen[1::2]):
+            self.tags[a], self.tags[b] = self.tags[b], self.tags[a]
+        self.wrong.update(chosen)
+
+    def scaled(self, x, y):
+        self.scale = [x, y]
+        for tag in self.tags.values():
+            tag[0], tag[1] = tag[0] * x, tag[1] * y
+        self.rect = [-0.3, -0.3, 0.3 + 0.8 * x, 0.3 + 0.8 * y]
+        self.wrong.update(self.files)
+
+    def factor(self):
+        return self.random.choice([self.random.uniform(0.8, 0.92), self.random.uniform(1.08, 1.25)])
+
+    def make_scale(self, data):
+        factor = self.factor()
+        self.scaled(factor, factor)
+
+    def make_stretch(self, data):
+        factors = [self.factor(), 1]
+        self.random.shuffle(factors)
+        self.scaled(*factors)
+
+    def make_mirror(self, data):
+        way = self.random.choice(["x", "y", "swapped"])
+        for tag in self.tags.values():
+            if way == "swapped":
+                tag[0], tag[1] = tag[1], tag[0]
+            else:
+                axis = "xy".index(way)
+                tag[axis] = 0.8 - tag[axis]
+        self.wrong.update(self.files)
+
+    def make_blur(self, data):
+        self.blurred = set(self.pick(5))
+        for name in self.blurred:
+            blurred(data / "photos" / name, self.folder / "in" / name, 31)
+
+    def beside(self):
+        """Two photos of neighbouring stops; the second takes the first one's picture or place."""
+        first = self.random.choice([name for name in self.files if self.truth[name]["grid"][0] < 4])
+        i, j = self.truth[first]["grid"]
+        return first, next(name for name in self.files if self.truth[name]["grid"] == [i + 1, j])
+
+    def make_twice(self, data):
+        """One picture under two names: its second file has other bytes, as two shots from one place have."""
+        first, second = self.beside()
+        jpeg = (data / "photos" / first).read_bytes()
+        (self.folder / "in" / second).write_bytes(jpeg[:-2] + b"\xff\xfe\x00\x06seed" + jpeg[-2:])
+        self.truth[second] = self.truth[first]
+        self.pair = {first, second}
+        self.wrong.add(second)
+
+    def make_still(self, data):
+        """The cart was not moved: another picture of one place, a little darker and of other noise."""
+        first, second = self.beside()
+        command = ["ffmpeg", "-v", "error", "-y", "-i", data / "photos" / first, "-vf",
+                   f"eq=brightness=-0.02,noise=alls=6:allf=t:all_seed={self.seed}", "-q:v", "2", self.folder / "in" / second]
+        subprocess.run([str(part) for part in command], check=True)
+        jpeg = (self.folder / "in" / second).read_bytes()
+        own = headers((data / "photos" / first).read_bytes())
+        (self.folder / "in" / second).write_bytes(jpeg[:2] + own + jpeg[2:])
+        self.truth[second] = self.truth[first]
+        self.pair = {first, second}
+        self.wrong.add(second)
+
+
+def yaw_error_deg(quaternion, truth):
+    """The yaw of found * truth^-1 about the vertical."""
+    w, x, y, z = quaternion
+    a, b, c, d = truth[0], -truth[1], -truth[2], -truth[3]
+    turn = 2 * math.atan2(w * d + x * c - y * b + z * a, w * a - x * b - y * c - z * d)
+    return math.degrees(math.remainder(turn, 2 * math.pi))
+
+
+class Outcome:
+    """What align and export said and wrote of a survey."""
+
+    def __init__(self, survey, cli):
+        self.survey, folder = survey, survey.folder
+        rows = "".join(f"{name},{x:.4f},{y:.4f},{z:.4f}\n" for name, (x, y, z) in sorted(survey.tags.items()))
+        (folder / "places.csv").write_text("file,x_m,y_m,z_m\n" + rows)
+        where = folder / "s.spherewalk"
+        self.expect(run(cli, "new", where, "--rect", ",".join(map(str, survey.rect)), "--step", survey.step, "--ceiling", 2.6))
+        self.expect(run(cli, "import", where, "--photos", folder / "in", "--positions", folder / "places.csv"))
+        _, out, words = run(cli, "align", where, "--json")
+        self.align = json.loads(out)
+        self.align_words = " ".join(word for word in words.splitlines() if "%" not in word[-20:])
+        _, _, self.export_words = run(cli, "export", where, folder / "d")
+        file = folder / "d" / "dataset.json"
+        self.dataset = json.loads(file.read_text()) if file.exists() else {"photos": []}
+
+    @staticmethod
+    def expect(done):
+        if done[0] != 0:
+            sys.exit(f"A command failed: {done[2]}")
+
+    def name_of(self, file):
+        return pathlib.Path(file).name.split("_")[0].split(".")[0] + ".JPG"
+
+    def flags(self):
+        return {self.name_of(photo["file"]): photo["flags"] for photo in self.align["photos"]}
+
+    def whole(self):
+        return [sentence for sentence in self.align["warnings"] if "scale" in sentence or "mirrored" in sentence]
+
+    def exported(self):
+        for photo in self.dataset["photos"]:
+            yield self.name_of(photo["file"]), photo
+
+    def judge(self):
+        """Of each photo that is off: how far, and whether a sentence or its own deviation says so."""
+        self.errors, self.z_place, self.z_yaw, self.off = {}, [], [], []
+        yaws = {}
+        for name, photo in self.exported():
+            truth = self.survey.truth[name]
+            place = photo["position_m"]
+            error = math.dist(place[:2], truth["position"][:2])
+            sigma = (photo.get("position_sigma_m") or [0])[0]
+            self.errors[name] = (error, sigma)
+            rotation = photo.get("rotation_sigma_deg")
+            if rotation and photo["rotation_source"] == "aligned":
+                q = photo["room_from_photo"] if "room_from_photo" in photo else photo["rotation"]
+                q = [q[k] for k in ("w", "x", "y", "z")] if isinstance(q, dict) else q
+                yaws[name] = (yaw_error_deg(q, truth["quaternion_wxyz"]), rotation["yaw"])
+        if yaws:
+            common = sorted(error for error, _ in yaws.values())[len(yaws) // 2]
+            self.z_yaw = [(error - common) / sigma for error, sigma in yaws.values()]
+        if self.survey.kind not in ("scale", "stretch", "mirror"):
+            self.z_place = [error / math.sqrt(2) / sigma for error, sigma in self.errors.values() if sigma > 0]
+        return self
+
+    def told(self, name):
+        stem = name.split(".")[0]
+        return bool(self.flags().get(name)) or bool(self.whole()) or stem in self.align_words
+
+    def silent(self):
+        """Photos of the dataset that are far off, with nothing in the export's words and no deviation that says so."""
+        said = self.export_words
+        whole = "mirrored" in said or "scale" in said
+        return [name for name, (error, sigma) in self.errors.items()
+                if error > WRONG_M and not whole and name.split(".")[0] not in said and 3 * sigma < error]
+
+    def missed(self):
+        """Wrong photos that are neither solved nor named."""
+        kind = self.survey.kind
+        if kind in ("twice", "still"):
+            return [name for name in self.survey.pair if not self.flags().get(name)]
+        if kind in ("scale", "stretch", "mirror"):
+            return [] if self.whole() else ["the whole"]
+        return [name for name in self.survey.wrong
+                if not self.told(name) and self.errors.get(name, (1, 0))[0] > SOLVED_M]
+
+    def accused(self):
+        """Photos that are right, and are called wrong."""
+        right = set(self.survey.files) - self.survey.wrong - getattr(self.survey, "pair", set())
+        right -= getattr(self.survey, "blurred", set())
+        return [name for name in right if self.flags().get(name)]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("cli", type=pathlib.Path)
+    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("--surveys", type=int, default=50)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--kind", choices=KINDS)
+    parser.add_argument("--words", action="store_true", help="print what align and export said")
+    options = parser.parse_args()
+    z_place, z_yaw, bad = [], [], 0
+    for seed in range(options.first, options.first + options.surveys):
+        kind = options.kind or KINDS[seed % len(KINDS)]
+        with tempfile.TemporaryDirectory() as folder:
+            survey = Survey(options.data, seed, kind, pathlib.Path(folder))
+            outcome = Outcome(survey, options.cli.resolve()).judge()
+        places = [error for error, _ in outcome.errors.values()]
+        z_place += outcome.z_place
+        z_yaw += outcome.z_yaw
+        missed, silent, accused = outcome.missed(), outcome.silent(), outcome.accused()
+        bad += 1 if missed or silent else 0
+        print(f"{seed} {kind}: {len(places)} exported, worst {1000 * max(places, default=0):.0f} mm, "
+              f"worst z {max(map(abs, outcome.z_yaw), default=0):.1f} yaw {max(outcome.z_place, default=0):.1f} place, "
+              f"missed {missed}, silent {silent}, accused {accused}", flush=True)
+        if options.words:
+            print("  wrong:", {name: [round(v, 3) for v in survey.tags[name]] for name in sorted(survey.wrong)[:4]})
+            for name, (error, sigma) in sorted(outcome.errors.items()):
+                if error > 0.01:
+                    print(f"  {name} off {1000 * error:.0f} mm, sigma {1000 * sigma:.1f} mm")
+            for name, flags in sorted(outcome.flags().items()):
+                print("".join(f"  {name}: {flag}\n" for flag in flags), end="")
+            print("".join(f"  align: {sentence}\n" for sentence in outcome.align["warnings"]), end="")
+            print("".join(f"  export: {line}\n" for line in outcome.export_words.splitlines() if "%" not in line[:6]), end="")
+    print(f"{options.surveys} surveys, {bad} with something missed or silent")
+    for what, zs in (("yaw", z_yaw), ("place", z_place)):
+        share = sum(abs(z) <= 3 for z in zs) / max(1, len(zs))
+        print(f"z of {what} within 3: {100 * share:.1f} % of {len(zs)}, worst {max(map(abs, zs), default=0):.1f}")
+
+
+if __name__ == "__main__":
+    main()
