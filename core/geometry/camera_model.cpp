@@ -147,27 +147,32 @@ CameraModel::CameraModel(CameraIntrinsics intrinsics) : m_intrinsics(std::move(i
     }
 }
 
-/// Whether a pixel has a ray, of some all over the picture and some about the principal point. The principal
-/// point alone tells nothing: its ray is the axis, whatever the distortion.
+/// Whether a place of the picture has a ray: of some all over it, and of the pixels about the principal
+/// point. That point alone tells nothing: its ray is the axis, whatever the distortion.
 bool CameraModel::seesAnything() const {
+    if (m_intrinsics.lens == LensModel::Pinhole) {
+        return true;
+    }
     const Vector2d principal(m_intrinsics.cx, m_intrinsics.cy);
     const Vector2d last(width() - 1, height() - 1);
-    bool isAsked = false;
-    const auto sees = [&](const Vector2d& pixel) {
-        const bool isInside = (pixel.array() >= 0).all() && (pixel.array() <= last.array()).all();
-        const bool isTold = isInside && (pixel - principal).norm() > 1;
-        isAsked |= isTold;
-        return isTold && ray(pixel).has_value();
-    };
     constexpr int kSteps = 16;
-    for (int i = 0; i < kSteps * kSteps && m_intrinsics.lens != LensModel::Pinhole; ++i) {
-        const Vector2d share((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
-        const Vector2d beside(4 * (i % 2) - 2, i % 4 - 1.5);
-        if (sees(principal + beside) || sees(last.cwiseProduct(share))) {
-            return true;
-        }
+    constexpr int kAbout = 4;
+    constexpr double kBesideAxisPx = 0.25;
+    std::vector<Vector2d> places;
+    for (int i = 0; i < kAbout * kAbout; ++i) {
+        const Vector2d first = principal.array().floor() - 1;
+        places.emplace_back(first + Vector2d(i % kAbout, i / kAbout));
     }
-    return !isAsked;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const Vector2d share((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
+        places.emplace_back(last.cwiseProduct(share));
+    }
+    std::erase_if(places, [&](const Vector2d& place) {
+        return (place.array() < 0).any() || (place.array() > last.array()).any() ||
+               (place - principal).norm() < kBesideAxisPx;
+    });
+    return places.empty() || std::any_of(places.begin(), places.end(),
+                                         [&](const Vector2d& place) { return ray(place).has_value(); });
 }
 
 double CameraModel::radialFactor(double r2) const {

@@ -168,6 +168,12 @@ TEST(CameraModel, ProjectsAsOpenCvDoes) {
     }
 }
 
+TEST(CameraModel, TakesALensThatSeesOnlyThePixelsBesideItsAxis) {
+    CameraIntrinsics narrow{3, 70, 0.495, 0.495, 1, 34.5, LensModel::Equidistant, {0.01, -0.01, 0, 0}};
+    EXPECT_TRUE(CameraModel(narrow).ray({1, 34}).has_value());
+    EXPECT_FALSE(CameraModel(narrow).ray({1, 30}).has_value());
+}
+
 TEST(CameraModel, RefusesALensThatSeesNothing) {
     for (const auto& [lens, distortion] :
          {std::pair(LensModel::PlumbBob, std::vector<double>{1e300, 0, 0, 0, 0}),
