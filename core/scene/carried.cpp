@@ -39,6 +39,7 @@ constexpr std::size_t kFewestAzimuths = 10; ///< With an edge; fewer come by cha
 constexpr double kMarginRad = 2.1 * kPi / 180;
 constexpr double kFadeRad = 1.0 * kPi / 180;
 constexpr std::size_t kSmoothing = 2;      ///< Azimuths to either side that count.
+constexpr std::size_t kDent = 7;           ///< The same for dents, of which this is half the width.
 constexpr double kLeastShare = 0.001;      ///< Of the sphere; less is not worth a new picture.
 constexpr double kLowestWithoutWalls = 15; ///< Degrees below the horizon.
 constexpr std::size_t kColours = 3;        ///< Photos that give the colour of a place.
@@ -213,23 +214,28 @@ bool areInLine(std::span<const PosedPicture> photos) {
            kLeastSpreadM * kLeastSpreadM;
 }
 
-/// The median of each angle and those beside it, so that no single edge makes a spike; and then the greatest
-/// of those beside it, so that no corner looks out.
+/// The quantile of each angle and so many to either side.
+std::array<float, CarriedThings::kAzimuths>
+quantilesAbout(const std::array<float, CarriedThings::kAzimuths>& of, std::size_t reach, double share) {
+    constexpr auto kAll = static_cast<std::size_t>(CarriedThings::kAzimuths);
+    std::array<float, kAll> result{};
+    for (std::size_t i = 0; i < kAll; ++i) {
+        std::vector<float> beside;
+        for (std::size_t k = kAll - reach; k <= kAll + reach; ++k) {
+            beside.push_back(of[(i + k) % kAll]);
+        }
+        result[i] = quantileInPlace(beside, share);
+    }
+    return result;
+}
+
+/// The median, so that no single edge makes a spike. Then narrow dents are closed, where the floor happens to
+/// look like the cart. At last the greatest of those beside, so that no corner looks out.
 std::array<float, CarriedThings::kAzimuths>
 smoothed(const std::array<float, CarriedThings::kAzimuths>& from) {
-    constexpr auto kAll = static_cast<std::size_t>(CarriedThings::kAzimuths);
-    const auto quantiles = [](const std::array<float, kAll>& of, double quantile) {
-        std::array<float, kAll> result{};
-        for (std::size_t i = 0; i < kAll; ++i) {
-            std::vector<float> beside;
-            for (std::size_t k = kAll - kSmoothing; k <= kAll + kSmoothing; ++k) {
-                beside.push_back(of[(i + k) % kAll]);
-            }
-            result[i] = quantileInPlace(beside, quantile);
-        }
-        return result;
-    };
-    return quantiles(quantiles(from, 0.5), 1);
+    const auto closed =
+        quantilesAbout(quantilesAbout(quantilesAbout(from, kSmoothing, 0.5), kDent, 1), kDent, 0);
+    return quantilesAbout(closed, kSmoothing, 1);
 }
 
 /// The place of the room in a direction of the photo; nothing where the room is not known.

@@ -47,7 +47,34 @@ void CaptureRun::begin() {
     for (const camera::ShotOutcome& outcome : m_capture.settle(m_stop)) {
         account(outcome);
     }
+    judgeFetched();
     m_fetcher->wake();
+}
+
+/// An earlier run may have been stopped after it fetched a photo and before it judged it.
+void CaptureRun::judgeFetched() {
+    const std::vector<store::PhotoRecord> unjudged = m_store.use([](const store::SurveyStore& survey) {
+        std::vector<store::PhotoRecord> photos = survey.keptPhotos();
+        std::erase_if(photos, [&](const store::PhotoRecord& photo) {
+            return survey.verdict(photo.id).has_value() || !survey.shotOf(photo.id);
+        });
+        return photos;
+    });
+    for (const store::PhotoRecord& photo : unjudged) {
+        const photo::Verdict verdict = m_judge.judge(photo.id, m_stop);
+        const store::StationRecord station =
+            m_store.use([&](const store::SurveyStore& survey) { return survey.station(photo.station); });
+        const std::scoped_lock lock(m_mutex);
+        tellIfFlawed(station.name, verdict);
+    }
+}
+
+/// Range: while m_mutex is held.
+void CaptureRun::tellIfFlawed(const std::string& station, const photo::Verdict& verdict) {
+    if (verdict.quality() != survey::Quality::Good) {
+        m_progress.warning(text(station, " is ", name(verdict.quality()), ": ", verdict.sentence()));
+        m_report.flawed.push_back({station, verdict});
+    }
 }
 
 bool CaptureRun::isOnItsWay(std::int64_t station) const {
@@ -235,10 +262,7 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     m_report.notCompared += verdict->isCompared ? 0 : 1;
     m_report.contentNotCompared += verdict->isContentCompared ? 0 : 1;
     m_report.resumed += outcome.shot.id <= m_lastEarlierShot ? 1 : 0;
-    if (verdict->quality() != survey::Quality::Good) {
-        m_progress.warning(text(station.name, " is ", name(verdict->quality()), ": ", verdict->sentence()));
-        m_report.flawed.push_back({station.name, *verdict});
-    }
+    tellIfFlawed(station.name, *verdict);
 }
 
 CaptureSurveyReport CaptureRun::finish() {

@@ -113,6 +113,8 @@ class CaptureRun {
     void warn(const std::vector<std::string>& sentences);
     std::optional<photo::Verdict> judged(const camera::ShotOutcome& outcome);
     void account(const camera::ShotOutcome& outcome, bool isTold = false);
+    void judgeFetched();
+    void tellIfFlawed(const std::string& station, const photo::Verdict& verdict);
 
     SharedStore& m_store;
     Operator& m_people;

@@ -5,6 +5,7 @@
 #include "spherewalk/jobs/follow_positions.h"
 
 #include <gmock/gmock.h>
+#include <sqlite3.h>
 
 #include <deque>
 
@@ -53,6 +54,24 @@ TEST_F(CapturePipeline, WhatWasTakenBeforeAStopIsFetchedByTheNextRun) {
     const CaptureSurveyReport report = capture(cart);
     EXPECT_EQ(report.remaining, 0);
     EXPECT_EQ(cart.exposures, static_cast<int>(m_stations.size()));
+    expectAllPhotosAreWhereTheyBelong();
+}
+
+TEST_F(CapturePipeline, APhotoThatARunFetchedAndDidNotJudgeIsJudgedByTheNextRun) {
+    Cart cart(endpoint());
+    capture(cart);
+    const std::filesystem::path folder = m_store->folder();
+    m_store.reset();
+    // As if the run had been stopped between the two.
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((folder / "survey.sqlite").c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(database, "DELETE FROM verdict WHERE photo = 2", nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    ASSERT_EQ(sqlite3_changes(database), 1);
+    sqlite3_close(database);
+    m_store = std::make_unique<store::SurveyStore>(store::SurveyStore::open(folder, store::Access::Write));
+    EXPECT_FALSE(m_store->verdict(2));
+    EXPECT_EQ(capture(cart).taken, 0);
     expectAllPhotosAreWhereTheyBelong();
 }
 
