@@ -164,8 +164,8 @@ bool CameraModel::seesAnything() const {
         places.emplace_back(first + Vector2d(i % kAbout, i / kAbout));
     }
     for (int i = 0; i < kSteps * kSteps; ++i) {
-        const Vector2d share((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps);
-        places.emplace_back(last.cwiseProduct(share));
+        const Vector2d cell(i % kSteps, i / kSteps);
+        places.emplace_back(last.array() * (cell.array() + 0.5) / kSteps);
     }
     std::erase_if(places, [&](const Vector2d& place) {
         return (place.array() < 0).any() || (place.array() > last.array()).any() ||
