@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
+#include "pdf_reading.h"
 #include "random.h"
 #include "temporary_folder.h"
 
@@ -39,10 +40,6 @@ std::size_t count(std::string_view all, std::string_view part) {
     return found;
 }
 
-std::size_t pageCount(const Bytes& pdf) {
-    return count(textOf(pdf), "/Type /Page") - count(textOf(pdf), "/Type /Pages"); // the latter is their list
-}
-
 } // namespace
 
 TEST(Document, BecomesTheSamePdfEachTime) {
@@ -53,8 +50,8 @@ TEST(Document, BecomesTheSamePdfEachTime) {
 }
 
 TEST(Document, GoesOnOnFurtherPages) {
-    EXPECT_EQ(pageCount(pdf(ofEverything(3))), 1U);
-    EXPECT_GT(pageCount(pdf(ofEverything(200))), 3U);
+    EXPECT_EQ(test::pageCount(pdf(ofEverything(3))), 1U);
+    EXPECT_GT(test::pageCount(pdf(ofEverything(200))), 3U);
 }
 
 TEST(Document, RefusesADrawingThatIsNone) {
@@ -148,10 +145,10 @@ TEST(Document, KeepsAHeadingWithWhatFollowsIt) {
         for (int i = 0; i < paragraphs; ++i) {
             document.blocks.emplace_back(Paragraph{"p"});
         }
-        const std::size_t without = pageCount(pdf(document));
+        const std::size_t without = test::pageCount(pdf(document));
         document.blocks.emplace_back(Heading{"H"});
         document.blocks.emplace_back(Drawing{kTall});
-        const std::size_t with = pageCount(pdf(document));
+        const std::size_t with = test::pageCount(pdf(document));
         EXPECT_LE(with, without + 1) << paragraphs;
         EXPECT_GE(with, without) << paragraphs;
     }
@@ -163,7 +160,7 @@ TEST(Document, SetsAWideTableOnThePage) {
         wide.titles.push_back("a long title " + std::to_string(i));
     }
     wide.rows.push_back(wide.titles);
-    EXPECT_EQ(pageCount(pdf({"T", {wide}})), 1U);
+    EXPECT_EQ(test::pageCount(pdf({"T", {wide}})), 1U);
 }
 
 } // namespace spherewalk::report

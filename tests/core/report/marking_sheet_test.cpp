@@ -31,19 +31,6 @@ Bytes sheetAt(double stepM) {
     return markingSheet("lab", sheetRoom(), options, survey::plan(sheetRoom(), options));
 }
 
-int occurrences(std::string_view text, std::string_view part) {
-    int found = 0;
-    for (std::size_t at = 0; (at = text.find(part, at)) != std::string_view::npos; ++at) {
-        ++found;
-    }
-    return found;
-}
-
-int sheetPages(const Bytes& pdf) {
-    return occurrences(textOf(pdf), "/Type /Page") -
-           occurrences(textOf(pdf), "/Type /Pages"); // the latter is their list
-}
-
 constexpr double kLineMm = 0.03; ///< Coordinates in a PDF are rounded.
 
 bool isAt(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -299,11 +286,11 @@ TEST(MarkingSheet, HasItsPlanAsTheRoomLiesAndItsTablesUpright) {
 TEST(MarkingSheet, IsAPdfWithThePlanAndATable) {
     const Bytes pdf = sheetAt(0.6);
     EXPECT_TRUE(textOf(pdf).starts_with("%PDF-"));
-    EXPECT_EQ(sheetPages(pdf), 2);
+    EXPECT_EQ(test::pageCount(pdf), 2U);
 }
 
 TEST(MarkingSheet, BreaksALongTableIntoPages) {
-    EXPECT_GT(sheetPages(sheetAt(0.2)), 3);
+    EXPECT_GT(test::pageCount(sheetAt(0.2)), 3U);
 }
 
 TEST(MarkingSheet, IsTheSameForTheSamePlan) {

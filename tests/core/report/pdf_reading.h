@@ -284,4 +284,10 @@ class PdfReading {
     QPDF m_pdf;
 };
 
+inline std::size_t pageCount(const Bytes& pdf) {
+    QPDF document;
+    document.processMemoryFile("the PDF", reinterpret_cast<const char*>(pdf.data()), pdf.size());
+    return QPDFPageDocumentHelper(document).getAllPages().size();
+}
+
 } // namespace spherewalk::test
