@@ -17,10 +17,10 @@ void RenderOptions::declare(const Command& command, const std::string& datasetHe
         .among({"none", "sphere", "room", "depth", "blend", "auto"})
         .showDefault();
     command
-        .option(
-            "--sampling", m_sampling,
-            "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic, or auto")
-        .among({"nearest", "bilinear", "reduced", "footprint", "bicubic", "auto"})
+        .option("--sampling", m_sampling,
+                "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic; best "
+                "(bicubic where the photo is magnified, else footprint); or auto")
+        .among({"nearest", "bilinear", "reduced", "footprint", "bicubic", "best", "auto"})
         .showDefault();
     command.option("--threads", m_threads, "Threads to render with; 0: all").range(0, 1024).showDefault();
     command.flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");

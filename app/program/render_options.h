@@ -51,7 +51,7 @@ class RenderOptions {
     std::string m_camera;
     std::string m_frame = "optical";
     std::string m_scene = "auto";
-    std::string m_sampling = "footprint";
+    std::string m_sampling = "best";
     int m_threads = 0;
     bool m_noVerify = false;
 };

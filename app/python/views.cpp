@@ -160,7 +160,7 @@ std::vector<Overlay> overlaysFrom(const py::object& overlays, const CameraIntrin
 void bindViewOptions(py::module_& module) {
     py::class_<ViewOptions>(module, "ViewOptions", "How views are made. Immutable; use it for many views.")
         .def(
-            py::init(&optionsOf), py::kw_only(), py::arg("scene") = "auto", py::arg("sampling") = "footprint",
+            py::init(&optionsOf), py::kw_only(), py::arg("scene") = "auto", py::arg("sampling") = "best",
             py::arg("tolerance_db") = 40.0, py::arg("threads") = 0, py::arg("exact") = false,
             py::arg("depth") = false, py::arg("trust") = false, py::arg("without") = py::none(),
             py::arg("correct_colour") = true, py::arg("overlay_tolerance_m") = 0.005,
@@ -168,7 +168,8 @@ void bindViewOptions(py::module_& module) {
             "scene: for places between photos, \"none\", \"sphere\", \"room\", \"depth\", or \"auto\" (what "
             "the "
             "dataset chose, else the best that it has); sampling: \"nearest\", \"bilinear\", \"reduced\", "
-            "\"footprint\", \"bicubic\", or \"auto\" (the cheapest that is expected to be within "
+            "\"footprint\", \"bicubic\", \"best\" (bicubic where the photo is magnified, else footprint), or "
+            "\"auto\" (the cheapest that is expected to be within "
             "tolerance_db); "
             "threads: 0 for all that the machine has, the pixels are the same for any number; exact: every "
             "pixel "

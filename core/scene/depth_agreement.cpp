@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plane_filters.h"
 #include "small_surfaces.h"
+#include "vector_math.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/statistics.h"
-#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/scene/depth_sweep.h"
 
@@ -18,8 +18,8 @@ namespace spherewalk::scene {
 
 namespace {
 
-constexpr double kShare = 0.015;  ///< Share of 1 / distance by which two depths may differ.
-constexpr double kPixels = 0.75;  ///< Parallax in pixels by which two depths may differ.
+constexpr float kShare = 0.015F;  ///< Share of 1 / distance by which two depths may differ.
+constexpr float kPixels = 0.75F;  ///< Parallax in pixels by which two depths may differ.
 constexpr int kUsualWidth = 1024; ///< Numbers of pixels below are for depths of this width.
 constexpr int kBeside = 2;        ///< Half the sides of the squares in which confirmed pixels are counted.
 constexpr int kAbout = 10;
@@ -34,37 +34,44 @@ constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth 
 constexpr float kNearestM = 0.2F;
 constexpr float kFarthestM = 100;
 
-/// Whether the neighbour's depth says the same of the point.
-bool agrees(const Eigen::Vector3d& pInRoom, const PosedDepth& neighbour, double baselineM) {
-    const Image<float, 1>& inverse = neighbour.depth->inverseM;
-    const Eigen::Vector3d ray =
-        neighbour.roomFromPhoto.rotation.conjugate() * (pInRoom - neighbour.roomFromPhoto.translation);
-    const double expected = 1 / std::max(1e-6, ray.norm());
-    const Eigen::Vector2d at = pixel({inverse.width(), inverse.height()}, ray);
-    const int x = static_cast<int>(std::floor(at.x() + 0.5)) % inverse.width();
-    const int y = std::clamp(static_cast<int>(std::floor(at.y() + 0.5)), 0, inverse.height() - 1);
-    const double pixelRad = 2 * std::numbers::pi / inverse.width();
-    return std::abs(*inverse.at(x, y) - expected) < kShare * expected + kPixels * pixelRad / baselineM;
+/// Marks in a row what the neighbour gives the same distance to. neighbourFromPhoto: moves points of the
+/// photo.
+void markConfirmed(const Plane& inverseM, const PixelAngles& angles, int y, const Rigid3& neighbourFromPhoto,
+                   const Plane& neighbourInverseM, std::uint8_t* marks) {
+    const Eigen::Matrix3f turn = neighbourFromPhoto.rotation.toRotationMatrix().cast<float>();
+    const Eigen::Vector3f offset = neighbourFromPhoto.translation.cast<float>();
+    const int width = inverseM.width();
+    const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(width);
+    const float parallax = kPixels * pixelRad / std::max(offset.norm(), 1e-3F);
+    const auto row = static_cast<std::size_t>(y);
+    const Eigen::Vector3f forward = angles.cosElevation[row] * turn.col(0);
+    const Eigen::Vector3f left = angles.cosElevation[row] * turn.col(1);
+    const Eigen::Vector3f up = angles.sinElevation[row] * turn.col(2);
+    for (int x = 0; x < width; ++x) {
+        const auto column = static_cast<std::size_t>(x);
+        const Eigen::Vector3f ray =
+            angles.cosAzimuth[column] * forward + angles.sinAzimuth[column] * left + up;
+        const Eigen::Vector3f point = ray / *inverseM.at(x, y) + offset;
+        const float expected = 1 / std::max(1e-6F, point.norm());
+        const FastPixel at = fastPixel(point.x(), point.y(), point.z(), static_cast<float>(width));
+        const int atX = static_cast<int>(at.u + 0.5F) % width;
+        const int atY = std::min(static_cast<int>(at.v + 0.5F), neighbourInverseM.height() - 1);
+        const bool agrees =
+            std::fabs(*neighbourInverseM.at(atX, atY) - expected) < kShare * expected + parallax;
+        marks[x] = agrees ? 255 : marks[x];
+    }
 }
 
 /// Where a neighbour says the same.
 MaskImage confirmed(const PosedDepth& photo, std::span<const PosedDepth> neighbours, int threads) {
-    const PhotoDepth& depth = *photo.depth;
-    const EquirectSize size{depth.inverseM.width(), depth.inverseM.height()};
-    const auto isConfirmed = [&](int x, int y) {
-        const Eigen::Vector3d point = photo.roomFromPhoto * (direction(size, Eigen::Vector2d(x, y)) /
-                                                             static_cast<double>(*depth.inverseM.at(x, y)));
-        return std::any_of(neighbours.begin(), neighbours.end(), [&](const PosedDepth& neighbour) {
-            const double baselineM =
-                (neighbour.roomFromPhoto.translation - photo.roomFromPhoto.translation).norm();
-            return agrees(point, neighbour, std::max(baselineM, 1e-3));
-        });
-    };
-    MaskImage result(size.width, size.height);
-    parallelFor(size.height, 8, threads, [&](int begin, int end) {
+    const Plane& inverseM = photo.depth->inverseM;
+    const PixelAngles angles(inverseM.width());
+    MaskImage result(inverseM.width(), inverseM.height());
+    parallelFor(result.height(), 8, threads, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            for (int x = 0; x < size.width; ++x) {
-                *result.at(x, y) = isConfirmed(x, y) ? 255 : 0;
+            for (const PosedDepth& neighbour : neighbours) {
+                markConfirmed(inverseM, angles, y, neighbour.roomFromPhoto.inverse() * photo.roomFromPhoto,
+                              neighbour.depth->inverseM, result.at(0, y));
             }
         }
     });

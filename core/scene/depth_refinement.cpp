@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace spherewalk::scene {
@@ -22,19 +21,6 @@ constexpr float kFilterSmoothness = 3e-4F;
 constexpr float kNearestM = 0.05F;
 constexpr float kBetter = 0.5F; ///< By how much another distance must fit better to be taken.
 constexpr float kTexture = 6; ///< Grey levels; with less the pictures tell no distance. A standard deviation.
-
-/// Cosine and sine of angles that begin at a half step and go down evenly.
-struct Angles {
-    Angles(double first, double step, int count) {
-        for (int i = 0; i < count; ++i) {
-            cosines.push_back(static_cast<float>(std::cos(first - step * (i + 0.5))));
-            sines.push_back(static_cast<float>(std::sin(first - step * (i + 0.5))));
-        }
-    }
-
-    std::vector<float> cosines;
-    std::vector<float> sines;
-};
 
 /// Marks a point in a plane of 1 / distance. A point covers two by two pixels, so that a surface has no
 /// holes. The nearest point wins.
@@ -56,18 +42,17 @@ Plane seenFromPhoto(const KnownPhoto& photo, const KnownPhoto& neighbour) {
     const Rigid3 photoFromNeighbour = photo.photo.roomFromPhoto.inverse() * neighbour.photo.roomFromPhoto;
     const Eigen::Matrix3f turn = photoFromNeighbour.rotation.toRotationMatrix().cast<float>();
     const Eigen::Vector3f offset = photoFromNeighbour.translation.cast<float>();
-    const double step = 2 * std::numbers::pi / result.width();
-    const Angles azimuths(std::numbers::pi, step, result.width());
-    const Angles elevations(std::numbers::pi / 2, step, result.height());
+    const PixelAngles angles(result.width());
     for (int y = 0; y < result.height(); ++y) {
         const auto row = static_cast<std::size_t>(y);
-        const Eigen::Vector3f x = elevations.cosines[row] * turn.col(0);
-        const Eigen::Vector3f left = elevations.cosines[row] * turn.col(1);
-        const Eigen::Vector3f up = elevations.sines[row] * turn.col(2);
+        const Eigen::Vector3f x = angles.cosElevation[row] * turn.col(0);
+        const Eigen::Vector3f left = angles.cosElevation[row] * turn.col(1);
+        const Eigen::Vector3f up = angles.sinElevation[row] * turn.col(2);
         for (int i = 0; i < result.width(); ++i) {
             if (*depth.sure.at(i, y) != 0) {
                 const auto column = static_cast<std::size_t>(i);
-                const Eigen::Vector3f ray = azimuths.cosines[column] * x + azimuths.sines[column] * left + up;
+                const Eigen::Vector3f ray =
+                    angles.cosAzimuth[column] * x + angles.sinAzimuth[column] * left + up;
                 splat(ray / *depth.inverseM.at(i, y) + offset, result);
             }
         }

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace spherewalk::scene {
 
@@ -31,7 +33,71 @@ float leastBetween(float before, float here, float after) {
     return bend > 0 ? 0.5F * (before - after) / bend : 0;
 }
 
-/// One photo's sweep. The inverse distances tried are evenly spread.
+/// The inverse distances that are tried, from endless to near. With each step, what lies across the way to a
+/// neighbour moves in the neighbour's picture, by the same angle in the one where it moves most.
+class TriedDistances {
+  public:
+    TriedDistances(std::vector<double> baselinesM, const SweepOptions& options)
+        : m_baselinesM(std::move(baselinesM)) {
+        const double beside = *std::min_element(m_baselinesM.begin(), m_baselinesM.end());
+        const double most =
+            1 / std::clamp(beside, options.nearestM, std::max(options.nearestM, kUsualNearestM));
+        m_stepRad = options.stepPx * 2 * std::numbers::pi / options.coarseWidth;
+        for (place(most); count() > options.distances; place(most)) {
+            m_stepRad *= 1.01 * count() / options.distances;
+        }
+    }
+
+    int count() const { return static_cast<int>(m_inverse.size()); }
+
+    /// 1 / distance at a place, which may lie between two tried ones. Range: from 0 to count() - 1.
+    float inverse(float place) const {
+        const auto before = std::min(static_cast<std::size_t>(place), m_inverse.size() - 2);
+        const float share = place - static_cast<float>(before);
+        return m_inverse[before] + share * (m_inverse[before + 1] - m_inverse[before]);
+    }
+
+    /// The change of 1 / distance from one tried distance to the next, at a 1 / distance.
+    float stepAt(float inverse) const { return static_cast<float>(m_stepRad) / anglePer(inverse); }
+
+  private:
+    static constexpr float kLeastBaselineM = 1e-3F;
+    static constexpr double kUsualNearestM =
+        0.45; ///< Neighbours farther away than that do not see nearer things.
+    static constexpr std::size_t kFewest = 3;
+
+    /// By how much a thing moves in the picture where it moves most, in radians for a change of 1 / distance.
+    float anglePer(float inverse) const {
+        float most = 0;
+        for (const double baseline : m_baselinesM) {
+            const float baselineM = std::max(kLeastBaselineM, static_cast<float>(baseline));
+            const float across = inverse * baselineM;
+            most = std::max(most, baselineM / (1 + across * across));
+        }
+        return most;
+    }
+
+    void place(double most) {
+        m_inverse.assign(1, kLeastInverseM);
+        while (m_inverse.back() < static_cast<float>(most) || m_inverse.size() < kFewest) {
+            m_inverse.push_back(m_inverse.back() + stepAt(m_inverse.back()));
+        }
+    }
+
+    std::vector<double> m_baselinesM;
+    double m_stepRad = 0;
+    std::vector<float> m_inverse;
+};
+
+std::vector<double> baselines(const PosedPicture& photo, std::span<const PosedPicture> neighbours) {
+    std::vector<double> result;
+    for (const PosedPicture& other : neighbours) {
+        result.push_back((other.roomFromPhoto.translation - photo.roomFromPhoto.translation).norm());
+    }
+    return result;
+}
+
+/// One photo's sweep.
 class Sweep {
   public:
     Sweep(const PosedPicture& photo, std::span<const PosedPicture> neighbours, const SweepOptions& options,
@@ -40,9 +106,7 @@ class Sweep {
           m_neighbours(neighbours),
           m_options(options),
           m_stop(stop),
-          m_farthest(static_cast<float>(1 / options.farthestM)),
-          m_step(
-              static_cast<float>((1 / options.nearestM - 1 / options.farthestM) / (options.distances - 1))),
+          m_distances(baselines(photo, neighbours), options),
           m_evident(options.width, options.width / 2) {
         std::fill(m_evident.values().begin(), m_evident.values().end(), std::uint8_t{255});
         const Eigen::Matrix3d roomFromPhoto = photo.roomFromPhoto.rotation.toRotationMatrix();
@@ -54,7 +118,7 @@ class Sweep {
 
     PhotoDepth run() {
         Plane inverse = coarse();
-        float step = m_step;
+        float step = 1;
         for (int width = 2 * m_options.coarseWidth; width <= m_options.width; width *= 2) {
             step *= 0.5F;
             inverse = finer(inverse, width, step);
@@ -69,7 +133,7 @@ class Sweep {
     }
 
     CostVolume<std::uint8_t> volume(const SweepCost& cost) const {
-        CostVolume<std::uint8_t> volume(cost.width(), cost.height(), m_options.distances);
+        CostVolume<std::uint8_t> volume(cost.width(), cost.height(), m_distances.count());
         parallelFor(cost.height(), 2, m_options.threads, [&](int begin, int end) {
             throwIfStopped(m_stop);
             SweepCost::Scratch scratch(cost);
@@ -77,12 +141,12 @@ class Sweep {
             std::vector<float> inverse(width);
             std::vector<float> costs(width);
             for (int y = begin; y < end; ++y) {
-                for (int d = 0; d < m_options.distances; ++d) {
-                    std::fill(inverse.begin(), inverse.end(), m_farthest + static_cast<float>(d) * m_step);
+                for (int d = 0; d < volume.distances; ++d) {
+                    std::fill(inverse.begin(), inverse.end(), m_distances.inverse(static_cast<float>(d)));
                     cost.row(y, inverse.data(), scratch, costs.data());
                     std::uint8_t* out = volume.at(0, y) + d;
                     for (std::size_t x = 0; x < width; ++x) {
-                        out[x * static_cast<std::size_t>(m_options.distances)] =
+                        out[x * static_cast<std::size_t>(volume.distances)] =
                             static_cast<std::uint8_t>(kBytesPerCost * costs[x]);
                     }
                 }
@@ -104,7 +168,7 @@ class Sweep {
                 if (best > 0 && best + 1 < sums.distances) {
                     place += leastBetween(at[best - 1], at[best], at[best + 1]);
                 }
-                *inverse.at(x, y) = m_farthest + place * m_step;
+                *inverse.at(x, y) = m_distances.inverse(place);
             }
         }
         return median3x3(inverse, m_options.threads);
@@ -167,6 +231,7 @@ class Sweep {
         return costs;
     }
 
+    /// step: from one distance to the next, in steps of the coarse width.
     Plane finer(const Plane& coarse, int width, float step) {
         const SweepCost cost = costsAt(width);
         const GuidedFilter filter = filterFor(cost);
@@ -182,7 +247,7 @@ class Sweep {
         for (int k = -kOffsets; k <= kOffsets; ++k) {
             Plane tried = base;
             for (float& value : tried.values()) {
-                value = std::max(kLeastInverseM, value + static_cast<float>(k) * step);
+                value = moved(value, static_cast<float>(k) * step);
             }
             Plane costs = filteredCosts(tried, cost, filter);
             for (std::size_t i = 0; i < costs.values().size(); ++i) {
@@ -209,10 +274,14 @@ class Sweep {
             const float b = after.values()[i];
             const float between =
                 std::isfinite(a) && std::isfinite(b) ? leastBetween(a, best.values()[i], b) : 0;
-            inverse.values()[i] =
-                std::max(kLeastInverseM, base.values()[i] + (offset.values()[i] + between) * step);
+            inverse.values()[i] = moved(base.values()[i], (offset.values()[i] + between) * step);
         }
         return median3x3(inverse, m_options.threads);
+    }
+
+    /// 1 / distance, so many steps nearer.
+    float moved(float inverse, float steps) const {
+        return std::max(kLeastInverseM, inverse + steps * m_distances.stepAt(inverse));
     }
 
     /// A distance is evident where those beside it fit much less well. On a bare wall all fit alike, and
@@ -232,8 +301,7 @@ class Sweep {
     std::vector<Gains> m_gains;
     SweepOptions m_options;
     std::stop_token m_stop;
-    float m_farthest; ///< 1 / distance.
-    float m_step;
+    TriedDistances m_distances;
     MaskImage m_evident;
 };
 
@@ -263,12 +331,12 @@ bool isPowerOfTwo(int value) {
 void SweepOptions::validate() const {
     const bool sizes = coarseWidth >= 64 && coarseWidth % 64 == 0 && width >= coarseWidth && width <= 8192 &&
                        width % coarseWidth == 0 && isPowerOfTwo(width / coarseWidth);
-    const bool range = std::isfinite(farthestM) && nearestM > 0 && nearestM < farthestM;
+    const bool range = nearestM > 0 && std::isfinite(nearestM) && stepPx > 0 && std::isfinite(stepPx);
     if (!sizes || !range || distances < 3 || distances > 1024 || neighbours < 1 || neighbours > 64 ||
         !(leastBaselineM >= 0) || !(keptShare > 0) || keptShare > 1) {
         throw Error(ErrorKind::InvalidInput,
                     "Could not estimate depth: the width must be a power of two times the coarse width (a "
-                    "multiple of 64), 3 to 1024 distances may be tried from near to far, with 1 to 64 "
+                    "multiple of 64), 3 to 1024 distances may be tried by steps above 0, with 1 to 64 "
                     "neighbours, of which a share above 0 and up to 1 counts.");
     }
 }

@@ -269,8 +269,7 @@ class Completion {
     }
 
     /// The ties of a pixel to those on its left and right, above and below.
-    std::array<float, 4> ties(const Level& level, int x, int y) const {
-        const RowShape shape(y, level.height);
+    static std::array<float, 4> ties(const Level& level, const RowShape& shape, int x, int y) {
         return {shape.across * *level.right.at((x + level.width - 1) % level.width, y),
                 shape.across * *level.right.at(x, y), y > 0 ? shape.above * *level.down.at(x, y - 1) : 0,
                 y + 1 < level.height ? shape.below * *level.down.at(x, y) : 0};
@@ -278,9 +277,10 @@ class Completion {
 
     void invert(Level& level) {
         forRows(level, [&](int y) {
-            const float area = kPrior * perArea(level) * RowShape(y, level.height).cosine;
+            const RowShape shape(y, level.height);
+            const float area = kPrior * perArea(level) * shape.cosine;
             for (int x = 0; x < level.width; ++x) {
-                const auto [left, right, above, below] = ties(level, x, y);
+                const auto [left, right, above, below] = ties(level, shape, x, y);
                 Matrix3f& solve = level.solve[level.index(x, y)];
                 solve.diagonal().array() += left + right + above + below + area;
                 solve = solve.cast<double>().inverse().cast<float>().eval();
@@ -292,12 +292,12 @@ class Completion {
     void relax(Level& level, int colour) {
         const auto at = [&](int x, int y) { return Eigen::Map<Vector4f>(level.vectors.at(x, y)); };
         forRows(level, [&](int y) {
-            const float cosine = RowShape(y, level.height).cosine;
-            const float usual = kPrior * perArea(level) * cosine * m_range.usual;
+            const RowShape shape(y, level.height);
+            const float usual = kPrior * perArea(level) * shape.cosine * m_range.usual;
             const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(level.width);
-            const float fade = cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad);
+            const float fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad);
             for (int x = (y + colour) % 2; x < level.width; x += 2) {
-                const auto [left, right, above, below] = ties(level, x, y);
+                const auto [left, right, above, below] = ties(level, shape, x, y);
                 const Eigen::Map<const Vector4f> own(level.pull.at(x, y));
                 Vector4f pull = own;
                 pull +=

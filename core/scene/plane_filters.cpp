@@ -116,20 +116,46 @@ void GuidedFilter::apply(Plane& plane) const {
     forEach(plane, m_threads, [&](std::size_t i) { return slopes[i] * guide[i] + values[i]; });
 }
 
+namespace {
+
+/// The median of nine values at each place. rows: three rows that begin one value before the first place.
+SPHEREWALK_VECTOR_CLONES
+void medianRow(const float* above, const float* here, const float* below, int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x) {
+        float v[9] = {above[x],    above[x + 1], above[x + 2], here[x],     here[x + 1],
+                      here[x + 2], below[x],     below[x + 1], below[x + 2]};
+        const auto order = [&v](int a, int b) {
+            const float low = v[a] < v[b] ? v[a] : v[b];
+            v[b] = v[a] < v[b] ? v[b] : v[a];
+            v[a] = low;
+        };
+        // The exchanges of Smith 1996 that leave the median in the middle.
+        order(1, 2), order(4, 5), order(7, 8), order(0, 1), order(3, 4), order(6, 7), order(1, 2);
+        order(4, 5), order(7, 8), order(0, 3), order(5, 8), order(4, 7), order(3, 6), order(1, 4);
+        order(2, 5), order(4, 7), order(4, 2), order(6, 4), order(4, 2);
+        out[x] = v[4];
+    }
+}
+
+} // namespace
+
 Plane median3x3(const Plane& plane, int threads) {
     Plane result(plane.width(), plane.height());
     parallelFor(plane.height(), 16, threads, [&](int begin, int end) {
-        std::array<float, 9> around{};
+        std::array<std::vector<float>, 3> rows;
+        const auto load = [&](int y) {
+            std::vector<float>& row = rows[static_cast<std::size_t>((y + 3) % 3)];
+            const auto values = plane.row(std::clamp(y, 0, plane.height() - 1));
+            row.assign(1, values.back());
+            row.insert(row.end(), values.begin(), values.end());
+            row.push_back(values.front());
+        };
+        load(begin - 1);
+        load(begin);
         for (int y = begin; y < end; ++y) {
-            for (int x = 0; x < plane.width(); ++x) {
-                for (int i = 0; i < 9; ++i) {
-                    const int column = (x + i % 3 - 1 + plane.width()) % plane.width();
-                    const int row = std::clamp(y + i / 3 - 1, 0, plane.height() - 1);
-                    around[static_cast<std::size_t>(i)] = *plane.at(column, row);
-                }
-                std::nth_element(around.begin(), around.begin() + 4, around.end());
-                *result.at(x, y) = around[4];
-            }
+            load(y + 1);
+            const auto row = [&](int at) { return rows[static_cast<std::size_t>((at + 3) % 3)].data(); };
+            medianRow(row(y - 1), row(y), row(y + 1), plane.width(), result.at(0, y));
         }
     });
     return result;

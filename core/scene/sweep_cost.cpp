@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_cost.h"
 
-#include "vector_math.h"
-
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/photo/picture_file.h"
 
@@ -37,30 +35,19 @@ namespace {
 class TurnedRow {
   public:
     TurnedRow(const Eigen::Matrix3f& photoFromFrame, int width)
-        : m_turn(photoFromFrame),
-          m_cosAzimuth(static_cast<std::size_t>(width)),
-          m_sinAzimuth(m_cosAzimuth),
-          m_u(m_cosAzimuth),
-          m_v(m_cosAzimuth) {
-        for (int x = 0; x < width; ++x) {
-            const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
-            m_cosAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::cos(azimuth));
-            m_sinAzimuth[static_cast<std::size_t>(x)] = static_cast<float>(std::sin(azimuth));
-        }
-    }
+        : m_turn(photoFromFrame), m_angles(width), m_u(static_cast<std::size_t>(width)), m_v(m_u) {}
 
     /// photoWidth: in pixels.
     SPHEREWALK_VECTOR_CLONES
     void place(int line, int photoWidth) {
         const std::size_t width = m_u.size();
-        const double elevation =
-            std::numbers::pi / 2 - 2 * std::numbers::pi / static_cast<double>(width) * (line + 0.5);
-        const Eigen::Vector3f x = static_cast<float>(std::cos(elevation)) * m_turn.col(0);
-        const Eigen::Vector3f y = static_cast<float>(std::cos(elevation)) * m_turn.col(1);
-        const Eigen::Vector3f up = static_cast<float>(std::sin(elevation)) * m_turn.col(2);
+        const float level = m_angles.cosElevation[static_cast<std::size_t>(line)];
+        const Eigen::Vector3f x = level * m_turn.col(0);
+        const Eigen::Vector3f y = level * m_turn.col(1);
+        const Eigen::Vector3f up = m_angles.sinElevation[static_cast<std::size_t>(line)] * m_turn.col(2);
         for (std::size_t i = 0; i < width; ++i) {
-            const float c = m_cosAzimuth[i];
-            const float s = m_sinAzimuth[i];
+            const float c = m_angles.cosAzimuth[i];
+            const float s = m_angles.sinAzimuth[i];
             const FastPixel at = fastPixel(x[0] * c + y[0] * s + up[0], x[1] * c + y[1] * s + up[1],
                                            x[2] * c + y[2] * s + up[2], static_cast<float>(photoWidth));
             m_u[i] = at.u;
@@ -74,8 +61,7 @@ class TurnedRow {
 
   private:
     Eigen::Matrix3f m_turn;
-    std::vector<float> m_cosAzimuth;
-    std::vector<float> m_sinAzimuth;
+    PixelAngles m_angles;
     std::vector<float> m_u;
     std::vector<float> m_v;
 };
@@ -283,6 +269,46 @@ constexpr float kSeenThrough = 6;   ///< What a neighbour that sees through a pl
 constexpr float kHidden = 10;       ///< What neighbours add from which a place is hidden, if all are.
 constexpr float kUnseen = 30;       ///< The cost of a place that no neighbour sees.
 
+/// The neighbour's 1 / distance at the pixels nearest to the places.
+void seenAt(const RowPlaces& places, const float* inverseM, int width, float* seen) {
+    for (int i = 0; i < width; ++i) {
+        const int nearest =
+            places.first[i] / 4 + (places.right[i] < 0.5F ? 0 : 1) + (places.down[i] < 0.5F ? 0 : width + 1);
+        seen[i] = inverseM[nearest];
+    }
+}
+
+/// 1 / the distance of each pixel's thing from the neighbour.
+SPHEREWALK_VECTOR_CLONES
+void expectedAt(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& offset, int width,
+                float* __restrict expected) {
+    const float ox = offset.x();
+    const float oy = offset.y();
+    const float oz = offset.z();
+    const float square = ox * ox + oy * oy + oz * oz;
+    const RowRays r = rays;
+    for (int i = 0; i < width; ++i) {
+        const float along =
+            r.cosElevation * (r.cosAzimuth[i] * ox + r.sinAzimuth[i] * oy) + r.sinElevation * oz;
+        const float inverse = inverseM[i];
+        const float squared = 1 - 2 * inverse * along + inverse * inverse * square;
+        expected[i] = inverse / std::sqrt(squared < 1e-6F ? 1e-6F : squared);
+    }
+}
+
+/// Makes a place that the neighbour cannot see endlessly dear, and one through which it sees dearer.
+SPHEREWALK_VECTOR_CLONES
+void judge(const float* seen, const float* expected, float pixelM, int width, float* __restrict hidden,
+           float* __restrict costs) {
+    for (int i = 0; i < width; ++i) {
+        const float same = kSamePx * pixelM + kSameShare * expected[i];
+        const bool isHidden = seen[i] > expected[i] + same;
+        const float through = seen[i] < expected[i] - same ? kSeenThrough : 0.0F;
+        costs[i] = isHidden ? HUGE_VALF : costs[i] + through;
+        hidden[i] += isHidden ? 1.0F : 0.0F;
+    }
+}
+
 } // namespace
 
 SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
@@ -291,7 +317,8 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
     : m_photo(*photo.picture, Eigen::Matrix3d::Identity(), width, threads),
       m_keptShare(keptShare),
       m_kept(keptOf(neighbours.size(), keptShare)),
-      m_knowsDepth(!depths.empty()) {
+      m_knowsDepth(!depths.empty()),
+      m_angles(width) {
     const Eigen::Quaterniond photoFromRoom = photo.roomFromPhoto.rotation.conjugate();
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
         const PosedPicture& other = neighbours[i];
@@ -304,15 +331,6 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
             {SweepPicture(*other.picture, turn, width, threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
              offset.cast<float>(), m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
     }
-    const double step = 2 * std::numbers::pi / width;
-    for (int x = 0; x < width; ++x) {
-        m_cosAzimuth.push_back(static_cast<float>(std::cos(std::numbers::pi - step * (x + 0.5))));
-        m_sinAzimuth.push_back(static_cast<float>(std::sin(std::numbers::pi - step * (x + 0.5))));
-    }
-    for (int y = 0; y < height(); ++y) {
-        m_cosElevation.push_back(static_cast<float>(std::cos(std::numbers::pi / 2 - step * (y + 0.5))));
-        m_sinElevation.push_back(static_cast<float>(std::sin(std::numbers::pi / 2 - step * (y + 0.5))));
-    }
 }
 
 SweepCost::Scratch::Scratch(const SweepCost& cost)
@@ -320,7 +338,9 @@ SweepCost::Scratch::Scratch(const SweepCost& cost)
       m_right(m_first.size()),
       m_down(m_first.size()),
       m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())),
-      m_hidden(m_first.size()) {
+      m_hidden(m_first.size()),
+      m_seen(m_first.size()),
+      m_expected(m_first.size()) {
 }
 
 void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
@@ -328,8 +348,9 @@ void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inv
     const auto row = static_cast<std::size_t>(y);
     const int stride = neighbour.picture.stride();
     const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
-    findPlaces({m_cosAzimuth.data(), m_sinAzimuth.data(), m_cosElevation[row], m_sinElevation[row]}, inverseM,
-               neighbour.fromPhotoM, width(), stride, places);
+    findPlaces({m_angles.cosAzimuth.data(), m_angles.sinAzimuth.data(), m_angles.cosElevation[row],
+                m_angles.sinElevation[row]},
+               inverseM, neighbour.fromPhotoM, width(), stride, places);
     costsAt(places, m_photo.at(0, y), neighbour.picture.at(0, 0), stride, width(), costs);
     if (m_knowsDepth) {
         judgeByDepth(neighbour, y, inverseM, scratch, costs);
@@ -340,26 +361,15 @@ void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inv
 void SweepCost::judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
                              float* costs) const {
     const auto row = static_cast<std::size_t>(y);
-    const Eigen::Vector3f& offset = neighbour.fromPhotoM;
-    const float square = offset.squaredNorm();
-    const float pixelM =
-        2 * std::numbers::pi_v<float> / static_cast<float>(width()) / std::max(1e-3F, std::sqrt(square));
-    for (std::size_t i = 0; i < scratch.m_first.size(); ++i) {
-        const float along =
-            m_cosElevation[row] * (m_cosAzimuth[i] * offset.x() + m_sinAzimuth[i] * offset.y()) +
-            m_sinElevation[row] * offset.z();
-        const float inverse = inverseM[i];
-        const float expected =
-            inverse / std::sqrt(std::max(1e-6F, 1 - 2 * inverse * along + inverse * inverse * square));
-        const int nearest = scratch.m_first[i] / 4 + (scratch.m_right[i] < 0.5F ? 0 : 1) +
-                            (scratch.m_down[i] < 0.5F ? 0 : width() + 1);
-        const float seen = neighbour.inverseM[static_cast<std::size_t>(nearest)];
-        const float same = kSamePx * pixelM + kSameShare * expected;
-        const bool isHidden = seen > expected + same;
-        const float through = seen < expected - same ? kSeenThrough : 0.0F;
-        costs[i] = isHidden ? HUGE_VALF : costs[i] + through;
-        scratch.m_hidden[i] += isHidden ? 1.0F : 0.0F;
-    }
+    const RowRays rays{m_angles.cosAzimuth.data(), m_angles.sinAzimuth.data(), m_angles.cosElevation[row],
+                       m_angles.sinElevation[row]};
+    const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
+    seenAt(places, neighbour.inverseM.data(), width(), scratch.m_seen.data());
+    expectedAt(rays, inverseM, neighbour.fromPhotoM, width(), scratch.m_expected.data());
+    judge(scratch.m_seen.data(), scratch.m_expected.data(),
+          2 * std::numbers::pi_v<float> / static_cast<float>(width()) /
+              std::max(1e-3F, neighbour.fromPhotoM.norm()),
+          width(), scratch.m_hidden.data(), costs);
 }
 
 /// The mean over the better neighbours of those that see a place. Range: costs are sorted.

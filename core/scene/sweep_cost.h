@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vector_math.h"
+
 #include "spherewalk/base/image.h"
 #include "spherewalk/scene/depth_sweep.h"
 #include "spherewalk/scene/exposure.h"
@@ -85,6 +87,8 @@ class SweepCost {
         std::vector<float> m_down;
         std::vector<std::vector<float>> m_costs; ///< One row of costs for each neighbour.
         std::vector<float> m_hidden;             ///< From how many neighbours a row's places are hidden.
+        std::vector<float> m_seen;               ///< A neighbour's own 1 / distance at a row's places,
+        std::vector<float> m_expected;           ///< and that of the row's things.
     };
 
     /// The costs of a row's pixels at these inverse distances, one value a pixel: the mean over the
@@ -114,10 +118,7 @@ class SweepCost {
     double m_keptShare;
     std::size_t m_kept;
     bool m_knowsDepth;
-    std::vector<float> m_cosAzimuth; ///< One a column.
-    std::vector<float> m_sinAzimuth;
-    std::vector<float> m_cosElevation; ///< One a row.
-    std::vector<float> m_sinElevation;
+    PixelAngles m_angles;
 };
 
 /// A cost for each pixel and each distance that is tried. Shape: [y][x][distance].

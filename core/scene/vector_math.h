@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 /// Stands before a function, which is then also compiled for processors with vectors of 256 bits; the one
 /// that fits the processor is called. The bits are the same on all: nothing is fused (-ffp-contract=off), and
@@ -53,5 +54,27 @@ inline FastPixel fastPixel(float x, float y, float z, float width) {
     const float line = (0.5F * kPi - fastAngle(z, std::sqrt(x * x + y * y))) * perRadian - 0.5F;
     return {column < 0 ? column + width : column, line < 0 ? 0 : line};
 }
+
+/// Cosines and sines of the azimuth of each column and of the elevation of each row of an equirectangular
+/// picture.
+struct PixelAngles {
+    /// Range: an even width above 0.
+    explicit PixelAngles(int width) {
+        const double step = 2 * std::numbers::pi / width;
+        for (int x = 0; x < width; ++x) {
+            cosAzimuth.push_back(static_cast<float>(std::cos(std::numbers::pi - step * (x + 0.5))));
+            sinAzimuth.push_back(static_cast<float>(std::sin(std::numbers::pi - step * (x + 0.5))));
+        }
+        for (int y = 0; y < width / 2; ++y) {
+            cosElevation.push_back(static_cast<float>(std::cos(std::numbers::pi / 2 - step * (y + 0.5))));
+            sinElevation.push_back(static_cast<float>(std::sin(std::numbers::pi / 2 - step * (y + 0.5))));
+        }
+    }
+
+    std::vector<float> cosAzimuth;
+    std::vector<float> sinAzimuth;
+    std::vector<float> cosElevation;
+    std::vector<float> sinElevation;
+};
 
 } // namespace spherewalk::scene

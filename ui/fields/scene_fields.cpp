@@ -48,6 +48,8 @@ QString samplingWord(render::Sampling sampling) {
         return RungWords::tr("footprint");
     case render::Sampling::Bicubic:
         return RungWords::tr("bicubic");
+    case render::Sampling::Best:
+        return RungWords::tr("Best there is");
     case render::Sampling::Auto:
         return RungWords::tr("as needed");
     }

@@ -27,7 +27,7 @@ struct NodeOptions {
     std::string cameraFrame = "camera_optical"; ///< Optical frame: z forward, x right, y down.
     double rate = 30;                           ///< Frames a second; 0: one for each pose.
     std::string scene = "auto";
-    std::string sampling = "footprint";
+    std::string sampling = "best";
     std::string late = "wait";            ///< "wait", "coarse" or "previous".
     std::string pace = "newest";          ///< "newest" or "every".
     std::string overlay = "none";         ///< "none", or what tells objects: "labels", "depth" or "alone".

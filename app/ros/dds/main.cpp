@@ -193,7 +193,8 @@ void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOp
     command.option("--rate", node.rate, "Frames a second of simulation time; 0: one for each pose")
         .showDefault();
     command.option("--scene", node.scene, "none, sphere, room, depth, blend, or auto").showDefault();
-    command.option("--sampling", node.sampling, "nearest, bilinear, reduced, footprint, bicubic, or auto")
+    command
+        .option("--sampling", node.sampling, "nearest, bilinear, reduced, footprint, bicubic, best, or auto")
         .showDefault();
     command
         .option("--late", node.late,

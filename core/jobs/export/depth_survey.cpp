@@ -21,7 +21,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 3; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 4; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
@@ -157,8 +157,8 @@ class DepthJob {
     std::string sweptKey(std::size_t photo) const {
         const scene::SweepOptions& o = m_options.sweep;
         std::string key = text("sweep ", kDepthMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances,
-                               " ", o.nearestM, " ", o.farthestM, " ", o.keptShare, "\n",
-                               m_photos[photo].sha256, " ", keyOf(m_poses[photo]), "\n");
+                               " ", o.stepPx, " ", o.nearestM, " ", o.keptShare, "\n", m_photos[photo].sha256,
+                               " ", keyOf(m_poses[photo]), "\n");
         for (const std::size_t other : m_neighbours[photo]) {
             key += text(m_photos[other].sha256, " ", keyOf(m_poses[other]), "\n");
         }

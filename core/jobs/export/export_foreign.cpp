@@ -109,7 +109,7 @@ class ForeignExport {
     void writeFaces(std::size_t photo, const fs::path& folder) {
         render::ViewOptions view;
         view.scene = render::SceneKind::None; // from its own place a photo is right however far things are
-        view.sampling = render::Sampling::Footprint;
+        view.sampling = render::Sampling::Best;
         for (const Face& one : kFaces) {
             const std::string file = text(kPicturesFolder, "/", stem(photo), "_", one.name, ".jpg");
             add(photo, file, photoFromOptical(one));

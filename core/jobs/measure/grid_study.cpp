@@ -116,7 +116,11 @@ class Study {
   public:
     Study(const render::Renderer& renderer, const CameraModel& camera, const GridStudyOptions& options,
           const std::stop_token& stop)
-        : m_renderer(renderer), m_camera(camera), m_options(options), m_stop(stop) {
+        : m_renderer(renderer),
+          m_camera(camera),
+          m_options(options),
+          m_sampling(samplingFor(options.sampling, renderer.dataset(), camera)),
+          m_stop(stop) {
         for (const render::DatasetPhoto& photo : photos()) {
             m_places.push_back(photo.roomFromPhoto.translation);
         }
@@ -219,9 +223,9 @@ class Study {
         Comparisons known = cache.read(key);
         const Rigid3 pose = levelPose(photos()[view.photo], view.turn);
         const auto truth = [&] {
-            return TruePicture{pose, truthFromPhoto(m_renderer, view.photo, m_camera, pose), {}, {}};
+            return TruePicture{pose, truthFromPhoto(m_renderer, m_camera, pose), {}, {}};
         };
-        if (compareMissing(scenes, m_options.sampling, truth, from, m_camera, m_stop, known)) {
+        if (compareMissing(scenes, m_sampling, truth, from, m_camera, m_stop, known)) {
             cache.write(key, known);
         }
         return known;
@@ -230,6 +234,7 @@ class Study {
     const render::Renderer& m_renderer;
     const CameraModel& m_camera;
     const GridStudyOptions& m_options;
+    render::Sampling m_sampling; ///< That scene models are compared with.
     std::stop_token m_stop;
     std::vector<Eigen::Vector3d> m_places;
     TemporaryFolder m_ownFolder{"spherewalk-grid"};

@@ -203,9 +203,7 @@ SamplingErrors samplingErrors(const TruePictures::Place& place, const render::Re
         wanted.sampling = sampling;
         return compare::PictureFeatures(renderer.render(camera, place.roomFromCamera, wanted).picture);
     };
-    const std::size_t photo =
-        renderer.dataset().nearestPhoto(place.roomFromCamera.translation, place.without);
-    const compare::PictureFeatures best = features(bestSampling(renderer, photo, camera));
+    const compare::PictureFeatures best = features(render::Sampling::Best);
     SamplingErrors errors;
     for (const render::Sampling sampling : kSamplings) {
         errors[sampling] = hundredths(compare::matchedDisplacements(best, features(sampling)));
@@ -309,17 +307,17 @@ Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn) {
     return {(yawRotation(turn) * bodyFromOptical()).normalized(), photo.roomFromPhoto.translation};
 }
 
-render::Sampling bestSampling(const render::Renderer& renderer, std::size_t photo,
-                              const CameraModel& camera) {
-    const double photoPxPerRad = renderer.dataset().info().photos[photo].width / (2 * std::numbers::pi);
-    return photoPxPerRad < camera.intrinsics().fx ? render::Sampling::Bicubic : render::Sampling::Footprint;
+render::Sampling samplingFor(render::Sampling wanted, const render::Dataset& dataset,
+                             const CameraModel& camera) {
+    const std::vector<render::DatasetPhoto>& photos = dataset.info().photos;
+    const double ratio = photos.empty() ? 1 : render::minification(camera, photos.front().width);
+    return render::chosenSampling(wanted, ratio, render::ViewOptions{}.toleranceDb);
 }
 
-RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+RgbImage truthFromPhoto(const render::Renderer& renderer, const CameraModel& camera,
                         const Rigid3& roomFromCamera) {
     render::ViewOptions view;
-    view.scene = render::SceneKind::None; // from its own place a photo is the truth
-    view.sampling = bestSampling(renderer, photo, camera);
+    view.scene = render::SceneKind::None; // from its own place a photo is the truth, in the best sampling
     view.threads = 1;
     return renderer.render(camera, roomFromCamera, view).picture;
 }
@@ -341,8 +339,7 @@ TruePictures leftOutTruePictures(const MeasureOptions& options, const render::Re
     };
     const auto get = [=, &renderer, &camera](std::size_t i) {
         const TruePictures::Place at = place(i);
-        return TruePicture{at.roomFromCamera,
-                           truthFromPhoto(renderer, *at.without, camera, at.roomFromCamera),
+        return TruePicture{at.roomFromCamera, truthFromPhoto(renderer, camera, at.roomFromCamera),
                            depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without};
     };
     const auto key = [=](std::size_t i) {

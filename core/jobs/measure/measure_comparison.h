@@ -60,12 +60,14 @@ TruePictures robotTruePictures(const MeasureOptions& options, const CameraModel&
 TruePictures leftOutTruePictures(const MeasureOptions& options, const render::Renderer& renderer,
                                  const CameraModel& camera);
 
-/// Footprint if the camera has fewer pixels per degree than the photo, else Bicubic.
-render::Sampling bestSampling(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera);
+/// The sampling that scene models are compared with: the wanted one, or what Best stands for with the
+/// dataset's photos. wanted: not Auto.
+render::Sampling samplingFor(render::Sampling wanted, const render::Dataset& dataset,
+                             const CameraModel& camera);
 
 /// The photo as a camera at this pose would see it, with the best sampling. Range: a pose at the photo's
 /// place.
-RgbImage truthFromPhoto(const render::Renderer& renderer, std::size_t photo, const CameraModel& camera,
+RgbImage truthFromPhoto(const render::Renderer& renderer, const CameraModel& camera,
                         const Rigid3& roomFromCamera);
 
 /// The pose of a level camera at the photo's place. turn: angle to the left of the room's x axis.
@@ -73,7 +75,7 @@ Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn);
 
 using SceneAndSampling = std::pair<render::SceneKind, render::Sampling>;
 
-/// All samplings but Auto, cheap to exact.
+/// All samplings but Best and Auto, cheap to exact.
 inline constexpr std::array kSamplings{render::Sampling::Nearest, render::Sampling::Bilinear,
                                        render::Sampling::Reduced, render::Sampling::Footprint,
                                        render::Sampling::Bicubic};

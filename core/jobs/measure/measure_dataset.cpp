@@ -47,6 +47,7 @@ class Measurement {
         : m_renderer(renderer),
           m_camera(camera),
           m_options(options),
+          m_sampling(samplingFor(options.sampling, renderer.dataset(), camera)),
           m_isLeaveOneOut(isLeaveOneOut),
           m_pictures(isLeaveOneOut ? leftOutTruePictures(options, renderer, camera)
                                    : robotTruePictures(options, camera)),
@@ -149,8 +150,7 @@ class Measurement {
         Comparisons known = m_cache.read(key);
         const bool lacksSamplings = comparesSamplings(i) && known.samplings.empty();
         const bool lackedScenes = compareMissing(
-            m_scenes, m_options.sampling, [&] { return m_pictures.get(i); }, m_renderer, m_camera, stop,
-            known);
+            m_scenes, m_sampling, [&] { return m_pictures.get(i); }, m_renderer, m_camera, stop, known);
         if (lacksSamplings) {
             known.samplings = samplingErrors(m_pictures.place(i), m_renderer, m_camera);
         }
@@ -186,23 +186,22 @@ class Measurement {
             }
         }
         for (const SceneKind scene : m_scenes) {
-            SceneSummary summary(scene, m_options.sampling, m_options.places);
+            SceneSummary summary(scene, m_sampling, m_options.places);
             for (std::size_t i = 0; i < m_pictures.count; ++i) {
-                const Comparison& comparison = m_results[i].views.at({scene, m_options.sampling});
+                const Comparison& comparison = m_results[i].views.at({scene, m_sampling});
                 summary.add(comparison, likenessOf(i, comparison));
             }
             report.scenes.push_back(summary.result());
             const std::optional<double> errorPx = report.scenes.back().errorPx(m_options.places);
             for (const Sampling sampling : kSamplings) {
-                report.rungs.push_back({scene, sampling,
-                                        samplings.errorWith(sampling, m_options.sampling, errorPx), 0,
-                                        bytesWith(scene)});
+                report.rungs.push_back({scene, sampling, samplings.errorWith(sampling, m_sampling, errorPx),
+                                        0, bytesWith(scene)});
             }
         }
         std::vector<double> distances;
         for (std::size_t i = 0; i < m_pictures.count;
              ++i) { // of one scene model, since all use the same photos
-            const Comparison& comparison = m_results[i].views.at({m_scenes.back(), m_options.sampling});
+            const Comparison& comparison = m_results[i].views.at({m_scenes.back(), m_sampling});
             distances.push_back(likenessOf(i, comparison).offset.norm());
         }
         report.viewM = median(std::move(distances));
@@ -265,6 +264,7 @@ class Measurement {
     const render::Renderer& m_renderer;
     const CameraModel& m_camera;
     const MeasureOptions& m_options;
+    Sampling m_sampling; ///< That scene models are compared with.
     bool m_isLeaveOneOut;
     TruePictures m_pictures;
     ComparisonCache m_cache;

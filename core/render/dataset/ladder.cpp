@@ -21,11 +21,12 @@ constexpr EnumNames<SceneKind, 5> kSceneNames{{{SceneKind::None, "none"},
                                                {SceneKind::Depth, "depth"},
                                                {SceneKind::Blend, "blend"}}};
 
-constexpr EnumNames<Sampling, 6> kSamplingNames{{{Sampling::Nearest, "nearest"},
+constexpr EnumNames<Sampling, 7> kSamplingNames{{{Sampling::Nearest, "nearest"},
                                                  {Sampling::Bilinear, "bilinear"},
                                                  {Sampling::Reduced, "reduced"},
                                                  {Sampling::Footprint, "footprint"},
                                                  {Sampling::Bicubic, "bicubic"},
+                                                 {Sampling::Best, "best"},
                                                  {Sampling::Auto, "auto"}}};
 
 /// A focal length that is longer by less changes no error worth mentioning.
@@ -128,6 +129,9 @@ double expectedDb(Sampling sampling, double minification) {
 }
 
 Sampling chosenSampling(Sampling sampling, double minification, double toleranceDb) {
+    if (sampling == Sampling::Best) {
+        return minification < 1 ? Sampling::Bicubic : Sampling::Footprint;
+    }
     if (sampling != Sampling::Auto) {
         return sampling;
     }
@@ -157,8 +161,9 @@ ViewChoice parseViewChoice(const JsonReader& reader) {
     ViewChoice choice;
     choice.scene = sceneKind(reader, "scene");
     choice.sampling = named(reader, "sampling", [](const std::string& word) { return sampling(word); });
-    if (choice.sampling == Sampling::Auto) {
-        reader.member("sampling").fail("expected the sampling that \"auto\" stands for");
+    if (choice.sampling == Sampling::Auto || choice.sampling == Sampling::Best) {
+        reader.member("sampling")
+            .fail(text("expected the sampling that \"", name(choice.sampling), "\" stands for"));
     }
     choice.tolerancePx = numberUpTo(reader, "tolerance_px", false);
     choice.errorPx = numberUpTo(reader, "error_px", true);

@@ -68,7 +68,7 @@ class ViewEngine {
         SceneKind scene = SceneKind::None; ///< Of a model with surfaces: what stands in for one photo alone.
         std::optional<SceneKind> surface;  ///< The scene model, if it has surfaces.
         double radiusM = 0;
-        Sampling sampling = Sampling::Footprint; ///< This is never Auto.
+        Sampling sampling = Sampling::Footprint; ///< This is neither Best nor Auto.
         std::shared_ptr<const RayTable> rays;
     };
 

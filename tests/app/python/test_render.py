@@ -11,7 +11,7 @@ from spherewalk import Camera, Dataset, PixelFlag, Renderer, ViewOptions
 
 
 @pytest.mark.parametrize("scene", ["auto", "none", "sphere"])
-@pytest.mark.parametrize("sampling", ["footprint", "nearest", "bicubic", "auto"])
+@pytest.mark.parametrize("sampling", ["footprint", "nearest", "bicubic", "best", "auto"])
 def test_the_command_line_gives_the_same_pixels_and_report(renderer, camera, tmp_path, scene, sampling):
     report = cli("view", DEMO / "dataset", "--camera", DEMO / "robot.yaml", "--frame", "body", "--pose",
                  " ".join(map(str, BODY_POSE)), "--scene", scene, "--sampling", sampling, "--out", tmp_path / "v.png")

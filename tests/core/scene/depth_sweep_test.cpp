@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/scene/depth_sweep.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace spherewalk::scene {
@@ -146,6 +148,75 @@ TEST(DepthSweep, SurvivesABaselineOfZero) {
     const Survey& survey = Survey::made();
     const std::vector<PosedPicture> same{survey.photo(0)};
     EXPECT_TRUE(isUsable(sweptDepth(survey.photo(0), same, quick())));
+}
+
+namespace {
+
+/// Spots of random brightness on a sphere, interpolated between.
+class Spots {
+  public:
+    Spots() : m_values(kColumns, kColumns / 2) {
+        std::mt19937 random(5);
+        for (std::uint8_t& value : m_values.values()) {
+            value = static_cast<std::uint8_t>(40 + random() % 170);
+        }
+    }
+
+    std::uint8_t at(const Eigen::Vector3d& direction) const {
+        const Eigen::Vector2d place = pixel({kColumns, kColumns / 2}, direction);
+        const int x = static_cast<int>(std::floor(place.x()));
+        const int y = std::clamp(static_cast<int>(std::floor(place.y())), 0, kColumns / 2 - 2);
+        const double right = place.x() - x;
+        const double down = std::clamp(place.y() - y, 0.0, 1.0);
+        const auto value = [&](int i, int j) {
+            return static_cast<double>(*m_values.at((x + i + kColumns) % kColumns, y + j));
+        };
+        return static_cast<std::uint8_t>(
+            std::lround((1 - down) * ((1 - right) * value(0, 0) + right * value(1, 0)) +
+                        down * ((1 - right) * value(0, 1) + right * value(1, 1))));
+    }
+
+  private:
+    static constexpr int kColumns = 96;
+    MaskImage m_values;
+};
+
+/// What is seen from a place inside a sphere with spots. Units: metres from the sphere's centre.
+RgbImage insideOfSphere(double radiusM, const Eigen::Vector3d& place) {
+    static const Spots spots;
+    RgbImage picture(2 * kSweepWidth, kSweepWidth);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3d ray = direction({picture.width(), picture.height()}, Eigen::Vector2d(x, y));
+            const double along = ray.dot(place);
+            const double rangeM = -along + std::sqrt(along * along + radiusM * radiusM - place.squaredNorm());
+            std::fill_n(picture.at(x, y), 3, spots.at(place + rangeM * ray));
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+TEST(DepthSweep, FindsThingsAtAnyDistanceThatTheBaselineTells) {
+    for (const auto& [radiusM, baselineM] :
+         {std::pair{0.15, 0.06}, {0.3, 0.08}, {2.0, 0.2}, {2.0, 0.8}, {8.0, 3.0}, {60.0, 3.0}}) {
+        const std::vector<Eigen::Vector3d> places{
+            {0, 0, 0}, {baselineM, 0, 0}, {-baselineM, 0, 0}, {0, baselineM, 0}, {0, -baselineM, 0}};
+        std::vector<RgbImage> pictures;
+        for (const Eigen::Vector3d& place : places) {
+            pictures.push_back(insideOfSphere(radiusM, place));
+        }
+        std::vector<PosedPicture> others;
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            others.push_back({&pictures[i], {Eigen::Quaterniond::Identity(), places[i]}});
+        }
+        const PhotoDepth depth = sweptDepth({pictures.data(), {}}, others, quick());
+        DepthImage range(kSweepWidth, kSweepWidth / 2);
+        std::fill(range.values().begin(), range.values().end(), static_cast<float>(radiusM));
+        const double pixelRad = 2 * std::numbers::pi / kSweepWidth;
+        EXPECT_GT(rightShare(depth, range, pixelRad / baselineM), 0.95) << radiusM << " " << baselineM;
+    }
 }
 
 TEST(DepthSweep, RefusesAPhotoAlone) {

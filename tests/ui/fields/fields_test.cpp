@@ -91,7 +91,7 @@ TEST(SceneFields, EachSceneModelAndSamplingHasAWordOfItsOwn) {
     std::set<QString> samplings;
     for (const auto sampling :
          {render::Sampling::Nearest, render::Sampling::Bilinear, render::Sampling::Reduced,
-          render::Sampling::Footprint, render::Sampling::Bicubic, render::Sampling::Auto}) {
+          render::Sampling::Footprint, render::Sampling::Bicubic, render::Sampling::Best, render::Sampling::Auto}) {
         samplings.insert(samplingWord(sampling));
     }
     EXPECT_EQ(samplings.size(), 6U);

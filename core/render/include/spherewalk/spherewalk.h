@@ -229,7 +229,7 @@ enum {
 
 /// How a view's pixel is made from the photo's pixels, cheap to exact. The C++ header ladder.h explains them.
 enum {
-    SPHEREWALK_SAMPLING_DEFAULT = 0, ///< It means SPHEREWALK_SAMPLING_FOOTPRINT.
+    SPHEREWALK_SAMPLING_DEFAULT = 0, ///< Bicubic where the photo is magnified, else footprint.
     SPHEREWALK_SAMPLING_NEAREST = 1,
     SPHEREWALK_SAMPLING_BILINEAR = 2,
     SPHEREWALK_SAMPLING_REDUCED = 3,

@@ -82,6 +82,13 @@ TEST(Ladder, ASamplingThatIsNamedIsNeverReplaced) {
     }
 }
 
+TEST(Ladder, BestMagnifiesBySixteenPixelsAndMinifiesByTheMeanOfMore) {
+    EXPECT_EQ(chosenSampling(Sampling::Best, 0.99, 40), Sampling::Bicubic);
+    EXPECT_EQ(chosenSampling(Sampling::Best, 1, 40), Sampling::Footprint);
+    EXPECT_EQ(sampling(name(Sampling::Best)), Sampling::Best);
+    EXPECT_EQ(ViewOptions{}.sampling, Sampling::Best);
+}
+
 TEST(Ladder, AutoIsNeverCheaperForASmallerError) {
     const auto rank = [](Sampling each) {
         return each == Sampling::Reduced ? 0 : each == Sampling::Bilinear ? 1 : 2;

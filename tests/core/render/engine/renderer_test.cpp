@@ -155,7 +155,7 @@ TEST(Renderer, ServesEveryRungAndTheExactView) {
     const CameraModel camera(CameraIntrinsics::pinhole(80, 60, 1.2));
     test::Random random(43);
     for (const Sampling sampling : {Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced,
-                                    Sampling::Footprint, Sampling::Bicubic, Sampling::Auto}) {
+                                    Sampling::Footprint, Sampling::Bicubic, Sampling::Best, Sampling::Auto}) {
         const Eigen::Quaterniond roomFromCamera = random.rotation();
         const View view = renderer.render(camera, {roomFromCamera, Vector3d::Zero()}, {{}, 0, sampling});
         EXPECT_LT(worstDifference(view, camera, roomFromCamera), 5) << name(sampling);

@@ -248,7 +248,7 @@ TEST(SphereView, TakesAsManySamplesAsThePhotoIsMinified) {
 
 TEST(Sampling, HasNamesThatParse) {
     for (const Sampling value : {Sampling::Nearest, Sampling::Bilinear, Sampling::Reduced,
-                                 Sampling::Footprint, Sampling::Bicubic, Sampling::Auto}) {
+                                 Sampling::Footprint, Sampling::Bicubic, Sampling::Best, Sampling::Auto}) {
         EXPECT_EQ(sampling(name(value)), value);
     }
     test::expectError(ErrorKind::InvalidInput, "nearest, bilinear, reduced", [] { sampling("lanczos"); });

@@ -49,10 +49,12 @@ enum class Sampling {
                ///< picture's centre samples are at most 1.5 photo pixels apart, up to a minification of 12.
                ///< It is right when minifying.
     Bicubic,   ///< It interpolates sixteen pixels. It is right where the view has more pixels per degree.
+    Best,      ///< It is Bicubic where the photo is magnified, and Footprint elsewhere.
     Auto,      ///< It is the choice of chosenSampling() from Reduced, Bilinear and Footprint.
 };
 
-/// The word that options and files use: "nearest", "bilinear", "reduced", "footprint", "bicubic", "auto".
+/// The word that options and files use: "nearest", "bilinear", "reduced", "footprint", "bicubic", "best",
+/// "auto".
 std::string_view name(Sampling sampling);
 
 /// The sampling of that word. Errors: InvalidInput, with all the words.
@@ -62,24 +64,25 @@ Sampling sampling(std::string_view name);
 /// larger span. It is 0 if the lens sees nothing there.
 double minification(const CameraModel& camera, int photoWidth);
 
-/// How many samples each pixel has along an axis: 2 to 8 for Footprint, else 1. sampling: not Auto.
+/// How many samples each pixel has along an axis: 2 to 8 for Footprint, else 1. sampling: neither Best nor
+/// Auto.
 int samplesPerAxis(Sampling sampling, double minification);
 
 /// How near a sampling comes, at worst, to the mean over each pixel's area. It was measured on pictures full
 /// of detail and promises nothing for others. Below a minification of 0.47 and above 3.82 the value at that
-/// end holds. Units: decibels (peak signal to noise ratio). sampling: not Auto.
+/// end holds. Units: decibels (peak signal to noise ratio). sampling: neither Best nor Auto.
 double expectedDb(Sampling sampling, double minification);
 
-/// The sampling itself, if it is not Auto. For Auto it is the cheapest of Reduced and Bilinear that is
-/// expected to reach the tolerance, and Footprint if neither is. Nearest and Bicubic are never chosen, since
-/// something better costs less.
+/// The sampling that a view takes. Best stands for Bicubic below a minification of 1, else for Footprint.
+/// Auto stands for the cheapest of Reduced and Bilinear that is expected to reach the tolerance, and for
+/// Footprint if neither is. All others stand for themselves.
 Sampling chosenSampling(Sampling sampling, double minification, double toleranceDb);
 
 /// The choice that "auto" stands for, as it was measured on the dataset itself against a tolerance. A photo
 /// may name another scene model of its own.
 struct ViewChoice {
     SceneKind scene = SceneKind::None;
-    Sampling sampling = Sampling::Footprint; ///< This is never Auto.
+    Sampling sampling = Sampling::Footprint; ///< This is neither Best nor Auto.
     double tolerancePx = 0;                  ///< The user asked for this tolerance.
     double errorPx = 0; ///< The measured error: in 95 of 100 spots of a view the displacement is no larger.
     double focalPx = 0; ///< The longer of fx and fy of the camera that the error was measured for.

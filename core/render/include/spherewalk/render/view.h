@@ -18,7 +18,7 @@ struct ViewOptions {
         scene; ///< Without a value, the dataset's choice or its best scene model is taken.
     int threads =
         0; ///< The most to use, 0 for all that the machine has. The pixels are the same for any number.
-    Sampling sampling = Sampling::Footprint;
+    Sampling sampling = Sampling::Best;
     double toleranceDb = 40; ///< For Sampling::Auto: how far below full scale the error shall be.
     /// Each pixel is computed by itself in double precision, bilinear. It is for comparisons: a hundred times
     /// slower.
@@ -48,7 +48,7 @@ struct ViewReport {
     std::size_t photo = 0; ///< The index of the photo in DatasetInfo::photos.
     std::string file;
     SceneKind scene = SceneKind::None;
-    Sampling sampling = Sampling::Footprint; ///< The sampling that was used, never Auto.
+    Sampling sampling = Sampling::Footprint; ///< The sampling that was used, neither Best nor Auto.
     ViewOrigin origin = ViewOrigin::Photo;
     bool isLate = false; ///< Whether a part of the photo was not in memory when the view was asked for.
     double offsetM = 0;  ///< The distance between the camera and the photo.

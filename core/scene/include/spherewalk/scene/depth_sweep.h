@@ -28,9 +28,9 @@ struct PhotoDepth {
 struct SweepOptions {
     int width = 1024;             ///< Of the depth: a power of two times coarseWidth.
     int coarseWidth = 512;        ///< Width at which all distances are tried, a multiple of 64.
-    int distances = 128;          ///< Number of distances tried, evenly spread in 1 / distance.
-    double nearestM = 0.45;       ///< Nearest distance tried.
-    double farthestM = 20;        ///< Farthest distance tried.
+    int distances = 128;          ///< Largest number of distances tried.
+    double stepPx = 1;            ///< Parallax from one distance to the next, in pixels of the coarse width.
+    double nearestM = 0.1;        ///< Nearest distance tried, beside neighbours as near as that.
     int neighbours = 6;           ///< Largest number of neighbours used.
     double leastBaselineM = 0.05; ///< A nearer photo says nothing about distance.
     double keptShare =
