@@ -64,6 +64,7 @@ TEST(AlignCommand, NamesAnImportedPhotoForWhichAnotherStands) {
     const CliResult imported = runCli(
         {"import", survey.path().string(), "--photos", survey / "in", "--positions", survey / "q.csv"});
     EXPECT_THAT(imported.errors, HasSubstr("R2000.JPG (line 2) and R1001.JPG are both at rail 1, stop 1"));
+    EXPECT_THAT(imported.output, HasSubstr("None of them was compared with its neighbours yet"));
     const CliResult aligned = runCli({"align", survey.path().string(), "--effort", "draft"});
     EXPECT_THAT(aligned.errors, HasSubstr("R1001.JPG is left out: R2000.JPG stands for rail 1, stop 1."));
 }

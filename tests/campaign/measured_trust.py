@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What views say about their errors, beside what is true: the table of resources/docs/trust.md.
 
-    python3 measured_trust.py ROBOT.yaml PICTURES.csv DATASET...
+    python3 measured_trust.py [--photos TRUE.csv] ROBOT.yaml PICTURES.csv DATASET...
 
 PICTURES.csv is the file that "measure --pictures" reads, with a column `depth`: a PNG of the true depth, z along the optical
-axis in millimetres, 0 where it is not known.
+axis in millimetres, 0 where it is not known. TRUE.csv is a positions file with the true poses of the photos, for datasets whose
+poses were solved; without it the dataset's poses are the true ones. A second row of each scene model then leaves out what all
+photos are turned, moved and scaled by together, which no photo knows.
 """
 
+import argparse
 import csv
 import pathlib
 import sys
@@ -49,22 +52,47 @@ class Truth:
             depth = np.array(Image.open(table.parent / line["depth"]), float) / 1000
             self.pictures.append((pose, np.where(depth > 0, 1 / np.maximum(depth, 1e-3) / self.length, np.nan)))
 
-    def displacement(self, matrix, photo, inverse, truth):
-        """Of the thing at its true distance, seen where the view has it; first order in the error of 1 / distance."""
-        offset = matrix[:3, :3].T @ (matrix[:3, 3] - photo)
-        across = offset - (self.rays @ offset)[..., None] * self.rays
+    def moved(self, matrix, shift):
+        """By how many pixels things at a distance of 1 move with this shift in the room; first order."""
+        inCamera = shift @ matrix[:3, :3]
+        across = inCamera - np.sum(self.rays * inCamera, -1, keepdims=True) * self.rays
         step = 1e-4
-        moved = projected(self.rays + step * across, self.camera.K) - projected(self.axis, self.camera.K)
-        return np.linalg.norm(moved, axis=-1) / step * np.abs(inverse - truth)
+        return (projected(self.rays + step * across, self.camera.K) - projected(self.axis, self.camera.K)) / step
+
+    def displacement(self, matrix, photo, true_photo, inverse, truth):
+        """Of the thing at its true distance, seen where the view has it; first order in the error of 1 / distance."""
+        place = matrix[:3, 3]
+        things = place + (self.rays / truth[..., None]) @ matrix[:3, :3].T
+        turn = photo[:3, :3] @ true_photo[:3, :3].T
+        shown = photo[:3, 3] + (things - true_photo[:3, 3]) @ turn.T
+        moved = (inverse - truth)[..., None] * self.moved(matrix, place - photo[:3, 3])
+        return np.linalg.norm(moved + self.moved(matrix, (shown - things) * truth[..., None]), axis=-1)
 
 
-def line(renderer, places, truth, scene):
+def together(poses, true_poses):
+    """The true poses, turned, moved and scaled by what the other poses are turned, moved and scaled by together."""
+    u, _, v = np.linalg.svd(sum(pose[:3, :3] @ truth[:3, :3].T for pose, truth in zip(poses, true_poses)))
+    turn = u @ v
+    places, true_places = (np.array([pose[:3, 3] for pose in all_poses]) for all_poses in (poses, true_poses))
+    spread = (true_places - true_places.mean(0)) @ turn.T
+    growth = np.sum(spread * (places - places.mean(0))) / np.sum(spread * spread)
+    result = []
+    for truth, place in zip(true_poses, places.mean(0) + growth * spread):
+        pose = np.eye(4)
+        pose[:3, :3] = turn @ truth[:3, :3]
+        pose[:3, 3] = place
+        result.append(pose)
+    return result
+
+
+def line(renderer, poses, true_poses, truth, scene):
     stated, found, flagged, inside, of_views, found_of_views = [], [], [], [], [], []
     options = spherewalk.ViewOptions(scene=scene, sampling="bilinear", depth=True, trust=True)
     for pose, inverse_truth in truth.pictures:
         view = renderer.render(truth.camera, pose, options)
         inverse = 0 if view.depth is None else 1 / (view.depth.astype(float) * truth.length)
-        off = truth.displacement(spherewalk.pose_matrix(pose), places[view.report.photo], inverse, inverse_truth)
+        photo = view.report.photo
+        off = truth.displacement(spherewalk.pose_matrix(pose), poses[photo], true_poses[photo], inverse, inverse_truth)
         known = np.isfinite(inverse_truth)
         stated.append(view.error_px[known])
         found.append(off[known])
@@ -79,16 +107,35 @@ def line(renderer, places, truth, scene):
             np.median(stated / np.maximum(found, 1e-3)), *worse, np.mean(flagged[bad]) if bad.any() else 1, np.mean(flagged)]
 
 
+def poses_of(table, photos):
+    lines = {pathlib.PurePath(line["file"]).stem: line for line in csv.DictReader(open(table))}
+    names = ("x_m", "y_m", "z_m", "qx", "qy", "qz", "qw")
+    return [spherewalk.pose_matrix([float(lines[pathlib.PurePath(photo.file).stem][name]) for name in names])
+            for photo in photos]
+
+
 def main():
-    truth = Truth(spherewalk.Camera.read(sys.argv[1]), pathlib.Path(sys.argv[2]))
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--photos")
+    parser.add_argument("robot")
+    parser.add_argument("pictures", type=pathlib.Path)
+    parser.add_argument("datasets", nargs="+", type=pathlib.Path)
+    arguments = parser.parse_args()
+    truth = Truth(spherewalk.Camera.read(arguments.robot), arguments.pictures)
     print("| " + " | ".join(NAMES) + " |\n|" + "---|" * len(NAMES))
-    for folder in sys.argv[3:]:
+    for folder in arguments.datasets:
         dataset = spherewalk.Dataset.open(folder)
         renderer = spherewalk.Renderer(dataset)
-        places = [photo.room_from_photo[:3, 3] for photo in dataset.photos]
+        poses = [photo.room_from_photo for photo in dataset.photos]
+        rows = {"": poses}
+        if arguments.photos:
+            rows[""] = poses_of(arguments.photos, dataset.photos)
+            rows[", together"] = together(poses, rows[""])
         for scene in dataset.scenes:
-            print(f"| {pathlib.Path(folder).stem} | {scene} | "
-                  + " | ".join(f"{value:.2f}" for value in line(renderer, places, truth, scene)) + " |", flush=True)
+            for what, true_poses in rows.items():
+                print(f"| {folder.stem} | {scene}{what} | "
+                      + " | ".join(f"{value:.2f}" for value in line(renderer, poses, true_poses, truth, scene)) + " |",
+                      flush=True)
 
 
 if __name__ == "__main__":

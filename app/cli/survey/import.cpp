@@ -26,6 +26,9 @@ Result importPictures(const ImportArguments& options, Context& context) {
                  report.alreadyThere, " were there already; ", report.newStations,
                  " stations were added for places that were not planned.",
                  report.moved == 0 ? "" : text(" ", report.moved, " were moved to another place."),
+                 report.imported == 0
+                     ? ""
+                     : " None of them was compared with its neighbours yet: review does that, and align.",
                  report.refused.empty()
                      ? ""
                      : text(" ", counted(report.refused.size(), "line was", "lines were"), " refused.")),

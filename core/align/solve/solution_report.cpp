@@ -124,6 +124,7 @@ double report(const ComponentInput& input, Model model, const ComponentState& st
         pose.sigmaRoll = Radians(sigmas.photos[i].rollRad);
         pose.sigmaOwn = Radians(sigmas.photos[i].ownRad);
         pose.sigmaPositionM = sigmas.photos[i].positionM;
+        pose.sigmaOwnPositionM = sigmas.photos[i].ownM;
     }
     if (component == 0) {
         alignment.sigmaCommonYaw = Radians(hasHeading ? sigmas.commonYawRad : std::numbers::pi);

@@ -53,6 +53,7 @@ struct PhotoUncertainty {
     double rollRad = 0;
     double positionM = 0; ///< Along each axis.
     double ownRad = 0;    ///< About the worst axis, without the turn common to all.
+    double ownM = 0;      ///< Along each axis, when all are moved, turned and scaled together.
 };
 
 struct Uncertainty {

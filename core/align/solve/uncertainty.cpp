@@ -24,7 +24,6 @@ namespace {
 
 constexpr int kBootstrapDraws = 192; // A standard deviation of so many is right to 5 %.
 constexpr double kLeastCurvature = 0.3;
-
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Draws = Eigen::MatrixXd; // One column a draw.
 
@@ -369,6 +368,30 @@ double worstScatter(const Draws& draws) {
     return std::sqrt(std::max(variances[2], 0.0));
 }
 
+/// What is left of the photos' moves when all are moved, turned and scaled together. The moves' shape: 3 rows
+/// a photo. turn: what all are turned by. Photos whose place is well known say what all are moved by.
+Draws ownMoves(const Unknowns& unknowns, const Draws& moves, const Draws& turn) {
+    constexpr double kTiny = 1e-12; // square metres
+    const Eigen::Index count = moves.rows() / 3;
+    Eigen::VectorXd weights(count);
+    Eigen::Matrix3Xd places(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        weights[i] = 1 / (moves.middleRows<3>(3 * i).squaredNorm() / kBootstrapDraws + kTiny);
+        places.col(i) = unknowns.state(static_cast<std::size_t>(i)).positionM;
+    }
+    weights /= weights.sum();
+    places.colwise() -= Eigen::Vector3d(places * weights);
+    const double spread = std::max((places.cwiseAbs2() * weights).sum(), kTiny); // 0 for a single photo
+    Draws own = moves;
+    for (Eigen::Index draw = 0; draw < own.cols(); ++draw) {
+        Eigen::Map<Eigen::Matrix3Xd> moved(own.col(draw).data(), 3, count);
+        moved.colwise() -= Eigen::Vector3d(moved * weights);
+        moved -= skew(turn.col(draw)) * places;
+        moved -= (moved.cwiseProduct(places) * weights).sum() / spread * places;
+    }
+    return own;
+}
+
 } // namespace
 
 Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> priors,
@@ -409,18 +432,17 @@ Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> pr
     }
     Uncertainty made;
     made.commonYawRad = rootMeanSquare(common.row(2));
-    Draws lean = common;
-    lean.row(2).setZero();
-    made.commonLeanRad = worstScatter(lean);
+    made.commonLeanRad = worstScatter(Eigen::Vector3d(1, 1, 0).asDiagonal() * common);
+    const Draws own = ownMoves(unknowns, positions, common);
+    const double perAxis = 1 / std::sqrt(3.0 * kBootstrapDraws);
     for (std::size_t i = 0; i < count; ++i) {
-        Draws turned = turns.middleRows<3>(static_cast<Eigen::Index>(3 * i));
-        const double own = worstScatter(turned - common);
-        turned.row(2) -= common.row(2);
-        const Draws angles = anglesByTurn(unknowns.reference[i]) * turned;
-        const Draws moved = positions.middleRows<3>(static_cast<Eigen::Index>(3 * i));
-        made.photos.push_back({rootMeanSquare(angles.row(0)), rootMeanSquare(angles.row(1)),
-                               rootMeanSquare(angles.row(2)),
-                               std::sqrt(moved.squaredNorm() / (3.0 * kBootstrapDraws)), own});
+        const auto row = static_cast<Eigen::Index>(3 * i);
+        const double ownRad = worstScatter(turns.middleRows<3>(row) - common);
+        const Draws turned = turns.middleRows<3>(row) - Eigen::Vector3d::UnitZ() * common.row(2);
+        const Draws a = anglesByTurn(unknowns.reference[i]) * turned;
+        made.photos.push_back({rootMeanSquare(a.row(0)), rootMeanSquare(a.row(1)), rootMeanSquare(a.row(2)),
+                               perAxis * positions.middleRows<3>(row).norm(), ownRad,
+                               perAxis * own.middleRows<3>(row).norm()});
     }
     return made;
 }

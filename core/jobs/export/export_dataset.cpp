@@ -17,6 +17,7 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <unistd.h>
@@ -40,12 +41,45 @@ std::string rotationSource(const store::SolutionRecord& solution) {
     return solution.source == "align" ? "aligned" : solution.source;
 }
 
+/// How well a photo is known among the others of its solution.
+struct OwnSigma {
+    Radians turn;
+    double positionM = 0;
+    /// What the turns of pairs disagree by, about each axis. Noise of matches is not all of it: a camera of
+    /// two lenses has no single centre.
+    Radians apart;
+};
+
+/// By the photos' numbers. It is empty where the solution's report does not tell.
+std::map<std::int64_t, OwnSigma> ownSigmas(const store::SolutionRecord& solution) {
+    // The median length of the sum of three errors in space, in standard deviations of one along an axis.
+    constexpr double kPerTriangle = 2.67;
+    const Json json = parseJson(solution.report, "the report of a solution");
+    const JsonReader report(json, "the report of a solution");
+    std::map<std::int64_t, OwnSigma> result;
+    if (report.isAbsent("photos")) {
+        return result;
+    }
+    const double aroundDeg = report.isAbsent("cycle_error_deg") ? 0 : report.number("cycle_error_deg");
+    const JsonReader photos = report.member("photos");
+    for (std::size_t i = 0; i < photos.arraySize(); ++i) {
+        const JsonReader photo = photos.element(i);
+        if (!photo.isAbsent("sigma_own")) {
+            const JsonReader own = photo.member("sigma_own");
+            result[photo.integer("photo")] = {Degrees(own.number("turn_deg")), own.number("position_m"),
+                                              Degrees(aroundDeg / kPerTriangle)};
+        }
+    }
+    return result;
+}
+
 /// Poses of photos, from the active solution where it has them.
 class Poses {
   public:
     explicit Poses(const store::SurveyStore& store) : m_folder(store.photoFolder()) {
         if (const auto solution = store.activeSolution()) {
             m_source = rotationSource(*solution);
+            m_own = ownSigmas(*solution);
             for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
                 m_solved.emplace(photo.photo, photo);
             }
@@ -62,12 +96,19 @@ class Poses {
         const store::SolvedPhoto& solved = found->second;
         entry.roomFromPhoto = {solved.roomFromPhoto, solved.positionM};
         entry.rotationSource = m_source;
+        const auto own = m_own.find(photo.id);
+        const OwnSigma most =
+            own != m_own.end() ? own->second : OwnSigma{Radians(HUGE_VAL), HUGE_VAL, Radians(0)};
         if (solved.sigmaPositionM) {
-            entry.positionSigmaM = Eigen::Vector3d::Constant(*solved.sigmaPositionM);
+            entry.positionSigmaM =
+                Eigen::Vector3d::Constant(std::min(*solved.sigmaPositionM, most.positionM));
         }
         if (solved.sigmaYawRad && solved.sigmaPitchRad && solved.sigmaRollRad) {
+            const auto about = [&](double sigmaRad) {
+                return Radians(std::hypot(std::min(sigmaRad, most.turn.value()), most.apart.value()));
+            };
             entry.rotationSigma = render::RotationSigma{
-                Radians(*solved.sigmaYawRad), Radians(*solved.sigmaPitchRad), Radians(*solved.sigmaRollRad)};
+                about(*solved.sigmaYawRad), about(*solved.sigmaPitchRad), about(*solved.sigmaRollRad)};
         }
         return true;
     }
@@ -83,6 +124,7 @@ class Poses {
     std::filesystem::path m_folder;
     std::string m_source;
     std::map<std::int64_t, store::SolvedPhoto> m_solved;
+    std::map<std::int64_t, OwnSigma> m_own;
 };
 
 render::DatasetInfo infoOf(const store::SurveyStore& store) {

@@ -36,6 +36,9 @@ Json toJson(const AlignedPhoto& photo) {
         json["position_m"] = {p.x(), p.y(), p.z()};
         json["sigma_deg"] = photo.pose.hasSigmas() ? sigmaJson(photo.pose) : Json();
         json["sigma_position_m"] = photo.pose.sigmaPositionM;
+        json["sigma_own"] = photo.pose.hasSigmas() ? Json{{"turn_deg", Degrees(photo.pose.sigmaOwn).value()},
+                                                          {"position_m", photo.pose.sigmaOwnPositionM}}
+                                                   : Json();
         json["neighbours"] = photo.pose.constraints;
         json["residual_deg"] = Degrees(Radians(photo.pose.residualRad)).value();
     }

@@ -83,6 +83,7 @@ void tellTagFrame(AlignReport& report) {
     const double offM = off * reachM(report);
     for (AlignedPhoto& photo : report.photos) {
         photo.pose.sigmaPositionM = std::hypot(photo.pose.sigmaPositionM, offM);
+        photo.pose.sigmaOwnPositionM = std::hypot(photo.pose.sigmaOwnPositionM, offM);
     }
 }
 

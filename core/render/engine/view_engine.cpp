@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace spherewalk::render {
@@ -19,12 +20,13 @@ namespace {
 constexpr double kUsualDistanceM = 2;
 /// So many photos tell about a view's errors.
 constexpr std::size_t kWitnesses = 4;
-/// Mixing photos averages the errors of their depths.
-constexpr double kMixedShare = 0.88;
 
-/// What the dataset says about a photo's pose, across a ray: two of three directions.
+/// What the dataset says about a photo's pose, across a ray: the median length of a normal error along two of
+/// the three directions.
 void fillSigmas(const DatasetPhoto& photo, PhotoEvidence& evidence) {
-    const auto across = [](const Eigen::Vector3d& sigmas) { return std::sqrt(2.0 / 3.0) * sigmas.norm(); };
+    const auto across = [](const Eigen::Vector3d& sigmas) {
+        return std::sqrt(2 * std::numbers::ln2 / 3) * sigmas.norm();
+    };
     if (photo.rotationSigma) {
         const auto& [yaw, pitch, roll] = *photo.rotationSigma;
         evidence.rotationSigmaRad = across({yaw.value(), pitch.value(), roll.value()});
@@ -34,8 +36,11 @@ void fillSigmas(const DatasetPhoto& photo, PhotoEvidence& evidence) {
     }
 }
 
+/// The alignment gives no standard deviation to a photo that a quite different rotation fits as well.
 bool isRotationKnown(const DatasetPhoto& photo) {
-    return photo.rotationSource != "metadata" && photo.rotationSource != "unknown";
+    return photo.rotationSource == "aligned"
+               ? photo.rotationSigma.has_value()
+               : photo.rotationSource != "metadata" && photo.rotationSource != "unknown";
 }
 
 std::optional<RoomShape> roomOf(const DatasetInfo& info) {
@@ -336,7 +341,6 @@ ViewEvidence ViewEngine::evidence(const ViewRequest& request, const Plan& plan,
     }
     evidence.shown = shown.size();
     evidence.showsDepths = plan.surface && usesDepths(*plan.surface);
-    evidence.residualShare = plan.surface == SceneKind::Blend ? kMixedShare : 1;
     evidence.room = roomOf(info);
     return evidence;
 }

@@ -163,8 +163,8 @@ ShownError ShownErrors::at(int x, int y, const Vector3d& ray) const {
     const double acrossM = across.norm();
     const Vector3d unit = acrossM > 0 ? Vector3d(across / acrossM) : ray.unitOrthogonal();
     const double perRadian = pixelsPerRadian(m_camera, Vector2d(x, y), ray, unit);
-    const double inverseError = m_evidence.showsDepths ? m_evidence.residualShare * thing.residualM
-                                                       : std::hypot(model - thing.inverseM, thing.residualM);
+    const double inverseError =
+        m_evidence.showsDepths ? thing.residualM : std::hypot(model - thing.inverseM, thing.residualM);
     ShownError error;
     error.px = perRadian * std::hypot(acrossM * inverseError, source.rotationSigmaRad,
                                       source.positionSigmaM * thing.inverseM);

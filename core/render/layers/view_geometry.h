@@ -59,7 +59,6 @@ struct ViewEvidence {
     std::vector<PhotoEvidence> photos; ///< The photos that the view shows, and then others near the camera.
     std::size_t shown = 1;             ///< The number of photos that the view shows.
     bool showsDepths = false;          ///< Whether the view's distances are those of the photos' depths.
-    double residualShare = 1;          ///< What is left of a depth's error where photos are mixed.
     /// 1 / distance along a pixel's ray in the view. It is empty for scene models without surfaces.
     std::function<double(int x, int y, const Eigen::Vector3d& ray)> inverseM;
     /// How far 1 / distance spreads, as a share of it, where no depth was measured.

@@ -90,6 +90,56 @@ TEST(Solve, SaysHowFarItErrs) {
     EXPECT_GE(within, 0.95);
 }
 
+namespace {
+
+/// How far the photos' places err among each other, over what the solution says: the root mean square. What
+/// all are moved, turned and scaled by together is fitted and taken off.
+double ownPlaceRatio(const Alignment& alignment, const std::vector<Rigid3>& truth) {
+    const auto count = static_cast<Eigen::Index>(truth.size());
+    Eigen::Vector3d middleM = Eigen::Vector3d::Zero();
+    for (const Rigid3& pose : truth) {
+        middleM += pose.translation / static_cast<double>(count);
+    }
+    Eigen::MatrixXd together = Eigen::MatrixXd::Zero(3 * count, 7);
+    Eigen::VectorXd moves(3 * count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Eigen::Vector3d placeM = truth[at].translation - middleM;
+        moves.segment<3>(3 * i) = alignment.photos[at].roomFromPhoto.translation - truth[at].translation;
+        together.block<3, 3>(3 * i, 0).setIdentity();
+        for (int axis = 0; axis < 3; ++axis) {
+            together.block<3, 1>(3 * i, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(placeM);
+        }
+        together.block<3, 1>(3 * i, 6) = placeM;
+    }
+    moves -= together * together.colPivHouseholderQr().solve(moves);
+    double squares = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double sigmaM = alignment.photos[static_cast<std::size_t>(i)].sigmaOwnPositionM;
+        squares += (moves.segment<3>(3 * i) / sigmaM).squaredNorm() / (3.0 * static_cast<double>(count));
+    }
+    return std::sqrt(squares);
+}
+
+} // namespace
+
+TEST(Solve, SaysHowFarAPhotoErrsAmongTheOthers) {
+    double squares = 0;
+    constexpr int kSeeds = 6;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        const SyntheticSurvey survey = syntheticSurvey(small(seed));
+        const Alignment alignment = solveSurvey(survey, with(Model::Position));
+        const double ratio = ownPlaceRatio(alignment, survey.roomFromPhoto);
+        squares += ratio * ratio / kSeeds;
+        for (const SolvedPose& pose : alignment.photos) {
+            EXPECT_GT(pose.sigmaOwnPositionM, 0);
+            EXPECT_LT(pose.sigmaOwnPositionM, 0.5 * pose.sigmaPositionM);
+        }
+    }
+    EXPECT_GT(std::sqrt(squares), 0.5);
+    EXPECT_LT(std::sqrt(squares), 2);
+}
+
 TEST(Solve, ChoosesTheModelThatTheMatchesSupport) {
     SyntheticSurveyOptions exact = small(2);
     exact.positionSigmaM = 0;

@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
@@ -12,6 +13,8 @@
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
+
+#include <cmath>
 
 namespace spherewalk::jobs {
 
@@ -117,6 +120,44 @@ TEST_F(ImportExportTest, ExportSaysWhatHasNoRotation) {
     const ExportReport report = exportDataset(store, folder / "d", {}, noProgress(), {});
     EXPECT_EQ(report.withoutRotation, 1);
     EXPECT_NE(render::Dataset::open(folder / "d").info().photos[0].rotationSource, "imported");
+}
+
+// What all photos may be turned and moved by together is no photo's own, and lowers no view's trust.
+TEST_F(ImportExportTest, ADatasetHasWhatEachPhotoErrsAmongTheOthers) {
+    auto store = newSurvey();
+    import(store, "a.JPG,1,1,1.2,1,0,0,0\nb.JPG,2,1.5,1.3,1,0,0,0\n");
+    store::NewSolution solution;
+    solution.source = "align";
+    solution.model = "position";
+    Json photos = Json::array();
+    for (const store::PhotoRecord& photo : store.photos()) {
+        store::SolvedPhoto solved;
+        solved.photo = photo.id;
+        solved.positionM = photo.positionM;
+        solved.sigmaYawRad = solved.sigmaPitchRad = solved.sigmaRollRad = 0.01;
+        solved.sigmaPositionM = 0.003;
+        solution.photos.push_back(solved);
+        const bool isFirst = photos.empty();
+        photos.push_back({{"photo", photo.id},
+                          {"status", "good"},
+                          {"flags", Json::array()},
+                          {"sigma_own", isFirst ? Json{{"turn_deg", 0.1}, {"position_m", 0.0002}} : Json()}});
+    }
+    solution.report = Json{{"cycle_error_deg", 0.267}, {"photos", photos}}.dump();
+    store.addSolution(solution, true);
+    exportDataset(store, folder / "d", {}, noProgress(), {});
+    const render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    ASSERT_EQ(info.photos.size(), 2U);
+    for (const render::DatasetPhoto& photo : info.photos) {
+        const bool isFirst = photo.roomFromPhoto.translation.x() < 1.5;
+        EXPECT_NEAR(photo.positionSigmaM.value().x(), isFirst ? 0.0002 : 0.003, 1e-9);
+        // Pairs that disagree by 0.1 degrees about each axis count, too.
+        const double turnRad = isFirst ? Radians(Degrees(std::hypot(0.1, 0.1))).value() : 0.01;
+        for (const Radians sigma : {photo.rotationSigma.value().yaw, photo.rotationSigma.value().pitch,
+                                    photo.rotationSigma.value().roll}) {
+            EXPECT_NEAR(sigma.value(), turnRad, 1e-9);
+        }
+    }
 }
 
 TEST_F(ImportExportTest, NamesTheLineWhosePhotoCannotBeUsedAndTakesTheOthers) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace spherewalk::render {
@@ -246,15 +247,18 @@ TEST_F(TwoRooms, APhotosUncertaintyLowersTrustByAsMuch) {
     const double focal = camera.intrinsics().fx;
     info.photos[8].rotationSigma = RotationSigma{Radians(0.02), Radians(0.02), Radians(0.02)};
     const double turned = report().parallaxPx;
-    EXPECT_NEAR(turned, std::sqrt(2) * 0.02 * focal, 0.3 * turned); // the lens magnifies off the axis
+    const double across = std::sqrt(2 * std::numbers::ln2); // the median length of an error in two directions
+    EXPECT_NEAR(turned, across * 0.02 * focal, 0.3 * turned); // the lens magnifies off the axis
     info.photos[8].rotationSigma.reset();
     info.photos[8].positionSigmaM = Vector3d::Constant(0.1);
-    EXPECT_GT(report().parallaxPx, std::sqrt(2) * 0.1 / 5 * focal);
+    EXPECT_GT(report().parallaxPx, across * 0.1 / 5 * focal);
     info.photos[8].positionSigmaM.reset();
-    for (const char* source : {"metadata", "unknown"}) {
+    for (const char* source : {"metadata", "unknown", "aligned"}) { // the last without a standard deviation
         info.photos[8].rotationSource = source;
         EXPECT_EQ(report().trust, 0) << source;
     }
+    info.photos[8].rotationSigma = RotationSigma{Radians(1e-4), Radians(1e-4), Radians(1e-4)};
+    EXPECT_GT(report().trust, 0.9);
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace spherewalk::render {
 
@@ -105,18 +106,17 @@ struct Deviation {
     double mean = 0;
 };
 
-/// The deviation of views of random scenes, over all pixels. exact(plane, pixel of the photo): the colour.
-/// Pixels that the lens does not see are black.
+/// The deviation of views, over all pixels. exact(plane, pixel of the photo): the colour. Pixels that the
+/// lens does not see are black.
 template <class Exact>
-Deviation deviationOf(Sampling sampling, const PhotoPlane& photo, int scenes, test::Random& random,
+Deviation deviationOf(Sampling sampling, const PhotoPlane& photo, const std::vector<Scene>& scenes,
                       const Exact& exact) {
     const PlaneView plane = photo.view();
     WorkerPool pool(2);
     Deviation deviation;
     double sum = 0;
     long count = 0;
-    for (int i = 0; i < scenes; ++i) {
-        const Scene scene = randomScene(random);
+    for (const Scene& scene : scenes) {
         const Projection projection(scene.camera, scene.roomFromCamera, scene.roomFromPhoto, plane.size(),
                                     scene.kind, 2.0);
         const RgbImage view = rendered(scene, plane, sampling, 0, pool);
@@ -133,9 +133,20 @@ Deviation deviationOf(Sampling sampling, const PhotoPlane& photo, int scenes, te
         }
     }
     deviation.mean = sum / static_cast<double>(count);
-    std::cout << "  worst " << deviation.worst << ", mean " << deviation.mean << " grey levels, seed "
-              << random.seed() << "\n";
+    std::cout << "  worst " << deviation.worst << ", mean " << deviation.mean << " grey levels\n";
     return deviation;
+}
+
+/// The deviation of views of random scenes.
+template <class Exact>
+Deviation deviationOf(Sampling sampling, const PhotoPlane& photo, int count, test::Random& random,
+                      const Exact& exact) {
+    std::vector<Scene> scenes;
+    for (int i = 0; i < count; ++i) {
+        scenes.push_back(randomScene(random));
+    }
+    std::cout << "  seed " << random.seed() << "\n";
+    return deviationOf(sampling, photo, scenes, exact);
 }
 
 } // namespace
@@ -176,6 +187,37 @@ TEST(SphereView, IsTheExactBilinearView) {
                     [&](const PlaneView&, const Vector2d& at) { return bilinear(picture, at); });
     EXPECT_LT(deviation.worst, 6);
     EXPECT_LT(deviation.mean, 0.5);
+}
+
+// At a pole a pixel of the view spans many of a row, so that an error across the sphere is many pixels in u.
+TEST(SphereView, IsOffByMoreThanRoundingAtThePolesOnly) {
+    const RgbImage picture = noise(4096, 78);
+    const PhotoPlane photo(picture);
+    const auto worst = [&](double fieldDeg, double leastPitchDeg, double mostPitchDeg) {
+        test::Random random(79);
+        std::vector<Scene> scenes;
+        for (int i = 0; i < 8; ++i) {
+            const Radians pitch =
+                Degrees((i % 2 == 0 ? 1 : -1) * random.uniform(leastPitchDeg, mostPitchDeg));
+            const Eigen::Quaterniond turn =
+                rotation({Radians(random.uniform(-3, 3)), pitch, Radians(random.uniform(-0.2, 0.2))});
+            const double fieldRad = Radians(Degrees(fieldDeg)).value();
+            scenes.push_back({CameraModel(CameraIntrinsics::pinhole(320, 240, fieldRad)),
+                              {turn * bodyFromOptical(), Vector3d::Zero()},
+                              Rigid3{},
+                              SceneKind::None});
+        }
+        std::cout << fieldDeg << " degrees wide, pitch of " << leastPitchDeg << " to " << mostPitchDeg << ':';
+        return deviationOf(Sampling::Bilinear, photo, scenes,
+                           [&](const PlaneView&, const Vector2d& at) { return bilinear(picture, at); })
+            .worst;
+    };
+    for (const double fieldDeg : {5.0, 20.0, 57.0}) {
+        EXPECT_LT(worst(fieldDeg, 0, 45), 3) << fieldDeg;
+    }
+    const double atPoles = worst(5, 88, 90);
+    EXPECT_GT(atPoles, 6);
+    EXPECT_LT(atPoles, 100);
 }
 
 TEST(SphereView, IsTheExactBicubicView) {

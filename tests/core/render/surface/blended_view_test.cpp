@@ -182,6 +182,16 @@ TEST(BlendedView, EvensOutTheNoiseOfPhotosThatAgree) {
     EXPECT_LT(rms(ball.blend(middle, 4), truth), 0.75 * rms(ball.surface(middle, 4), truth));
 }
 
+TEST(BlendedView, IsTheSameFromBothSidesOfABorder) {
+    const Eigen::Vector3d middle(0.25, 0.1, 0);
+    Ball one({kSquare[0], kSquare[1]});
+    Ball other({kSquare[1], kSquare[0]});
+    one.darken(1, 0.7, false); // which tells the photos apart
+    other.darken(0, 0.7, false);
+    EXPECT_LT(rms(one.blend(middle, 2), other.blend(middle, 2)), 1);
+    EXPECT_GT(rms(one.surface(middle, 2), other.surface(middle, 2)), 20);
+}
+
 TEST(BlendedView, OfOnePhotoIsItsSurface) {
     Ball ball({kSquare[0]}, 40);
     const Eigen::Vector3d beside(0.1, 0.05, 0);

@@ -60,6 +60,9 @@ struct SolvedPose {
     Radians sigmaOwn;
     /// Standard deviation along each axis: the root mean square over the three.
     double sigmaPositionM = 0;
+    /// The same of its place among the other photos of its component. What all of them are moved, turned and
+    /// scaled by together is no part of it.
+    double sigmaOwnPositionM = 0;
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
     double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts; 1 if none counts.
