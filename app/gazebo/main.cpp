@@ -24,8 +24,7 @@ using program::printLine;
 class SimulatorOptions {
   public:
     /// Declares --rate, --pace, --late, --prefetch, --mount, --room-from-world, and the overlay's
-    /// --objects-by,
-    /// --room-labels, --overlay-wait, --overlay-camera.
+    /// --objects-by, --room-labels, --overlay-wait, --overlay-camera.
     void declare(const program::Command& command);
 
     /// hasOverlay: pictures of objects will come. Errors: InvalidInput with a sentence.
@@ -38,7 +37,7 @@ class SimulatorOptions {
     std::string m_mount = "0 0 0 0 0 0 1";
     std::string m_roomFromWorld = "0 0 0 0 0 0 1";
     std::string m_objectsBy = "labels";
-    std::vector<int> m_roomLabels = {0, 1};
+    std::vector<int> m_roomLabels = {1};
     double m_overlayWaitS = 0.5;
     std::string m_overlayCamera;
 };
@@ -72,7 +71,9 @@ void SimulatorOptions::declare(const program::Command& command) {
         .among({"labels", "depth", "alone"})
         .showDefault();
     command
-        .option("--room-labels", m_roomLabels, "Labels of the simulator's model of the room, and of nothing")
+        .option("--room-labels", m_roomLabels,
+                "Labels of the simulator's model of the room; with 0 among them, what has no label is not "
+                "shown")
         .range(0, 255)
         .separatedBy(',')
         .showDefault();

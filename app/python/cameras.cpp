@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings.h"
+#include "path_caster.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/render/camera_info.h"
 
 #include <limits>
-#include <pybind11/stl/filesystem.h>
 
 namespace spherewalk::python {
 

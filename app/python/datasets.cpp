@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings.h"
+#include "path_caster.h"
 
 #include "spherewalk/base/enum_names.h"
 
 #include <pybind11/functional.h>
-#include <pybind11/stl/filesystem.h>
 
 namespace spherewalk::python {
 
@@ -35,7 +35,7 @@ class PythonProgress : public ProgressSink {
                 m_function(fraction, std::string(activity));
             }
         } catch (py::error_already_set& raised) {
-            m_raised = std::move(raised);
+            m_raised.emplace(std::move(raised));
             m_stop.request_stop();
         }
     }

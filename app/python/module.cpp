@@ -17,7 +17,12 @@ void raise(const Error& error) {
 /// From here on, a spherewalk::Error that leaves a function of the module becomes the exception that
 /// spherewalk/_errors.py has for its kind, with the same sentence.
 void translateErrors() {
-    py::register_local_exception_translator([](std::exception_ptr pointer) {
+#if PYBIND11_VERSION_MAJOR > 2 || PYBIND11_VERSION_MINOR >= 8
+    constexpr auto translate = [](auto translator) { py::register_local_exception_translator(translator); };
+#else // for all modules of the interpreter, which throw no spherewalk::Error
+    constexpr auto translate = [](auto translator) { py::register_exception_translator(translator); };
+#endif
+    translate([](std::exception_ptr pointer) {
         try {
             std::rethrow_exception(pointer);
         } catch (const Error& error) {

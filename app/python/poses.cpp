@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings.h"
+#include "path_caster.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/geometry/trajectory.h"
-
-#include <pybind11/stl/filesystem.h>
 
 namespace spherewalk::python {
 

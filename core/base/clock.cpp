@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 
 namespace spherewalk {
@@ -39,15 +40,16 @@ Clock& systemClock() {
     return clock;
 }
 
+// The calendar is the system's: C++20's is missing in GCC 10.
 std::string isoUtc(std::chrono::system_clock::time_point moment) {
-    const auto milliseconds = std::chrono::floor<std::chrono::milliseconds>(moment);
-    const auto day = std::chrono::floor<std::chrono::days>(milliseconds);
-    const std::chrono::year_month_day date(day);
-    const std::chrono::hh_mm_ss time(milliseconds - day);
-    return padded(int(date.year()), 4) + "-" + padded(unsigned(date.month()), 2) + "-" +
-           padded(unsigned(date.day()), 2) + "T" + padded(time.hours().count(), 2) + ":" +
-           padded(time.minutes().count(), 2) + ":" + padded(time.seconds().count(), 2) + "." +
-           padded(time.subseconds().count(), 3) + "Z";
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(moment);
+    const auto milliseconds = std::chrono::floor<std::chrono::milliseconds>(moment - seconds);
+    const std::time_t time = std::chrono::system_clock::to_time_t(seconds);
+    std::tm date{};
+    ::gmtime_r(&time, &date);
+    return padded(date.tm_year + 1900, 4) + "-" + padded(date.tm_mon + 1, 2) + "-" + padded(date.tm_mday, 2) +
+           "T" + padded(date.tm_hour, 2) + ":" + padded(date.tm_min, 2) + ":" + padded(date.tm_sec, 2) + "." +
+           padded(milliseconds.count(), 3) + "Z";
 }
 
 std::optional<std::chrono::system_clock::time_point> parseIsoUtc(std::string_view text) {
@@ -62,17 +64,20 @@ std::optional<std::chrono::system_clock::time_point> parseIsoUtc(std::string_vie
         }
     }
     const auto number = [&](std::size_t at, std::size_t count) { return digitsAt(text, at, count); };
-    const std::chrono::year_month_day date(std::chrono::year(number(0, 4)),
-                                           std::chrono::month(static_cast<unsigned>(number(5, 2))),
-                                           std::chrono::day(static_cast<unsigned>(number(8, 2))));
+    std::tm date{};
+    date.tm_year = number(0, 4) - 1900;
+    date.tm_mon = number(5, 2) - 1;
+    date.tm_mday = number(8, 2);
+    const std::tm asked = date;
+    const std::time_t day = ::timegm(&date); // which moves the 30th of February to March
     // The clock's nanoseconds end in 2262.
-    if (!date.ok() || date.year() < std::chrono::year(1700) || date.year() > std::chrono::year(2260) ||
-        number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 59) {
+    if (date.tm_mon != asked.tm_mon || date.tm_mday != asked.tm_mday || number(0, 4) < 1700 ||
+        number(0, 4) > 2260 || number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 59) {
         return std::nullopt;
     }
-    return std::chrono::sys_days(date) + std::chrono::hours(number(11, 2)) +
-           std::chrono::minutes(number(14, 2)) + std::chrono::seconds(number(17, 2)) +
-           std::chrono::milliseconds(number(20, 3));
+    return std::chrono::system_clock::time_point(std::chrono::seconds(day)) +
+           std::chrono::hours(number(11, 2)) + std::chrono::minutes(number(14, 2)) +
+           std::chrono::seconds(number(17, 2)) + std::chrono::milliseconds(number(20, 3));
 }
 
 std::string humanDuration(std::chrono::duration<double> duration) {

@@ -37,7 +37,7 @@ JsonReader::JsonReader(const Json& value, std::string source, std::string place)
 }
 
 bool JsonReader::has(std::string_view key) const {
-    return m_value->is_object() && m_value->contains(key);
+    return m_value->is_object() && m_value->contains(std::string(key));
 }
 
 bool JsonReader::isAbsent(std::string_view key) const {

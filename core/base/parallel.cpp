@@ -13,6 +13,13 @@
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
 #endif
+#ifndef __cpp_lib_atomic_wait // of GCC 10
+#include <climits>
+
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
 
 namespace spherewalk {
 
@@ -25,6 +32,29 @@ void pauseBriefly() {
     _mm_pause();
 #else
     std::this_thread::yield();
+#endif
+}
+
+/// Sleeps until the value is another.
+template <class Number>
+void waitWhile(const std::atomic<Number>& value, Number old) {
+#ifdef __cpp_lib_atomic_wait
+    value.wait(old);
+#else
+    static_assert(sizeof value == sizeof(std::uint32_t));
+    while (value.load() == old) {
+        ::syscall(SYS_futex, &value, FUTEX_WAIT_PRIVATE, old, nullptr, nullptr, 0);
+    }
+#endif
+}
+
+/// Wakes all who sleep until the value is another.
+template <class Number>
+void wakeAll(std::atomic<Number>& value) {
+#ifdef __cpp_lib_atomic_wait
+    value.notify_all();
+#else
+    ::syscall(SYS_futex, &value, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr, nullptr, 0);
 #endif
 }
 
@@ -101,7 +131,7 @@ struct WorkerPool::State {
             // The run cannot end while this item is open, so its body is there.
             perform(nextOf(now), worker);
             if (open.fetch_sub(1) == 1) {
-                open.notify_all();
+                wakeAll(open);
             }
             now = ticket.load();
         }
@@ -128,7 +158,7 @@ struct WorkerPool::State {
             for (int spin = 0; runs.load() == seen && spin < kSpins; ++spin) {
                 pauseBriefly();
             }
-            runs.wait(seen);
+            waitWhile(runs, seen);
             if (ending) {
                 return;
             }
@@ -150,7 +180,7 @@ WorkerPool::WorkerPool(int threads) : m_state(std::make_unique<State>()) {
 WorkerPool::~WorkerPool() {
     m_state->ending = true;
     ++m_state->runs;
-    m_state->runs.notify_all();
+    wakeAll(m_state->runs);
 }
 
 int WorkerPool::threads() const {
@@ -170,14 +200,14 @@ void WorkerPool::run(int count, int threads, const std::function<void(int, int)>
     state.ticket = ticket(++state.number, count);
     if (state.allowed > 1 && !state.others.empty()) {
         ++state.runs;
-        state.runs.notify_all();
+        wakeAll(state.runs);
     }
     state.takeItems(0);
     for (int spin = 0; state.open.load() != 0 && spin < kSpins; ++spin) {
         pauseBriefly();
     }
     for (int left = state.open.load(); left != 0; left = state.open.load()) {
-        state.open.wait(left);
+        waitWhile(state.open, left);
     }
     state.body = nullptr;
     if (state.failure) {

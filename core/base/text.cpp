@@ -5,6 +5,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <locale>
+#include <optional>
+#include <sstream>
 
 namespace spherewalk {
 
@@ -32,6 +36,8 @@ std::size_t utf8Length(std::string_view text) {
 
 } // namespace
 
+#ifdef __cpp_lib_to_chars
+
 std::string detail::piece(double number) {
     std::array<char, 64> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
@@ -45,6 +51,58 @@ std::string fixed(double number, int digits) {
             .ptr;
     return {buffer.data(), end};
 }
+
+namespace {
+
+/// The number that is the whole text; infinity if there is none.
+double wholeNumber(std::string_view text) {
+    double number = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return failure == std::errc() && end == text.data() + text.size() ? number : HUGE_VAL;
+}
+
+} // namespace
+
+#else // GCC 10 has these functions for whole numbers only. Streams are slower, and may obey no locale either.
+
+namespace {
+
+double wholeNumber(std::string_view text) {
+    std::istringstream in{std::string(text)};
+    in.imbue(std::locale::classic());
+    double number = 0;
+    in >> std::noskipws >> number;
+    return !in.fail() && in.peek() == std::istringstream::traits_type::eof() && text.front() != '+'
+               ? number
+               : HUGE_VAL;
+}
+
+} // namespace
+
+std::string detail::piece(double number) {
+    std::string words;
+    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out.precision(digits);
+        out << number;
+        words = out.str();
+        if (wholeNumber(words) == number) {
+            break;
+        }
+    }
+    return words;
+}
+
+std::string fixed(double number, int digits) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(digits);
+    out << std::fixed << number;
+    return out.str();
+}
+
+#endif
 
 int digitsAt(std::string_view text, std::size_t begin, std::size_t count) {
     int number = 0;
@@ -61,12 +119,8 @@ std::optional<double> parseNumber(std::string_view text) {
     if (!text.empty() && text.front() == '+') {
         text.remove_prefix(1);
     }
-    double number = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) {
-        return std::nullopt;
-    }
-    return number;
+    const double number = wholeNumber(text);
+    return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 std::string humanBytes(std::uint64_t sizeBytes) {

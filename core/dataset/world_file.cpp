@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kWallM = 0.1; ///< Thickness; walls stand outside of the room.
 constexpr double kObjectM = 0.3;
+constexpr double kNearestObjectM = 0.6; ///< From the camera.
 
 /// Letters, digits, - and _ only.
 std::string identifier(std::string_view name) {
@@ -45,6 +46,15 @@ std::string label(int number) {
 
 std::string box(double x, double y, double z) {
     return tag("geometry", tag("box", tag("size", text(x, " ", y, " ", z))));
+}
+
+/// An upright prism on the floor of its frame.
+std::string prism(const Polygon& outline, double heightM) {
+    std::string points;
+    for (const Eigen::Vector2d& corner : outline) {
+        points += tag("point", text(corner.x(), " ", corner.y()));
+    }
+    return tag("geometry", tag("polyline", points + tag("height", text(heightM))));
 }
 
 std::string material(double red, double green, double blue) {
@@ -99,6 +109,10 @@ std::string roomModel(const WorldRoom& room) {
         slab("floor", room.floorM - kWallM / 2) + slab("ceiling", room.ceilingM + kWallM / 2);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         surfaces += wall(room, outline, i);
+    }
+    for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
+        surfaces += surface(text("obstacle_", i), pose(0, 0, room.floorM),
+                            prism(room.obstacles[i].outline, room.obstacles[i].heightM));
     }
     return text("<!-- The room as physics and lasers know it. Cameras with visibility_mask ", kSeenByCamera,
                 " do not see it: they show the photos. -->\n<model name=\"room\">\n", tag("static", "true"),
@@ -162,7 +176,7 @@ std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
     return text(
         "<!-- Drives by /model/robot/cmd_vel; says at each step where it is on /model/robot/pose. -->\n"
         "<model name=\"robot\">\n",
-        pose(at.x(), at.y(), room.floorM), system("velocity-control", "VelocityControl"),
+        pose(at.x(), at.y(), room.floorM), label(kRoomLabel), system("velocity-control", "VelocityControl"),
         system("pose-publisher", "PosePublisher", poses), "<link name=\"base\">\n", inertia(5), body, lidar(),
         "</link>\n<link name=\"camera\">\n", pose(0, 0, at.z() - room.floorM), inertia(0.1),
         overlaySensors(camera),
@@ -170,18 +184,52 @@ std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
         "</model>\n");
 }
 
-/// An object before the camera's first place, if there is room.
-std::string objectModel(const WorldRoom& room) {
-    Eigen::Vector2d at = room.cameraAt.head<2>() + Eigen::Vector2d(1.5, 0);
-    if (!contains(room.outline, at) || distanceToEdge(room.outline, at) < kObjectM) {
-        at = room.cameraAt.head<2>() + Eigen::Vector2d(0.6, 0);
+/// Whether the object can stand this far before the camera, and nothing stands between.
+bool isFreeAhead(const WorldRoom& room, double distanceM) {
+    constexpr double kSightM = 0.05;
+    const Eigen::Vector2d from = room.cameraAt.head<2>();
+    const Eigen::Vector2d at = from + Eigen::Vector2d(distanceM, 0);
+    const auto isClear = [&](const Polygon& edges) {
+        return distanceToEdge(edges, at) >= kObjectM && distanceToEdge(edges, from, at) >= kSightM;
+    };
+    return contains(room.outline, at) && isClear(room.outline) &&
+           std::all_of(room.obstacles.begin(), room.obstacles.end(), [&](const WorldObstacle& obstacle) {
+               return !contains(obstacle.outline, at) && isClear(obstacle.outline);
+           });
+}
+
+/// An object before the camera: as near as the camera sees its foot, or as far as there is room.
+std::string objectModel(const WorldRoom& room, const CameraIntrinsics& camera) {
+    constexpr double kStepM = 0.05;
+    const double lensHeightM = room.cameraAt.z() - room.floorM;
+    const double fallPerM = std::max((camera.height - 1 - camera.cy) / camera.fy, 0.01);
+    double distanceM = lensHeightM / fallPerM + kObjectM;
+    while (distanceM > kNearestObjectM && !isFreeAhead(room, distanceM)) {
+        distanceM -= kStepM;
     }
-    return text("<!-- An object that the camera sees; your own get a label of their own, neither 0 nor ",
-                kRoomLabel, ". -->\n<model name=\"parcel\">\n",
-                pose(at.x(), at.y(), room.floorM + kObjectM / 2), label(kObjectLabel),
-                "<link name=\"box\">\n", inertia(1),
-                solid("box", "", box(kObjectM, kObjectM, kObjectM), kSeenByCamera, material(0.8, 0.5, 0.2)),
+    distanceM = std::max(distanceM, kNearestObjectM);
+    const double unseenM = std::max(lensHeightM - fallPerM * (distanceM - kObjectM / 2), 0.0);
+    const double heightM = std::min(unseenM + kObjectM, room.ceilingM - room.floorM);
+    return text("<!-- An object that the camera sees; your own get a label of their own, not ", kRoomLabel,
+                ". -->\n<model name=\"parcel\">\n",
+                pose(room.cameraAt.x() + distanceM, room.cameraAt.y(), room.floorM + heightM / 2),
+                label(kObjectLabel), "<link name=\"box\">\n", inertia(1),
+                solid("box", "", box(kObjectM, kObjectM, heightM), kSeenByCamera, material(0.8, 0.5, 0.2)),
                 "</link>\n</model>\n");
+}
+
+void validateObstacles(const std::vector<WorldObstacle>& obstacles) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        if (const auto why = defect(obstacles[i].outline)) {
+            throw Error(ErrorKind::InvalidInput, text("A world cannot be made of this room: of its obstacle ",
+                                                      i + 1, ", ", *why, "."));
+        }
+        if (!std::isfinite(obstacles[i].heightM) || !(obstacles[i].heightM > 0)) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("A world cannot be made with an obstacle ", obstacles[i].heightM,
+                             " m high; obstacles are higher than 0 m."));
+        }
+    }
 }
 
 } // namespace
@@ -201,6 +249,7 @@ void WorldRoom::validate() const {
                     text("The robot's camera cannot begin at x ", cameraAt.x(), ", y ", cameraAt.y(), ", z ",
                          cameraAt.z(), ", which is not inside of the room."));
     }
+    validateObstacles(obstacles);
 }
 
 std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera) {
@@ -223,7 +272,7 @@ std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera) {
                 "<diffuse>0.9 0.9 0.9 1</diffuse><specular>0.1 0.1 0.1 1</specular>\n"
                 "<attenuation><range>50</range><constant>0.6</constant><linear>0.02</linear>"
                 "<quadratic>0</quadratic></attenuation>\n</light>\n",
-                roomModel(room), robotModel(room, camera), objectModel(room), "</world>\n</sdf>\n");
+                roomModel(room), robotModel(room, camera), objectModel(room, camera), "</world>\n</sdf>\n");
 }
 
 } // namespace spherewalk::dataset

@@ -55,6 +55,25 @@ Bytes thumbnail(ByteView jpegBytes, std::string_view source, int width) {
     return jpeg::encode(photo::resized(picture, width, width / 2), kQuality);
 }
 
+/// The JPEG without the index of further pictures behind it (CIPA DC-007, MPF), which are not exported.
+Bytes withoutFurtherPictures(const Bytes& source, std::string_view sourceName) {
+    constexpr std::uint8_t kApp2 = 0xE2;
+    constexpr std::string_view kSignature("MPF\0", 4);
+    Bytes result;
+    std::size_t kept = 0;
+    for (const jpeg::Segment& segment : jpeg::segments(source, sourceName)) {
+        const std::string_view begin = textOf(
+            segment.content(source).first(std::min(kSignature.size(), segment.content(source).size())));
+        if (segment.marker == kApp2 && begin == kSignature) {
+            result.insert(result.end(), source.begin() + static_cast<std::ptrdiff_t>(kept),
+                          source.begin() + static_cast<std::ptrdiff_t>(segment.offset));
+            kept = segment.offset + segment.size;
+        }
+    }
+    result.insert(result.end(), source.begin() + static_cast<std::ptrdiff_t>(kept), source.end());
+    return result;
+}
+
 /// Writes one photo with its index and thumbnail and completes its entry. Returns the bytes written besides
 /// the photo.
 std::uint64_t writePhoto(const Bytes& source, const fs::path& folder, const std::string& stem,
@@ -62,7 +81,8 @@ std::uint64_t writePhoto(const Bytes& source, const fs::path& folder, const std:
                          render::DatasetPhoto& entry) {
     const jpeg::Info info = jpeg::readInfo(source, sourceName);
     const Bytes marked = jpeg::withRestartMarkers(
-        source, jpeg::dividingInterval(info.width, info.mcuWidth, options.mcusPerInterval), sourceName);
+        withoutFurtherPictures(source, sourceName),
+        jpeg::dividingInterval(info.width, info.mcuWidth, options.mcusPerInterval), sourceName);
     const jpeg::RestartIndex index = jpeg::indexRestarts(marked, sourceName);
     entry.file = text("photos/", stem, ".jpg");
     entry.restartIndex = text("index/", stem, ".swri");

@@ -137,6 +137,10 @@ void Decompressor::check(ByteView jpeg, const std::string& tried) const {
                     text("Could not ", tried, ": it has ", m_info.image_width, " x ", m_info.image_height,
                          " pixels, more than this version takes; reduce it."));
     }
+    if (m_info.num_components == 4) {
+        throw Error(ErrorKind::Unsupported,
+                    text("Could not ", tried, ": it is CMYK, as for printing; save it as an RGB JPEG."));
+    }
     if ((m_info.num_components != 1 && !isColour) || m_info.arith_code) {
         throw Error(ErrorKind::Unsupported,
                     text("Could not ", tried,

@@ -12,6 +12,14 @@ namespace spherewalk::simulator {
 
 namespace {
 
+constexpr std::uint8_t kNoLabel = 0;
+
+/// False for the black of a camera that sees nothing. Without a label, nothing else tells what the depth
+/// camera sees and the colour camera does not: the simulator's own model of a room or a robot.
+bool isColoured(const std::uint8_t* rgb) {
+    return (rgb[0] | rgb[1] | rgb[2]) != 0;
+}
+
 render::RoomShape roomOf(const render::DatasetInfo& dataset) {
     if (dataset.roomShape) {
         return *dataset.roomShape;
@@ -51,11 +59,20 @@ render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFro
     switch (m_options.by) {
     case ObjectsBy::Labels:
         show(
-            parts, [&](int x, int y) { return !m_isRoom[*parts.labels.at(x, y)]; }, overlay.picture);
+            parts,
+            [&](int x, int y) {
+                const std::uint8_t label = *parts.labels.at(x, y);
+                return !m_isRoom[label] && (label != kNoLabel || isColoured(parts.colour.at(x, y)));
+            },
+            overlay.picture);
         break;
     case ObjectsBy::Depth:
         show(
-            parts, [&](int x, int y) { return isNearer(*parts.depth.at(x, y), roomFromCamera, x, y); },
+            parts,
+            [&](int x, int y) {
+                return isColoured(parts.colour.at(x, y)) &&
+                       isNearer(*parts.depth.at(x, y), roomFromCamera, x, y);
+            },
             overlay.picture);
         break;
     case ObjectsBy::Alone:

@@ -4,8 +4,13 @@ include(FeatureSummary)
 include(CMakeDependentOption)
 
 option(SPHEREWALK_RENDER_ONLY "Build the render library and what it links, nothing else" OFF)
+option(SPHEREWALK_ADAPTERS_ONLY "Build the render library and the cameras for Gazebo, ROS and Python on it, nothing else" OFF)
+set(SPHEREWALK_WHOLE ON)
+if(SPHEREWALK_RENDER_ONLY OR SPHEREWALK_ADAPTERS_ONLY)
+  set(SPHEREWALK_WHOLE OFF)
+endif()
 cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
-                       "NOT SPHEREWALK_RENDER_ONLY" OFF)
+                       "SPHEREWALK_WHOLE" OFF)
 cmake_dependent_option(SPHEREWALK_GAZEBO "Build the camera for Gazebo, where its transport is found" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
 cmake_dependent_option(SPHEREWALK_ROS1 "Build the camera of ROS 1, where roscpp is found" ON
@@ -14,6 +19,7 @@ cmake_dependent_option(SPHEREWALK_DDS "Build the camera of ROS 2 that needs no R
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
 cmake_dependent_option(SPHEREWALK_RCLCPP "Build the camera of ROS 2, where rclcpp is found" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
+option(SPHEREWALK_HIGHWAY "Use the processor's SIMD by Highway, where Highway is found" ON)
 option(SPHEREWALK_TESTS "Build the tests" ON)
 option(SPHEREWALK_WERROR "Treat warnings as errors" OFF)
 option(SPHEREWALK_FUZZ "Build the libFuzzer programs (needs clang)" OFF)

@@ -146,7 +146,7 @@ TEST_F(BadInput, RoomsAndPlansThatCannotBe) {
     const std::string survey = path("none.spherewalk");
     expectRefused({"new", survey, "--outline", path("crossing.json"), "--ceiling", "2.5"}, "crosses");
     expectRefused({"new", survey, "--rect", "0,0,4,3", "--ceiling", "2.5", "--step", "0"}, "step");
-    expectRefused({"new", survey, "--rect", "0,0,4,3"}, "ceiling");
+    expectRefused({"new", survey, "--rect", "0,0,4,3"}, "height is missing: give --ceiling");
     expectRefused({"new", survey, "--rect", "4,0,0,3", "--ceiling", "2.5"}, "x0 < x1");
     expectRefused({"new", survey, "--rect", "0,0,4,3", "--ceiling", "2.5", "--step", "0.0001"}, "step");
     expectRefused({"new", path("s.spherewalk"), "--rect", "0,0,4,3", "--ceiling", "2.5"}, "s.spherewalk");

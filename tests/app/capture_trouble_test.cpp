@@ -28,8 +28,9 @@ class CaptureTrouble : public testing::Test {
         EXPECT_EQ(made.status, 0) << made.errors;
     }
 
-    void startCamera(double timeScale) {
+    void startCamera(double timeScale, practice::CameraModel model = practice::CameraModel::ThetaV) {
         practice::PracticeCameraOptions options;
+        options.model = model;
         options.width = 1024;
         options.isPlain = true;
         options.timeScale = timeScale;
@@ -54,10 +55,38 @@ class CaptureTrouble : public testing::Test {
         EXPECT_EQ(practice::readTruth(folder / "truth.jsonl").size(), store.photos().size());
     }
 
+    int commands(const std::string& name) const {
+        const auto counts = camera->stats().commands;
+        const auto found = counts.find(name);
+        return found == counts.end() ? 0 : found->second;
+    }
+
     test::TemporaryFolder folder;
     std::optional<practice::PracticeCamera> camera;
     std::string survey = (folder / "Messe M\xc3\xbcnchen \xe6\xb8\xac\xe9\x87\x8f 1.spherewalk").string();
 };
+
+TEST_F(CaptureTrouble, ACameraOfLevelOneIsUsedInOneSessionWhichIsClosed) {
+    camera.reset();
+    startCamera(0.02, practice::CameraModel::LevelOne);
+    expectComplete();
+    EXPECT_EQ(commands("camera.startSession"), 1);
+    EXPECT_EQ(commands("camera.closeSession"), 1);
+    const auto listed =
+        runCli({"camera", "list", "--camera", "127.0.0.1:" + std::to_string(camera->port()), "--json"});
+    ASSERT_EQ(listed.status, 0) << listed.errors;
+    EXPECT_GT(listed.json()["total"], 0);
+}
+
+TEST_F(CaptureTrouble, ACameraThatKeepsNoExposureStopsAtTheSecondStation) {
+    camera->arm({practice::FaultKind::ResetSettings, "camera.getOptions", 0, 10'000});
+    std::vector<std::string> fixed = capture();
+    fixed.insert(fixed.end(), {"--profile", "iso=200"});
+    const auto result = runCli(fixed);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.errors, HasSubstr("--profile camera"));
+    EXPECT_EQ(practice::readTruth(folder / "truth.jsonl").size(), 1U);
+}
 
 TEST_F(CaptureTrouble, APathWithSpacesAndLettersOfAnyScriptIsAPath) {
     expectComplete();

@@ -123,7 +123,9 @@ Result cameraState(const CameraArguments& options, Context& context) {
 Result photosOnCamera(const CameraArguments& options, Context& context) {
     camera::FileQuery query;
     query.entryCount = options.count;
-    const camera::FileList files = options.camera.client(context.stop)->listFiles(query, context.stop);
+    const std::unique_ptr<camera::OscClient> client = options.camera.client(context.stop);
+    client->info(context.stop); // which says how it lists
+    const camera::FileList files = client->listFiles(query, context.stop);
     Json entries = Json::array();
     std::string lines = text(files.totalEntries, " photos on the camera");
     for (const camera::FileEntry& entry : files.entries) {

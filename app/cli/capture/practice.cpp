@@ -22,6 +22,7 @@ struct PracticeArguments {
     std::string positions;
     std::uint64_t seed = 1;
     std::string room = "lively";
+    std::string model = "theta-v";
     bool isReal = false;
     double tiltDeg = Degrees(practice::PhotoErrors().tiltSigma).value();
 };
@@ -30,11 +31,16 @@ constexpr EnumNames<practice::RoomStyle, 3> kRooms{{{practice::RoomStyle::Lively
                                                     {practice::RoomStyle::Bare, "bare"},
                                                     {practice::RoomStyle::Flat, "flat"}}};
 
+constexpr EnumNames<practice::CameraModel, 3> kModels{{{practice::CameraModel::ThetaV, "theta-v"},
+                                                       {practice::CameraModel::ThetaS, "theta-s"},
+                                                       {practice::CameraModel::LevelOne, "level-one"}}};
+
 practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
     practice::PracticeCameraOptions camera = options.camera;
     camera.seed = options.seed;
     camera.errors.seed = options.seed;
     camera.errors.tiltSigma = Degrees(options.tiltDeg);
+    camera.model = valueOf(kModels, "The practice camera's model", options.model);
     camera.room.style = valueOf(kRooms, "The practice room", options.room);
     if (camera.room.style == practice::RoomStyle::Flat) {
         camera.room.sizeM = {8, 6, 2.5};
@@ -104,7 +110,7 @@ void addPracticeCamera(Commands& commands) {
     options->camera.timeScale = 1;
     practice::PracticeCameraOptions& camera = options->camera;
     const program::Command command =
-        commands.add("practice-camera", "Run an emulated Theta V that photographs a practice room",
+        commands.add("practice-camera", "Run an emulated Theta that photographs a practice room",
                      [options](Context& context) { return servePractice(*options, context); });
     command.option("--port", camera.port, "TCP port; 0: any that is free").showDefault();
     command.option("--time-scale", camera.timeScale, "Of the camera's own times; 0: as fast as possible")
@@ -115,6 +121,11 @@ void addPracticeCamera(Commands& commands) {
     command
         .option("--room", options->room,
                 "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
+        .showDefault();
+    command
+        .option("--model", options->model,
+                "What it speaks: theta-v (API level 2), theta-s (1, then 2), or level-one (sessions only)")
+        .among({"theta-v", "theta-s", "level-one"})
         .showDefault();
     command.flag("--real", options->isReal,
                  "Photos have the flaws of a real camera: exposure, colour, noise, a seam");

@@ -26,6 +26,7 @@ struct ExportArguments {
     std::string camera;
     jobs::MeasureOptions measure;
     std::string format = "spherewalk";
+    double obstacleHeightM = jobs::kObstacleHeightM;
     bool withFaces = false;
     bool isCheck = false;
 
@@ -110,11 +111,13 @@ Result exportForeign(const ExportArguments& options, const store::SurveyStore& s
 Result exportWorld(const ExportArguments& options) {
     const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
                                                            : render::readCameraInfo(options.camera);
-    const dataset::WorldRoom room = jobs::worldRoomOf(options.survey);
+    const dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
     jobs::exportWorld(room, camera, options.dataset);
-    return {{{"folder", options.dataset}, {"walls", room.outline.size()}},
-            text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
-                 " walls with a robot in it, and camera.yaml.")};
+    return {
+        {{"folder", options.dataset}, {"walls", room.outline.size()}, {"obstacles", room.obstacles.size()}},
+        text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
+             " walls and ", counted(room.obstacles.size(), "obstacle", "obstacles"),
+             " with a robot in it, and camera.yaml.")};
 }
 
 Result exportSurvey(const ExportArguments& options, Context& context) {
@@ -156,6 +159,11 @@ void addExport(Commands& commands) {
             "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
             "euroc read them, or the room as a world for Gazebo (sdf)")
         .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf"})
+        .showDefault();
+    command
+        .option("--obstacle-height", options->obstacleHeightM,
+                "With sdf, height of the plan's obstacles, metres")
+        .range(0.01, 10.0)
         .showDefault();
     command.flag("--faces", options->withFaces,
                  "With another format, the six faces of a cube instead of each photo");

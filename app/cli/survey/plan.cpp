@@ -92,6 +92,9 @@ survey::Room roomGiven(const NewArguments& options) {
             throw Error(ErrorKind::InvalidInput,
                         "The rectangle needs x0 < x1 and y0 < y1: --rect x0,y0,x1,y1.");
         }
+        if (options.ceilingM == 0) {
+            throw Error(ErrorKind::InvalidInput, "The ceiling's height is missing: give --ceiling.");
+        }
         room.outline = {{r[0], r[1]}, {r[2], r[1]}, {r[2], r[3]}, {r[0], r[3]}};
         return room;
     }

@@ -22,11 +22,20 @@ using simulator::Refusal;
 
 namespace {
 
-render::Renderer openRenderer(const NodeOptions& options) {
-    if (options.dataset.empty() || options.cameraInfoUrl.empty()) {
+/// The options, if they name what nobody can guess.
+const NodeOptions& complete(const NodeOptions& options) {
+    if (options.dataset.empty()) {
         throw Error(ErrorKind::InvalidInput,
-                    "The dataset's folder and the camera's camera-info file are not named.");
+                    "The parameter dataset is missing: set it to the dataset's folder.");
     }
+    if (options.cameraInfoUrl.empty()) {
+        throw Error(ErrorKind::InvalidInput, "The parameter camera_info_url is missing: set it to the "
+                                             "camera-info YAML of the robot's camera.");
+    }
+    return options;
+}
+
+render::Renderer openRenderer(const NodeOptions& options) {
     render::RendererOptions renderer;
     renderer.cacheBytes = static_cast<std::uint64_t>(options.cacheMb) << 20U;
     renderer.verify = render::VerifyPhotos::InBackground;
@@ -142,7 +151,7 @@ const char* nameOf(OverlayTopic topic) {
 
 struct CameraNode::State {
     State(const NodeOptions& wanted, GiveFrame give, Tell tell)
-        : options(wanted),
+        : options(complete(wanted)),
           giveFrame(std::move(give)),
           camera(
               openRenderer(wanted), readCamera(wanted.cameraInfoUrl), cameraOptions(wanted),

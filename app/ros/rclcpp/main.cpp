@@ -2,20 +2,23 @@
 // A robot's camera as a node of ROS 2; resources/docs/guide/ros.md says how it is used.
 #include "camera/camera_node.h"
 #include "camera/message_fields.h"
-
-#include "spherewalk/base/error.h"
+#include "camera/node_parameters.h"
 
 #include <builtin_interfaces/msg/time.hpp>
 #include <chrono>
+#include <cstdint>
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
+#include <exception>
 #include <geometry_msgs/msg/pose.hpp>
 #include <geometry_msgs/msg/pose_stamped.hpp>
 #include <geometry_msgs/msg/transform_stamped.hpp>
 #include <memory>
+#include <rcl_interfaces/msg/parameter_descriptor.hpp>
 #include <rclcpp/rclcpp.hpp>
 #include <sensor_msgs/msg/camera_info.hpp>
 #include <sensor_msgs/msg/image.hpp>
 #include <sensor_msgs/srv/set_camera_info.hpp>
+#include <string>
 #include <tf2_msgs/msg/tf_message.hpp>
 #include <utility>
 #include <vector>
@@ -33,6 +36,7 @@ Transform transformOf(const geometry_msgs::msg::TransformStamped& message);
 Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message);
 /// All but the header.
 void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration);
+GivenValue givenValue(const rclcpp::ParameterValue& value);
 
 Stamp stampOf(const builtin_interfaces::msg::Time& time) {
     return Stamp(kNanosecondsOfSecond * time.sec + time.nanosec);
@@ -61,10 +65,27 @@ void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration)
     fillCalibration(message, message.d, message.k, message.r, message.p, calibration);
 }
 
+GivenValue givenValue(const rclcpp::ParameterValue& value) {
+    switch (value.get_type()) {
+    case rclcpp::ParameterType::PARAMETER_BOOL:
+        return value.get<bool>();
+    case rclcpp::ParameterType::PARAMETER_INTEGER:
+        return value.get<std::int64_t>();
+    case rclcpp::ParameterType::PARAMETER_DOUBLE:
+        return value.get<double>();
+    case rclcpp::ParameterType::PARAMETER_STRING:
+        return value.get<std::string>();
+    case rclcpp::ParameterType::PARAMETER_INTEGER_ARRAY:
+        return value.get<std::vector<std::int64_t>>();
+    default:
+        return {};
+    }
+}
+
 /// Carries messages of ROS 2, as of Humble, to a CameraNode and back.
 class RclcppNode : public rclcpp::Node {
   public:
-    /// Errors: those of CameraNode; rclcpp's for parameters of another type.
+    /// Errors: those of CameraNode and assign().
     RclcppNode();
 
   private:
@@ -116,23 +137,15 @@ RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
 
 NodeOptions RclcppNode::readParameters() {
     NodeOptions options;
-    const auto read = [this](const char* name, auto& value) { value = declare_parameter(name, value); };
-    read("dataset", options.dataset);
-    read("camera_info_url", options.cameraInfoUrl);
-    read("room_frame", options.roomFrame);
-    read("camera_frame", options.cameraFrame);
-    read("rate", options.rate);
-    read("scene", options.scene);
-    read("sampling", options.sampling);
-    read("late", options.late);
-    read("pace", options.pace);
-    read("overlay", options.overlay);
-    read("overlay_wait", options.overlayWait);
-    read("threads", options.threads);
-    read("cache_mb", options.cacheMb);
-    std::vector<std::int64_t> labels(options.roomLabels.begin(), options.roomLabels.end());
-    read("room_labels", labels);
-    options.roomLabels.assign(labels.begin(), labels.end());
+    visitParameters(options, [this](const char* name, const char* description, auto& value) {
+        rcl_interfaces::msg::ParameterDescriptor descriptor;
+        descriptor.description = description;
+        descriptor.read_only = true;
+        descriptor.dynamic_typing = true; // people write rate:=15
+        const rclcpp::ParameterValue given =
+            declare_parameter(name, rclcpp::ParameterValue(value), descriptor);
+        assign(name, givenValue(given), value);
+    });
     return options;
 }
 
@@ -191,12 +204,12 @@ void RclcppNode::setCamera(const SetCameraInfo::Request& request, SetCameraInfo:
 } // namespace spherewalk::ros
 
 int main(int argc, char** argv) {
-    rclcpp::init(argc, argv);
     int status = 0;
     try {
+        rclcpp::init(argc, argv);
         rclcpp::spin(std::make_shared<spherewalk::ros::RclcppNode>());
-    } catch (const spherewalk::Error& error) {
-        RCLCPP_FATAL(rclcpp::get_logger("spherewalk"), "%s", error.sentence().c_str());
+    } catch (const std::exception& error) { // ours with its sentence, or one of rclcpp's
+        RCLCPP_FATAL(rclcpp::get_logger("spherewalk"), "%s", error.what());
         status = 1;
     }
     rclcpp::shutdown();

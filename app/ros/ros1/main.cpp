@@ -2,6 +2,7 @@
 // A robot's camera as a node of ROS 1; resources/docs/guide/ros.md says how it is used.
 #include "camera/camera_node.h"
 #include "camera/message_fields.h"
+#include "camera/node_parameters.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
@@ -104,20 +105,7 @@ void read(const ::ros::NodeHandle& handle, const std::string& name, Value& value
 
 NodeOptions readParameters(const ::ros::NodeHandle& handle) {
     NodeOptions options;
-    read(handle, "dataset", options.dataset);
-    read(handle, "camera_info_url", options.cameraInfoUrl);
-    read(handle, "room_frame", options.roomFrame);
-    read(handle, "camera_frame", options.cameraFrame);
-    read(handle, "rate", options.rate);
-    read(handle, "scene", options.scene);
-    read(handle, "sampling", options.sampling);
-    read(handle, "late", options.late);
-    read(handle, "pace", options.pace);
-    read(handle, "overlay", options.overlay);
-    read(handle, "room_labels", options.roomLabels);
-    read(handle, "overlay_wait", options.overlayWait);
-    read(handle, "threads", options.threads);
-    read(handle, "cache_mb", options.cacheMb);
+    visitParameters(options, [&](const char* name, const char*, auto& value) { read(handle, name, value); });
     return options;
 }
 

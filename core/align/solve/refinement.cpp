@@ -195,6 +195,15 @@ class SolverWatch : public ceres::IterationCallback {
     int m_iterations;
 };
 
+/// Ceres 2.0 has another name for what keeps the tilt.
+void keepTilt(ceres::Problem& problem, double* turn) {
+#if CERES_VERSION_MAJOR == 2 && CERES_VERSION_MINOR == 0
+    problem.SetParameterization(turn, new ceres::SubsetParameterization(3, {0, 1}));
+#else
+    problem.SetManifold(turn, new ceres::SubsetManifold(3, {0, 1}));
+#endif
+}
+
 void addPhotos(ceres::Problem& problem, Unknowns& unknowns, std::span<const PhotoPrior> priors,
                const RefinementOptions& options) {
     for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
@@ -205,7 +214,7 @@ void addPhotos(ceres::Problem& problem, Unknowns& unknowns, std::span<const Phot
             problem.AddResidualBlock(new UprightBlock(unknowns.reference[i], up.upInPhoto, up.sigmaRad),
                                      new ceres::HuberLoss(kLargestPull), unknowns.turn[i].data());
         } else {
-            problem.SetManifold(unknowns.turn[i].data(), new ceres::SubsetManifold(3, {0, 1}));
+            keepTilt(problem, unknowns.turn[i].data());
         }
         if (solvesPosition(options.model)) {
             problem.AddResidualBlock(new NearZeroBlock(offsetSigmasM(prior)),

@@ -89,13 +89,8 @@ std::unique_ptr<DurableFile> create(const std::filesystem::path& target) {
 DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::filesystem::path& target,
                         const DownloadOptions& options, std::string& damaged, const std::stop_token& stop) {
     const std::string name = fileNameOfUrl(fileUrl);
-    const auto listed = client.findFile(fileUrl, stop);
-    if (!listed) {
-        throw Error(ErrorKind::NotFound,
-                    text("The camera does not list the photo ", name,
-                         "; check that nobody has deleted it, and that this is the same camera."));
-    }
-    if (!isFile(fileUrl, *listed)) {
+    const auto listed = client.findFile(fileUrl, stop); // a list may be late, and the file be there
+    if (listed && !isFile(fileUrl, *listed)) {
         throw Error(ErrorKind::NotFound, text("The camera has given the name ", name,
                                               " to another photo, so that this one is gone; take it again."));
     }
@@ -115,7 +110,7 @@ DownloadedPhoto attempt(OscClient& client, std::string_view fileUrl, const std::
         throw notACamera(client.endpoint().name(), "it sent a web page instead of a photo");
     }
     requireLength(name, file.sizeBytes(), response.declaredBytes, "the answer's header");
-    requireLength(name, file.sizeBytes(), listed->sizeBytes, "the camera's list");
+    requireLength(name, file.sizeBytes(), listed ? listed->sizeBytes : std::nullopt, "the camera's list");
     if (!frame.startsRight()) {
         throw Error(ErrorKind::Corrupt,
                     text("The photo ", name, " is not a JPEG; set the camera to JPEG and take it again."));

@@ -98,13 +98,19 @@ void HttpClient::prepare(Transfer& transfer, std::string_view path) {
     transfer.easy = easy;
     const std::string url = m_endpoint.url(path);
     bool worked = curl_easy_setopt(easy, CURLOPT_URL, url.c_str()) == CURLE_OK;
+#if LIBCURL_VERSION_NUM < 0x075500
+    worked &= curl_easy_setopt(easy, CURLOPT_PROTOCOLS, long{CURLPROTO_HTTP}) == CURLE_OK;
+#else
     worked &= curl_easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http") == CURLE_OK;
+#endif
     worked &= curl_easy_setopt(easy, CURLOPT_NOPROXY, "*") == CURLE_OK;
     worked &= curl_easy_setopt(easy, CURLOPT_NOSIGNAL, 1L) == CURLE_OK;
     worked &= curl_easy_setopt(easy, CURLOPT_FOLLOWLOCATION, 0L) == CURLE_OK;
     worked &= curl_easy_setopt(easy, CURLOPT_HTTP_VERSION, long{CURL_HTTP_VERSION_1_1}) == CURLE_OK;
+#if LIBCURL_VERSION_NUM >= 0x075700
     // A stopped look-up of a host's name is left behind rather than waited for.
     worked &= curl_easy_setopt(easy, CURLOPT_QUICK_EXIT, 1L) == CURLE_OK;
+#endif
     const auto milliseconds = [](std::chrono::milliseconds time) { return static_cast<long>(time.count()); };
     worked &=
         curl_easy_setopt(easy, CURLOPT_CONNECTTIMEOUT_MS, milliseconds(m_options.connectTimeout)) == CURLE_OK;

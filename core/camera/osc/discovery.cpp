@@ -169,6 +169,7 @@ BrowseReport browseForCameras(std::chrono::milliseconds /*time*/, const std::sto
 
 std::vector<CameraPlace> usualPlaces() {
     return {{Endpoint{}, "its own WiFi"},
+            {{"192.168.42.1", 80}, "the WiFi of an Insta360"},
             {{"127.0.0.1", kPracticePort}, "a practice camera on this computer"}};
 }
 

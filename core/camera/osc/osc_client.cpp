@@ -128,11 +128,6 @@ OscOptions OscOptions::scaled(double factor) const {
     return result;
 }
 
-OscClient::OscClient(Endpoint endpoint, OscOptions options, Clock& clock)
-    : m_http(std::move(endpoint), options.http), m_options(options), m_clock(clock) {
-    m_options.validate();
-}
-
 void OscClient::pause(Clock::Duration duration, const std::stop_token& stop) {
     if (duration > Clock::Duration::zero()) {
         m_clock.sleep(duration, stop);
@@ -177,7 +172,7 @@ CameraInfo OscClient::info(const std::stop_token& stop) {
                        return parseCameraInfo(answer.json);
                    },
                    stop);
-    m_apiLevels = info.apiLevels;
+    setLevels(info.apiLevels);
     return info;
 }
 
@@ -190,16 +185,15 @@ CameraState OscClient::state(const std::stop_token& stop) {
                                        return parseCameraState(answer.json);
                                    },
                                    stop);
-    if (hasBothLevels()) {
-        m_isSwitched = state.apiVersion.value_or(1) >= 2;
-    }
+    noteVersion(state.apiVersion);
     return state;
 }
 
 CommandReply OscClient::ask(const std::string& command, const Json& parameters, const std::stop_token& stop) {
     enterLevel(stop);
+    const Json before = session();
     CommandReply reply = askOnce(command, parameters, stop);
-    if (isOfOtherLevel(reply.error) && renewLevel(stop)) {
+    if (isOfOtherLevel(reply.error) && renewLevelAfter(before, stop)) {
         reply = askOnce(command, parameters, stop);
     }
     return reply;
@@ -208,7 +202,17 @@ CommandReply OscClient::ask(const std::string& command, const Json& parameters, 
 CommandReply OscClient::askOnce(const std::string& command, const Json& parameters,
                                 const std::stop_token& stop) {
     const std::string body = request(command, parameters).dump();
-    return repeatable([&] { return m_http.post(kExecutePath, body, stop); }, replyOf, stop);
+    int sent = 0;
+    CommandReply reply = repeatable(
+        [&] {
+            ++sent;
+            // What libcurl sends again by itself is not counted, and would start a second session.
+            return command == "camera.startSession" ? m_http.postOnce(kExecutePath, body, stop)
+                                                    : m_http.post(kExecutePath, body, stop);
+        },
+        replyOf, stop);
+    reply.sent = sent;
+    return reply;
 }
 
 CommandReply OscClient::execute(const std::string& command, const Json& parameters, std::string_view tried,
@@ -254,7 +258,6 @@ void OscClient::setOptions(const Json& options, const std::stop_token& stop) {
 }
 
 FileList OscClient::listFiles(const FileQuery& query, const std::stop_token& stop) {
-    enterLevel(stop);
     if (isLevelOneOnly()) {
         return listImages(query, stop);
     }

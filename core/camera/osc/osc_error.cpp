@@ -51,7 +51,7 @@ constexpr std::array kMeanings{
     Meaning{InvalidSession, "invalidSessionId", ErrorKind::Unsupported, 0, true,
             "the camera has ended the session; switch it off and on, and close the telephone's application"},
     Meaning{ExclusiveUse, "cameraInExclusiveUse", ErrorKind::Busy, 0, true,
-            "close the other program or telephone that uses the camera"},
+            "close the other program or telephone that uses the camera; if none does, wait three minutes"},
     Meaning{StorageFull, "noFreeSpace", ErrorKind::Full, 0, true,
             "the camera's storage is full; back its photos up and free some space"},
     Meaning{

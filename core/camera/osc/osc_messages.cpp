@@ -184,6 +184,7 @@ CameraState parseCameraState(const Json& json) {
     if (const auto version = wholeNumber(*state, "_apiVersion"); version && *version >= 1 && *version < 100) {
         result.apiVersion = static_cast<int>(*version);
     }
+    result.sessionId = textOr(*state, "sessionId");
     const Json* plugin = find(*state, "_pluginRunning");
     result.isPluginRunning = plugin != nullptr && plugin->is_boolean() && plugin->get<bool>();
     if (const Json* errors = find(*state, "_cameraError"); errors != nullptr && errors->is_array()) {

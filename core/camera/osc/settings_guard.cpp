@@ -4,17 +4,14 @@
 #include "osc/camera_options.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/camera/osc_messages.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <system_error>
 
 namespace spherewalk::camera {
 
@@ -84,20 +81,6 @@ void requireStillPhotos(const Json& now) {
 
 std::vector<std::string> delayNames() {
     return {kDelayNames.begin(), kDelayNames.end()};
-}
-
-/// Whether a file that anybody may have changed may say this of a setting.
-bool canBeKept(const std::string& name, const Json& value) {
-    constexpr std::int64_t kLongestS = 604'800;
-    if (std::ranges::find(kDelayNames, name) != kDelayNames.end()) {
-        return value.is_number_integer() && value >= 0 && value <= kLongestS;
-    }
-    if (name == "fileFormat") {
-        return sphericalWidth(value) > 0 || shortText(value, "type").has_value();
-    }
-    const std::vector<std::string>& names = profileOptionNames();
-    return (name == kMode || std::ranges::find(names, name) != names.end()) &&
-           (value.is_number() || value.is_string());
 }
 
 double secondsIn(const Json& options, std::string_view key) {
@@ -223,12 +206,30 @@ std::vector<std::string> SettingsGuard::differences(const Json& present) const {
             sentences.push_back(text("The camera did not keep the setting ", name));
         }
     }
+    std::ranges::move(exposureLosses(present), std::back_inserter(sentences));
+    return sentences;
+}
+
+std::vector<std::string> SettingsGuard::exposureLosses(const Json& present) const {
+    std::vector<std::string> sentences;
     for (const auto& [name, value] : m_exposure.items()) {
         if (!present.contains(name) || !isSameOption(value, present[name])) {
             sentences.push_back(optionDifference(name, value, present.value(name, Json())));
         }
     }
     return sentences;
+}
+
+/// Whoever has lost the exposure of photo after photo will lose that of all.
+void SettingsGuard::requireKept(const Json& present, int mostLosses) const {
+    const std::vector<std::string> lost = exposureLosses(present);
+    if (!lost.empty() && m_losses >= mostLosses) {
+        throw Error(ErrorKind::Unsupported,
+                    text(lost.front(),
+                         ", again, so that no photo would be used. This camera does not keep that setting: "
+                         "capture with a profile without it, or with --profile camera, which leaves the "
+                         "exposure as you set it at the camera."));
+    }
 }
 
 std::vector<std::string> SettingsGuard::apply(const std::stop_token& stop) {
@@ -278,9 +279,12 @@ std::vector<std::string> SettingsGuard::setClock(std::chrono::system_clock::time
 }
 
 std::vector<std::string> SettingsGuard::exposureDifferences(const std::stop_token& stop) {
-    if (!m_profile) {
-        return {};
-    }
+    std::vector<std::string> sentences = m_profile ? exposureNow(stop) : std::vector<std::string>();
+    m_losses = sentences.empty() ? 0 : m_losses + 1;
+    return sentences;
+}
+
+std::vector<std::string> SettingsGuard::exposureNow(const std::stop_token& stop) {
     Json known = read(profileOptionNames(), stop);
     const Json program = exposureProgram(*m_profile);
     if (known.contains("exposureProgram") && !isSameOption(program, known["exposureProgram"])) {
@@ -316,9 +320,12 @@ std::vector<std::string> SettingsGuard::hold(const Json& present, const std::sto
     if (sentences.empty()) {
         return sentences;
     }
+    requireKept(present, 2);
     set(stop);
     const std::set<std::string> names = heldNames();
-    const std::vector<std::string> left = differences(read({names.begin(), names.end()}, stop));
+    const Json now = read({names.begin(), names.end()}, stop);
+    requireKept(now, 1);
+    const std::vector<std::string> left = differences(now);
     const bool isRepaired = left.empty();
     sentences = isRepaired ? sentences : left;
     for (std::string& sentence : sentences) {
@@ -388,49 +395,6 @@ std::chrono::milliseconds ShotAllowance::of(const Json& options) const {
         time += filterExtra;
     }
     return time;
-}
-
-SettingsMemory::SettingsMemory(const std::filesystem::path& folder, std::string_view serialNumber) {
-    std::string name("camera-");
-    for (const char c : serialNumber.substr(0, 64)) {
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    }
-    m_file = folder / (name + ".json");
-}
-
-Json SettingsMemory::read() const {
-    constexpr std::uint64_t kMostBytes = 4096;
-    std::error_code failure;
-    if (!std::filesystem::exists(m_file, failure)) {
-        return nullptr;
-    }
-    try {
-        const Json kept = parseJson(readTextFile(m_file, kMostBytes), m_file.string());
-        Json settings = Json::object();
-        for (const auto& [name, value] : kept.items()) {
-            if (canBeKept(name, value)) {
-                settings[name] = value;
-            }
-        }
-        return settings.empty() ? Json() : settings;
-    } catch (const Error&) { // damaged: what the camera is set to now is the next best
-        return nullptr;
-    }
-}
-
-void SettingsMemory::write(const Json& settings) const {
-    try {
-        writeFile(m_file, bytesOf(settings.dump()), DurableFile::Overwrite::Yes);
-    } catch (const Error& error) {
-        // A folder of this computer that is not there must not look like something that the camera lacks.
-        throw Error(error.kind() == ErrorKind::NotFound ? ErrorKind::Io : error.kind(), error.sentence(),
-                    error.context());
-    }
-}
-
-void SettingsMemory::forget() const {
-    std::error_code ignored; // what is put back twice does no harm
-    std::filesystem::remove(m_file, ignored);
 }
 
 } // namespace spherewalk::camera

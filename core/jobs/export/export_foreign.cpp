@@ -151,11 +151,7 @@ ForeignReport exportForeign(const store::SurveyStore& store, const fs::path& fol
 
 namespace {
 
-Eigen::Vector3d mostCentral(const std::vector<Eigen::Vector3d>& places, const std::filesystem::path& folder) {
-    if (places.empty()) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("No place for the robot's camera is known: ", folder.string(), " has no stations."));
-    }
+Eigen::Vector3d mostCentral(const std::vector<Eigen::Vector3d>& places) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& place : places) {
         middle += place / static_cast<double>(places.size());
@@ -166,40 +162,77 @@ Eigen::Vector3d mostCentral(const std::vector<Eigen::Vector3d>& places, const st
                              });
 }
 
-dataset::WorldRoom roomOfDataset(const std::filesystem::path& folder) {
+/// A room before its start is chosen.
+struct KnownRoom {
+    std::string name;
+    Polygon outline;
+    double floorM = 0;
+    double ceilingM = 0;
+    std::vector<Polygon> obstacles;
+    std::vector<Eigen::Vector3d> places; ///< Of photos, or of stations.
+};
+
+KnownRoom roomOfDataset(const std::filesystem::path& folder) {
     const render::Dataset opened = render::Dataset::open(folder);
     const render::DatasetInfo& info = opened.info();
-    std::vector<Eigen::Vector3d> places;
-    for (const render::DatasetPhoto& photo : info.photos) {
-        places.push_back(photo.roomFromPhoto.translation);
-    }
-    const Eigen::Vector3d start = mostCentral(places, folder);
+    KnownRoom room{info.name, info.outline, 0, info.ceilingM, info.obstacles, {}};
     if (info.roomShape) {
-        return {info.name, info.roomShape->outline, info.roomShape->floorM, info.roomShape->ceilingM, start};
+        room.outline = info.roomShape->outline;
+        room.floorM = info.roomShape->floorM;
+        room.ceilingM = info.roomShape->ceilingM;
     }
-    return {info.name, info.outline, 0, info.ceilingM, start};
+    for (const render::DatasetPhoto& photo : info.photos) {
+        room.places.push_back(photo.roomFromPhoto.translation);
+    }
+    return room;
 }
 
-dataset::WorldRoom roomOfSurvey(const std::filesystem::path& folder) {
+KnownRoom roomOfSurvey(const std::filesystem::path& folder) {
     const auto store = store::SurveyStore::open(folder, store::Access::Read);
-    const survey::Room room = store.room();
-    std::vector<Eigen::Vector3d> places;
+    const survey::Room drawn = store.room();
+    KnownRoom room{store.info().name, drawn.outline, 0, drawn.ceilingM, drawn.obstacles, {}};
     for (const store::PhotoRecord& photo : store.keptPhotos()) {
-        places.push_back(photo.positionM);
+        room.places.push_back(photo.positionM);
     }
-    if (places.empty()) {
+    if (room.places.empty()) {
         for (const store::StationRecord& station : store.stations()) {
-            places.push_back(station.station.positionM);
+            room.places.push_back(station.station.positionM);
         }
     }
-    return {store.info().name, room.outline, 0, room.ceilingM, mostCentral(places, folder)};
+    return room;
+}
+
+/// Whether the world's robot, which is 0.3 m wide, cannot stand here for this obstacle.
+bool isInTheWay(const Polygon& obstacle, const Eigen::Vector3d& place) {
+    constexpr double kRobotM = 0.2;
+    return contains(obstacle, place.head<2>()) || distanceToEdge(obstacle, place.head<2>()) < kRobotM;
+}
+
+Eigen::Vector3d startIn(const KnownRoom& room) {
+    std::vector<Eigen::Vector3d> free = room.places;
+    std::erase_if(free, [&](const Eigen::Vector3d& place) {
+        return std::any_of(room.obstacles.begin(), room.obstacles.end(),
+                           [&](const Polygon& obstacle) { return isInTheWay(obstacle, place); });
+    });
+    return mostCentral(free.empty() ? room.places : free);
 }
 
 } // namespace
 
-dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder) {
-    return std::filesystem::exists(folder / render::kDatasetFile) ? roomOfDataset(folder)
-                                                                  : roomOfSurvey(folder);
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obstacleHeightM) {
+    const KnownRoom known =
+        std::filesystem::exists(folder / render::kDatasetFile) ? roomOfDataset(folder) : roomOfSurvey(folder);
+    if (known.places.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("No place for the robot's camera is known: ", folder.string(), " has no stations."));
+    }
+    dataset::WorldRoom room{known.name, known.outline, known.floorM, known.ceilingM, startIn(known), {}};
+    for (const Polygon& obstacle : known.obstacles) {
+        if (!isInTheWay(obstacle, room.cameraAt)) {
+            room.obstacles.push_back({obstacle, std::min(obstacleHeightM, known.ceilingM - known.floorM)});
+        }
+    }
+    return room;
 }
 
 void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,

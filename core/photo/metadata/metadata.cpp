@@ -83,6 +83,10 @@ void readExif(ByteView tiff, PhotoMetadata& metadata) {
         if (const auto iso = exifNumber(exif, "Exif.Photo.ISOSpeedRatings"); iso && *iso <= 1e7) {
             metadata.iso = static_cast<int>(*iso);
         }
+        if (const auto orientation = exifNumber(exif, "Exif.Image.Orientation");
+            orientation && *orientation <= 8) {
+            metadata.orientation = static_cast<int>(*orientation);
+        }
         metadata.hasFixedWhiteBalance = isManual(findExif(exif, "Exif.Photo.WhiteBalance"));
     } catch (const std::exception& error) {
         metadata.remarks.push_back(text("The Exif data are damaged (", printable(error.what()), ")."));

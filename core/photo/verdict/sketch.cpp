@@ -159,6 +159,27 @@ EdgeWidths edgeWidths(const RgbImage& picture) {
     });
 }
 
+/// The share of the sketch's pixels that show nothing, of those that the condition chooses.
+template <class IsChosen>
+double darkShare(const RgbImage& picture, const IsChosen& isChosen) {
+
+    int dark = 0;
+    int all = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            // From the middle of its half, in units of the half's half width.
+            const double half = picture.height() / 2.0;
+            const Eigen::Vector2d at((x % picture.height() + 0.5) / half - 1, (y + 0.5) / half - 1);
+            if (isChosen(at)) {
+                const std::uint8_t* rgb = picture.at(x, y);
+                dark += std::max({rgb[0], rgb[1], rgb[2]}) <= kBlack ? 1 : 0;
+                ++all;
+            }
+        }
+    }
+    return static_cast<double>(dark) / all;
+}
+
 } // namespace
 
 Sketch sketch(ByteView jpeg, const PhotoMetadata& metadata, std::string_view source) {
@@ -175,6 +196,16 @@ Sketch sketch(ByteView jpeg, const PhotoMetadata& metadata, std::string_view sou
     result.edges = edgeWidths(picture);
     measureLight(result);
     return result;
+}
+
+bool isDualFisheye(const Sketch& sketch) {
+    const RgbImage& picture = sketch.picture;
+    const double around = darkShare(picture, [](const auto& at) { return at.norm() > 1.15; });
+    // The poles of a sphere are not black beside their middles alone.
+    const double above =
+        darkShare(picture, [](const auto& at) { return std::abs(at.x()) < 0.2 && std::abs(at.y()) > 0.85; });
+    const double within = darkShare(picture, [](const auto& at) { return at.norm() < 0.8; });
+    return around > 0.95 && above < 0.7 && within < 0.5;
 }
 
 } // namespace spherewalk::photo

@@ -60,7 +60,21 @@ void addSize(Findings& findings, const Sketch& photo, const ExpectedSettings& ex
     }
 }
 
-void addKind(Findings& findings, const PhotoMetadata& metadata) {
+/// What an orientation of Exif asks for.
+std::string_view turnOf(int orientation) {
+    switch (orientation) {
+    case 3:
+        return "turned by 180 degrees";
+    case 6:
+        return "turned by 90 degrees to the right";
+    case 8:
+        return "turned by 90 degrees to the left";
+    default:
+        return "mirrored";
+    }
+}
+
+void addKind(Findings& findings, const Sketch& photo, const PhotoMetadata& metadata) {
     const auto& panorama = metadata.panorama;
     const bool isOther =
         (metadata.theta && metadata.theta->imageType.value_or(kEquirectangular) != kEquirectangular) ||
@@ -71,6 +85,16 @@ void addKind(Findings& findings, const PhotoMetadata& metadata) {
         findings.push_back({Flaw::Kind, survey::Quality::Failed,
                             "It says that it is no whole stitched sphere; switch stitching on in the camera "
                             "and take it again."});
+    } else if (isDualFisheye(photo)) {
+        findings.push_back({Flaw::Kind, survey::Quality::Failed,
+                            "It shows two fisheye pictures beside each other and no stitched sphere; switch "
+                            "stitching on in the camera, or stitch it with the maker's program."});
+    }
+    if (metadata.orientation != 1) {
+        findings.push_back({Flaw::Kind, survey::Quality::Doubtful,
+                            text("It asks to be ", turnOf(metadata.orientation),
+                                 " (Exif Orientation), and it is used as its pixels lie; turn the picture "
+                                 "itself, or take the mark away.")});
     }
     const auto level = levelFromPhoto(metadata);
     if (!level) {
@@ -122,7 +146,7 @@ void addSettings(Findings& findings, const PhotoMetadata& metadata, const Expect
 void addWhatItSays(Findings& findings, const Sketch& photo, const PhotoMetadata& metadata,
                    const ExpectedSettings& expected) {
     addSize(findings, photo, expected);
-    addKind(findings, metadata);
+    addKind(findings, photo, metadata);
     addSettings(findings, metadata, expected);
 }
 

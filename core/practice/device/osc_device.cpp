@@ -204,9 +204,10 @@ std::optional<std::filesystem::path> OscDevice::imageOf(const Json& request) con
     if (m_level != 1 || !request.is_object() || !request.contains("parameters")) {
         return std::nullopt;
     }
-    const Json uri = request["parameters"].is_object() && request["parameters"].contains("fileUri")
-                         ? request["parameters"]["fileUri"]
-                         : Json();
+    const Json& parameters = request["parameters"];
+    const bool isWellFormed =
+        parameters.is_object() && parameters.contains("fileUri") && !parameters.contains("sessionId");
+    const Json uri = isWellFormed ? parameters["fileUri"] : Json();
     const auto file =
         uri.is_string() ? m_storage.find(m_storage.urlFolder() + uri.get<std::string>()) : std::nullopt;
     return file ? std::optional(m_storage.path(file->name)) : std::nullopt;

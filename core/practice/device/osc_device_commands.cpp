@@ -58,12 +58,19 @@ OscReply OscDevice::executeLevelTwo(const std::string& command, const Json& para
 }
 
 OscReply OscDevice::executeLevelOne(const std::string& command, const Json& parameters) {
-    if (command == "camera.startSession") {
+    if (command == "camera.startSession" || command == "camera.listImages") {
+        if (parameters.contains("sessionId")) {
+            throw OscError(OscCode::InvalidParameterName);
+        }
+        if (command == "camera.listImages") {
+            return done(command, listedImages(m_storage, parameters));
+        }
+        const std::string id = m_session.start();
         m_preview.end();
-        return done(command, {{"sessionId", m_session.start()}, {"timeout", OscSession::kTimeoutS}});
+        return done(command, {{"sessionId", id}, {"timeout", OscSession::kTimeoutS}});
     }
-    if (command == "camera.listImages") {
-        return done(command, listedImages(m_storage, parameters));
+    if (command == "camera.listFiles" || command == "camera.reset") { // of level 2
+        throw OscError(OscCode::UnknownCommand);
     }
     m_session.use(parameters);
     if (command == "camera.updateSession") {

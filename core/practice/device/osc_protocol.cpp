@@ -113,7 +113,15 @@ bool flag(const Json& parameters, const char* name, bool fallback) {
     return parameters[name].get<bool>();
 }
 
+bool OscSession::isOver() const {
+    const std::chrono::duration<double> unused = m_clock.now() - m_usedAt;
+    return !m_id || (m_timeScale > 0 && unused.count() > kTimeoutS * m_timeScale);
+}
+
 std::string OscSession::start() {
+    if (!isOver()) {
+        throw OscError(OscCode::CameraInExclusiveUse);
+    }
     std::string digits = std::to_string(++m_count);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
     m_id = "SID_" + digits;
@@ -123,9 +131,7 @@ std::string OscSession::start() {
 
 void OscSession::use(const Json& parameters) {
     const Json& given = required(parameters, "sessionId");
-    const std::chrono::duration<double> unused = m_clock.now() - m_usedAt;
-    const bool isOver = m_timeScale > 0 && unused.count() > kTimeoutS * m_timeScale;
-    if (!m_id || isOver || given != *m_id) {
+    if (isOver() || given != *m_id) {
         throw OscError(OscCode::InvalidSessionId);
     }
     m_usedAt = m_clock.now();

@@ -73,14 +73,13 @@ std::string word(const Json& value, std::initializer_list<std::string_view> know
 /// True or false. Returns the fallback if the parameter is missing.
 bool flag(const Json& parameters, const char* name, bool fallback);
 
-/// The session that most commands of API level 1 need. A new session ends the one before. Threads: one at a
-/// time.
+/// The one session of API level 1, which most commands need. Threads: one at a time.
 class OscSession {
   public:
     /// timeScale: factor on the 180 s after which an unused session ends; 0: it never ends.
     OscSession(Clock& clock, double timeScale) : m_clock(clock), m_timeScale(timeScale) {}
 
-    /// Starts a session and returns its name, "SID_0001".
+    /// Starts a session and returns its name, "SID_0001". Errors: OscError while another is in use.
     std::string start();
 
     void end() { m_id.reset(); }
@@ -93,6 +92,8 @@ class OscSession {
     static constexpr double kTimeoutS = 180;
 
   private:
+    bool isOver() const;
+
     Clock& m_clock;
     double m_timeScale;
     int m_count = 0;

@@ -36,11 +36,9 @@ double storedValue(double linear) {
 }
 
 void ColourCorrection::validate() const {
-    for (const double entry : matrix.reshaped()) {
-        if (!(std::abs(entry) <= kMostMatrix)) { // NaN too
-            throw Error(ErrorKind::InvalidInput, text("A colour matrix must have entries from ", -kMostMatrix,
-                                                      " to ", kMostMatrix, "."));
-        }
+    if (!(matrix.array().abs() <= kMostMatrix).all()) { // NaN too
+        throw Error(ErrorKind::InvalidInput,
+                    text("A colour matrix must have entries from ", -kMostMatrix, " to ", kMostMatrix, "."));
     }
     for (const Curve& curve : curves) {
         for (std::size_t i = 0; i < curve.size(); ++i) {

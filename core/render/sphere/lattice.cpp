@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sphere/lattice.h"
 
+#include "sphere/exact_view.h"
 #include "sphere/lattice_simd.h"
 
 #include <algorithm>

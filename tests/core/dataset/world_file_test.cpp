@@ -22,7 +22,7 @@ using test::expectError;
 
 /// A room with a corner that points inwards.
 WorldRoom roomWithACorner() {
-    return {"Anna's <kitchen>", {{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}, 0, 2.5, {1, 1, 1.2}};
+    return {"Anna's <kitchen>", {{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 4}, {0, 4}}, 0, 2.5, {1, 1, 1.2}, {}};
 }
 
 CameraIntrinsics vga() {
@@ -113,6 +113,7 @@ TEST_F(WorldFile, TheCameraSeesObjectsAndNotTheRoom) {
     EXPECT_NE(sdf::Visual().VisibilityFlags() & mask, 0U); // what a user adds without saying anything
     EXPECT_EQ(labelOf(world->ModelByName("room")), kRoomLabel);
     EXPECT_EQ(labelOf(world->ModelByName("parcel")), kObjectLabel);
+    EXPECT_EQ(labelOf(world->ModelByName("robot")), kRoomLabel); // whose own parts show the photo
 }
 
 TEST_F(WorldFile, ItsCamerasAreTheRobotsAndStandWhereThePhotosWereTaken) {
@@ -163,6 +164,44 @@ TEST_F(TurnedWorldFile, HasItsWallsOutsideToo) {
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0);
         ASSERT_NEAR(distance(room.cameraAt, direction),
                     1 / render::inverseDistance(shape, room.cameraAt, direction), 1e-9);
+    }
+}
+
+/// The room with a table, and a cupboard around a corner.
+class FurnishedWorldFile : public WorldFile {
+  protected:
+    FurnishedWorldFile() : WorldFile(furnished()) {}
+
+    static WorldRoom furnished() {
+        WorldRoom room = roomWithACorner();
+        room.floorM = 0.1;
+        room.obstacles = {{{{3, 0.5}, {4, 0.5}, {4, 1.5}, {3, 1.5}}, 0.75},
+                          {{{0.2, 3}, {1, 3}, {1, 3.3}, {0.5, 3.3}, {0.5, 3.9}, {0.2, 3.9}}, 1.9}};
+        return room;
+    }
+};
+
+TEST_F(FurnishedWorldFile, HasItsObstaclesForRobotsLasersAndLabelsButNotForTheCamera) {
+    for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
+        const std::string name = "obstacle_" + std::to_string(i);
+        const sdf::Collision* collision = surfaces()->CollisionByName(name);
+        const sdf::Visual* visual = surfaces()->VisualByName(name);
+        ASSERT_TRUE(collision != nullptr && visual != nullptr) << name;
+        EXPECT_EQ(visual->VisibilityFlags(), kHiddenFromCamera);
+        EXPECT_EQ(visual->RawPose(), collision->RawPose());
+        EXPECT_EQ(collision->RawPose(), im::Pose3d(0, 0, 0.1, 0, 0, 0));
+        for (const sdf::ElementPtr& element : {collision->Element(), visual->Element()}) {
+            // sdformat has a class for it as of 12.5.
+            const sdf::ElementPtr prism = element->GetElement("geometry")->GetElement("polyline");
+            EXPECT_EQ(prism->Get<double>("height"), room.obstacles[i].heightM);
+            sdf::ElementPtr point = prism->GetElement("point");
+            for (const Eigen::Vector2d& corner : room.obstacles[i].outline) {
+                ASSERT_NE(point, nullptr);
+                EXPECT_EQ(point->Get<im::Vector2d>(), im::Vector2d(corner.x(), corner.y()));
+                point = point->GetNextElement("point");
+            }
+            EXPECT_EQ(point, nullptr);
+        }
     }
 }
 

@@ -135,6 +135,21 @@ TEST_F(WriterTest, CopiesDepthAndCountsEveryByte) {
     EXPECT_GT(report.photoBytes, report.sourceBytes); // restart markers take room
 }
 
+TEST_F(WriterTest, LeavesTheIndexOfFurtherPicturesOutWithThePictures) {
+    Bytes photo = jpeg::encode(noise(320, 160, 9), 90);
+    const Bytes whole = photo;
+    const std::string index("\xff\xe2\x00\x0aMPF\0II*\0", 12);
+    photo.insert(photo.begin() + 2, index.begin(), index.end());
+    photo.insert(photo.end(), whole.begin(), whole.end()); // the second picture
+    addPhoto("GOPRO.JPG", photo);
+    write();
+    const Bytes exported = readFile(out / "photos/GOPRO.jpg");
+    for (const jpeg::Segment& segment : jpeg::segments(exported, "exported")) {
+        EXPECT_NE(segment.marker, 0xE2);
+    }
+    EXPECT_EQ(jpeg::decode(exported, "exported"), jpeg::decode(whole, "whole"));
+}
+
 TEST_F(WriterTest, ReplacesNothing) {
     fs::create_directories(out);
     expectError(ErrorKind::Exists, "exists already", [&] { write(); });

@@ -60,10 +60,34 @@ TEST_F(Objects, AreWhatHasALabelThatIsNotTheRooms) {
     put(4, 3, 1.5F, 0);
     put(5, 3, 1.5F, 1);
     EXPECT_EQ(shown({}), 1);
+    std::fill(parts.colour.values().begin(), parts.colour.values().end(), std::uint8_t{90});
     OverlayOptions options;
     options.roomLabels = {10};
     put(6, 3, kInfinity, 0);
     EXPECT_EQ(shown(options), 8 * 6 - 2); // nothing has no depth
+}
+
+TEST_F(Objects, WithoutALabelAreWhatTheColourCameraSees) {
+    put(2, 3, 1.5F, 0); // a model that nobody gave a label
+    put(3, 3, 1.5F, 0); // the robot's own arm, which is hidden from the colour camera
+    std::fill_n(parts.colour.at(3, 3), 3, std::uint8_t{0});
+    put(4, 3, kInfinity, 0);
+    put(5, 3, 1.5F, 7); // black, and named
+    std::fill_n(parts.colour.at(5, 3), 3, std::uint8_t{0});
+    OverlayOptions options;
+    options.roomLabels = {1};
+    EXPECT_EQ(shown(options), 2);
+    options.roomLabels = {0, 1};
+    EXPECT_EQ(shown(options), 1);
+}
+
+TEST_F(Objects, ByDepthAreNotWhatTheColourCameraDoesNotSee) {
+    put(2, 3, 1.5F, 1);
+    put(3, 3, 1.5F, 1); // furniture that the outline lacks
+    std::fill_n(parts.colour.at(3, 3), 3, std::uint8_t{0});
+    OverlayOptions options;
+    options.by = ObjectsBy::Depth;
+    EXPECT_EQ(shown(options), 1);
 }
 
 TEST_F(Objects, AreNearerThanTheRoomOfTheOutline) {

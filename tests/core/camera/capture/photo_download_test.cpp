@@ -208,7 +208,18 @@ TEST_F(PhotoDownloadTest, WaitsForAFileThatIsAnnouncedButNotYetWritten) {
 
 TEST_F(PhotoDownloadTest, NamesAPhotoThatTheCameraDoesNotHave) {
     camera.files.clear();
-    expectRefused(ErrorKind::NotFound, "does not list the photo R0010049.JPG");
+    expectRefused(ErrorKind::NotFound, "refused to send R0010049.JPG");
+}
+
+TEST_F(PhotoDownloadTest, BringsAPhotoThatTheCameraDoesNotListYet) {
+    camera.fault(
+        "camera.listFiles",
+        [](const auto&) {
+            return test::answerJson(R"({"state":"done","results":{"entries":[],"totalEntries":0}})");
+        },
+        2);
+    EXPECT_EQ(fetch().sizeBytes, camera.files[0].bytes.size());
+    EXPECT_EQ(clock.passed(), 0s);
 }
 
 TEST_F(PhotoDownloadTest, PassesOnThatItCannotWrite) {

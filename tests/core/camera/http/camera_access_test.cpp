@@ -3,6 +3,7 @@
 #include "capture/practice_fixture.h"
 #include "expect_error.h"
 #include "http/scripted_server.h"
+#include "osc/session_note.h"
 
 #include "spherewalk/camera/live_preview.h"
 
@@ -91,6 +92,60 @@ TEST_F(CameraLevels, ASessionThatHasEndedIsBegunAnew) {
     practice().arm({FaultKind::Refuse, "camera.startSession", 0, 1, 0, 0, "cameraInExclusiveUse"});
     start();
     expectError(ErrorKind::Busy, "close the other program", [&] { shoot(9); });
+}
+
+TEST_F(CameraLevels, AllClientsOfACameraOfLevelOneShareItsSessionAndTheLastClosesIt) {
+    runModel(CameraModel::LevelOne);
+    const ShotOutcome taken = capture().expose(1, {});
+    ASSERT_EQ(taken.shot.step, survey::ShotStep::Taken) << taken.sentence;
+    auto fetcher = client->another();
+    EXPECT_EQ(downloadPhoto(*fetcher, systemClock(), taken.shot.fileUrl, folder / "1.jpg",
+                            captureOptions.download, {})
+                  .width,
+              1024);
+    EXPECT_EQ(commands("camera.startSession"), 1);
+    fetcher.reset();
+    EXPECT_EQ(commands("camera.closeSession"), 0);
+    start(); // the program ends, and begins again
+    EXPECT_EQ(commands("camera.closeSession"), 1);
+    expectRightPhoto(shoot(2));
+    EXPECT_EQ(commands("camera.startSession"), 2);
+}
+
+TEST_F(CameraLevels, TheSessionOfAProgramThatWasKilledIsTakenOver) {
+    runModel(CameraModel::LevelOne);
+    client->info({});
+    client->getOptions({"iso"}, {});
+    // What a program leaves that can neither close its session nor forget it.
+    auto killed = std::move(client);
+    start();
+    expectRightPhoto(shoot(1));
+    EXPECT_EQ(commands("camera.updateSession"), 1);
+    EXPECT_EQ(commands("camera.closeSession"), 0);
+}
+
+TEST_F(CameraLevels, TheSessionOfAnotherUserOrComputerIsNotTakenOver) {
+    runModel(CameraModel::LevelOne);
+    OscClient telephone({"127.0.0.1", practice().port()}, oscOptions, systemClock());
+    telephone.info({});
+    telephone.getOptions({"iso"}, {});
+    SessionNote({"127.0.0.1", practice().port()}).clear(); // which is not on the telephone
+    expectError(ErrorKind::Busy, "close the other program", [&] { shoot(1); });
+    EXPECT_EQ(telephone.getOptions({"iso"}, {})["iso"], 0);
+}
+
+TEST_F(CameraLevels, ASessionWhoseNameWasLostOnTheWayIsGoneOnWith) {
+    runModel(CameraModel::LevelOne);
+    arm(FaultKind::ExecuteThenDrop, "camera.startSession");
+    expectRightPhoto(shoot(1));
+    EXPECT_EQ(commands("camera.startSession"), 2);
+}
+
+TEST_F(CameraLevels, ASessionIsNamedOnlyWhereItBelongs) {
+    runModel(CameraModel::LevelOne);
+    client->info({});
+    EXPECT_EQ(client->listFiles({}, {}).totalEntries, 0); // the practice camera refuses a session there
+    EXPECT_EQ(commands("camera.startSession"), 0);
 }
 
 class CameraPassword : public test::PracticeFixture {

@@ -79,11 +79,12 @@ TEST_F(Discovery, SaysWhyItCouldNotListen) {
     EXPECT_TRUE(report.note.empty() || report.note.ends_with(".")) << report.note;
 }
 
-TEST(UsualPlaces, AreTheCamerasOwnWiFiAndThePracticeCamera) {
+TEST(UsualPlaces, AreTheWiFiOfCamerasAndThePracticeCamera) {
     const auto places = usualPlaces();
-    ASSERT_EQ(places.size(), 2U);
+    ASSERT_EQ(places.size(), 3U);
     EXPECT_EQ(places[0].endpoint.name(), "192.168.1.1:80");
-    EXPECT_EQ(places[1].endpoint.name(), "127.0.0.1:8080");
+    EXPECT_EQ(places[1].endpoint.name(), "192.168.42.1:80");
+    EXPECT_EQ(places[2].endpoint.name(), "127.0.0.1:8080");
 }
 
 } // namespace

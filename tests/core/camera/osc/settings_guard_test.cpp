@@ -113,6 +113,8 @@ class ProfileTest : public SettingsGuardTest {
 
     std::vector<std::string> hold() { return m_guard->hold(held(), {}); }
 
+    std::vector<std::string> differences() { return m_guard->exposureDifferences({}); }
+
   private:
     std::optional<SettingsGuard> m_guard;
 };
@@ -217,6 +219,41 @@ TEST_F(ProfileTest, WhatTheCameraDoesNotKeepIsSaid) {
         "camera.setOptions", [](const auto&) { return test::answerJson(R"({"state":"done"})"); }, 2);
     EXPECT_THAT(hold(), testing::ElementsAre(
                             testing::HasSubstr("ISO is 64 instead of 200; the camera does not keep")));
+}
+
+TEST_F(ProfileTest, AnExposureThatTheCameraNeverKeepsStopsAtTheSecondPhoto) {
+    apply("iso=200");
+    const auto lose = [&] {
+        camera.options["iso"] = 64;
+        camera.fault(
+            "camera.setOptions", [](const auto&) { return test::answerJson(R"({"state":"done"})"); }, 2);
+    };
+    lose();
+    EXPECT_EQ(hold().size(), 1U); // before the first photo
+    EXPECT_EQ(differences().size(), 1U);
+    lose();
+    expectError(ErrorKind::Unsupported, "--profile camera", [&] { hold(); });
+}
+
+TEST_F(ProfileTest, AnExposureThatTheCameraLosesInEachPhotoStopsAtTheThird) {
+    apply("iso=200");
+    for (int photo = 0; photo < 2; ++photo) {
+        EXPECT_LE(hold().size(), 1U); // set again
+        EXPECT_EQ(camera.options["iso"], 200);
+        camera.options["iso"] = 64;
+        EXPECT_EQ(differences().size(), 1U);
+    }
+    expectError(ErrorKind::Unsupported, "--profile camera", [&] { hold(); });
+}
+
+TEST_F(ProfileTest, AnExposureThatWasLostOnceIsForgiven) {
+    apply("iso=200");
+    for (int photo = 0; photo < 4; ++photo) {
+        EXPECT_LE(hold().size(), 1U);
+        camera.options["iso"] = photo % 2 == 0 ? 64 : 200;
+        EXPECT_EQ(differences().empty(), photo % 2 == 1);
+    }
+    hold();
 }
 
 TEST(ShotAllowance, GrowsWithTimerExposureAndFilter) {

@@ -188,6 +188,18 @@ TEST(WorldRoom, OfADatasetIsThatOfTheSurveyThatItWasMadeOf) {
     }
 }
 
+TEST(WorldRoom, HasTheObstaclesOfThePlanAndBeginsBesideThem) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path survey = test::makeSurvey(folder / "s.spherewalk");
+    const dataset::WorldRoom room = worldRoomOf(survey, 0.6);
+    ASSERT_EQ(room.obstacles.size(), 1U);
+    EXPECT_EQ(room.obstacles[0].heightM, 0.6);
+    EXPECT_EQ(room.obstacles[0].outline,
+              store::SurveyStore::open(survey, store::Access::Read).room().obstacles[0]);
+    EXPECT_GE(distanceToEdge(room.obstacles[0].outline, room.cameraAt.head<2>()), 0.2);
+    EXPECT_EQ(worldRoomOf(survey, 5).obstacles[0].heightM, 2.5); // no higher than the ceiling
+}
+
 TEST(WorldRoom, NeedsASurveyOrADataset) {
     const test::TemporaryFolder folder;
     EXPECT_THROW(worldRoomOf(folder.path()), Error);
@@ -198,7 +210,7 @@ TEST(WorldRoom, NeedsASurveyOrADataset) {
 namespace {
 
 dataset::WorldRoom smallRoom() {
-    return {"room", {{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 0, 2.5, {1, 1, 1}};
+    return {"room", {{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 0, 2.5, {1, 1, 1}, {}};
 }
 
 } // namespace

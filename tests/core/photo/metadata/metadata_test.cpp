@@ -38,6 +38,18 @@ TEST(PhotoMetadata, ReadsExifOfBothByteOrders) {
     }
 }
 
+TEST(PhotoMetadata, TellsHowThePictureAsksToBeTurned) {
+    for (const bool isBigEndian : {false, true}) {
+        test::ExifForm form;
+        form.isBigEndian = isBigEndian;
+        EXPECT_EQ(photo::readMetadata(test::madePhoto(test::madeExif(form), ""), "a.jpg").orientation, 1);
+        form.orientation = 6;
+        EXPECT_EQ(photo::readMetadata(test::madePhoto(test::madeExif(form), ""), "a.jpg").orientation, 6);
+        form.orientation = 77;
+        EXPECT_EQ(photo::readMetadata(test::madePhoto(test::madeExif(form), ""), "a.jpg").orientation, 1);
+    }
+}
+
 TEST(PhotoMetadata, IsEmptyForAJpegThatSaysNothing) {
     photo::PhotoMetadata expected;
     expected.width = 64;

@@ -67,6 +67,30 @@ TEST_F(PhotoIntegrity, RefusesWhatIsNotSphericalOrTooSmall) {
               510);
 }
 
+TEST_F(PhotoIntegrity, NamesOddFilesAsWhatTheyAreWithTheCure) {
+    const auto begins = [](std::string_view head) {
+        Bytes file(head.begin(), head.end());
+        file.resize(200, 7);
+        return file;
+    };
+    using namespace std::string_view_literals;
+    expectRefused(begins("\x89PNG\r\n\x1a\n"sv), "a PNG and not a JPEG; save it as a JPEG");
+    expectRefused(begins("\0\0\0\x18"
+                         "ftypheic"sv),
+                  "a HEIF picture");
+    expectRefused(begins("\0\0\0\x18"
+                         "ftypisom"sv),
+                  "an MP4 video");
+    expectRefused(begins("II*\0"sv), "a TIFF or a raw picture");
+    expectRefused(begins("RIFF\0\0\0\0WEBP"sv), "a WebP picture");
+    const std::string cropped =
+        test::gpanoXmp("<GPano:FullPanoHeightPixels>2688</GPano:FullPanoHeightPixels>");
+    expectRefused(test::madePhoto(ByteView(), cropped, 640, 200),
+                  "a part of a panorama, 640 x 200 pixels of 5376 x 2688; export the whole sphere");
+    expectRefused(test::madePhoto(ByteView(), "", 256, 512), "lies on its side");
+    expectRefused(test::madePhoto(ByteView(), "", 640, 480), "as a whole stitched sphere");
+}
+
 TEST_F(PhotoIntegrity, NamesAMissingFile) {
     const test::TemporaryFolder folder;
     test::expectError(ErrorKind::NotFound, "none.jpg", [&] { photo::checkPhotoFile(folder / "none.jpg"); });

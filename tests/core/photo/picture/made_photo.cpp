@@ -120,9 +120,9 @@ MadeExif madeExif(const ExifForm& form) {
     TiffWriter writer(form.isBigEndian);
     MadeExif made;
     made.isBigEndian = form.isBigEndian;
-    const std::size_t first =
-        writer.directory({asciiField(0x010F, "RICOH"), asciiField(0x0110, form.model),
-                          asciiField(0x0131, form.model + " Ver 3.82.1"), longField(0x8769, 0)});
+    const std::size_t first = writer.directory(
+        {asciiField(0x010F, "RICOH"), asciiField(0x0110, form.model), shortField(0x0112, form.orientation),
+         asciiField(0x0131, form.model + " Ver 3.82.1"), longField(0x8769, 0)});
     made.exifDirectory = writer.directory(
         {rationalField(0x829A, {1, 250}, false), rationalField(0x829D, {20, 10}, false),
          shortField(0x8827, 100), asciiField(0x9003, "2026:01:02 03:04:05"), TiffField{0x927C, 7, 0, {0}}});
@@ -136,7 +136,7 @@ MadeExif madeExif(const ExifForm& form) {
         noteEnd = writer.bytes().size();
     }
     made.tiff = writer.bytes();
-    made.setLong(MadeExif::valueAt(first, 3), static_cast<std::uint32_t>(made.exifDirectory));
+    made.setLong(MadeExif::valueAt(first, 4), static_cast<std::uint32_t>(made.exifDirectory));
     const std::size_t note = MadeExif::valueAt(made.exifDirectory, 4);
     made.setLong(note, static_cast<std::uint32_t>(made.makerNote));
     made.setLong(note - 4, static_cast<std::uint32_t>(noteEnd - made.makerNote));

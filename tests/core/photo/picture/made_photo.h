@@ -30,6 +30,7 @@ struct ExifForm {
     bool isBigEndian = false;
     bool isThetaInside = true; ///< the Theta directory lies within the maker note's bytes
     std::string model = "RICOH THETA V";
+    std::uint16_t orientation = 1;
     std::vector<TiffField> theta = {};
 };
 

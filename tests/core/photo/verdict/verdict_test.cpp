@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -218,6 +219,47 @@ TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
     ASSERT_EQ(balance.findings.size(), 1U);
     EXPECT_EQ(balance.findings[0].flaw, Flaw::Settings);
     EXPECT_EQ(balance.quality(), survey::Quality::Doubtful);
+}
+
+TEST(Verdict, NamesAnUnstitchedDualFisheyeAndNoSphere) {
+    Random random(5);
+    const std::vector<PlacedPicture> photos = test::practicePhotos(2, 2, 1, kWidth, false, random);
+    for (const PlacedPicture& photo : photos) {
+        RgbImage discs = photo.picture;
+        RgbImage caps = photo.picture; // a tripod's plate, and a hand over the lens
+        for (int y = 0; y < discs.height(); ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const double half = kWidth / 4.0;
+                const double across = (x % (kWidth / 2) + 0.5) / half - 1;
+                if (std::hypot(across, (y + 0.5) / half - 1) > 0.97) {
+                    std::fill_n(discs.at(x, y), 3, std::uint8_t{0});
+                }
+                if (y < kWidth / 16 || y >= kWidth * 7 / 16) {
+                    std::fill_n(caps.at(x, y), 3, std::uint8_t{0});
+                }
+            }
+        }
+        const auto findings = [](const RgbImage& picture) {
+            return judgeJpeg(jpeg::encode(picture, 90), "a.JPG", {}, {}).verdict;
+        };
+        EXPECT_THAT(findings(discs).sentence(), testing::HasSubstr("two fisheye pictures"));
+        EXPECT_EQ(findings(discs).quality(), survey::Quality::Failed);
+        for (const RgbImage& sphere : {photo.picture, caps}) {
+            EXPECT_EQ(std::ranges::count(findings(sphere).findings, Flaw::Kind, &Finding::flaw), 0);
+        }
+    }
+}
+
+TEST(Verdict, NamesAPictureThatAsksToBeTurned) {
+    Random random(6);
+    const RgbImage picture = test::practicePhotos(1, 1, 1, kWidth, false, random).front().picture;
+    const Sketch plain = sketch(jpeg::encode(picture, 90), {}, "a.JPG");
+    PhotoMetadata metadata;
+    EXPECT_EQ(judge(plain, metadata, {}, {}).quality(), survey::Quality::Good);
+    metadata.orientation = 3;
+    const Verdict verdict = judge(plain, metadata, {}, {});
+    EXPECT_EQ(verdict.quality(), survey::Quality::Doubtful);
+    EXPECT_THAT(verdict.sentence(), testing::HasSubstr("turned by 180 degrees (Exif Orientation)"));
 }
 
 TEST(Verdict, TellsOfACameraThatWasTurnedAmongSteadyOnes) {

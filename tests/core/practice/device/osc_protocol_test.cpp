@@ -148,6 +148,7 @@ class OscSessions : public testing::Test {
 TEST_F(OscSessions, EachHasANameOfItsOwn) {
     std::set<std::string> names;
     for (int i = 0; i < 12; ++i) {
+        m_session.end();
         const std::string name = m_session.start();
         EXPECT_THAT(name, testing::MatchesRegex("SID_[0-9]{4}"));
         EXPECT_TRUE(names.insert(name).second) << name;
@@ -162,9 +163,12 @@ TEST_F(OscSessions, WithoutOneNothingIsAllowed) {
     EXPECT_EQ(refusedWith([&] { m_session.use(Json::object()); }), OscCode::MissingParameter);
 }
 
-TEST_F(OscSessions, ANewOneEndsTheOneBefore) {
+TEST_F(OscSessions, ThereIsOneUntilItEndsOrIsUnused) {
     const std::string first = m_session.start();
     EXPECT_EQ(use(first), std::nullopt);
+    EXPECT_EQ(refusedWith([&] { m_session.start(); }), OscCode::CameraInExclusiveUse);
+    EXPECT_EQ(use(first), std::nullopt);
+    m_clock.advance(seconds(181));
     const std::string second = m_session.start();
     EXPECT_EQ(use(first), OscCode::InvalidSessionId);
     EXPECT_EQ(use(second), std::nullopt);

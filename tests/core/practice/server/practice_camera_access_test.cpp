@@ -31,6 +31,8 @@ TEST_F(PracticeCameraAccess, LevelOneNeedsASession) {
     expectRefusal(execute("camera.takePicture", Json::object(), 400), "missingParameter");
     const Json first = execute("camera.startSession")["results"]["sessionId"];
     EXPECT_EQ(state()["sessionId"], first);
+    expectRefusal(execute("camera.startSession", Json::object(), 400), "cameraInExclusiveUse");
+    execute("camera.closeSession", {{"sessionId", first}});
     const Json session = execute("camera.startSession")["results"]["sessionId"];
     expectRefusal(execute("camera.takePicture", {{"sessionId", first}}, 403), "invalidSessionId");
     const Json done = finished(execute("camera.takePicture", {{"sessionId", session}})["id"]);
@@ -54,6 +56,20 @@ TEST_F(PracticeCameraAccess, LevelOneNeedsASession) {
     execute("camera.closeSession", {{"sessionId", session}});
     expectRefusal(execute("camera.getOptions", {{"sessionId", session}, {"optionNames", {"iso"}}}, 403),
                   "invalidSessionId");
+}
+
+TEST_F(PracticeCameraAccess, LevelOneRefusesWhatItDoesNotHave) {
+    runModel(CameraModel::LevelOne);
+    const Json session = execute("camera.startSession")["results"]["sessionId"];
+    expectRefusal(execute("camera.listFiles", {{"entryCount", 1}}, 400), "unknownCommand");
+    expectRefusal(execute("camera.listImages", {{"entryCount", 1}, {"sessionId", session}}, 400),
+                  "invalidParameterName");
+    expectRefusal(execute("camera.getOptions", {{"optionNames", {"iso"}}}, 400), "missingParameter");
+    const Json body = {{"name", "camera.getImage"},
+                       {"parameters", {{"fileUri", "100RICOH/R0010001.JPG"}, {"sessionId", session}}}};
+    const auto image = client().Post("/osc/commands/execute", body.dump(), "application/json");
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->status, 400);
 }
 
 TEST_F(PracticeCameraAccess, AThetaSIsSwitchedToLevelTwoAndFallsBack) {

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace spherewalk::render {
 
@@ -23,7 +24,7 @@ const CameraModel kCamera(CameraIntrinsics::pinhole(64, 48, 1.0));
 
 ColourCorrection madeCorrection(test::Random& random) {
     ColourCorrection correction;
-    for (double& entry : correction.matrix.reshaped()) {
+    for (double& entry : std::span(correction.matrix.data(), 9)) {
         entry += random.uniform(-0.3, 0.3);
     }
     for (ColourCorrection::Curve& curve : correction.curves) {

@@ -44,10 +44,11 @@ struct FileQuery {
 /// useless answer, or "busy"; takePicture is sent at most once. A camera that says that it speaks API levels
 /// 1 and 2 is switched to 2 before the first command, and again when it has fallen back; one that speaks only
 /// level 1 gets a session, and its files' URLs are paths made of the names that it uses
-/// ("/100RICOH/R0010001.JPG"). One that has not been asked for its info speaks level 2. Errors of all: those
-/// of HttpClient; Unsupported for a host that is no camera; Corrupt for answers that break the protocol; for
-/// a refused command the kind of its code (see osc_error.h). Stop: within 200 ms. Threads: one at a time, so
-/// that one request is in flight.
+/// ("/100RICOH/R0010001.JPG"). Clients of another() share the session, which ends with the last of them. A
+/// session of a program that was killed is taken over: its name is kept in a file of the user's. A camera
+/// that has not been asked for its info speaks level 2. Errors of all: those of HttpClient; Unsupported for a
+/// host that is no camera; Corrupt for answers that break the protocol; for a refused command the kind of its
+/// code (see osc_error.h). Stop: within 200 ms. Threads: one at a time, so that one request is in flight.
 class OscClient {
   public:
     /// Owner: the clock must outlive the client. Errors: InvalidInput.
@@ -56,9 +57,7 @@ class OscClient {
     const Endpoint& endpoint() const { return m_http.endpoint(); }
 
     /// Another client of the same camera, for another thread.
-    std::unique_ptr<OscClient> another() const {
-        return std::make_unique<OscClient>(endpoint(), m_options, m_clock);
-    }
+    std::unique_ptr<OscClient> another() const;
 
     CameraInfo info(const std::stop_token& stop);
     CameraState state(const std::stop_token& stop);
@@ -97,6 +96,7 @@ class OscClient {
                           const std::stop_token& stop);
 
   private:
+    struct Level;
     using Send = std::function<HttpResponse()>;
 
     template <class Understand>
@@ -109,18 +109,21 @@ class OscClient {
     void enterLevel(const std::stop_token& stop);
     void switchToLevelTwo(const std::stop_token& stop);
     void startSession(const std::stop_token& stop);
+    bool takeOverSession(bool mayBeOurs, const std::stop_token& stop);
+    bool renewLevelAfter(const Json& session, const std::stop_token& stop);
+    Json session() const;
     Json request(const std::string& command, Json parameters) const;
     FileList listImages(const FileQuery& query, const std::stop_token& stop);
     bool isLevelOneOnly() const;
     bool hasBothLevels() const;
+    void setLevels(const std::vector<int>& levels);
+    void noteVersion(std::optional<int> version);
 
     HttpClient m_http;
     OscOptions m_options;
     Clock& m_clock;
     std::optional<Clock::TimePoint> m_optionsSetAt;
-    std::vector<int> m_apiLevels{2}; ///< Levels that the camera's info names.
-    bool m_isSwitched = false;       ///< Whether the camera was switched from level 1 to 2.
-    Json m_session;                  ///< Session of level 1 as the camera spells it; null without one.
+    std::shared_ptr<Level> m_level; ///< Of all clients of this camera.
 };
 
 } // namespace spherewalk::camera

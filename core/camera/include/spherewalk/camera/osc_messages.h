@@ -37,6 +37,7 @@ struct CameraState {
     std::string latestFileUrl;             ///< "" if there is none.
     std::string storageUri;
     std::optional<int> apiVersion;
+    std::string sessionId; ///< Of level 1: the session of whoever uses the camera; "" if nobody does.
     bool isPluginRunning = false;
     std::vector<std::string> errors; ///< Codes as _cameraError spells them.
 
@@ -55,6 +56,7 @@ struct CommandReply {
     OscErrorCode error = OscErrorCode::None;
     std::string errorMessage; ///< The camera's own words.
     bool isFromCamera = true; ///< False if only the HTTP status told of the error.
+    int sent = 1;             ///< How often the request was sent until this answer came.
 
     /// The member fileUrl of the results, or fileUri of API level 1; "" without either.
     std::string fileUrl() const;

@@ -80,6 +80,9 @@ class SettingsGuard {
     Json exposure(std::vector<std::string>& lacks, const std::stop_token& stop);
     void set(const std::stop_token& stop);
     std::vector<std::string> differences(const Json& present) const;
+    std::vector<std::string> exposureLosses(const Json& present) const;
+    std::vector<std::string> exposureNow(const std::stop_token& stop);
+    void requireKept(const Json& present, int mostLosses) const;
 
     OscClient& m_client;
     std::optional<survey::CaptureProfile> m_profile;
@@ -89,6 +92,7 @@ class SettingsGuard {
     Json m_basics = Json::object();   ///< The photos' format and no sleep, as apply() has set them.
     Json m_exposure = Json::object(); ///< Exposure that apply() has set, in one call, since its values depend
                                       ///< on each other.
+    int m_losses = 0;                 ///< How often in a row a look after a photo found another exposure.
 };
 
 /// The time that a shot may take before it counts as lost: the base, the self-timer, twice the exposure, and

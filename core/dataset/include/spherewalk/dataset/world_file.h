@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace spherewalk::dataset {
 
@@ -16,6 +17,12 @@ inline constexpr int kObjectLabel = 10;
 inline constexpr unsigned kSeenByCamera = 0x1; ///< The colour camera's visibility_mask.
 inline constexpr unsigned kHiddenFromCamera = 0x2;
 
+/// A thing on the floor that robots and lasers cannot pass, upright from the floor to its height.
+struct WorldObstacle {
+    Polygon outline;
+    double heightM = 0;
+};
+
 /// A room for a simulator. Frames: the room is the world.
 struct WorldRoom {
     std::string name;
@@ -24,15 +31,17 @@ struct WorldRoom {
     double ceilingM = 0;
     Eigen::Vector3d cameraAt =
         Eigen::Vector3d::Zero(); ///< First place of the robot's camera, which looks along x.
+    std::vector<WorldObstacle> obstacles;
 
-    /// Errors: InvalidInput for a defect of the outline, a ceiling that is not above the floor, and a camera
-    /// that is not inside of the room.
+    /// Errors: InvalidInput for a defect of an outline, a ceiling that is not above the floor, an obstacle
+    /// without height, and a camera that is not inside of the room.
     void validate() const;
 };
 
-/// The world as SDF 1.9 for Gazebo Fortress. Walls, floor and ceiling stop things and lasers; the camera does
-/// not see them. A robot carries a laser and the cameras that overlays are made from. The camera sees one
-/// object. Errors: those of WorldRoom::validate(); Unsupported for a camera with distortion.
+/// The world as SDF 1.9 for Gazebo Fortress. Walls, floor, ceiling and obstacles stop things and lasers; the
+/// camera does not see them. A robot carries a laser and the cameras that overlays are made from. One object
+/// stands before the camera where the camera sees it, high enough where the room is too small for a low one.
+/// Errors: those of WorldRoom::validate(); Unsupported for a camera with distortion.
 std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera);
 
 } // namespace spherewalk::dataset

@@ -41,10 +41,15 @@ ForeignReport exportForeign(const store::SurveyStore& store, const std::filesyst
                             const ForeignOptions& options, ProgressSink& progress,
                             const std::stop_token& stop);
 
+/// The height of obstacles in a world, which surveys and datasets do not know: that of a table.
+inline constexpr double kObstacleHeightM = 0.75;
+
 /// The room of the survey or of the dataset in this folder. The robot's camera begins at the photo nearest to
-/// the middle of all photos; a survey without photos takes its stations instead.
+/// the middle of all photos at which the robot stands in no obstacle; a survey without photos takes its
+/// stations instead. Obstacles in which the robot would have to begin are left out.
 /// Errors: those of opening the folder; InvalidInput for a folder without photos and stations.
-dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder);
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder,
+                               double obstacleHeightM = kObstacleHeightM);
 
 /// Writes world.sdf, and camera.yaml for the camera in it, into a new folder.
 /// Errors: Exists, Full, Io; those of dataset::sdfWorld(). After an error nothing is left.

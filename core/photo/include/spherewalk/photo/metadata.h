@@ -62,6 +62,8 @@ struct PhotoMetadata {
     std::optional<double> exposureS;
     std::optional<double> fNumber;
     std::optional<int> iso;
+    /// How programs are to turn the picture, 1 to 8; nobody turns a sphere. Source: Exif, tag Orientation.
+    int orientation = 1;
     std::optional<bool> hasFixedWhiteBalance; ///< Whether a person chose the white balance.
     std::optional<PanoramaXmp> panorama;
     std::optional<ThetaMakerNote> theta;

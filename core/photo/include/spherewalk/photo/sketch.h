@@ -41,4 +41,8 @@ struct Sketch {
 /// tenth of a second for 5376 x 2688 pixels.
 Sketch sketch(ByteView jpeg, const PhotoMetadata& metadata, std::string_view source);
 
+/// Whether the photo shows two fisheye pictures beside each other and no stitched sphere: two discs with
+/// black around them.
+bool isDualFisheye(const Sketch& sketch);
+
 } // namespace spherewalk::photo

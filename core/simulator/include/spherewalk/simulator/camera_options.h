@@ -36,8 +36,9 @@ struct Mounting {
 
 /// How objects are told from the simulator's model of the room, which its depth camera may see too.
 enum class ObjectsBy {
-    Labels, ///< A segmentation camera says which pixels show the room.
-    Depth,  ///< Objects are nearer than the room of the dataset's outline.
+    Labels, ///< A segmentation camera says which pixels show the room. What has no label and is black is no
+            ///< object.
+    Depth,  ///< Objects are nearer than the room of the dataset's outline, and not black.
     Alone,  ///< The depth camera sees objects only.
 };
 
@@ -49,8 +50,8 @@ ObjectsBy objectsBy(std::string_view name);
 /// at the simulated camera's place.
 struct OverlayOptions {
     ObjectsBy by = ObjectsBy::Labels;
-    /// With ObjectsBy::Labels, pixels with these labels show the photo: nothing, and the room's own model.
-    /// All other labels are objects.
+    /// With ObjectsBy::Labels, pixels with these labels show the photo: the room's own model, and 0 where
+    /// the room has no label. All other labels are objects.
     std::vector<std::uint8_t> roomLabels = {0, 1};
     /// With ObjectsBy::Depth, an object is nearer than the room by at least nearerM metres, and by at least
     /// this share of the room's depth.
