@@ -142,14 +142,34 @@ class MarkingSheet {
         const double widthMm = m_pages.widthOf(words, kSmallMm, false);
         // Above or below a level wall, to the side of an upright one.
         const double reachMm = 0.5 * (std::abs(outside.x()) * widthMm + std::abs(outside.y()) * kSmallMm);
-        const auto at = [&](double side) -> Vector2d {
-            return 0.5 * (begin + end) + side * (1.5 + reachMm) * outside;
+        const auto at = [&](double side, double share) -> Vector2d {
+            return begin + share * (end - begin) + side * (1.5 + reachMm) * outside;
         };
         bool isFree = true;
         for (const double x : {-0.5, 0.0, 0.5}) {
-            isFree = isFree && !contains(walls, at(1) + Vector2d(x * widthMm, 0));
+            isFree = isFree && !contains(walls, at(1, 0.5) + Vector2d(x * widthMm, 0));
         }
-        m_pages.words(at(isFree ? 1 : -1) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm, Align::Centre);
+        double share = 0.5;
+        for (const double other : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+            if (isFree || !touchesRail(at(-1, other), widthMm)) {
+                share = other;
+                break;
+            }
+        }
+        m_pages.words(at(isFree ? 1 : -1, share) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm,
+                      Align::Centre);
+    }
+
+    /// Whether words of this width around a place lie over a rail, or over the number of one.
+    bool touchesRail(const Vector2d& middle, double widthMm) const {
+        constexpr double kApartMm = 2;
+        constexpr double kFromNumberMm = 6;
+        const Vector2d half(0.5 * widthMm, 0);
+        return std::any_of(m_plan.placements.begin(), m_plan.placements.end(), [&](const auto& rail) {
+            const Polygon line = onPaper({rail.stop(0), rail.stop(rail.stops - 1)});
+            return distanceToEdge(line, middle - half, middle + half) < kApartMm ||
+                   (line[0] - middle).norm() < kFromNumberMm + half.x();
+        });
     }
 
     void drawRail(const survey::RailPlacement& rail, std::size_t index) {

@@ -236,7 +236,7 @@ class TapeFinder {
         constexpr double kDoesNotHold = 1000;
         constexpr double kTight = 2;
         constexpr double kSquare = 2;       // it must be held square
-        constexpr double kCostAMetre = 0.1; // a long tape sags
+        constexpr double kCostAMetre = 0.2; // a long tape sags, and leads through doorways
         const double fromA = (point - a.point).norm();
         const double fromB = (point - b.point).norm();
         Eigen::Matrix2d towards;
@@ -250,7 +250,7 @@ class TapeFinder {
         }
         Fix fix{&a, &b, *laid, influenceOf(towards, a, b), otherMeeting(point, a, b), 0, 0};
         fix.errorM = kReadingErrorM * worst(fix.influence);
-        fix.cost = fix.errorM * (1 + kCostAMetre * std::max(fromA, fromB)) * (fix.other ? kAmbiguous : 1) *
+        fix.cost = fix.errorM * (1 + kCostAMetre * (fromA + fromB)) * (fix.other ? kAmbiguous : 1) *
                    (fix.holds(point) ? 1 : kDoesNotHold) * (a.normal || b.normal ? kSquare : 1) *
                    (isTight(point, a.point) || isTight(point, b.point) ? kTight : 1);
         return fix;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/coverage_view.h"
 
+#include "ui/look/core_words.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -79,7 +81,7 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
             mark.note = valueText(*value);
         }
         if (!row.flags.isEmpty()) {
-            mark.note += QStringLiteral(": ") + row.flags.first();
+            mark.note += QStringLiteral(": ") + coreWords(row.flags.first());
         }
         marks.push_back(std::move(mark));
     }

@@ -38,7 +38,7 @@ std::vector<Flat> manyFlats() {
     for (Flat& flat : flats) {
         flat.room = test::FlatBuilder(random).build();
         PlanOptions options;
-        options.stepM = random.uniform(0.6, 1.2);
+        options.stepM = random.uniform(0.8, 1.4);
         options.railStops = random.integer(2, 6);
         options.clearanceM = random.uniform(0.15, 0.4);
         flat.plan = plan(flat.room, options);
