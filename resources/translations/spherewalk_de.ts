@@ -1035,6 +1035,14 @@
         <source>Take photos closer together.</source>
         <translation>Nehmen Sie Fotos dichter beieinander auf.</translation>
     </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, misses more than 5 of 100 places.</source>
+        <translation>Keine Möglichkeit dieses Datensatzes hält %1 px an 95 von 100 Stellen; die beste, das Szenenmodell %2 mit der Abtastung %3, verfehlt mehr als 5 von 100 Stellen.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together, or export the dataset with a richer scene model.</source>
+        <translation>Nehmen Sie Fotos dichter beieinander auf, oder exportieren Sie den Datensatz mit einem reicheren Szenenmodell.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1065,8 +1073,8 @@
         <translation>%L1 px</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>%L1°</source>
+        <translation>%L1°</translation>
     </message>
 </context>
 <context>

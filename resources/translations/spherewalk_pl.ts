@@ -1045,6 +1045,14 @@
         <source>Take photos closer together.</source>
         <translation>Rób zdjęcia gęściej.</translation>
     </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, misses more than 5 of 100 places.</source>
+        <translation>Żadna możliwość tego zbioru danych nie utrzymuje %1 px w 95 ze 100 miejsc; najlepsza, model sceny %2 z próbkowaniem %3, chybia w więcej niż 5 ze 100 miejsc.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together, or export the dataset with a richer scene model.</source>
+        <translation>Rób zdjęcia gęściej albo wyeksportuj zbiór danych z bogatszym modelem sceny.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1067,8 +1075,8 @@
 <context>
     <name>spherewalk::ui::CoverageView</name>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>%L1°</source>
+        <translation>%L1°</translation>
     </message>
     <message>
         <source>Coverage of the room</source>

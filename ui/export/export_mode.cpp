@@ -24,6 +24,7 @@ namespace spherewalk::ui {
 
 namespace {
 
+constexpr int kNarrowestPage = 640;
 constexpr int kWidestPage = 760; ///< Longer lines are hard to read.
 
 QString secondsText(double seconds) {
@@ -59,6 +60,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
+    page->setMinimumWidth(kNarrowestPage); // else the plan beside it takes the space
     auto* column = new QVBoxLayout(page);
     column->addWidget(makeWhere());
     column->addWidget(makeBefore());

@@ -116,7 +116,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model "
                       "%2 with sampling %3, reaches %4 px."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model "
+                      "%2 with sampling %3, misses more than 5 of 100 places."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together, or export the dataset with "
+                                                   "a richer scene model."),
 };
 
 /// A sentence with the expression that finds it.

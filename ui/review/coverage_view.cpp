@@ -59,7 +59,7 @@ double CoverageView::greatest() const {
 
 QString CoverageView::valueText(double value) const {
     return m_measure == CoverageMeasure::Error ? tr("%L1 px").arg(value, 0, 'f', 1)
-                                               : tr("%1°").arg(value, 0, 'f', 3);
+                                               : tr("%L1°").arg(value, 0, 'f', 3);
 }
 
 QString CoverageView::hottest() const {
