@@ -21,10 +21,20 @@ using survey::RailMark;
 
 namespace {
 
+constexpr double kTinyMm = 2.6;
 constexpr double kSmallMm = 3;
 constexpr double kNormalMm = 3.6;
 constexpr double kLargeMm = 6;
 constexpr double kLeastForLengthMm = 14; ///< a shorter wall has no room for its length
+
+constexpr double kMapWidthMm = 180; ///< Room for the small map above a table.
+constexpr double kMapHeightMm = 52;
+constexpr double kTableMm = kMarginMm + 14 + kMapHeightMm + 8; ///< Base line of the table's head.
+constexpr double kNumberMm = 4.6;                              ///< Columns of the table, from the margin.
+constexpr double kStopsMm = 15;
+constexpr double kFirstMm = 28;
+constexpr double kLastMm = 98;
+constexpr double kErrorMm = 171;
 
 /// The pattern with %1, %2 ... replaced.
 std::string filled(std::string pattern, const std::vector<std::string>& values) {
@@ -132,14 +142,34 @@ class MarkingSheet {
         const double widthMm = m_pages.widthOf(words, kSmallMm, false);
         // Above or below a level wall, to the side of an upright one.
         const double reachMm = 0.5 * (std::abs(outside.x()) * widthMm + std::abs(outside.y()) * kSmallMm);
-        const auto at = [&](double side) -> Vector2d {
-            return 0.5 * (begin + end) + side * (1.5 + reachMm) * outside;
+        const auto at = [&](double side, double share) -> Vector2d {
+            return begin + share * (end - begin) + side * (1.5 + reachMm) * outside;
         };
         bool isFree = true;
         for (const double x : {-0.5, 0.0, 0.5}) {
-            isFree = isFree && !contains(walls, at(1) + Vector2d(x * widthMm, 0));
+            isFree = isFree && !contains(walls, at(1, 0.5) + Vector2d(x * widthMm, 0));
         }
-        m_pages.words(at(isFree ? 1 : -1) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm, Align::Centre);
+        double share = 0.5;
+        for (const double other : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+            if (isFree || !touchesRail(at(-1, other), widthMm)) {
+                share = other;
+                break;
+            }
+        }
+        m_pages.words(at(isFree ? 1 : -1, share) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm,
+                      Align::Centre);
+    }
+
+    /// Whether words of this width around a place lie over a rail, or over the number of one.
+    bool touchesRail(const Vector2d& middle, double widthMm) const {
+        constexpr double kApartMm = 2;
+        constexpr double kFromNumberMm = 6;
+        const Vector2d half(0.5 * widthMm, 0);
+        return std::any_of(m_plan.placements.begin(), m_plan.placements.end(), [&](const auto& rail) {
+            const Polygon line = onPaper({rail.stop(0), rail.stop(rail.stops - 1)});
+            return distanceToEdge(line, middle - half, middle + half) < kApartMm ||
+                   (line[0] - middle).norm() < kFromNumberMm + half.x();
+        });
     }
 
     void drawRail(const survey::RailPlacement& rail, std::size_t index) {
@@ -199,71 +229,131 @@ class MarkingSheet {
     }
 
     void drawTable(const std::vector<RailMark>& marks) {
-        constexpr double kRowMm = 6.5;
+        constexpr double kRowMm = 10;
+        constexpr std::size_t kRows = 18;
         const Paper paper{210, 297};
-        const double bottom = paper.heightMm - kMarginMm - kRowMm;
-        double y = bottom;
-        int page = 1;
-        for (const RailMark& mark : marks) {
-            if (y + kRowMm > bottom) {
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            if (i % kRows == 0) {
                 m_pages.nextPage(paper);
                 m_pages.words({paper.widthMm - kMarginMm, paper.heightMm - kMarginMm},
-                              filled(m_words.page, {std::to_string(++page)}), kSmallMm, Align::Right);
-                y = drawTableHead() + kRowMm;
+                              filled(m_words.page, {std::to_string(2 + i / kRows)}), kSmallMm, Align::Right);
+                drawMap(i, std::min(marks.size(), i + kRows));
+                drawTableHead();
             }
-            drawRow(mark, y);
-            y += kRowMm;
+            drawRow(marks[i], kTableMm + static_cast<double>(i % kRows + 1) * kRowMm);
         }
     }
 
-    double drawTableHead() {
-        const double y = kMarginMm + 14;
+    /// Draws the whole room small, with the rails of this page in black and by their numbers.
+    void drawMap(std::size_t begin, std::size_t end) {
+        const Bounds2 room = bounds(m_room.outline);
+        const Vector2d size = room.greatest - room.least;
+        const double mmAMetre = std::min(kMapWidthMm / size.x(), kMapHeightMm / size.y());
+        const Vector2d middle(105, kMarginMm + 14 + 0.5 * kMapHeightMm);
+        const auto onMap = [&](const Vector2d& pInRoom) -> Vector2d {
+            const Vector2d mm = mmAMetre * (pInRoom - 0.5 * (room.least + room.greatest));
+            return middle + Vector2d(mm.x(), -mm.y());
+        };
+        Polygon walls;
+        for (const Vector2d& corner : m_room.outline) {
+            walls.push_back(onMap(corner));
+        }
+        m_pages.setGrey(0);
+        m_pages.setLine(0.3);
+        m_pages.outline(walls);
+        for (std::size_t i = 0; i < m_plan.placements.size(); ++i) {
+            const survey::RailPlacement& rail = m_plan.placements[i];
+            const bool isOfPage = i >= begin && i < end;
+            m_pages.setGrey(isOfPage ? 0 : 0.7);
+            m_pages.setLine(isOfPage ? 0.5 : 0.2);
+            m_pages.disc(onMap(rail.stop(0)), isOfPage ? 0.6 : 0.3);
+            m_pages.line(onMap(rail.stop(0)), onMap(rail.stop(rail.stops - 1)));
+            if (isOfPage) {
+                m_pages.words(onMap(rail.stop(0)) + Vector2d(0.8, -0.5), std::to_string(i + 1), kTinyMm);
+            }
+        }
+        m_pages.setGrey(0);
+    }
+
+    void drawTableHead() {
         m_pages.setGrey(0);
         m_pages.words({kMarginMm, kMarginMm + 4}, m_words.tableTitle, kNormalMm, Align::Left, true);
-        const std::array<std::pair<double, std::string_view>, 5> columns = {
-            {{kMarginMm, m_words.rail},
-             {kMarginMm + 14, m_words.stops},
-             {kMarginMm + 30, m_words.firstStop},
-             {kMarginMm + 92, m_words.lastStop},
-             {kMarginMm + 158, m_words.error}}};
+        m_pages.words({kMarginMm, kMarginMm + 9}, m_words.errorMeans, kSmallMm);
+        const std::array<std::pair<double, std::string_view>, 5> columns = {{{kNumberMm, m_words.rail},
+                                                                             {kStopsMm, m_words.stops},
+                                                                             {kFirstMm, m_words.firstStop},
+                                                                             {kLastMm, m_words.lastStop},
+                                                                             {kErrorMm, m_words.error}}};
         for (const auto& [x, title] : columns) {
-            m_pages.words({x, y}, std::string(title), kSmallMm, Align::Left, true);
+            m_pages.words({kMarginMm + x, kTableMm}, std::string(title), kSmallMm, Align::Left, true);
         }
         m_pages.setLine(0.3);
-        m_pages.line({kMarginMm, y + 2}, {210 - kMarginMm, y + 2});
-        return y;
+        m_pages.line({kMarginMm, kTableMm + 2}, {210 - kMarginMm, kTableMm + 2});
     }
 
-    void drawRow(const RailMark& mark, double y) {
+    void drawRow(const RailMark& mark, double bottom) {
+        constexpr double kBelowMm = 4.2; ///< From the first line of a row to its second.
+        const double y = bottom - kBelowMm;
         const auto& rail = m_plan.placements[static_cast<std::size_t>(mark.placement)];
-        m_pages.words({kMarginMm, y}, std::to_string(mark.placement + 1), kNormalMm, Align::Left, true);
-        m_pages.words({kMarginMm + 14, y}, std::to_string(rail.stops), kNormalMm);
-        m_pages.words({kMarginMm + 30, y}, tapesText(mark.first), kNormalMm);
-        m_pages.words({kMarginMm + 92, y}, rail.stops > 1 ? tapesText(mark.last) : "", kNormalMm);
-        if (mark.first.sigmaM && mark.last.sigmaM) {
-            const double worst = std::max(*mark.first.sigmaM, *mark.last.sigmaM);
-            m_pages.words({kMarginMm + 158, y}, text(fixed(1000 * worst, 0), " mm"), kNormalMm);
+        const bool hasLast = rail.stops > 1;
+        m_pages.setLine(0.25);
+        m_pages.outline({{kMarginMm, y}, {kMarginMm + 3, y}, {kMarginMm + 3, y - 3}, {kMarginMm, y - 3}});
+        m_pages.words({kMarginMm + kNumberMm, y}, std::to_string(mark.placement + 1), kNormalMm, Align::Left,
+                      true);
+        m_pages.words({kMarginMm + kStopsMm, y}, std::to_string(rail.stops), kNormalMm);
+        if (hasLast) {
+            m_pages.words({kMarginMm + kStopsMm, bottom}, text(fixed((rail.stops - 1) * rail.stepM, 3), " m"),
+                          kTinyMm);
+        }
+        drawPoint(mark.first, kFirstMm, y, bottom);
+        if (hasLast) {
+            drawPoint(mark.last, kLastMm, y, bottom);
+        }
+        if (mark.first.errorM && mark.last.errorM) {
+            const double worst = std::max(*mark.first.errorM, *mark.last.errorM);
+            m_pages.words({kMarginMm + kErrorMm, y}, text(fixed(1000 * worst, 0), " mm"), kNormalMm);
         }
         m_pages.setGrey(0.8);
         m_pages.setLine(0.1);
-        m_pages.line({kMarginMm, y + 2}, {210 - kMarginMm, y + 2});
+        m_pages.line({kMarginMm, bottom + 1.6}, {210 - kMarginMm, bottom + 1.6});
         m_pages.setGrey(0);
+    }
+
+    /// Writes the tapes of a point, and below them the check and the coordinates.
+    void drawPoint(const MarkedPoint& point, double column, double y, double below) {
+        m_pages.words({kMarginMm + column, y}, tapesText(point), kNormalMm);
+        const std::string place =
+            filled(m_words.place, {fixed(point.point.x(), 3), fixed(point.point.y(), 3)});
+        m_pages.words({kMarginMm + column, below},
+                      point.check ? text(filled(m_words.check, {tapeText(*point.check)}), "   ", place)
+                                  : place,
+                      kTinyMm);
     }
 
     std::string tapesText(const MarkedPoint& point) const {
         if (point.tapes.empty()) {
-            return filled(m_words.noTapes, {fixed(point.point.x(), 3), fixed(point.point.y(), 3)});
+            return m_words.noTapes;
         }
-        std::string result;
-        for (const survey::TapeDistance& tape : point.tapes) {
-            result += text(result.empty() ? "" : "     ", survey::cornerName(tape.corner), "  ",
-                           fixed(tape.metres, 3));
+        return text(tapeText(point.tapes[0]), "     ", tapeText(point.tapes[1]));
+    }
+
+    std::string tapeText(const survey::TapeDistance& tape) const {
+        return text(originName(tape.from), "  ", fixed(tape.metres, 3));
+    }
+
+    std::string originName(const survey::TapeOrigin& origin) const {
+        using Kind = survey::TapeOrigin::Kind;
+        switch (origin.kind) {
+        case Kind::Corner:
+            return survey::cornerName(origin.index);
+        case Kind::FirstStop:
+            return filled(m_words.ring, {std::to_string(origin.index + 1)});
+        case Kind::LastStop:
+            return filled(m_words.arrow, {std::to_string(origin.index + 1)});
+        case Kind::Wall:
+            return survey::wallName(m_room, origin.index);
         }
-        if (point.check) {
-            result += text("    (", survey::cornerName(point.check->corner), "  ",
-                           fixed(point.check->metres, 3), ")");
-        }
-        return result;
+        return {};
     }
 
     const std::string& m_name;

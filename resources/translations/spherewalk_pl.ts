@@ -194,7 +194,7 @@
     </message>
     <message>
         <source>&amp;Positions to</source>
-        <translation>&amp;Pozycje do</translation>
+        <translation>Poz&amp;ycje do</translation>
     </message>
     <message>
         <source>A picture, twice as wide as high, black where photos are not to be looked at: cart, operator</source>
@@ -202,7 +202,7 @@
     </message>
     <message>
         <source>&amp;Align</source>
-        <translation>&amp;Wyznacz</translation>
+        <translation>Wy&amp;znacz</translation>
     </message>
     <message>
         <source>Solve how each photo is turned</source>
@@ -226,27 +226,19 @@
     </message>
     <message>
         <source>Retag a&amp;ll proposed</source>
-        <translation>Przenieś wszystkie &amp;proponowane</translation>
+        <translation>Przenieś wszys&amp;tkie proponowane</translation>
     </message>
     <message>
         <source>Move every photo that fits another station there</source>
         <translation>Przenieś na inne stanowisko każde zdjęcie, które tam pasuje</translation>
     </message>
     <message>
-        <source>Ret&amp;ake</source>
-        <translation>Po&amp;wtórz</translation>
+        <source>&amp;Retake</source>
+        <translation>P&amp;owtórz</translation>
     </message>
     <message>
         <source>Reject the chosen photos, so that their stations are taken again</source>
         <translation>Odrzuć zaznaczone zdjęcia, aby ich stanowiska sfotografować ponownie</translation>
-    </message>
-    <message>
-        <source>Mas&amp;k...</source>
-        <translation>Mas&amp;ka...</translation>
-    </message>
-    <message>
-        <source>Choose a picture that tells what is to be left out, and align again with it</source>
-        <translation>Wybierz obraz, który mówi, co pominąć, i wyznacz orientację z nim ponownie</translation>
     </message>
     <message>
         <source>Headings of the photos</source>
@@ -438,6 +430,10 @@
             <numerusform>Razem z wynikami kontroli %n zdjęć trzeba obejrzeć w Ocenie.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Moved to this station since; align again.</source>
+        <translation>Przeniesiono od tego czasu na to stanowisko; wyznacz ponownie.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::Application</name>
@@ -503,7 +499,7 @@
     <name>spherewalk::ui::CameraPanel</name>
     <message>
         <source>&amp;Connect</source>
-        <translation>&amp;Połącz</translation>
+        <translation>P&amp;ołącz</translation>
     </message>
     <message>
         <source>&amp;Practice camera</source>
@@ -511,7 +507,7 @@
     </message>
     <message>
         <source>Shoot by &amp;itself</source>
-        <translation>Fotografuj &amp;samoczynnie</translation>
+        <translation>Fotografuj samoczynn&amp;ie</translation>
     </message>
     <message>
         <source>Address of the camera</source>
@@ -664,6 +660,10 @@
     <message>
         <source>practice camera</source>
         <translation>kamera ćwiczebna</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>brak odpowiedzi</translation>
     </message>
 </context>
 <context>
@@ -868,6 +868,193 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::CoreWords</name>
+    <message>
+        <source>It is %1 pixels wide instead of %2; set the camera&apos;s size and take it again.</source>
+        <translation>Ma %1 pikseli szerokości zamiast %2; ustaw rozmiar w aparacie i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It says that it is no whole stitched sphere; switch stitching on in the camera and take it again.</source>
+        <translation>Zdjęcie mówi, że nie jest całą złożoną sferą; włącz składanie w aparacie i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It says that the camera hung upside down; put it upright and take it again.</source>
+        <translation>Zdjęcie mówi, że aparat wisiał do góry nogami; ustaw go prosto i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera leaned by %1 degrees; check its mount.</source>
+        <translation>Aparat był pochylony o %1 stopni; sprawdź jego mocowanie.</translation>
+    </message>
+    <message>
+        <source>It was exposed for %1 s instead of %2 s; take it again.</source>
+        <translation>Naświetlano je %1 s zamiast %2 s; zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It was taken at ISO %1 instead of %2; take it again.</source>
+        <translation>Zrobiono je z ISO %1 zamiast %2; zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It was taken with a fixed white balance, against the survey&apos;s settings; take it again if its colours differ.</source>
+        <translation>Zrobiono je ze stałym balansem bieli, wbrew ustawieniom pomiaru; zrób je jeszcze raz, jeśli jego kolory się różnią.</translation>
+    </message>
+    <message>
+        <source>It was taken with automatic white balance, against the survey&apos;s settings; take it again if its colours differ.</source>
+        <translation>Zrobiono je z automatycznym balansem bieli, wbrew ustawieniom pomiaru; zrób je jeszcze raz, jeśli jego kolory się różnią.</translation>
+    </message>
+    <message>
+        <source>It is too dark; check the lens and the exposure.</source>
+        <translation>Jest za ciemne; sprawdź obiektyw i ekspozycję.</translation>
+    </message>
+    <message>
+        <source>It is too bright; check the exposure.</source>
+        <translation>Jest za jasne; sprawdź ekspozycję.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops darker than its neighbours; check the exposure and the lamps.</source>
+        <translation>Jest o %1 EV ciemniejsze od sąsiadów; sprawdź ekspozycję i lampy.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops brighter than its neighbours; check the exposure and the lamps.</source>
+        <translation>Jest o %1 EV jaśniejsze od sąsiadów; sprawdź ekspozycję i lampy.</translation>
+    </message>
+    <message>
+        <source>Its colours differ by %1 % from its neighbours&apos;; fix the white balance, and check the lamps.</source>
+        <translation>Jego kolory różnią się o %1 % od kolorów sąsiadów; ustal balans bieli i sprawdź lampy.</translation>
+    </message>
+    <message>
+        <source>%1 % of it is black; check that nothing covers a lens.</source>
+        <translation>%1 % zdjęcia jest czarne; sprawdź, czy nic nie zasłania obiektywu.</translation>
+    </message>
+    <message>
+        <source>%1 % of it is burnt out; shorten the exposure, or keep the light out.</source>
+        <translation>%1 % zdjęcia jest prześwietlone; skróć ekspozycję albo odetnij światło.</translation>
+    </message>
+    <message>
+        <source>Something is in view that its neighbours do not show, %1 degrees to the left of the picture&apos;s middle (%2 % of the sphere); if it is a person, step aside and take it again.</source>
+        <translation>Widać coś, czego sąsiedzi nie pokazują, %1 stopni na lewo od środka zdjęcia (%2 % sfery); jeśli to człowiek, odejdź na bok i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Something is in view that its neighbours do not show, %1 degrees to the right of the picture&apos;s middle (%2 % of the sphere); if it is a person, step aside and take it again.</source>
+        <translation>Widać coś, czego sąsiedzi nie pokazują, %1 stopni na prawo od środka zdjęcia (%2 % sfery); jeśli to człowiek, odejdź na bok i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera was turned by %1 degrees against its neighbours, which all look one way; check its mount.</source>
+        <translation>Aparat był obrócony o %1 stopni względem sąsiadów, które patrzą w jedną stronę; sprawdź jego mocowanie.</translation>
+    </message>
+    <message>
+        <source>It is blurred: its edges are %1 times as wide as they should be; let the camera come to rest and take it again.</source>
+        <translation>Jest nieostre: jego krawędzie są %1 razy szersze, niż powinny; pozwól aparatowi się uspokoić i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It is upside down against its neighbours; put the camera upright and take it again.</source>
+        <translation>Jest do góry nogami względem sąsiadów; ustaw aparat prosto i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>It does not look like its neighbours, however it is turned; check that the camera stood at this station.</source>
+        <translation>Nie jest podobne do sąsiadów, jakkolwiek je obrócić; sprawdź, czy aparat stał na tym stanowisku.</translation>
+    </message>
+    <message>
+        <source>It seems to stand %1 cm from where it is tagged, farther off than the others: correct its position, or retake it at its station.</source>
+        <translation>Zdaje się stać %1 cm od podanego miejsca, dalej niż inne: popraw jego pozycję albo zrób je jeszcze raz na jego stanowisku.</translation>
+    </message>
+    <message>
+        <source>Its rotation against its neighbours is known to %1 deg only: it shares too little with them; retake it with more light, or with more to see.</source>
+        <translation>Jego obrót względem sąsiadów jest znany tylko do %1 stopnia: ma z nimi za mało wspólnego; zrób je jeszcze raz przy lepszym świetle albo tam, gdzie więcej widać.</translation>
+    </message>
+    <message>
+        <source>Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if it is not of this place.</source>
+        <translation>Sąsiedzi zaprzeczają %1 % tego, co pokazuje; obejrzyj zdjęcie i zrób je jeszcze raz, jeśli nie jest z tego miejsca.</translation>
+    </message>
+    <message>
+        <source>It belongs to a part of the survey that nothing connects with the rest (%1 parts): headings are right within the part, and the part&apos;s own rests on its positions alone; take photos between the parts.</source>
+        <translation>Należy do części pomiaru, której nic nie łączy z resztą (części: %1): kierunki zgadzają się wewnątrz części, a kierunek samej części wynika tylko z jej pozycji; zrób zdjęcia między częściami.</translation>
+    </message>
+    <message>
+        <source>Where it was taken is known to %1 cm only: correct its position, or retake it at its station.</source>
+        <translation>Miejsce zrobienia jest znane tylko do %1 cm: popraw jego pozycję albo zrób je jeszcze raz na jego stanowisku.</translation>
+    </message>
+    <message>
+        <source>It was taken at one place with %1, though their tags lie %2 m apart: the camera was not moved between them.</source>
+        <translation>Zrobiono je w tym samym miejscu co %1, choć podane miejsca są odległe o %2 m: aparatu między nimi nie przesunięto.</translation>
+    </message>
+    <message>
+        <source>Retake the one whose tag is wrong.</source>
+        <translation>Zrób jeszcze raz to, którego miejsce jest podane źle.</translation>
+    </message>
+    <message>
+        <source>There was nothing to solve.</source>
+        <translation>Nie było nic do wyznaczenia.</translation>
+    </message>
+    <message>
+        <source>It was asked for.</source>
+        <translation>O to poproszono.</translation>
+    </message>
+    <message>
+        <source>Photos with wrong tags are solved with their places.</source>
+        <translation>Zdjęcia ze złym miejscem są wyznaczane razem z miejscem.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is the richest, and every step to it helped: matches that were held out miss by %2.</source>
+        <translation>Model &apos;%1&apos; jest najbogatszy i każdy krok do niego pomógł: odłożone dopasowania chybiają o %2.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is the richest whose gain exceeds its noise: matches that were held out miss by %2.</source>
+        <translation>Model &apos;%1&apos; jest najbogatszym, którego zysk przewyższa szum: odłożone dopasowania chybiają o %2.</translation>
+    </message>
+    <message>
+        <source>There is something by the name %1 already; choose another name, or remove it.</source>
+        <translation>Jest już coś o nazwie %1; wybierz inną nazwę albo to usuń.</translation>
+    </message>
+    <message>
+        <source>1 station has no photo: near them, views come from farther away.</source>
+        <translation>1 stanowisko nie ma zdjęcia: w jego pobliżu widoki pochodzą z większej odległości.</translation>
+    </message>
+    <message>
+        <source>%1 stations have no photo: near them, views come from farther away.</source>
+        <translation>Stanowiska bez zdjęcia: %1; w ich pobliżu widoki pochodzą z większej odległości.</translation>
+    </message>
+    <message>
+        <source>1 photo was rejected and is left out.</source>
+        <translation>1 zdjęcie odrzucono i jest pominięte.</translation>
+    </message>
+    <message>
+        <source>%1 photos were rejected and are left out.</source>
+        <translation>Odrzucone i pominięte zdjęcia: %1.</translation>
+    </message>
+    <message>
+        <source>%1 photos have no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <translation>Zdjęcia bez znanego kierunku: %1; byłyby wyeksportowane tak, jakby patrzyły wzdłuż osi x pokoju; wyznacz ponownie albo je odrzuć.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 photos is doubtful; review them, or export them as they are.</source>
+        <translation>Wyznaczenie %1 zdjęć jest wątpliwe; oceń je albo wyeksportuj, jak są.</translation>
+    </message>
+    <message>
+        <source>The alignment of 1 photo is doubtful; review them, or export them as they are.</source>
+        <translation>Wyznaczenie 1 zdjęcia jest wątpliwe; oceń je albo wyeksportuj, jak jest.</translation>
+    </message>
+    <message>
+        <source>The cheapest that holds %1 px is the scene model %2 with sampling %3: 95 of 100 places are displaced by at most %4 px, in %5 ms a view.</source>
+        <translation>Najtańszy, który utrzymuje %1 px, to model sceny %2 z próbkowaniem %3: 95 ze 100 miejsc jest przesuniętych najwyżej o %4 px, w %5 ms na widok.</translation>
+    </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, reaches %4 px.</source>
+        <translation>Żadna możliwość tego zbioru danych nie utrzymuje %1 px w 95 ze 100 miejsc; najlepsza, model sceny %2 z próbkowaniem %3, osiąga %4 px.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together.</source>
+        <translation>Rób zdjęcia gęściej.</translation>
+    </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, misses more than 5 of 100 places.</source>
+        <translation>Żadna możliwość tego zbioru danych nie utrzymuje %1 px w 95 ze 100 miejsc; najlepsza, model sceny %2 z próbkowaniem %3, chybia w więcej niż 5 ze 100 miejsc.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together, or export the dataset with a richer scene model.</source>
+        <translation>Rób zdjęcia gęściej albo wyeksportuj zbiór danych z bogatszym modelem sceny.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CornerModel</name>
     <message>
         <source>x (m)</source>
@@ -888,8 +1075,8 @@
 <context>
     <name>spherewalk::ui::CoverageView</name>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
+        <source>%L1°</source>
+        <translation>%L1°</translation>
     </message>
     <message>
         <source>Coverage of the room</source>
@@ -911,10 +1098,6 @@
         <translation>W A S D albo strzałki prowadzą, Q i E przesuwają w bok; przeciągnij, by obrócić</translation>
     </message>
     <message>
-        <source>%1, %2 cm away, trust %3, %4 ms</source>
-        <translation>%1, w odległości %2 cm, zaufanie %3, %4 ms</translation>
-    </message>
-    <message>
         <source>, coarse until it is decoded</source>
         <translation>, zgrubnie, dopóki się nie zdekoduje</translation>
     </message>
@@ -933,6 +1116,26 @@
     <message>
         <source>scene model %1, sampling %2</source>
         <translation>model sceny: %1, próbkowanie: %2</translation>
+    </message>
+    <message>
+        <source>outside of what was scanned</source>
+        <translation>poza tym, co zeskanowano</translation>
+    </message>
+    <message>
+        <source>no photo sees this place</source>
+        <translation>żadne zdjęcie nie widzi tego miejsca</translation>
+    </message>
+    <message>
+        <source>error not known</source>
+        <translation>błąd nieznany</translation>
+    </message>
+    <message>
+        <source>expected error %L1 px</source>
+        <translation>oczekiwany błąd %L1 px</translation>
+    </message>
+    <message>
+        <source>%1, %L2 cm away, %3, %L4 ms</source>
+        <translation>%1, %L2 cm stąd, %3, %L4 ms</translation>
     </message>
 </context>
 <context>
@@ -1075,15 +1278,15 @@
     </message>
     <message>
         <source>S&amp;cene model</source>
-        <translation>Model s&amp;ceny</translation>
+        <translation>Model &amp;sceny</translation>
     </message>
     <message>
         <source>Look at them in &amp;Review</source>
-        <translation>Obejrzyj je w &amp;Ocenie</translation>
+        <translation>Obe&amp;jrzyj je w Ocenie</translation>
     </message>
     <message>
         <source>E&amp;xport</source>
-        <translation>Ek&amp;sportuj</translation>
+        <translation>Ekspor&amp;tuj</translation>
     </message>
     <message numerus="yes">
         <source>%n photo(s) are doubtful or failed, and nobody has decided.</source>
@@ -1177,6 +1380,21 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::FloorPicture</name>
+    <message>
+        <source>A PDF needs the program pdftoppm (poppler-utils); install it, or export the page as PNG or SVG.</source>
+        <translation>PDF wymaga programu pdftoppm (poppler-utils); zainstaluj go albo zapisz stronę jako PNG lub SVG.</translation>
+    </message>
+    <message>
+        <source>%1 is no PDF that can be drawn.</source>
+        <translation>%1 nie jest plikiem PDF, który da się narysować.</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read.</source>
+        <translation>%1 nie jest obrazem, który da się odczytać.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::GridStudyModel</name>
     <message>
         <source>%L1 cm</source>
@@ -1250,10 +1468,6 @@
         <translation>Szacuj też odległość każdego piksela, dzięki czemu siatka może być dużo rzadsza</translation>
     </message>
     <message>
-        <source>Study the &amp;grid</source>
-        <translation>Zbadaj &amp;siatkę</translation>
-    </message>
-    <message>
         <source>Leave photos out, render what they would show from the rest, and compare</source>
         <translation>Pomiń zdjęcia, odtwórz z pozostałych to, co by pokazały, i porównaj</translation>
     </message>
@@ -1280,6 +1494,10 @@
     <message>
         <source>Stop; what was found is kept for the next run</source>
         <translation>Zatrzymaj; co znaleziono, zostaje na następny raz</translation>
+    </message>
+    <message>
+        <source>Stud&amp;y the grid</source>
+        <translation>Zba&amp;daj siatkę</translation>
     </message>
 </context>
 <context>
@@ -1557,6 +1775,22 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
             <numerusform>Zaimportowano %n zdjęć, %1 już było. Sprawdź je w Ocenie.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Język</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Jak &amp;system</translation>
+    </message>
+    <message>
+        <source>The language changes when the program is started the next time.</source>
+        <translation>Język zmieni się przy następnym uruchomieniu programu.</translation>
+    </message>
+    <message>
+        <source>Open a survey first; the photos become part of it.</source>
+        <translation>Najpierw otwórz pomiar; zdjęcia staną się jego częścią.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -1622,7 +1856,7 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
     <message>
         <source>&amp;Create survey</source>
-        <translation>&amp;Utwórz pomiar</translation>
+        <translation>Utwó&amp;rz pomiar</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -1634,7 +1868,7 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
     <message>
         <source>Kept &amp;in</source>
-        <translation>&amp;Miejsce</translation>
+        <translation>M&amp;iejsce</translation>
     </message>
     <message>
         <source>The folder in which the survey&apos;s folder is made.</source>
@@ -1697,6 +1931,29 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Not aligned yet: these photos may be turned differently. Align the survey first.</source>
         <translation>Orientacja nie jest jeszcze wyznaczona: te zdjęcia mogą być różnie obrócone. Najpierw ją wyznacz.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PathPlayer</name>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>&amp;Odtwórz</translation>
+    </message>
+    <message>
+        <source>Drive the recorded path again, as fast as it was driven</source>
+        <translation>Przejedź nagraną drogę jeszcze raz, tak szybko jak wtedy</translation>
+    </message>
+    <message>
+        <source>Place on the recorded path</source>
+        <translation>Miejsce na nagranej drodze</translation>
+    </message>
+    <message>
+        <source>Go to any pose of the recorded path</source>
+        <translation>Przejdź do dowolnego miejsca nagranej drogi</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
     </message>
 </context>
 <context>
@@ -1801,6 +2058,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Drag along something whose length you know.</source>
         <translation>Przeciągnij wzdłuż czegoś o znanej długości.</translation>
+    </message>
+    <message>
+        <source>Drag a corner on the picture to the corner where it belongs.</source>
+        <translation>Przeciągnij narożnik obrazu do narożnika, do którego należy.</translation>
+    </message>
+    <message>
+        <source>Drag a second corner to its place: the picture turns and scales around the first.</source>
+        <translation>Przeciągnij drugi narożnik na jego miejsce: obraz obróci się i przeskaluje wokół pierwszego.</translation>
     </message>
 </context>
 <context>
@@ -1918,14 +2183,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Rzut</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg *.bmp)</source>
-        <translation>Obrazy (*.png *.jpg *.jpeg *.svg *.bmp)</translation>
-    </message>
-    <message>
-        <source>%1 is no picture that can be read.</source>
-        <translation>%1 nie jest obrazem, który da się odczytać.</translation>
-    </message>
-    <message>
         <source>There is no picture to scale; choose one first.</source>
         <translation>Nie ma obrazu do wyskalowania; najpierw go wybierz.</translation>
     </message>
@@ -1964,6 +2221,18 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Use step</source>
         <translation>Użycie kroku</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ułóż</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale the picture by two of its corners</source>
+        <translation>Przesuń, obróć i przeskaluj obraz według dwóch jego narożników</translation>
+    </message>
+    <message>
+        <source>Pictures and maps (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</source>
+        <translation>Obrazy i mapy (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</translation>
     </message>
 </context>
 <context>
@@ -2005,20 +2274,12 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Od pierwszego do ostatniego postoju wózka.</translation>
     </message>
     <message>
-        <source>C&amp;learance</source>
-        <translation>&amp;Odstęp</translation>
-    </message>
-    <message>
         <source>Least distance from a stop to walls and obstacles.</source>
         <translation>Najmniejsza odległość postoju od ścian i przeszkód.</translation>
     </message>
     <message>
         <source>Of the lens above the floor; several heights, separated by semicolons, make layers.</source>
         <translation>Obiektywu nad podłogą; kilka wysokości rozdzielonych średnikami daje warstwy.</translation>
-    </message>
-    <message>
-        <source>Ce&amp;iling</source>
-        <translation>Su&amp;fit</translation>
     </message>
     <message>
         <source>Height of the ceiling above the floor.</source>
@@ -2061,8 +2322,16 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Narożniki pomieszczenia</translation>
     </message>
     <message>
-        <source>Le&amp;ns height (m)</source>
-        <translation>Wysokość &amp;obiektywu (m)</translation>
+        <source>Cle&amp;arance</source>
+        <translation>Odstęp od ści&amp;an</translation>
+    </message>
+    <message>
+        <source>Len&amp;s height (m)</source>
+        <translation>Wysokość obiek&amp;tywu (m)</translation>
+    </message>
+    <message>
+        <source>Ceilin&amp;g</source>
+        <translation>Su&amp;fit</translation>
     </message>
 </context>
 <context>
@@ -2162,16 +2431,36 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Błąd</translation>
     </message>
     <message>
-        <source>no two corners in sight: x %1, y %2</source>
-        <translation>nie widać dwóch narożników: x %1, y %2</translation>
-    </message>
-    <message>
         <source>Page %1</source>
         <translation>Strona %1</translation>
     </message>
     <message>
-        <source>Where the rails lie: metres by tape from two corners (and from a third, as a check)</source>
-        <translation>Gdzie leżą szyny: metry taśmą od dwóch narożników (i od trzeciego, dla sprawdzenia)</translation>
+        <source>Where the rails lie: metres by tape</source>
+        <translation>Gdzie leżą szyny: metry taśmą</translation>
+    </message>
+    <message>
+        <source>Error: how far a place is off at most if each tape is read wrong by 5 mm. Below: check and laser.</source>
+        <translation>Błąd: o ile miejsce może być przesunięte, jeśli każda taśma jest źle odczytana o 5 mm. Niżej: kontrola i laser.</translation>
+    </message>
+    <message>
+        <source>nothing in sight to measure from</source>
+        <translation>nie widać nic, od czego można mierzyć</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>kontrola %1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>krąg %1</translation>
+    </message>
+    <message>
+        <source>arrow %1</source>
+        <translation>strzałka %1</translation>
     </message>
 </context>
 <context>
@@ -2201,7 +2490,7 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
     <message>
         <source>&amp;Preview this survey</source>
-        <translation>&amp;Podgląd tego pomiaru</translation>
+        <translation>Podgląd &amp;tego pomiaru</translation>
     </message>
     <message>
         <source>Export the survey to a temporary folder and look at it; nothing is kept</source>
@@ -2391,6 +2680,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>The depth of each pixel follows while you drive, in surveys of up to %1 photos</source>
         <translation>Głębia każdego piksela dochodzi podczas jazdy, w pomiarach do %1 zdjęć</translation>
     </message>
+    <message>
+        <source>Sh&amp;ow the expected error</source>
+        <translation>Pokaż oczek&amp;iwany błąd</translation>
+    </message>
+    <message>
+        <source>Tints what is displaced: light from half a pixel on, dark at %1 pixels and more</source>
+        <translation>Barwi to, co przesunięte: jasno od pół piksela, ciemno od %1 pikseli</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -2555,6 +2852,25 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>largest</source>
         <translation>największy</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what the camera chose last: %1</source>
+        <translation>Zachowaj to, co aparat wybrał ostat&amp;nio: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what the camera chose last</source>
+        <translation>Zachowaj to, co aparat wybrał ostat&amp;nio</translation>
+    </message>
+    <message>
+        <source>ISO and shutter time of the latest photo of this survey.</source>
+        <translation>ISO i czas migawki najnowszego zdjęcia tego pomiaru.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RecentSurveys</name>
+    <message>
+        <source>%1 of %2 photos, %3</source>
+        <translation>%1 z %2 zdjęć, %3</translation>
     </message>
 </context>
 <context>
@@ -2883,7 +3199,7 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
     <message>
         <source>&amp;Try the practice room</source>
-        <translation>&amp;Wypróbuj pokój ćwiczebny</translation>
+        <translation>W&amp;ypróbuj pokój ćwiczebny</translation>
     </message>
     <message>
         <source>Makes a survey of a room that exists only in the program, and photographs it.</source>
@@ -2908,10 +3224,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>A folder whose name ends in .spherewalk.</source>
         <translation>Folder o nazwie kończącej się na .spherewalk.</translation>
-    </message>
-    <message>
-        <source>%1   (%2)</source>
-        <translation>%1   (%2)</translation>
     </message>
 </context>
 <context>
@@ -2939,6 +3251,18 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Lay the rail. First stop: %1. Last stop: %2.</source>
         <translation>Ułóż szynę. Pierwszy postój: %1. Ostatni: %2.</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>krąg %1</translation>
+    </message>
+    <message>
+        <source>arrow %1</source>
+        <translation>strzałka %1</translation>
+    </message>
+    <message>
+        <source>%1 (check: %2)</source>
+        <translation>%1 (kontrola: %2)</translation>
     </message>
 </context>
 <context>

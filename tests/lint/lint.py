@@ -246,6 +246,20 @@ def prose(tree):
     return complaints
 
 
+def translations(tree):
+    """Every language but English, which has plural forms only, translates the same sentences, and all of them."""
+    complaints, sentences = [], {}
+    for page in sorted((tree.root / "resources/translations").glob("*.ts")):
+        name, text = page.relative_to(tree.root).as_posix(), page.read_text(encoding="utf-8")
+        complaints += ["%s: translate %r" % (name, re.search("<source>(.*?)</source>", message, re.S).group(1))
+                       for message in re.findall("<message.*?</message>", text, re.S) if 'type="unfinished"' in message]
+        if not name.endswith("_en.ts"):
+            sentences[name] = set(re.findall("<source>(.*?)</source>", text, re.S))
+    wanted = set().union(*sentences.values())
+    return complaints + ["%s: it lacks %r; build the target spherewalk_words" % (name, lacking)
+                         for name, found in sentences.items() for lacking in sorted(wanted - found)]
+
+
 def tree_size(tree):
     complaints = []
     if len(tree.sources) > MOST_FILES:
@@ -322,7 +336,7 @@ def functions(tree):
 
 
 RULES = {rule.__name__: rule for rule in
-         (folder_size, file_size, private_headers, rooms, layers, ui_arrows, owners, prose, tree_size, functions)}
+         (folder_size, file_size, private_headers, rooms, layers, ui_arrows, owners, prose, translations, tree_size, functions)}
 
 
 def main():

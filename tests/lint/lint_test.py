@@ -145,6 +145,13 @@ class BrokenTree(unittest.TestCase):
         self.write("resources/docs/deep/page.md", "# Page\n\n" + long)
         self.expect("prose", "resources/docs/deep/page.md:3", "150")
 
+    def test_finds_sentences_that_a_language_lacks(self):
+        message = "<message>\n<source>%s</source>\n<translation%s>x</translation>\n</message>\n"
+        self.write("resources/translations/a_de.ts", message % ("Go", "") + message % ("Stop", ' type="unfinished"'))
+        self.write("resources/translations/a_pl.ts", message % ("Go", ""))
+        self.expect("translations", "a_de.ts", "translate", "Stop")
+        self.expect("translations", "a_pl.ts", "lacks", "Stop")
+
     def test_counts_the_files_of_the_product(self):
         for i in range(860):
             self.write("core/base/room%d/part%d.cpp" % (i // 20, i), SUBJECT)

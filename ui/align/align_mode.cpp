@@ -2,6 +2,7 @@
 #include "ui/align/align_mode.h"
 
 #include "ui/align/align_presenter.h"
+#include "ui/look/core_words.h"
 #include "ui/review/coverage_view.h"
 #include "ui/tasks/task_panel.h"
 
@@ -208,13 +209,10 @@ QWidget* AlignMode::makeTable() {
     m_retagAll =
         add(tr("Retag a&ll proposed"), "retagAll", tr("Move every photo that fits another station there"));
     m_retake =
-        add(tr("Ret&ake"), "retake", tr("Reject the chosen photos, so that their stations are taken again"));
-    m_maskChosen = add(tr("Mas&k..."), "maskChosen",
-                       tr("Choose a picture that tells what is to be left out, and align again with it"));
+        add(tr("&Retake"), "retake", tr("Reject the chosen photos, so that their stations are taken again"));
     connect(m_retag, &QPushButton::clicked, this, [this] { m_presenter->retag(chosen()); });
     connect(m_retagAll, &QPushButton::clicked, m_presenter, &AlignPresenter::retagAll);
     connect(m_retake, &QPushButton::clicked, this, [this] { m_presenter->retake(chosen()); });
-    connect(m_maskChosen, &QPushButton::clicked, this, &AlignMode::chooseMask);
     buttons->addStretch(1);
     layout->addWidget(m_summary);
     layout->addWidget(onlyFlagged);
@@ -320,7 +318,7 @@ void AlignMode::showProposals() {
         const jobs::PhotoFinding* photo = m_presenter->model().photo(id);
         hasRetag = hasRetag || (photo != nullptr && photo->fits);
         for (const std::string& flag : photo != nullptr ? photo->flags : std::vector<std::string>()) {
-            reasons << QString::fromStdString(flag);
+            reasons << coreWords(flag);
         }
     }
     reasons.removeDuplicates();
@@ -330,7 +328,6 @@ void AlignMode::showProposals() {
     m_retag->setEnabled(isFree && hasRetag);
     m_retagAll->setEnabled(isFree && findings && !findings->retags().empty());
     m_retake->setEnabled(isFree && !photos.empty());
-    m_maskChosen->setEnabled(isFree);
 }
 
 void AlignMode::selectStation() {

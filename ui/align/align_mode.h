@@ -78,7 +78,6 @@ class AlignMode : public Mode {
     QPushButton* m_retag = nullptr;
     QPushButton* m_retagAll = nullptr;
     QPushButton* m_retake = nullptr;
-    QPushButton* m_maskChosen = nullptr;
     CoverageView* m_plan = nullptr;
     CoverageLegend* m_legend = nullptr;
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_model.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/words.h"
 #include "ui/map/station_words.h"
 
 #include "spherewalk/geometry/rotation.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <limits>
@@ -65,7 +67,7 @@ QString verdictText(Standing standing) {
 QString joined(const std::vector<std::string>& sentences) {
     QStringList list;
     for (const std::string& sentence : sentences) {
-        list << QString::fromStdString(sentence);
+        list << coreWords(sentence);
     }
     return list.join(QLatin1Char(' '));
 }
@@ -120,7 +122,7 @@ QVariant AlignModel::data(const QModelIndex& index, int role) const {
 QVariant AlignModel::text(const jobs::PhotoFinding& photo, int column) const {
     if (isNumber(column)) {
         const auto value = number(photo, column);
-        return value ? QString::number(*value, 'f', column == Yaw ? 2 : 3) : QStringLiteral("-");
+        return value ? QLocale().toString(*value, 'f', column == Yaw ? 2 : 3) : QStringLiteral("-");
     }
     switch (column) {
     case Station:

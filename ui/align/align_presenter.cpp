@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/align/align_presenter.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
@@ -64,12 +65,14 @@ AlignPresenter::AlignPresenter(TaskList& tasks, QObject* parent)
 
 void AlignPresenter::setSession(SurveySession* session) {
     m_reviewer.setSession(session);
+    m_solvedAt.clear();
     SurveyPresenter::setSession(session);
 }
 
 void AlignPresenter::read() {
     try {
         m_findings = session() != nullptr ? jobs::activeFindings(session()->store()) : std::nullopt;
+        forgetOfMoved();
         m_model.setPhotos(m_findings ? m_findings->photos : std::vector<jobs::PhotoFinding>());
     } catch (const Error& error) {
         m_findings.reset();
@@ -77,6 +80,22 @@ void AlignPresenter::read() {
         emit message(QString::fromStdString(error.sentence()));
     }
     emit findingsChanged();
+}
+
+/// Drops what the alignment said of photos that have come to another station since.
+void AlignPresenter::forgetOfMoved() {
+    if (!m_findings) {
+        return;
+    }
+    for (jobs::PhotoFinding& photo : m_findings->photos) {
+        const auto solved = m_solvedAt.find(photo.photo);
+        if (solved != m_solvedAt.end() && solved->second != photo.station) {
+            photo.quality.reset();
+            photo.fits.reset();
+            photo.cure = jobs::Cure::None;
+            photo.flags = {tr("Moved to this station since; align again.").toStdString()};
+        }
+    }
 }
 
 QString AlignPresenter::summary() const {
@@ -106,9 +125,9 @@ QString AlignPresenter::summary() const {
                         counts[std::nullopt]);
     }
     sentences << tr("Model %1.").arg(QString::fromStdString(m_findings->solution.model))
-              << QString::fromStdString(m_findings->reason);
+              << coreWords(m_findings->reason);
     for (const std::string& warning : m_findings->warnings) {
-        sentences << QString::fromStdString(warning);
+        sentences << coreWords(warning);
     }
     return sentences.join(QLatin1Char(' ')).simplified();
 }
@@ -128,6 +147,7 @@ void AlignPresenter::run(const jobs::AlignOptions& options) {
             return jobs::alignSurvey(store, options, progress, stop);
         },
         [this](const jobs::AlignReport& report) {
+            m_solvedAt.clear();
             if (session() != nullptr) {
                 session()->noteChanged(SurveySession::Solutions);
             }
@@ -162,6 +182,9 @@ Task* AlignPresenter::move(std::vector<jobs::PhotoPlace> places,
         },
         [this, done](std::vector<jobs::PhotoPlace> before) {
             if (session() != nullptr) {
+                for (const jobs::PhotoPlace& place : before) {
+                    m_solvedAt.try_emplace(place.photo, place.station);
+                }
                 session()->noteChanged(SurveySession::Photos);
                 done(std::move(before));
             }

@@ -7,6 +7,7 @@
 #include "ui/tasks/task.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,7 @@ class AlignPresenter : public SurveyPresenter {
 
   private:
     void read() override;
+    void forgetOfMoved();
     void watch(Task* task);
 
     friend class RetagCommand;
@@ -65,6 +67,8 @@ class AlignPresenter : public SurveyPresenter {
     AlignProxy m_table;
     PhotoReviewer m_reviewer;
     std::optional<jobs::SolutionFindings> m_findings;
+    /// Stations at which the alignment saw the photos that have been moved since, by photo.
+    std::map<std::int64_t, std::int64_t> m_solvedAt;
 };
 
 } // namespace spherewalk::ui

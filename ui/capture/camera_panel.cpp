@@ -172,7 +172,7 @@ QWidget* CameraPanel::makeExposure() {
 }
 
 void CameraPanel::editProfile() {
-    auto* form = new ProfileForm(m_desk.profile(), this);
+    auto* form = new ProfileForm(m_desk.profile(), latestExposure(m_desk.session()->store()), this);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &QDialog::accepted, this, [this, form] { m_desk.setProfile(form->profile()); });
     form->open();
@@ -241,10 +241,11 @@ void CameraPanel::showAll() {
     const auto& status = m_desk.camera();
     const bool isConnecting = m_desk.state() == CaptureDesk::State::Connecting;
     const QString unknown = QString::fromUtf8("–");
-    m_model->setText(isConnecting ? tr("connecting...")
-                     : !status    ? tr("no camera")
-                     : isPractice ? tr("practice camera")
-                                  : status->model);
+    m_model->setText(isConnecting        ? tr("connecting...")
+                     : !status           ? tr("no camera")
+                     : m_desk.isSilent() ? tr("no answer")
+                     : isPractice        ? tr("practice camera")
+                                         : status->model);
     m_battery->setText(status && status->batteryFraction
                            ? tr("%1 %").arg(qRound(100 * *status->batteryFraction)) +
                                  (status->isCharging ? " " + tr("(charging)") : QString())

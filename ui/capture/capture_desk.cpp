@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/capture_desk.h"
 
+#include "ui/look/core_words.h"
 #include "ui/map/station_words.h"
 
 #include "spherewalk/base/error.h"
@@ -26,6 +27,9 @@ CaptureDesk::CaptureDesk(TaskList& tasks, QObject* parent) : QObject(parent), m_
     m_timer.setInterval(std::chrono::seconds(1));
     connect(&m_timer, &QTimer::timeout, this, &CaptureDesk::tick);
     connect(this, &CaptureDesk::changed, this, &CaptureDesk::followWithPreview);
+    connect(this, &CaptureDesk::changed, this, &CaptureDesk::followWithPulse);
+    connect(&m_pulse, &CameraPulse::answered, this, &CaptureDesk::hear);
+    connect(&m_pulse, &CameraPulse::silent, this, &CaptureDesk::hearNothing);
     connect(&m_login, &CameraLogin::known, this, &CaptureDesk::connectAgain);
 }
 
@@ -107,12 +111,45 @@ void CaptureDesk::followWithPreview() {
     }
 }
 
+/// Listens to a camera at rest. A run asks by itself, and a live preview notices when no picture comes.
+void CaptureDesk::followWithPulse() {
+    const bool wants = m_state == State::Ready && !m_isPreviewing;
+    if (wants == m_hasPulse) {
+        return;
+    }
+    m_hasPulse = wants;
+    m_isSilent = false;
+    wants ? m_pulse.begin(m_endpoint, m_login.sourceFor(m_endpoint)) : m_pulse.end();
+}
+
+void CaptureDesk::hear(const camera::CameraState& state) {
+    if (m_status) {
+        update(*m_status, state);
+    }
+    if (std::exchange(m_isSilent, false)) {
+        failed({});
+    }
+    emit changed();
+}
+
+void CaptureDesk::hearNothing(const QString& sentence) {
+    if (m_status) {
+        m_status->batteryFraction.reset();
+    }
+    m_isSilent = true;
+    failed(sentence);
+}
+
 void CaptureDesk::connectTo(const QString& address) {
     if (isRunning() || m_state == State::Connecting) {
         return;
     }
     try {
-        m_endpoint = camera::parseEndpoint(address.trimmed().toStdString());
+        const camera::Endpoint endpoint = camera::parseEndpoint(address.trimmed().toStdString());
+        if (!(endpoint == m_endpoint)) {
+            m_queue.pace() = {}; // of another camera
+        }
+        m_endpoint = endpoint;
     } catch (const Error& error) {
         return failed(QString::fromStdString(error.sentence()));
     }
@@ -347,7 +384,8 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
                         const QString& sentence) {
     m_verdict = quality;
     // The cart may stand elsewhere by now.
-    m_sentence = sentence.isEmpty() ? sentence : tr("%1: %2").arg(stationWords(station.name), sentence);
+    m_sentence =
+        sentence.isEmpty() ? sentence : tr("%1: %2").arg(stationWords(station.name), coreWords(sentence));
     if (isThere || quality != survey::Quality::Failed) {
         m_queue.pace().photo(systemClock().now());
         m_queue.setAgain(station.id, false);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/capture/camera_login.h"
+#include "ui/capture/camera_pulse.h"
 #include "ui/capture/cameras.h"
 #include "ui/capture/desk_operator.h"
 #include "ui/capture/live_preview.h"
@@ -145,6 +146,9 @@ class CaptureDesk : public QObject {
 
     const std::optional<CameraStatus>& camera() const { return m_status; }
 
+    /// Whether the camera at rest does not answer any more.
+    bool isSilent() const { return m_isSilent; }
+
     /// Returns the result of the latest shot, Failed for any other failure, and nothing before.
     std::optional<survey::Quality> verdict() const { return m_verdict; }
 
@@ -174,6 +178,9 @@ class CaptureDesk : public QObject {
 
     void setState(State state);
     void followWithPreview();
+    void followWithPulse();
+    void hear(const camera::CameraState& state);
+    void hearNothing(const QString& sentence);
     void read();
     void connectAgain(const camera::Endpoint& endpoint);
     void connected(const CameraStatus& status);
@@ -209,6 +216,9 @@ class CaptureDesk : public QObject {
     PreviewFeed m_preview;
     bool m_showsPreview = false;
     bool m_isPreviewing = false;
+    CameraPulse m_pulse;
+    bool m_hasPulse = false;
+    bool m_isSilent = false;
     ShutterKey m_key;
     QTimer m_timer;
     int m_hideSeconds = 0;

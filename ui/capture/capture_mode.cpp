@@ -52,8 +52,8 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
       m_camera(new CameraPanel(m_desk, m_finder, this)) {
     auto* side = new QWidget(this);
     auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(10);
+    column->setContentsMargins(16, 8, 16, 8);
+    column->setSpacing(8);
     column->addWidget(m_camera);
     column->addWidget(makeTarget(), 3);
     column->addWidget(makeVerdict());

@@ -59,7 +59,7 @@ class DeskOperator : public jobs::Operator {
                    const photo::Verdict* verdict) override;
 
     /// While the operator waits for the key, the camera is asked this often how it is.
-    static constexpr std::chrono::milliseconds kStatePause{5000};
+    static constexpr std::chrono::milliseconds kStatePause{2000};
 
   private:
     void waitForKey(const std::stop_token& stop);

@@ -77,7 +77,7 @@ void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFr
     }
 }
 
-/// Draws the rail that is to be laid, and the tapes from the corners to its ends with their lengths.
+/// Draws the rail that is to be laid, and the tapes to its ends.
 void CapturePlanView::paintTapes(QPainter& painter, const QTransform& widgetFromRoom) const {
     const survey::RailMark* rail = m_desk.railToLay();
     if (rail == nullptr) {
@@ -89,10 +89,10 @@ void CapturePlanView::paintTapes(QPainter& painter, const QTransform& widgetFrom
     for (const survey::MarkedPoint* point : {&rail->first, &rail->last}) {
         const QPointF at = mapped(point->point, widgetFromRoom);
         for (const survey::TapeDistance& tape : point->tapes) {
-            const QPointF corner =
-                mapped(room().outline[static_cast<std::size_t>(tape.corner)], widgetFromRoom);
+            const Eigen::Vector2d from =
+                survey::placeOf(tape.from, point->point, room(), session()->state().plan);
             painter.setPen(QPen(ink, 1, point == &rail->first ? Qt::SolidLine : Qt::DashLine));
-            painter.drawLine(corner, at);
+            painter.drawLine(mapped(from, widgetFromRoom), at);
         }
     }
 }

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/profile_form.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/photo/metadata.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::ui {
@@ -108,7 +114,27 @@ QString profileWords(const std::optional<CaptureProfile>& profile) {
     return words.isEmpty() ? ProfileForm::tr("automatic") : words.join(", ");
 }
 
-ProfileForm::ProfileForm(const std::optional<CaptureProfile>& profile, QWidget* parent)
+std::optional<CaptureProfile> latestExposure(const store::SurveyStore& store) {
+    const std::vector<store::PhotoRecord> photos = store.chosenPhotos();
+    const auto latest = std::max_element(photos.begin(), photos.end(),
+                                         [](const auto& a, const auto& b) { return a.id < b.id; });
+    if (latest == photos.end()) {
+        return std::nullopt;
+    }
+    try {
+        const std::filesystem::path file = store.photoFolder() / latest->fileName;
+        const photo::PhotoMetadata metadata = photo::readMetadata(readFile(file), file.string());
+        CaptureProfile profile;
+        profile.iso = metadata.iso;
+        profile.shutterS = metadata.exposureS;
+        return profile.iso && profile.shutterS ? std::optional(profile) : std::nullopt;
+    } catch (const Error&) { // the review says what is wrong with a photo
+        return std::nullopt;
+    }
+}
+
+ProfileForm::ProfileForm(const std::optional<CaptureProfile>& profile,
+                         const std::optional<CaptureProfile>& last, QWidget* parent)
     : QDialog(parent), m_asItIs(new QCheckBox(tr("Leave it as the camera is set"), this)) {
     setWindowTitle(tr("Exposure of the photos"));
     auto* column = new QVBoxLayout(this);
@@ -129,6 +155,14 @@ ProfileForm::ProfileForm(const std::optional<CaptureProfile>& profile, QWidget* 
                                tr("How much brighter or darker than the camera thinks right."));
     m_whiteBalance = addChoice("whiteBalance", tr("&White balance"), tr("The colour of the light."));
     m_width = addChoice("photoWidth", tr("&Photo size"), tr("Of those that the camera offers."));
+    auto* keep = new QPushButton(this);
+    keep->setObjectName("keepLast");
+    keep->setText(last ? tr("&Keep what the camera chose last: %1").arg(profileWords(last))
+                       : tr("&Keep what the camera chose last"));
+    keep->setToolTip(tr("ISO and shutter time of the latest photo of this survey."));
+    keep->setEnabled(last.has_value());
+    connect(keep, &QPushButton::clicked, this, [this, last] { this->keep(*last); });
+    column->addWidget(keep);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     column->addWidget(buttons);
     fillChoices();
@@ -187,6 +221,16 @@ void ProfileForm::show(const CaptureProfile& profile) {
            temperatureWords(kelvin));
     const int width = profile.photoWidth.value_or(0);
     choose(m_width, width, widthWords(width));
+}
+
+/// Fixes what the camera chose. What is not known of it stays.
+void ProfileForm::keep(const CaptureProfile& last) {
+    m_asItIs->setChecked(false);
+    CaptureProfile fixed = profile().value_or(CaptureProfile{});
+    fixed.iso = last.iso;
+    fixed.shutterS = last.shutterS;
+    fixed.compensationEv = 0;
+    show(fixed);
 }
 
 void ProfileForm::followChoices() {

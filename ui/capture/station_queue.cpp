@@ -18,8 +18,8 @@ void StationQueue::begin(const SurveyState* survey) {
 }
 
 void StationQueue::markRails(const SurveyState* survey) {
-    m_rails =
-        survey != nullptr ? survey::railMarks(survey->room, survey->plan) : std::vector<survey::RailMark>();
+    m_room = survey != nullptr ? survey->room : survey::Room();
+    m_rails = survey != nullptr ? survey::railMarks(m_room, survey->plan) : std::vector<survey::RailMark>();
 }
 
 void StationQueue::read(const SurveyState* survey) {
@@ -44,7 +44,7 @@ const survey::RailMark* StationQueue::railToLay() const {
 
 QString StationQueue::wayWords() const {
     const survey::RailMark* rail = railToLay();
-    return rail != nullptr ? railWords(*rail) : m_next ? positionWords(m_next->station) : QString();
+    return rail != nullptr ? railWords(*rail, m_room) : m_next ? positionWords(m_next->station) : QString();
 }
 
 std::vector<store::StationRecord> StationQueue::again() const {

@@ -107,6 +107,7 @@ class StationQueue {
     std::set<std::int64_t> m_again;
     std::optional<store::StationRecord> m_next;
     std::optional<store::StationRecord> m_last; ///< Where the cart stood last.
+    survey::Room m_room;
     std::vector<survey::RailMark> m_rails;
     Pace m_pace;
 };

@@ -5,6 +5,7 @@
 #include "ui/export/measure_panel.h"
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
+#include "ui/look/core_words.h"
 #include "ui/look/words.h"
 #include "ui/tasks/task_panel.h"
 
@@ -23,6 +24,7 @@ namespace spherewalk::ui {
 
 namespace {
 
+constexpr int kNarrowestPage = 640;
 constexpr int kWidestPage = 760; ///< Longer lines are hard to read.
 
 QString secondsText(double seconds) {
@@ -32,6 +34,13 @@ QString secondsText(double seconds) {
 /// Puts the sign of a finding before its sentence.
 QString marked(Standing standing, const QString& sentence) {
     return standingSign(standing) + QLatin1Char(' ') + sentence;
+}
+
+/// Lets the box be narrower than its longest item, so that the page fits a small window in any language.
+void makeNarrow(QComboBox* box) {
+    constexpr int kLeastCharacters = 24;
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(kLeastCharacters);
 }
 
 QLabel* wrapped(QWidget* parent, const char* name) {
@@ -51,6 +60,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
+    page->setMinimumWidth(kNarrowestPage); // else the plan beside it takes the space
     auto* column = new QVBoxLayout(page);
     column->addWidget(makeWhere());
     column->addWidget(makeBefore());
@@ -111,6 +121,7 @@ QWidget* ExportMode::makeWhere() {
     form->addRow(label, row);
     m_scene = new QComboBox(box);
     m_scene->setObjectName("scene");
+    makeNarrow(m_scene);
     m_scene->addItem(tr("Sphere (nothing more is computed)"), static_cast<int>(render::SceneKind::Sphere));
     m_scene->addItem(tr("Room: walls, floor, ceiling (a minute or two)"),
                      static_cast<int>(render::SceneKind::Room));
@@ -127,6 +138,7 @@ QWidget* ExportMode::makeWhere() {
     form->addRow(tr("Eno&ugh for"), makeTolerance(box));
     m_markers = new QComboBox(box);
     m_markers->setObjectName("markers");
+    makeNarrow(m_markers);
     m_markers->addItem(tr("Fastest views (photos grow by about 2 %)"),
                        dataset::WriteOptions().mcusPerInterval);
     m_markers->addItem(tr("Smaller (0.6 %), views of new places take longer"), 21);
@@ -252,12 +264,12 @@ void ExportMode::showAll() {
         return;
     }
     const jobs::ExportReport& report = m_presenter->report();
-    QString words = marked(Standing::Accepted,
-                           tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
-                               .arg(exported, bytesText(report.written.totalBytes),
-                                    secondsText(report.depth.seconds + report.written.seconds)));
+    QString words =
+        marked(Standing::Accepted,
+               tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
+                   .arg(exported, bytesText(report.written.totalBytes), secondsText(m_presenter->seconds())));
     if (const QString reason = m_presenter->reason(); !reason.isEmpty()) {
-        words += QLatin1Char('\n') + reason;
+        words += QLatin1Char('\n') + coreWords(reason);
     }
     if (report.carriedShare > 0) {
         words +=
@@ -289,10 +301,10 @@ void ExportMode::showFound() {
             .arg(bytesText(found->totalBytes), secondsText(found->seconds), bytesText(found->freeBytes)));
     QStringList sentences;
     for (const std::string& obstacle : found->obstacles) {
-        sentences << marked(Standing::Failed, QString::fromStdString(obstacle));
+        sentences << marked(Standing::Failed, coreWords(obstacle));
     }
     for (const std::string& doubt : found->doubts) {
-        sentences << marked(Standing::Doubtful, QString::fromStdString(doubt));
+        sentences << marked(Standing::Doubtful, coreWords(doubt));
     }
     if (undecided > 0) {
         sentences << marked(

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_presenter.h"
 
+#include "ui/export/measure_panel.h"
+#include "ui/frame/settings.h"
 #include "ui/look/words.h"
 
+#include "spherewalk/base/clock.h"
+#include "spherewalk/jobs/measure_page.h"
 #include "spherewalk/jobs/measured_dataset.h"
+#include "spherewalk/render/dataset.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -114,21 +119,32 @@ ExportPresenter::Done ExportPresenter::exported(const std::filesystem::path& sur
                                                 const jobs::ExportOptions& options,
                                                 const std::optional<ViewTolerance>& tolerance,
                                                 ProgressSink& progress, const std::stop_token& stop) {
+    const Clock::TimePoint begun = systemClock().now();
+    const auto seconds = [begun] {
+        return std::chrono::duration<double>(systemClock().now() - begun).count();
+    };
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
     if (!tolerance) {
-        return {jobs::exportDataset(store, folder, options, progress, stop), {}};
+        const jobs::ExportReport report = jobs::exportDataset(store, folder, options, progress, stop);
+        return {report, {}, seconds(), {}};
     }
     jobs::MeasureOptions measure;
     measure.tolerancePx = tolerance->px;
     const jobs::ChosenExport chosen = jobs::exportChosen(store, folder, CameraModel(tolerance->camera),
                                                          measure, options.write, progress, stop);
-    return {chosen.exported, chosen.measured.choice.reason};
+    const render::Dataset dataset = render::Dataset::open(folder, render::Verify::Sizes, noProgress(), stop);
+    jobs::writeReport({&dataset.info(), &chosen.measured, nullptr}, folder / kReportFolder);
+    return {chosen.exported, chosen.measured.choice.reason, seconds(), dataset.info().surveyId};
 }
 
 void ExportPresenter::show(const QString& folder, const Done& done) {
     m_exported = folder;
     m_done = done;
     m_found.reset();
+    if (!done.surveyId.empty()) {
+        Settings().setMeasuredReport(QString::fromStdString(done.surveyId),
+                                     folder + "/" + kReportFolder + "/report.json");
+    }
     const dataset::WriteReport& written = done.report.written;
     emit message(tr("Exported %n photo(s) to %1: %2.", nullptr, static_cast<int>(written.photos))
                      .arg(folder, bytesText(written.totalBytes)));

@@ -62,6 +62,9 @@ class ExportPresenter : public SurveyPresenter {
 
     const jobs::ExportReport& report() const { return m_done.report; }
 
+    /// Returns how long the last export took, with all that it measured.
+    double seconds() const { return m_done.seconds; }
+
     /// Says why the export chose its scene model; empty if the options fixed it.
     QString reason() const { return QString::fromStdString(m_done.reason); }
 
@@ -73,6 +76,8 @@ class ExportPresenter : public SurveyPresenter {
     struct Done {
         jobs::ExportReport report;
         std::string reason;
+        double seconds = 0;   ///< All that it took, with measuring.
+        std::string surveyId; ///< Of a measured dataset, which has its report beside the photos.
     };
 
     void read() override;

@@ -4,6 +4,7 @@
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
 #include "ui/frame/settings.h"
+#include "ui/look/core_words.h"
 #include "ui/tasks/task_panel.h"
 
 #include "spherewalk/jobs/measure_dataset.h"
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMeasuringShare = 0.95; ///< Share of the progress; the report takes the rest.
 constexpr std::size_t kWorstShown = 3;
-constexpr const char* kReportFolder = "report";
 
 struct Measured {
     std::string surveyId;
@@ -82,7 +82,7 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
             Settings().setMeasuredReport(QString::fromStdString(found.surveyId),
                                          folder + "/" + kReportFolder + "/report.json");
             if (folder == m_dataset) {
-                const QString reason = QString::fromStdString(found.reason);
+                const QString reason = coreWords(found.reason);
                 m_words =
                     found.isStored
                         ? tr("%1\nStored: views whose choice is left to the dataset are made so.").arg(reason)

@@ -14,6 +14,9 @@ class QPushButton;
 
 namespace spherewalk::ui {
 
+/// The folder of a dataset that has its report.
+inline constexpr const char* kReportFolder = "report";
+
 class CameraBox;
 class TaskBar;
 class ToleranceBox;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/geometry/angle.h"
+
 #include <QImage>
 #include <QLineF>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
+#include <QTransform>
 
 namespace spherewalk::ui {
 
@@ -24,17 +27,29 @@ class FloorPicture {
     /// Returns the place of the lower left corner.
     QPointF origin() const { return m_origin; }
 
-    /// Reads a picture and makes it ten metres wide. Returns whether the file is a picture.
-    bool load(const QString& file);
+    /// Returns how the picture is turned around its lower left corner, counter-clockwise.
+    Radians yaw() const { return m_yaw; }
+
+    /// Reads a picture, the first page of a PDF, or a robot's map (the YAML file that map_server writes). A
+    /// map lies where it says, and any other picture becomes ten metres wide. Errors: NotFound, Io, Corrupt,
+    /// Unsupported; the picture then stays as it was.
+    void load(const QString& file);
 
     void clear() { *this = FloorPicture(); }
 
-    void place(double metresPerPixel, const QPointF& origin);
+    void place(double metresPerPixel, const QPointF& origin, Radians yaw = {});
     /// Scales the picture so that a line on it gets this length. The first point of the line stays. Range:
     /// both lengths positive.
     void setLength(const QLineF& drawn, double metres);
+    /// Moves the picture so that what lies at `from` comes to `to`.
+    void move(const QPointF& from, const QPointF& to);
+    /// Turns and scales the picture around a point that stays, so that what lies at `from` comes to `to`.
+    void pull(const QPointF& around, const QPointF& from, const QPointF& to);
 
-    /// Returns the rectangle that the picture covers.
+    /// Returns the transform from pixels of the picture, y down, to the room.
+    QTransform roomFromPicture() const;
+
+    /// Returns the smallest rectangle around the picture.
     QRectF extent() const;
 
     /// Remembers file, scale and place of the picture for this survey in QSettings.
@@ -43,10 +58,13 @@ class FloorPicture {
     static FloorPicture kept(const QString& surveyId);
 
   private:
+    void loadMap(const QString& file);
+
     QImage m_image;
     QString m_file;
     double m_metresPerPixel = 0.01;
     QPointF m_origin;
+    Radians m_yaw;
 };
 
 } // namespace spherewalk::ui

@@ -13,19 +13,33 @@ struct StationWords {
     Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::StationWords)
 };
 
-QString tapeWords(const survey::MarkedPoint& point) {
+QString originWords(const survey::TapeOrigin& origin, const survey::Room& room) {
+    using Kind = survey::TapeOrigin::Kind;
+    switch (origin.kind) {
+    case Kind::Corner:
+        return QString::fromStdString(survey::cornerName(origin.index));
+    case Kind::FirstStop:
+        return StationWords::tr("ring %1").arg(origin.index + 1);
+    case Kind::LastStop:
+        return StationWords::tr("arrow %1").arg(origin.index + 1);
+    case Kind::Wall:
+        return QString::fromStdString(survey::wallName(room, origin.index));
+    }
+    return {};
+}
+
+QString tapeWords(const survey::TapeDistance& tape, const survey::Room& room) {
+    return StationWords::tr("%1 %L2 m").arg(originWords(tape.from, room)).arg(tape.metres, 0, 'f', 3);
+}
+
+QString tapeWords(const survey::MarkedPoint& point, const survey::Room& room) {
     if (point.tapes.size() < 2) {
         return StationWords::tr("x %L1, y %L2")
             .arg(point.point.x(), 0, 'f', 2)
             .arg(point.point.y(), 0, 'f', 2);
     }
-    QStringList tapes;
-    for (const survey::TapeDistance& tape : point.tapes) {
-        tapes << StationWords::tr("%1 %L2 m")
-                     .arg(QString::fromStdString(survey::cornerName(tape.corner)))
-                     .arg(tape.metres, 0, 'f', 3);
-    }
-    return tapes.join(" · ");
+    const QString tapes = tapeWords(point.tapes[0], room) + " · " + tapeWords(point.tapes[1], room);
+    return point.check ? StationWords::tr("%1 (check: %2)").arg(tapes, tapeWords(*point.check, room)) : tapes;
 }
 
 } // namespace
@@ -49,9 +63,9 @@ QString positionWords(const survey::Station& station) {
         .arg(p.z(), 0, 'f', 2);
 }
 
-QString railWords(const survey::RailMark& rail) {
+QString railWords(const survey::RailMark& rail, const survey::Room& room) {
     return StationWords::tr("Lay the rail. First stop: %1. Last stop: %2.")
-        .arg(tapeWords(rail.first), tapeWords(rail.last));
+        .arg(tapeWords(rail.first, room), tapeWords(rail.last, room));
 }
 
 } // namespace spherewalk::ui

@@ -14,7 +14,7 @@ namespace spherewalk::ui {
 QString stationWords(const std::string& name);
 /// Says where the lens belongs: "x 1.20 m, y 0.80 m, lens at 1.20 m". Frames: room.
 QString positionWords(const survey::Station& station);
-/// Says how the rail is laid, with tape distances from corners of the room.
-QString railWords(const survey::RailMark& rail);
+/// Says how the rail is laid, with the tape distances of the marking-out sheet.
+QString railWords(const survey::RailMark& rail, const survey::Room& room);
 
 } // namespace spherewalk::ui

@@ -248,7 +248,7 @@ void GridStudyPanel::makeQuestion() {
     m_depth->setToolTip(tr("Also estimate how far away every pixel is, which lets grids be much coarser"));
     form->addRow(QString(), m_depth);
     auto* row = new QHBoxLayout;
-    m_study = new QPushButton(tr("Study the &grid"), this);
+    m_study = new QPushButton(tr("Stud&y the grid"), this);
     m_study->setObjectName("gridStudy");
     m_study->setToolTip(tr("Leave photos out, render what they would show from the rest, and compare"));
     connect(m_study, &QPushButton::clicked, this, &GridStudyPanel::study);

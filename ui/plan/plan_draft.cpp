@@ -131,14 +131,20 @@ SheetWords sheetWords() {
     result.title = words(PlanWords::tr("Marking out: %1"));
     result.summary = words(PlanWords::tr("%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m"));
     result.scale = words(PlanWords::tr("Scale 1:%1. Print at 100 %: this bar is 10 cm long."));
-    result.tableTitle = words(
-        PlanWords::tr("Where the rails lie: metres by tape from two corners (and from a third, as a check)"));
+    result.tableTitle = words(PlanWords::tr("Where the rails lie: metres by tape"));
+    result.errorMeans = words(
+        PlanWords::tr("Error: how far a place is off at most if each tape is read wrong by 5 mm. Below: "
+                      "check and laser."));
     result.rail = words(PlanWords::tr("Rail"));
     result.stops = words(PlanWords::tr("Stops"));
     result.firstStop = words(PlanWords::tr("First stop (ring)"));
     result.lastStop = words(PlanWords::tr("Last stop (arrow)"));
     result.error = words(PlanWords::tr("Error"));
-    result.noTapes = words(PlanWords::tr("no two corners in sight: x %1, y %2"));
+    result.noTapes = words(PlanWords::tr("nothing in sight to measure from"));
+    result.check = words(PlanWords::tr("check %1"));
+    result.place = words(PlanWords::tr("x %1, y %2"));
+    result.ring = words(PlanWords::tr("ring %1"));
+    result.arrow = words(PlanWords::tr("arrow %1"));
     result.page = words(PlanWords::tr("Page %1"));
     return result;
 }

@@ -33,7 +33,8 @@ void PlanEditorView::paintPicture(QPainter& painter, const QTransform& widgetFro
     painter.save();
     painter.setOpacity(0.5);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(widgetFromRoom.mapRect(m_picture.extent()), m_picture.image());
+    painter.setTransform(m_picture.roomFromPicture() * widgetFromRoom);
+    painter.drawImage(0, 0, m_picture.image());
     painter.restore();
 }
 
@@ -147,6 +148,11 @@ void PlanEditorView::paintPen(QPainter& painter, const QTransform& widgetFromRoo
     if (m_scaleLine) {
         painter.setPen(QPen(colour, 2, Qt::DashLine));
         painter.drawLine(widgetFromRoom.map(*m_scaleLine));
+    }
+    if (m_pinned) {
+        painter.setPen(QPen(colour, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(widgetFromRoom.map(*m_pinned), kHandlePx + 3, kHandlePx + 3);
     }
     if (!m_pen.isDrawing()) {
         return;

@@ -47,13 +47,17 @@ void PlanEditorView::setTool(Tool tool) {
         m_editor.preview({});
     }
     m_scaleLine.reset();
-    m_tool = m_editor.isLocked() && tool != Tool::Scale ? Tool::Select : tool;
+    m_pinned.reset();
+    const bool isForPicture = tool == Tool::Scale || tool == Tool::Place;
+    m_tool = m_editor.isLocked() && !isForPicture ? Tool::Select : tool;
     if (m_tool == Tool::Outline || m_tool == Tool::Obstacle) {
         m_pen.start();
         emit hint(tr("Click corner after corner, or type a wall's length and press Return. "
                      "Close on the first corner, or with a double click."));
     } else {
-        emit hint(m_tool == Tool::Scale ? tr("Drag along something whose length you know.") : QString());
+        emit hint(m_tool == Tool::Scale   ? tr("Drag along something whose length you know.")
+                  : m_tool == Tool::Place ? tr("Drag a corner on the picture to the corner where it belongs.")
+                                          : QString());
     }
     setCursor(m_tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
     update();
@@ -133,7 +137,7 @@ void PlanEditorView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     const QPointF at = event->position();
-    if (m_tool == Tool::Scale) {
+    if (m_tool == Tool::Scale || m_tool == Tool::Place) {
         m_scaleLine = QLineF(roomFromWidget(at), roomFromWidget(at));
     } else if (m_pen.isDrawing()) {
         m_pen.moveTo(snappedPoint(at, event->modifiers()));
@@ -153,7 +157,7 @@ void PlanEditorView::mouseMoveEvent(QMouseEvent* event) {
     PlanCanvas::mouseMoveEvent(event);
     const QPointF at = event->position();
     if (m_scaleLine) {
-        m_scaleLine->setP2(roomFromWidget(at));
+        m_scaleLine->setP2(m_tool == Tool::Place ? cornerOr(at) : roomFromWidget(at));
         update();
     } else if (m_pen.isDrawing()) {
         m_pen.moveTo(snappedPoint(at, event->modifiers()));
@@ -191,7 +195,7 @@ void PlanEditorView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     if (m_scaleLine && m_scaleLine->length() > 0) {
-        emit scaleDrawn(*m_scaleLine);
+        m_tool == Tool::Place ? placePicture(*m_scaleLine) : emit scaleDrawn(*m_scaleLine);
     }
     m_dragged = {};
     m_editor.endRun();
@@ -212,6 +216,28 @@ void PlanEditorView::mouseDoubleClickEvent(QMouseEvent* event) {
             m_editor.insertCorner(wall, snappedPoint(event->position(), event->modifiers()));
         }
     }
+}
+
+QPointF PlanEditorView::cornerOr(const QPointF& at) const {
+    const PlanPart part = partAt(at);
+    return part.corner == PlanPart::kNone
+               ? roomFromWidget(at)
+               : pointOf(m_editor.polygon(part.polygon)[static_cast<std::size_t>(part.corner)]);
+}
+
+/// The first drag moves the picture. The second one turns and scales it around the place of the first.
+void PlanEditorView::placePicture(const QLineF& inRoom) {
+    m_scaleLine.reset();
+    if (!m_pinned) {
+        m_picture.move(inRoom.p1(), inRoom.p2());
+        m_pinned = inRoom.p2();
+        emit hint(tr("Drag a second corner to its place: the picture turns and scales around the first."));
+    } else {
+        m_picture.pull(*m_pinned, inRoom.p1(), inRoom.p2());
+        setTool(Tool::Select);
+    }
+    emit pictureMoved();
+    update();
 }
 
 void PlanEditorView::pressPen() {

@@ -20,7 +20,7 @@ class PlanEditorView : public PlanCanvas {
     Q_OBJECT
 
   public:
-    enum class Tool { Select, Outline, Obstacle, Scale };
+    enum class Tool { Select, Outline, Obstacle, Scale, Place };
 
     explicit PlanEditorView(PlanEditor& editor, QWidget* parent = nullptr);
 
@@ -40,6 +40,8 @@ class PlanEditorView : public PlanCanvas {
     void toolChanged(spherewalk::ui::PlanEditorView::Tool tool);
     /// The user has drawn a line over something of known length, for the scale of the picture.
     void scaleDrawn(QLineF inRoom);
+    /// The user has moved, turned or scaled the picture.
+    void pictureMoved();
     /// Carries a sentence about the keys of the present tool; empty: none.
     void hint(const QString& sentence);
 
@@ -70,6 +72,9 @@ class PlanEditorView : public PlanCanvas {
     PlanPart wallAt(const QPointF& at) const;
     Eigen::Vector2d snappedPoint(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
     void drag(const QPointF& at, Qt::KeyboardModifiers modifiers);
+    /// Returns the corner near this point of the widget, or else the point itself.
+    QPointF cornerOr(const QPointF& at) const;
+    void placePicture(const QLineF& inRoom);
     void pressPen();
     void finishPen(const Polygon& polygon);
     bool penKey(QKeyEvent* event);
@@ -83,7 +88,8 @@ class PlanEditorView : public PlanCanvas {
     double m_gridM = 0.05;
     PlanPart m_dragged;
     Eigen::Vector2d m_dragFrom = Eigen::Vector2d::Zero();
-    std::optional<QLineF> m_scaleLine;
+    std::optional<QLineF> m_scaleLine; ///< What is dragged with the tools Scale and Place.
+    std::optional<QPointF> m_pinned;   ///< The point of the picture that is where it belongs.
 };
 
 } // namespace spherewalk::ui

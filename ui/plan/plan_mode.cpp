@@ -74,6 +74,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     connect(m_form, &NewSurveyForm::createRequested, this, &PlanMode::create);
     connect(m_view, &PlanEditorView::hint, m_hint, &QLabel::setText);
     connect(m_view, &PlanEditorView::scaleDrawn, this, &PlanMode::askLength);
+    connect(m_view, &PlanEditorView::pictureMoved, this, &PlanMode::keepPicture);
     connect(&m_storage, &PlanStorage::stateChanged, this, &PlanMode::showState);
     connect(&m_storage, &PlanStorage::problem, this, &Mode::message);
     connect(study, &GridStudyPanel::stepChosen, this, &PlanMode::useStep);
@@ -114,6 +115,8 @@ QToolBar* PlanMode::makeToolBar() {
     addTool(bar, Tool::Obstacle, "obstacle", tr("Obstacle"), tr("Draw something that stands on the floor"),
             Qt::Key_B);
     addTool(bar, Tool::Scale, "ruler", tr("Scale"), tr("Draw a known length on the picture"), Qt::Key_S);
+    addTool(bar, Tool::Place, "place", tr("Place"),
+            tr("Move, turn and scale the picture by two of its corners"), Qt::Key_P);
     connect(m_view, &PlanEditorView::toolChanged, this, [this](Tool tool) {
         for (QAction* action : m_tools->actions()) {
             action->setChecked(action->data().toInt() == static_cast<int>(tool));
@@ -244,20 +247,35 @@ void PlanMode::create(const QString& folder) {
 }
 
 void PlanMode::choosePicture() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Floor plan"), {},
-                                                      tr("Pictures (*.png *.jpg *.jpeg *.svg *.bmp)"));
-    if (file.isEmpty()) {
-        return;
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Floor plan"), {},
+        tr("Pictures and maps (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)"));
+    if (!file.isEmpty()) {
+        layPicture(file);
     }
-    if (!m_view->picture().load(file)) {
-        return emit message(tr("%1 is no picture that can be read.").arg(file));
+}
+
+void PlanMode::showPart(const QString& part) {
+    if (!part.isEmpty()) {
+        layPicture(part);
     }
-    m_view->setTool(PlanEditorView::Tool::Scale);
-    m_view->fitRoom();
+}
+
+void PlanMode::layPicture(const QString& file) {
+    try {
+        m_view->picture().load(file);
+        keepPicture();
+        const bool isMap = file.endsWith("yaml") || file.endsWith("yml"); // it knows its scale
+        m_view->setTool(isMap ? PlanEditorView::Tool::Select : PlanEditorView::Tool::Scale);
+        m_view->fitRoom();
+    } catch (const Error& error) {
+        emit message(QString::fromStdString(error.sentence()));
+    }
 }
 
 void PlanMode::removePicture() {
     m_view->picture().clear();
+    keepPicture();
     m_view->fitRoom();
 }
 
@@ -272,6 +290,7 @@ void PlanMode::askLength(const QLineF& inRoom) {
 void PlanMode::applyLength() {
     if (!m_view->picture().isEmpty()) {
         m_view->picture().setLength(m_scaleLine, m_length->value());
+        keepPicture();
     } else {
         emit message(tr("There is no picture to scale; choose one first."));
     }

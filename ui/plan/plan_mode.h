@@ -33,6 +33,9 @@ class PlanMode : public Mode {
 
     bool worksWithoutSurvey() const override { return true; }
 
+    /// Lays the picture of this name under the drawing.
+    void showPart(const QString& part) override;
+
     PlanEditor& editor() { return m_editor; }
 
     PlanStorage& storage() { return m_storage; }
@@ -44,6 +47,9 @@ class PlanMode : public Mode {
     /// Plans with this step, as one step of undo. A locked plan stays, and a new survey of this room begins.
     /// Units: metres.
     void useStep(double stepM);
+
+    /// Lays a picture, the first page of a PDF or a robot's map under the drawing. message() says why not.
+    void layPicture(const QString& file);
 
     /// Writes the marking-out sheet in a task.
     void writeSheet(const QString& file);

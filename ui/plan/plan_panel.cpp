@@ -183,12 +183,12 @@ QWidget* PlanPanel::makeGrid() {
     section->addRow(form, tr("S&tep"), m_step, tr("Between neighbouring stations, in both directions."));
     section->addRow(form, tr("&Rail length"), m_rail, tr("From the first to the last stop of the cart."));
     form->addRow(QString(), m_railStops);
-    section->addRow(form, tr("C&learance"), m_clearance,
+    section->addRow(form, tr("Cle&arance"), m_clearance,
                     tr("Least distance from a stop to walls and obstacles."));
     section->addRow(
-        form, tr("Le&ns height (m)"), m_heights,
+        form, tr("Len&s height (m)"), m_heights,
         tr("Of the lens above the floor; several heights, separated by semicolons, make layers."));
-    section->addRow(form, tr("Ce&iling"), m_ceiling, tr("Height of the ceiling above the floor."));
+    section->addRow(form, tr("Ceilin&g"), m_ceiling, tr("Height of the ceiling above the floor."));
     section->addRow(form, tr("Time a &photo"), m_photoPace, tr("With moving the cart to the next stop."));
     section->addRow(form, tr("Time a rai&l"), m_railPace, tr("Carrying the rail and laying it anew."));
     bind(m_step, kStep, [this](PlanDraft& draft, double value) {

@@ -76,12 +76,26 @@ DriveView::DriveView(PreviewPresenter& presenter, QWidget* parent) : QWidget(par
     connect(&presenter, &PreviewPresenter::viewsChanged, this, qOverload<>(&QWidget::update));
 }
 
+QString DriveView::errorText(const render::ViewReport& report) {
+    if (report.isOutside) {
+        return tr("outside of what was scanned");
+    }
+    if (!report.seesPlace) {
+        return tr("no photo sees this place");
+    }
+    if (!(report.trust > 0)) {
+        return tr("error not known");
+    }
+    const double errorPx = report.parallaxPx + report.blurPx;
+    return tr("expected error %L1 px").arg(errorPx, 0, 'f', errorPx < 10 ? 1 : 0);
+}
+
 QString DriveView::reportText(const render::ViewReport& report) {
     const QString photo = QFileInfo(QString::fromStdString(report.file)).fileName();
-    QString text = tr("%1, %2 cm away, trust %3, %4 ms")
+    QString text = tr("%1, %L2 cm away, %3, %L4 ms")
                        .arg(photo)
                        .arg(100 * report.offsetM, 0, 'f', 1)
-                       .arg(report.trust, 0, 'f', 2)
+                       .arg(errorText(report))
                        .arg(report.renderMs + report.decodeMs, 0, 'f', 1);
     text += QStringLiteral("\n") +
             tr("scene model %1, sampling %2").arg(sceneWord(report.scene), samplingWord(report.sampling));

@@ -26,6 +26,8 @@ class DriveView : public QWidget {
 
     /// Returns the report of a view in words.
     static QString reportText(const render::ViewReport& report);
+    /// Says by how many pixels of the camera things are displaced, or why nobody knows.
+    static QString errorText(const render::ViewReport& report);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

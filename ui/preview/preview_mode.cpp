@@ -4,6 +4,7 @@
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
 #include "ui/preview/drive_view.h"
+#include "ui/preview/path_player.h"
 #include "ui/preview/preview_presenter.h"
 
 #include <QCheckBox>
@@ -47,7 +48,12 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
     sideLayout->addWidget(m_map, 1);
     sideLayout->addWidget(makeControls());
     auto* columns = new QSplitter(this);
-    columns->addWidget(m_view);
+    auto* stage = new QWidget(this);
+    auto* stageLayout = new QVBoxLayout(stage);
+    stageLayout->setContentsMargins(0, 0, 0, 0);
+    stageLayout->addWidget(m_view, 1);
+    stageLayout->addWidget(new PathPlayer(*m_presenter, stage));
+    columns->addWidget(stage);
     columns->addWidget(side);
     columns->setStretchFactor(0, 3);
     columns->setStretchFactor(1, 2);
@@ -73,6 +79,12 @@ void PreviewMode::setSession(SurveySession* session) {
 
 void PreviewMode::activated() {
     (m_presenter->dataset() != nullptr ? static_cast<QWidget*>(m_view) : m_make)->setFocus();
+}
+
+void PreviewMode::showPart(const QString& part) {
+    if (!part.isEmpty()) {
+        m_presenter->openDataset(part);
+    }
 }
 
 QWidget* PreviewMode::makeBar() {
@@ -205,6 +217,12 @@ QWidget* PreviewMode::makeControls() {
         m_presenter->setBall(ball);
     });
     grid->addWidget(m_ball, 4, 0, 1, 3);
+    auto* error = new QCheckBox(tr("Sh&ow the expected error"), box);
+    error->setObjectName("showError");
+    error->setToolTip(tr("Tints what is displaced: light from half a pixel on, dark at %1 pixels and more")
+                          .arg(kWorstShownPx));
+    connect(error, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setShowsError);
+    grid->addWidget(error, 5, 0, 1, 3);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
     applySides();

@@ -37,6 +37,9 @@ class PreviewMode : public Mode {
 
     bool worksWithoutSurvey() const override { return true; }
 
+    /// Opens the dataset in the folder of this name.
+    void showPart(const QString& part) override;
+
     PreviewPresenter& presenter() { return *m_presenter; }
 
   private:

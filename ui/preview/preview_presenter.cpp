@@ -12,6 +12,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace spherewalk::ui {
@@ -225,12 +226,22 @@ void PreviewPresenter::setBall(const std::optional<jobs::Ball>& ball) {
     order();
 }
 
+void PreviewPresenter::setShowsError(bool isShown) {
+    m_showsError = isShown;
+    order();
+}
+
+void PreviewPresenter::goTo(const TimedPose& pose) {
+    const Eigen::Vector3d ahead = pose.roomFromCamera.rotation * Eigen::Vector3d::UnitZ();
+    setRobot({pose.roomFromCamera.translation.head<2>(), Radians(std::atan2(ahead.y(), ahead.x()))});
+}
+
 void PreviewPresenter::order() {
     if (!m_maker) {
         return;
     }
     const ViewOrder wish{roomFromOptical(m_robot, m_mount), 0.001 * static_cast<double>(m_clock.elapsed()),
-                         m_sides, m_ball};
+                         m_sides, m_ball, m_showsError};
     m_worker.post(QStringLiteral("view"), [this, maker = m_maker, wish]() -> BackgroundWorker::Deliver {
         try {
             return [this, maker, views = maker->make(wish)] {

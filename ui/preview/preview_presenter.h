@@ -86,6 +86,12 @@ class PreviewPresenter : public SurveyPresenter {
 
     const std::vector<TimedPose>& path() const { return m_path; }
 
+    /// Puts the robot where it was at this pose of a path.
+    void goTo(const TimedPose& pose);
+
+    /// Whether views show by how many pixels each thing is displaced.
+    void setShowsError(bool isShown);
+
     /// Writes path.tum, robot.yaml and the frames, as `walk` does, in a task.
     void saveFrames(const QString& folder);
 
@@ -138,6 +144,7 @@ class PreviewPresenter : public SurveyPresenter {
     CameraIntrinsics m_camera;
     std::vector<ViewSide> m_sides{ViewSide{}};
     std::optional<jobs::Ball> m_ball;
+    bool m_showsError = false;
     DriveWish m_wish;
     QTimer m_ticking;
     QElapsedTimer m_clock;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/robot.h"
 
+#include "ui/map/plan_view.h"
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/geometry/rotation.h"
@@ -44,6 +45,24 @@ RobotPlace Drive::after(const RobotPlace& robot, const DriveWish& wish, double s
     return next;
 }
 
+void tintByError(QImage& picture, const render::PixelTrust& trust) {
+    constexpr double kMostOpaque = 0.7;
+    picture.convertTo(QImage::Format_RGB32);
+    for (int y = 0; y < picture.height(); ++y) {
+        auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
+        for (int x = 0; x < picture.width(); ++x) {
+            const double share = std::min(1.0, trust.errorPx.at(x, y)[0] / kWorstShownPx);
+            const QColor tint = PlanView::heatColour(share);
+            const double opaque = kMostOpaque * std::min(1.0, 2 * share);
+            const auto mix = [opaque](int below, int above) {
+                return static_cast<int>(std::lround(below + opaque * (above - below)));
+            };
+            row[x] = qRgb(mix(qRed(row[x]), tint.red()), mix(qGreen(row[x]), tint.green()),
+                          mix(qBlue(row[x]), tint.blue()));
+        }
+    }
+}
+
 ViewMaker::ViewMaker(render::Renderer renderer, const CameraIntrinsics& camera)
     : m_renderer(std::move(renderer)), m_camera(camera) {
 }
@@ -67,8 +86,12 @@ std::vector<MadeView> ViewMaker::make(const ViewOrder& order) {
         options.scene = order.sides[side].scene;
         options.sampling = order.sides[side].sampling;
         options.overlays = overlays;
+        options.wantsTrust = order.showsError;
         stream(side).next(order.roomFromCamera, order.timeS, options, m_view);
         made.push_back({qtImage(m_view.picture), m_view.report});
+        if (order.showsError) {
+            tintByError(made.back().picture, m_view.trust);
+        }
     }
     return made;
 }

@@ -73,7 +73,13 @@ struct ViewOrder {
     double timeS = 0;
     std::vector<ViewSide> sides; ///< One side, or two for a comparison.
     std::optional<jobs::Ball> ball;
+    bool showsError = false; ///< Whether the pictures are tinted by the expected error of each pixel.
 };
+
+/// Tints the picture by the error: nothing for a pixel that is where it belongs, and the more the further it
+/// is off, up to kWorstShownPx. Shape: both have the same size.
+void tintByError(QImage& picture, const render::PixelTrust& trust);
+inline constexpr double kWorstShownPx = 10;
 
 struct MadeView {
     QImage picture;

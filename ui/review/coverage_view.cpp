@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/coverage_view.h"
 
+#include "ui/look/core_words.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ double CoverageView::greatest() const {
 
 QString CoverageView::valueText(double value) const {
     return m_measure == CoverageMeasure::Error ? tr("%L1 px").arg(value, 0, 'f', 1)
-                                               : tr("%1°").arg(value, 0, 'f', 3);
+                                               : tr("%L1°").arg(value, 0, 'f', 3);
 }
 
 QString CoverageView::hottest() const {
@@ -79,7 +81,7 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
             mark.note = valueText(*value);
         }
         if (!row.flags.isEmpty()) {
-            mark.note += QStringLiteral(": ") + row.flags.first();
+            mark.note += QStringLiteral(": ") + coreWords(row.flags.first());
         }
         marks.push_back(std::move(mark));
     }

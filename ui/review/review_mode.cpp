@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_mode.h"
 
+#include "ui/look/core_words.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_model.h"
@@ -327,7 +328,10 @@ void ReviewMode::showCurrent() {
     }
     QStringList reasons;
     if (hasPhoto) {
-        reasons << tr("%1 %2").arg(standingSign(row->standing), standingText(row->standing)) << row->flags;
+        reasons << tr("%1 %2").arg(standingSign(row->standing), standingText(row->standing));
+        for (const QString& flag : row->flags) {
+            reasons << coreWords(flag);
+        }
     }
     m_reasons->setText(reasons.join(QLatin1Char('\n')));
     showNote();

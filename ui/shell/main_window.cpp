@@ -60,6 +60,7 @@ MainWindow::MainWindow(QWidget* parent)
     setWindowTitle(tr("Spherewalk"));
     resize(1280, 800);
     setCentralWidget(m_pages);
+    setAcceptDrops(true);
     m_pages->addWidget(m_start);
     makeDocks();
     makeBar();
@@ -174,7 +175,13 @@ void MainWindow::chooseUndo(Mode* mode) {
 
 void MainWindow::showMode(Mode* mode) {
     chooseUndo(mode);
-    m_pages->setCurrentWidget(mode != nullptr ? static_cast<QWidget*>(mode) : m_start);
+    QWidget* page = mode != nullptr ? static_cast<QWidget*>(mode) : m_start;
+    for (int i = 0; i < m_pages->count(); ++i) { // pages out of sight do not make the window wider
+        const bool isShown = m_pages->widget(i) == page;
+        const auto policy = isShown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        m_pages->widget(i)->setSizePolicy(policy, policy);
+    }
+    m_pages->setCurrentWidget(page);
     const QList<QAction*> actions = m_modeActions->actions();
     for (qsizetype i = 0; i < m_modes.size(); ++i) {
         actions[i]->setChecked(m_modes[i] == mode);

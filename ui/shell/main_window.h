@@ -27,6 +27,7 @@ class Mode;
 class StartPage;
 class SurveyPlanView;
 class TaskList;
+struct Dropped;
 
 /// Makes the pages of the window, in the order of the work. Owner: the parent.
 QList<Mode*> makeModes(TaskList& tasks, QWidget* parent);
@@ -66,6 +67,8 @@ class MainWindow : public QMainWindow {
 
   protected:
     void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
   private:
     void makeDocks();
@@ -73,7 +76,9 @@ class MainWindow : public QMainWindow {
     void makeMenus();
     void makeStart();
     void makeView(QMenu* view);
+    void take(const Dropped& dropped);
     void addTheme(QMenu* menu, Theme theme, const QString& text);
+    void addLanguage(QMenu* menu, const QString& language, const QString& name);
     void chooseUndo(Mode* mode);
     void showPage(const QString& name, const QString& part);
     void chooseSurvey();

@@ -3,14 +3,10 @@
 
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
+#include "ui/shell/recent_surveys.h"
 
-#include <QDateTime>
-#include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -34,7 +30,7 @@ QPushButton* makeButton(const QString& objectName, const QString& iconName, cons
 StartPage::StartPage(QWidget* parent)
     : QWidget(parent),
       m_recentTitle(new QLabel(tr("Recent surveys"), this)),
-      m_recent(new QListWidget(this)) {
+      m_recent(new RecentSurveys(this)) {
     auto* column = new QVBoxLayout;
     column->addStretch(1);
     auto* head = new QHBoxLayout;
@@ -88,7 +84,6 @@ StartPage::StartPage(QWidget* parent)
     m_recentTitle->setFont(title);
     m_recent->setAccessibleName(tr("Recent surveys"));
     m_recent->setObjectName("recentSurveys");
-    m_recent->setAlternatingRowColors(true);
     column->addWidget(m_recentTitle);
     column->addWidget(m_recent, 4);
     column->addStretch(1);
@@ -109,17 +104,7 @@ StartPage::StartPage(QWidget* parent)
 }
 
 void StartPage::setRecent(const QStringList& folders) {
-    m_recent->clear();
-    for (const QString& folder : folders) {
-        const QDateTime used = QFileInfo(folder + "/survey.sqlite").lastModified();
-        auto* item = new QListWidgetItem(
-            ui::icon("plan"),
-            tr("%1   (%2)")
-                .arg(QFileInfo(folder).completeBaseName(), QLocale().toString(used, QLocale::ShortFormat)),
-            m_recent);
-        item->setData(Qt::UserRole, folder);
-        item->setToolTip(QDir::toNativeSeparators(folder));
-    }
+    m_recent->list(folders);
     m_recent->setVisible(!folders.isEmpty());
     m_recentTitle->setVisible(!folders.isEmpty());
 }

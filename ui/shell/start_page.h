@@ -4,9 +4,10 @@
 #include <QWidget>
 
 class QLabel;
-class QListWidget;
 
 namespace spherewalk::ui {
+
+class RecentSurveys;
 
 /// The page of a window without a survey. It offers the practice room, a new survey and the recent surveys.
 class StartPage : public QWidget {
@@ -26,7 +27,7 @@ class StartPage : public QWidget {
 
   private:
     QLabel* m_recentTitle;
-    QListWidget* m_recent;
+    RecentSurveys* m_recent;
 };
 
 } // namespace spherewalk::ui

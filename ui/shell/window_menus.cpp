@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/frame/mode.h"
 #include "ui/frame/settings.h"
+#include "ui/shell/dropped_files.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 
@@ -11,12 +12,31 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QUndoGroup>
+#include <QUrl>
 
 namespace spherewalk::ui {
+
+namespace {
+
+/// The files and folders of this computer that a drag carries.
+QStringList filesIn(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    return files;
+}
+
+} // namespace
 
 void MainWindow::makeMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
@@ -66,6 +86,26 @@ void MainWindow::makeView(QMenu* view) {
     addTheme(looks, Theme::System, tr("As the &desktop"));
     addTheme(looks, Theme::Light, tr("&Light"));
     addTheme(looks, Theme::Dark, tr("Da&rk"));
+    QMenu* languages = view->addMenu(tr("Lan&guage"));
+    addLanguage(languages, {}, tr("As the &system"));
+    addLanguage(languages, "en", QStringLiteral("English"));
+    addLanguage(languages, "de", QStringLiteral("Deutsch"));
+    addLanguage(languages, "pl", QStringLiteral("Polski"));
+}
+
+/// The words of a page are made with it, so that another language needs a new start.
+void MainWindow::addLanguage(QMenu* menu, const QString& language, const QString& name) {
+    auto* group = menu->findChild<QActionGroup*>();
+    group = group != nullptr ? group : new QActionGroup(menu);
+    QAction* action = menu->addAction(name);
+    action->setObjectName("language-" + language);
+    action->setCheckable(true);
+    action->setChecked(Settings().language() == language);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, language] {
+        Settings().setLanguage(language);
+        say(tr("The language changes when the program is started the next time."));
+    });
 }
 
 void MainWindow::addTheme(QMenu* menu, Theme theme, const QString& text) {
@@ -84,6 +124,41 @@ void MainWindow::addTheme(QMenu* menu, Theme theme, const QString& text) {
 void MainWindow::showAbout() {
     say(tr("Spherewalk %1, free software under the GNU General Public License, version 3 or later.")
             .arg(QCoreApplication::applicationVersion()));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (droppedAs(filesIn(*event->mimeData())).kind != Dropped::Kind::Nothing) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const Dropped dropped = droppedAs(filesIn(*event->mimeData()));
+    event->acceptProposedAction();
+    // The program from which the files come waits for the end of this event.
+    QMetaObject::invokeMethod(
+        this, [this, dropped] { take(dropped); }, Qt::QueuedConnection);
+}
+
+void MainWindow::take(const Dropped& dropped) {
+    using Kind = Dropped::Kind;
+    switch (dropped.kind) {
+    case Kind::Survey:
+        openSurvey(dropped.path);
+        break;
+    case Kind::Dataset:
+        showPage("preview", dropped.path);
+        break;
+    case Kind::Positions:
+        m_session ? importPhotos(dropped.path, dropped.photos)
+                  : say(tr("Open a survey first; the photos become part of it."));
+        break;
+    case Kind::FloorPicture:
+        showPage("plan", dropped.path);
+        break;
+    case Kind::Nothing:
+        break;
+    }
 }
 
 HelpWindow& MainWindow::help() {

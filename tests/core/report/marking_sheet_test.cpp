@@ -194,21 +194,58 @@ TEST(MarkingSheet, NamesTheLengthsOfAThinWallOnTheirOwnSides) {
     }
 }
 
-TEST(MarkingSheet, TellsAThirdTapeAsACheck) {
+TEST(MarkingSheet, TellsAThirdTapeAsACheckAndCoordinatesForALaser) {
     const Sheet sheet;
     const std::vector<survey::RailMark> marks = survey::railMarks(sheet.room, sheet.plan);
     ASSERT_TRUE(marks.front().first.check);
     const survey::TapeDistance check = *marks.front().first.check;
-    const std::string words = text("(", survey::cornerName(check.corner), "  ", fixed(check.metres, 3), ")");
-    const test::PdfPage table = sheet.pages().at(1);
-    EXPECT_TRUE(std::any_of(table.words.begin(), table.words.end(),
-                            [&](const test::PdfWords& one) { return one.words.ends_with(words); }));
-    for (const test::PdfWords& one : table.words) {
-        EXPECT_LT(one.rightMm(), table.widthMm - kMarginMm + 1) << one.words;
-        if (one.words.ends_with(")") && one.at.x() < kMarginMm + 60) {
-            EXPECT_LT(one.rightMm(), one.words.starts_with("Where") ? table.widthMm : kMarginMm + 92);
+    const Eigen::Vector2d& at = marks.front().first.point;
+    const std::string words =
+        text("check ", survey::cornerName(check.from.index), "  ", fixed(check.metres, 3), "   x ",
+             fixed(at.x(), 3), ", y ", fixed(at.y(), 3));
+    EXPECT_EQ(allOf(sheet.pages().at(1), words).size(), 1U) << words;
+}
+
+TEST(MarkingSheet, EachColumnOfATableKeepsToItself) {
+    Sheet sheet;
+    sheet.room.outline = {{0, 0}, {15, 0}, {15, 14}, {0, 14}};
+    sheet.room.obstacles = {{{5, 5}, {10, 5}, {10, 10}, {5, 10}}};
+    sheet.plan = survey::plan(sheet.room, sheet.options);
+    const std::vector<test::PdfPage> pages = sheet.pages();
+    for (std::size_t i = 1; i < pages.size(); ++i) {
+        for (const test::PdfWords& one : pages[i].words) {
+            EXPECT_LE(one.rightMm(), pages[i].widthMm - kMarginMm + 1) << one.words;
+            for (const test::PdfWords& other : pages[i].words) {
+                if (std::abs(other.at.y() - one.at.y()) < kLineMm && other.at.x() > one.at.x() &&
+                    one.at.y() > 90) { // below the map
+                    EXPECT_LT(one.rightMm(), other.at.x()) << one.words << " | " << other.words;
+                }
+            }
         }
     }
+}
+
+TEST(MarkingSheet, HasABoxToTickForEachRail) {
+    const Sheet sheet;
+    const test::PdfPage page = sheet.pages().at(1);
+    std::size_t boxes = 0;
+    for (const test::PdfSegment& one : page.segments) {
+        const bool isUpright = std::abs(one.from.x() - kMarginMm) < kLineMm &&
+                               isAt(one.from, one.to) == false && std::abs(one.to.x() - kMarginMm) < kLineMm;
+        boxes += isUpright && std::abs((one.from - one.to).norm() - 3) < kLineMm ? 1 : 0;
+    }
+    EXPECT_EQ(boxes, sheet.plan.placements.size());
+}
+
+TEST(MarkingSheet, DrawsTheRailsOfATableOnASmallMap) {
+    const Sheet sheet;
+    const test::PdfPage page = sheet.pages().at(1);
+    std::size_t starts = 0;
+    for (const test::PdfRound& round : page.rounds) {
+        starts += round.isFilled ? 1 : 0;
+        EXPECT_LT(round.centre.y(), 80);
+    }
+    EXPECT_EQ(starts, sheet.plan.placements.size());
 }
 
 TEST(MarkingSheet, LeavesOutLengthsThatHaveNoRoom) {
@@ -252,7 +289,8 @@ TEST(MarkingSheet, SaysWhereAPointIsThatNoTapeReaches) {
     sheet.plan.placements = {{{2, 2}, Radians(0), 1, 0.6}}; // inside of the obstacle
     sheet.plan.stations = {{0, 0, {2, 2, 1.2}}};
     const test::PdfPage page = sheet.pages().at(1);
-    EXPECT_EQ(allOf(page, "no two corners in sight: x 2.000, y 2.000").size(), 1U); // no last stop
+    EXPECT_EQ(allOf(page, "nothing in sight to measure from").size(), 1U); // no last stop
+    EXPECT_EQ(allOf(page, "x 2.000, y 2.000").size(), 1U);
 }
 
 TEST(MarkingSheet, SpeaksWithTheWordsThatItIsGiven) {

@@ -41,6 +41,7 @@ TEST(PageLayout, EveryCornerLiesWithinTheMargins) {
 TEST(PageLayout, TakesTheLargestScaleThatFits) {
     EXPECT_EQ(layoutOf(rectangle(2.4, 1.2)).scale, 10);
     EXPECT_EQ(layoutOf(rectangle(5, 3)).scale, 25);
+    EXPECT_EQ(layoutOf(rectangle(5, 4)).scale, 30);
     EXPECT_EQ(layoutOf(rectangle(12, 6)).scale, 50);
     EXPECT_EQ(layoutOf(rectangle(60, 20)).scale, 250);
 }

@@ -52,8 +52,8 @@ TEST(Marking, TapesMeetInThePointAndNowhereElseInTheRoom) {
     const Room room = concaveRoom();
     for (const MarkedPoint& mark : allPoints(room)) {
         ASSERT_EQ(mark.tapes.size(), 2U);
-        const Vector2d& a = room.outline[static_cast<std::size_t>(mark.tapes[0].corner)];
-        const Vector2d& b = room.outline[static_cast<std::size_t>(mark.tapes[1].corner)];
+        const Vector2d& a = room.outline[static_cast<std::size_t>(mark.tapes[0].from.index)];
+        const Vector2d& b = room.outline[static_cast<std::size_t>(mark.tapes[1].from.index)];
         int inRoom = 0;
         double nearest = INFINITY;
         for (const Vector2d& meeting : meetings(a, mark.tapes[0].metres, b, mark.tapes[1].metres)) {
@@ -69,7 +69,7 @@ TEST(Marking, TapesRunOverFreeFloor) {
     const Room room = concaveRoom();
     for (const MarkedPoint& mark : allPoints(room)) {
         for (const TapeDistance& tape : mark.tapes) {
-            const Vector2d& corner = room.outline[static_cast<std::size_t>(tape.corner)];
+            const Vector2d& corner = room.outline[static_cast<std::size_t>(tape.from.index)];
             const Vector2d begin = corner + 0.02 * (mark.point - corner).normalized();
             EXPECT_GT(distanceToEdge(room.obstacles[0], begin, mark.point), 0);
             EXPECT_GT(distanceToEdge(room.outline, begin, mark.point), 0);
@@ -93,13 +93,13 @@ TEST(Marking, ARoomFarFromTheOriginGetsTheSameTapes) {
     for (std::size_t i = 0; i < here.size(); ++i) {
         ASSERT_EQ(here[i].tapes.size(), there[i].tapes.size());
         for (std::size_t k = 0; k < here[i].tapes.size(); ++k) {
-            EXPECT_EQ(here[i].tapes[k].corner, there[i].tapes[k].corner);
+            EXPECT_EQ(here[i].tapes[k].from, there[i].tapes[k].from);
             EXPECT_NEAR(here[i].tapes[k].metres, there[i].tapes[k].metres, 1e-6);
         }
     }
 }
 
-TEST(Marking, APointBehindFurnitureGetsNoTape) {
+TEST(Marking, APointThatNoCornerSeesIsMeasuredSquareFromWalls) {
     Room room;
     room.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
     room.ceilingM = 2.5;
@@ -112,11 +112,52 @@ TEST(Marking, APointBehindFurnitureGetsNoTape) {
     one.placements = {{{2, 2}, Radians(0), 1, 0.4}};
     const auto marks = railMarks(room, one);
     ASSERT_EQ(marks.size(), 1U);
-    EXPECT_TRUE(marks[0].first.tapes.empty());
-    EXPECT_FALSE(marks[0].first.sigmaM);
+    ASSERT_EQ(marks[0].first.tapes.size(), 2U);
+    for (const TapeDistance& tape : marks[0].first.tapes) {
+        EXPECT_EQ(tape.from.kind, TapeOrigin::Kind::Wall);
+        EXPECT_NEAR(tape.metres, 2, 1e-9);
+    }
+    EXPECT_NEAR(*marks[0].first.errorM, std::sqrt(2) * kReadingErrorM, 1e-9);
+    EXPECT_EQ(wallName(room, 0), "A-B");
+    EXPECT_EQ(wallName(room, 3), "D-A");
 }
 
-TEST(Marking, MeasuresFromTheCornersThatItNames) {
+TEST(Marking, APointInsideOfAnObstacleGetsNoTape) {
+    Room room = test::rectangularRoom(4, 4);
+    room.obstacles = {test::rectangle(1, 1, 3, 3)};
+    Plan one;
+    one.placements = {{{2, 2}, Radians(0), 1, 0.4}};
+    const auto marks = railMarks(room, one);
+    EXPECT_TRUE(marks[0].first.tapes.empty());
+    EXPECT_FALSE(marks[0].first.errorM);
+}
+
+TEST(Marking, APointThatNoCornerSeesHangsOnTheRailBefore) {
+    Room room;
+    room.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    room.ceilingM = 2.5;
+    for (const Vector2d& at : {Vector2d(1, 1), Vector2d(3, 1), Vector2d(3, 3), Vector2d(1, 3)}) {
+        room.obstacles.push_back(
+            {at + Vector2d(-.3, -.3), at + Vector2d(.3, -.3), at + Vector2d(.3, .3), at + Vector2d(-.3, .3)});
+    }
+    Plan two;
+    two.placements = {{{0.6, 2}, Radians(0), 1, 0.4}, {{2, 2}, Radians(0), 1, 0.4}};
+    const std::vector<RailMark> marks = railMarks(room, two);
+    for (const TapeDistance& tape : marks[0].first.tapes) {
+        EXPECT_EQ(tape.from.kind, TapeOrigin::Kind::Corner);
+    }
+    two.placements.insert(two.placements.begin(), {{2, 0.6}, Radians(0), 1, 0.4});
+    const std::vector<RailMark> hung = railMarks(room, two);
+    ASSERT_EQ(hung[2].first.tapes.size(), 2U);
+    for (const TapeDistance& tape : hung[2].first.tapes) {
+        EXPECT_NE(tape.from.kind, TapeOrigin::Kind::Corner);
+        EXPECT_LT(tape.from.index, 2);
+        EXPECT_NEAR((placeOf(tape.from, hung[2].first.point, room, two) - hung[2].first.point).norm(),
+                    tape.metres, 1e-9);
+    }
+}
+
+TEST(Marking, MeasuresFromTheOriginsThatItNames) {
     test::onRandomRooms(64, 20, [](const Room& room, const PlanOptions& options, auto&) {
         const Plan planned = plan(room, options);
         const std::vector<RailMark> marks = railMarks(room, planned);
@@ -126,11 +167,12 @@ TEST(Marking, MeasuresFromTheCornersThatItNames) {
             EXPECT_EQ(mark.first.point, rail.origin);
             EXPECT_EQ(mark.last.point, rail.stop(rail.stops - 1));
             for (const MarkedPoint* point : {&mark.first, &mark.last}) {
-                EXPECT_EQ(point->tapes.empty(), !point->sigmaM.has_value());
+                EXPECT_EQ(point->tapes.empty(), !point->errorM.has_value());
                 for (const TapeDistance& tape : point->tapes) {
-                    const Vector2d& corner = room.outline[static_cast<std::size_t>(tape.corner)];
-                    EXPECT_NEAR(tape.metres, (point->point - corner).norm(), 1e-8);
-                    EXPECT_GE(*point->sigmaM, 0.002 + 0.0005 * tape.metres); // no better than either tape
+                    EXPECT_NEAR(tape.metres,
+                                (point->point - placeOf(tape.from, point->point, room, planned)).norm(),
+                                1e-8);
+                    EXPECT_GE(*point->errorM, kReadingErrorM); // no better than a single tape
                 }
             }
         }
@@ -174,9 +216,9 @@ TEST(Marking, ChecksWithAThirdCorner) {
         }
         ++checked;
         for (const TapeDistance& tape : mark.tapes) {
-            EXPECT_NE(tape.corner, mark.check->corner);
+            EXPECT_NE(tape.from, mark.check->from);
         }
-        const Vector2d& corner = room.outline[static_cast<std::size_t>(mark.check->corner)];
+        const Vector2d& corner = room.outline[static_cast<std::size_t>(mark.check->from.index)];
         EXPECT_NEAR(mark.check->metres, (mark.point - corner).norm(), 1e-8);
     }
     EXPECT_GT(checked, 0);

@@ -234,4 +234,33 @@ TEST_F(AlignModeTest, ShowsTheStationThatIsChosenElsewhere) {
               photoAt(2));
 }
 
+TEST_F(AlignModeTest, SaysOfMovedPhotosThatTheyAreToBeAlignedAgain) {
+    addFlagged();
+    ASSERT_TRUE(widget<QLabel>("summary").text().contains("2 doubtful"));
+    click("retagAll");
+    ASSERT_TRUE(waitForTasks());
+    EXPECT_TRUE(widget<QLabel>("summary").text().contains("0 doubtful"))
+        << widget<QLabel>("summary").text().toStdString();
+    EXPECT_TRUE(widget<QLabel>("summary").text().contains("align again"));
+    auto& table = widget<QTableView>("photos");
+    QStringList reasons;
+    for (int row = 0; row < table.model()->rowCount(); ++row) {
+        reasons << table.model()->index(row, AlignModel::Reason).data().toString();
+    }
+    EXPECT_EQ(reasons.filter("Moved to this station").size(), 2);
+    EXPECT_EQ(reasons.filter("taken elsewhere").size(), 0); // it was said of the place before
+    session->undoStack()->undo();
+    ASSERT_TRUE(waitForTasks());
+    EXPECT_TRUE(widget<QLabel>("summary").text().contains("2 doubtful")); // as it was
+}
+
+TEST_F(AlignModeTest, WritesNumbersAsTheLanguageDoes) {
+    QLocale::setDefault(QLocale("pl"));
+    addFlagged();
+    auto& table = widget<QTableView>("photos");
+    const QString sigma = table.model()->index(0, AlignModel::SigmaYaw).data().toString();
+    QLocale::setDefault(QLocale::c());
+    EXPECT_EQ(sigma, "0,057");
+}
+
 } // namespace spherewalk::ui

@@ -7,6 +7,7 @@
 #include "spherewalk/practice/fault.h"
 #include "spherewalk/practice/theta_jpeg.h"
 
+#include <QLabel>
 #include <QPushButton>
 
 namespace spherewalk::ui {
@@ -225,6 +226,35 @@ TEST_F(CaptureDeskTest, AnotherSurveyBeginsWithThePlansPace) {
     mode.setSession(nullptr);
     mode.setSession(session.get());
     EXPECT_FALSE(desk().photosAMinute());
+}
+
+TEST_F(CaptureDeskTest, SeesThatACameraAtRestIsSwitchedOff) {
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    options.timeScale = 0.001;
+    practice::PracticeCamera camera(options);
+    camera.start();
+    desk().connectTo(QString("127.0.0.1:%1").arg(camera.port()));
+    waitFor(State::Ready);
+    ASSERT_TRUE(desk().camera()->batteryFraction);
+    EXPECT_FALSE(desk().isSilent());
+    camera.stop();
+    waitUntil([&] { return desk().isSilent(); });
+    EXPECT_FALSE(desk().sentence().isEmpty());
+    EXPECT_FALSE(desk().camera()->batteryFraction);
+    EXPECT_EQ(mode.findChild<QLabel*>("capture")->text(), "no answer");
+    EXPECT_EQ(desk().state(), State::Ready); // it may come back
+}
+
+TEST_F(CaptureDeskTest, AnotherCameraBeginsWithThePlansPace) {
+    connectPractice();
+    desk().setAutomatic(true);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
+    EXPECT_TRUE(desk().photosAMinute());
+    desk().connectTo("127.0.0.1:1");
+    EXPECT_FALSE(desk().photosAMinute());
+    waitFor(State::NoCamera);
 }
 
 TEST_F(CaptureDeskTest, AKeyDuringTheCountdownEndsIt) {

@@ -36,6 +36,15 @@ TEST(ProfileForm, LeavesTheCameraAsItIs) {
     EXPECT_EQ(form.profile(), std::nullopt);
 }
 
+TEST(ProfileForm, KeepsWhatTheCameraChoseLast) {
+    ProfileForm form(parseProfile("white-balance=4000K,ev=0.3"), parseProfile("iso=160,shutter=1/50"));
+    auto* keep = form.findChild<QPushButton*>("keepLast");
+    EXPECT_TRUE(keep->text().contains("ISO 160, 1/50 s"));
+    keep->click();
+    EXPECT_EQ(survey::profileText(form.profile()), "iso=160,shutter=1/50,white-balance=4000K");
+    EXPECT_FALSE(ProfileForm(parseProfile("auto")).findChild<QPushButton*>("keepLast")->isEnabled());
+}
+
 TEST(ProfileWords, NameWhatIsFixed) {
     EXPECT_EQ(profileWords(parseProfile("auto")), "automatic");
     EXPECT_EQ(profileWords(parseProfile("camera")), "as the camera is set");
@@ -44,6 +53,19 @@ TEST(ProfileWords, NameWhatIsFixed) {
 }
 
 using CaptureProfileTest = CaptureFixture;
+
+TEST_F(CaptureProfileTest, TheLatestPhotoSaysWhatTheCameraChose) {
+    EXPECT_EQ(latestExposure(session->store()), std::nullopt);
+    connectPractice();
+    desk().trigger();
+    waitFor(CaptureDesk::State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return !played.empty(); });
+    const auto chosen = latestExposure(session->store());
+    ASSERT_TRUE(chosen);
+    EXPECT_GT(*chosen->iso, 0);
+    EXPECT_GT(*chosen->shutterS, 0);
+}
 
 TEST_F(CaptureProfileTest, IsKeptInTheSurveyAndSetOnTheCamera) {
     auto* button = mode.findChild<QPushButton*>("captureProfile");

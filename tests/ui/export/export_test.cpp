@@ -3,6 +3,7 @@
 #include "qt_application.h"
 #include "ui/export/export_mode.h"
 #include "ui/export/export_presenter.h"
+#include "ui/frame/settings.h"
 
 #include "spherewalk/render/dataset.h"
 
@@ -126,6 +127,18 @@ TEST_F(ExportTest, ChoosesTheSceneModelThatHoldsATolerance) {
     EXPECT_TRUE(words.contains("holds 50.0 px")) << words.toStdString();
     scene.setCurrentIndex(0);
     EXPECT_FALSE(tolerance.isVisible());
+}
+
+TEST_F(ExportTest, LeavesAReportOfWhatItMeasured) {
+    auto& scene = widget<QComboBox>("scene");
+    scene.setCurrentIndex(scene.count() - 1);
+    check();
+    exportNow();
+    EXPECT_TRUE(fs::exists(usual / "report" / "report.html"));
+    EXPECT_TRUE(fs::exists(usual / "report" / "report.json"));
+    EXPECT_TRUE(widget<QPushButton>("openReport").isVisible());
+    const QString id = QString::fromStdString(session->store().info().uuid);
+    EXPECT_TRUE(Settings().measuredReport(id).endsWith("room.dataset/report/report.json"));
 }
 
 TEST_F(ExportTest, StopsAndLeavesNothing) {

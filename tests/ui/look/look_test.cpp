@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
+#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
 #include "ui/look/theme.h"
@@ -238,6 +239,17 @@ TEST(Words, EachStandingHasAWordAndASignOfItsOwn) {
     }
     EXPECT_EQ(words.size(), std::size(kStandings));
     EXPECT_EQ(signs.size(), std::size(kStandings));
+}
+
+TEST(CoreWords, KeepTheSentenceWhereThereIsNoTranslation) {
+    QLocale::setDefault(QLocale::c());
+    for (const char* sentence :
+         {"It is too dark; check the lens and the exposure.",
+          "It is 1.8 stops darker than its neighbours; check the exposure and the lamps.",
+          "4.7 % of it is black; check that nothing covers a lens. It is too bright; check the exposure.",
+          "Nobody knows this sentence. Nor this one, 1.5 m away."}) {
+        EXPECT_EQ(coreWords(std::string(sentence)), QString(sentence));
+    }
 }
 
 } // namespace spherewalk::ui

@@ -171,41 +171,4 @@ TEST(StationWords, SayWhereTheLensBelongs) {
     EXPECT_EQ(positionWords(station), "x 1.20 m, y 0.80 m, lens at 1.25 m");
 }
 
-TEST(FloorPicture, ScalesAroundTheFirstPointOfTheLine) {
-    FloorPicture picture;
-    picture.place(0.01, {1, 1});
-    picture.setLength(QLineF(3, 1, 5, 1), 4);
-    EXPECT_DOUBLE_EQ(picture.metresPerPixel(), 0.02);
-    EXPECT_EQ(picture.extent().topLeft(), QPointF(-1, 1)); // twice as far from the line's beginning
-}
-
-TEST(FloorPicture, IsTenMetresWideAtFirst) {
-    const test::TemporaryFolder folder;
-    const QString file = QString::fromStdString((folder / "plan.png").string());
-    ASSERT_TRUE(QImage(50, 20, QImage::Format_RGB32).save(file));
-    FloorPicture picture;
-    ASSERT_TRUE(picture.load(file));
-    EXPECT_EQ(picture.extent(), QRectF(0, 0, 10, 4));
-}
-
-TEST(FloorPicture, IsFoundAgainForItsSurveyOnly) {
-    const test::TemporaryFolder folder;
-    const QString file = QString::fromStdString((folder / "plan.png").string());
-    ASSERT_TRUE(QImage(50, 20, QImage::Format_RGB32).save(file));
-    FloorPicture picture;
-    picture.load(file);
-    picture.place(0.05, {1, 2});
-    picture.keep("uuid");
-    EXPECT_EQ(FloorPicture::kept("uuid").extent(), picture.extent());
-    EXPECT_TRUE(FloorPicture::kept("another").isEmpty());
-    FloorPicture().keep("uuid");
-    EXPECT_TRUE(FloorPicture::kept("uuid").isEmpty());
-}
-
-TEST(FloorPicture, StaysAsItIsIfAFileIsNoPicture) {
-    FloorPicture picture;
-    EXPECT_FALSE(picture.load("/no/such/file.png"));
-    EXPECT_TRUE(picture.isEmpty());
-}
-
 } // namespace spherewalk::ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qt_application.h"
+#include "temporary_folder.h"
 #include "ui/plan/plan_editor_view.h"
 
 #include <QSignalSpy>
@@ -175,6 +176,27 @@ TEST_F(PlanEditorViewTest, ARoomThatIsStillBeingDrawnIsNoProblem) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return editor.isSettled(); }, 20'000));
         EXPECT_TRUE(editor.outcome().problem.isEmpty()) << editor.outcome().problem.toStdString();
     }
+}
+
+TEST_F(PlanEditorViewTest, TwoDragsLayAPictureOntoTwoCorners) {
+    const test::TemporaryFolder folder;
+    const QString file = QString::fromStdString((folder / "plan.png").string());
+    ASSERT_TRUE(QImage(100, 80, QImage::Format_RGB32).save(file));
+    view.picture().load(file);
+    view.setTool(Tool::Place);
+    QStringList hints;
+    QObject::connect(&view, &PlanEditorView::hint, [&](const QString& sentence) { hints << sentence; });
+    drag(at(1, 1), at(0, 0)); // a corner of the picture belongs to the corner of the room
+    const QPointF pinned = view.picture().roomFromPicture().inverted().map(QPointF(0, 0));
+    ASSERT_EQ(hints.size(), 1);
+    EXPECT_EQ(view.tool(), Tool::Place);
+    drag(at(2, 0.5), at(5, 0));
+    const QTransform room = view.picture().roomFromPicture();
+    const double pixel = 1.5 / view.widgetFromRoom().m11();
+    EXPECT_LT(QLineF(room.map(pinned), QPointF(0, 0)).length(), pixel);
+    EXPECT_GT(view.picture().yaw().value(), -0.3);
+    EXPECT_LT(view.picture().yaw().value(), -0.2); // atan(0.5 / 2) clockwise
+    EXPECT_EQ(view.tool(), Tool::Select);
 }
 
 } // namespace spherewalk::ui

@@ -153,7 +153,7 @@ TEST_F(PlanModeTest, ReturnInTheLengthSetsTheScaleOfThePicture) {
     picture.fill(Qt::white);
     const QString file = QString::fromStdString((folder / "floor.png").string());
     ASSERT_TRUE(picture.save(file));
-    ASSERT_TRUE(mode.view().picture().load(file));
+    mode.view().picture().load(file);
     const double before = mode.view().picture().metresPerPixel();
     emit mode.view().scaleDrawn(QLineF(0, 0, 2, 0));
     auto* length = mode.findChild<QDoubleSpinBox*>("scaleLength");
@@ -170,6 +170,14 @@ TEST_F(PlanModeTest, TheButtonThatMakesTheSurveyIsAlwaysInSight) {
     auto* create = mode.findChild<QPushButton*>("createSurvey");
     ASSERT_TRUE(create->isVisible());
     EXPECT_EQ(create->visibleRegion().boundingRect(), create->rect());
+}
+
+TEST_F(PlanModeTest, SaysWhyAPictureCannotBeLaid) {
+    QStringList said;
+    QObject::connect(&mode, &Mode::message, [&](const QString& sentence) { said << sentence; });
+    mode.layPicture(QString::fromStdString((folder / "none.png").string()));
+    ASSERT_EQ(said.size(), 1);
+    EXPECT_TRUE(said.first().contains("none.png"));
 }
 
 } // namespace spherewalk::ui

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 
 namespace spherewalk::ui {
@@ -79,7 +80,7 @@ TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
     const MadeView& view = presenter().views().front();
     EXPECT_EQ(view.picture.size(), QSize(640, 480));
     EXPECT_GT(view.report.trust, 0.9); // it begins at a photo
-    EXPECT_TRUE(DriveView::reportText(view.report).contains("trust 1.00"));
+    EXPECT_TRUE(DriveView::reportText(view.report).contains("expected error 0.0 px"));
     EXPECT_TRUE(widget<QLabel>("what").text().contains("4 photo"));
     EXPECT_EQ(widget<PlanView>("map").stations().size(), 4U);
     // Ahead is the room's x axis, where the world is red.
@@ -234,6 +235,65 @@ TEST_F(PreviewTest, RecordsAPathAndSavesItsFrames) {
         EXPECT_TRUE(fs::exists(survey / "walk" / file)) << file;
     }
     EXPECT_EQ(readTum(survey / "walk" / "path.tum").size(), presenter().path().size());
+}
+
+TEST_F(PreviewTest, PlaysThePathAndGoesToAnyPlaceOfIt) {
+    preview();
+    auto& slider = widget<QSlider>("pathPosition");
+    EXPECT_FALSE(slider.isVisible());
+    presenter().setRecording(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        presenter().setRobot({{1 + 0.1 * static_cast<double>(presenter().path().size()), 1}, Radians(0.4)});
+        return presenter().path().size() >= 5;
+    }));
+    presenter().setRecording(false);
+    ASSERT_TRUE(slider.isVisible());
+    const std::vector<TimedPose> path = presenter().path();
+    slider.setValue(1);
+    EXPECT_NEAR(presenter().robot().pInRoom.x(), path[1].roomFromCamera.translation.x(), 1e-9);
+    EXPECT_NEAR(presenter().robot().yaw.value(), 0.4, 1e-6);
+    QTest::mouseClick(&widget<QPushButton>("playPath"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return slider.value() == slider.maximum(); }, 10'000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !widget<QPushButton>("playPath").isChecked(); }));
+    EXPECT_NEAR(presenter().robot().pInRoom.x(), path.back().roomFromCamera.translation.x(), 1e-9);
+    EXPECT_EQ(presenter().path().size(), path.size()); // playing records nothing
+}
+
+TEST_F(PreviewTest, TintsWhatIsDisplaced) {
+    preview();
+    presenter().setRobot({{1.3, 1.2}, Radians(0)});
+    waitForView();
+    const QImage plain = presenter().views().front().picture;
+    widget<QCheckBox>("showError").setChecked(true);
+    waitForView();
+    EXPECT_NE(presenter().views().front().picture, plain);
+    widget<QCheckBox>("showError").setChecked(false);
+    waitForView();
+    EXPECT_EQ(presenter().views().front().picture, plain);
+}
+
+TEST(ErrorTint, LeavesWhatIsRightAndDarkensWhatIsOff) {
+    QImage picture(3, 1, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    render::PixelTrust trust{Image<float, 1>(3, 1), MaskImage(3, 1)};
+    trust.errorPx.at(0, 0)[0] = 0;
+    trust.errorPx.at(1, 0)[0] = 3;
+    trust.errorPx.at(2, 0)[0] = INFINITY;
+    tintByError(picture, trust);
+    EXPECT_EQ(picture.pixelColor(0, 0), QColor(Qt::white));
+    EXPECT_LT(picture.pixelColor(1, 0).lightness(), 255);
+    EXPECT_LT(picture.pixelColor(2, 0).lightness(), picture.pixelColor(1, 0).lightness());
+}
+
+TEST(DriveViewWords, TellTheExpectedErrorOrWhyNobodyKnows) {
+    render::ViewReport report;
+    report.parallaxPx = 1.26;
+    report.trust = 0.44;
+    EXPECT_EQ(DriveView::errorText(report), "expected error 1.3 px");
+    report.seesPlace = false;
+    EXPECT_EQ(DriveView::errorText(report), "no photo sees this place");
+    report.isOutside = true;
+    EXPECT_EQ(DriveView::errorText(report), "outside of what was scanned");
 }
 
 TEST_F(PreviewTest, SavesTheBallWithTheFrames) {

@@ -80,7 +80,7 @@ TEST_F(RungsTest, OfADatasetWithDepthStandBesideEachOther) {
     EXPECT_EQ(views[0].report.scene, SceneKind::Depth);
     EXPECT_EQ(views[1].report.scene, SceneKind::Room);
     const QString words = DriveView::reportText(views[1].report);
-    for (const char* part : {"scene model room", "sampling bilinear", "trust", "ms"}) {
+    for (const char* part : {"scene model room", "sampling bilinear", "error", "ms"}) {
         EXPECT_TRUE(words.contains(part)) << words.toStdString();
     }
 }

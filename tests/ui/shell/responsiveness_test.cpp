@@ -14,9 +14,9 @@ namespace spherewalk::ui {
 
 namespace {
 
-// 50 ms are wanted for any gap, and two seconds for a large survey, on a machine that does nothing else. What
-// is measured is recorded; the limits leave room for a busy one.
-constexpr double kHeldMs = 1000;
+// 50 ms are wanted for any gap on a quiet machine. What is measured is recorded. What is done for the first
+// time loads fonts and pictures, so that it is done once before it is measured.
+constexpr double kHeldMs = 100;
 constexpr double kOpenMs = 10'000;
 
 QString pathOf(const test::PhotographedSurvey& survey) {
@@ -56,11 +56,13 @@ TEST(Responsiveness, AStalledCameraHoldsNeitherCapturingNorReviewing) {
     person.choose("Capture");
     CaptureDesk& desk = person.page<CaptureMode>().desk();
     desk.connectTo(server.address());
+    rest(person, test::EventLoopGap(), 50);
     const test::EventLoopGap capturing;
     rest(person, capturing, 300);
     EXPECT_EQ(desk.state(), CaptureDesk::State::Connecting); // it does stall
     RecordProperty("capturing_longest_gap_ms", std::to_string(capturing.longestMs()));
     person.choose("Review");
+    lookAtPhotos(person, test::EventLoopGap(), 3);
     const test::EventLoopGap reviewing;
     lookAtPhotos(person, reviewing, 3);
     RecordProperty("reviewing_longest_gap_ms", std::to_string(reviewing.longestMs()));
@@ -75,11 +77,16 @@ TEST(Responsiveness, DecidingHoldsNobody) {
     person.window().openSurvey(pathOf(survey));
     person.choose("Review");
     auto& list = person.widget<QListView>("stations");
+    const auto decideOnAll = [&](const test::EventLoopGap& gap) {
+        QTest::keyClick(&list, Qt::Key_Home);
+        for (int i = 0; i < 8; ++i) {
+            QTest::keyClick(&list, i % 2 == 0 ? Qt::Key_A : Qt::Key_R);
+            rest(person, gap);
+        }
+    };
+    decideOnAll(test::EventLoopGap());
     const test::EventLoopGap gap;
-    for (int i = 0; i < 8; ++i) {
-        QTest::keyClick(&list, i % 2 == 0 ? Qt::Key_A : Qt::Key_R);
-        rest(person, gap);
-    }
+    decideOnAll(gap);
     RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
     EXPECT_LT(gap.longestMs(), kHeldMs);
     EXPECT_EQ(survey.open().reviews().size(), 8U);

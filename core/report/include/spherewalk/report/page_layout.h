@@ -15,7 +15,7 @@ struct Paper {
 
 /// Places a room, drawn to scale, on a page of A4.
 struct PageLayout {
-    Paper paper;                                            ///< Upright for a room that is deeper than wide.
+    Paper paper;                                            ///< Upright where the room is drawn larger so.
     int scale = 50;                                         ///< One metre on paper stands for `scale` metres.
     Eigen::Vector2d originMm = Eigen::Vector2d::Zero();     ///< The place of originInRoom on the paper.
     Eigen::Vector2d originInRoom = Eigen::Vector2d::Zero(); ///< Metres.
@@ -24,11 +24,11 @@ struct PageLayout {
     Eigen::Vector2d paperFromRoom(const Eigen::Vector2d& pInRoom) const;
 };
 
-inline constexpr double kMarginMm = 15; ///< Free on all sides, because most printers need some.
+inline constexpr double kMarginMm = 10; ///< Free on all sides, because most printers need some.
 inline constexpr double kTitleMm = 22;  ///< Height of the title below the upper margin.
 inline constexpr double kFooterMm = 16; ///< Height of the scale above the lower margin.
 
-/// The layout at the largest usual scale (1:10, 20, 25, 50, 100, 200, 250, 500 ...) at which the room fits.
+/// The layout at the largest round scale (1:10, 15, 20, 25, 30, 40, 50, 75, 100 ...) at which the room fits.
 /// Range: at least one corner.
 PageLayout layoutOf(const Polygon& outline);
 

@@ -1,0 +1,3292 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>CameraPreset</name>
+    <message>
+        <source>%1, %2 x %3, %4°</source>
+        <translation>%1, %2 x %3, %4°</translation>
+    </message>
+    <message>
+        <source>Fisheye (as RealSense T265), 848 x 800</source>
+        <translation>Fischauge (wie RealSense T265), 848 x 800</translation>
+    </message>
+    <message>
+        <source>Wide angle</source>
+        <translation>Weitwinkel</translation>
+    </message>
+</context>
+<context>
+    <name>Cure</name>
+    <message>
+        <source>Retag</source>
+        <translation>Umsetzen</translation>
+    </message>
+    <message>
+        <source>Retake</source>
+        <translation>Neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+</context>
+<context>
+    <name>Duration</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewFilter</name>
+    <message>
+        <source>All stations</source>
+        <translation>Alle Standorte</translation>
+    </message>
+    <message>
+        <source>To be reviewed</source>
+        <translation>Noch zu sichten</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlend</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>With a note</source>
+        <translation>Mit Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>Standing</name>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>aufgenommen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>abgelehnt</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Scans a room with a spherical camera.</source>
+        <translation>Nimmt einen Raum mit einer Kugelkamera auf.</translation>
+    </message>
+    <message>
+        <source>Folder of a survey to open</source>
+        <translation>Ordner eines Projekts, das geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Photograph the practice room with the practice camera</source>
+        <translation>Den Übungsraum mit der Übungskamera aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignMode</name>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Solve how each photo is turned, and see how well it is known</source>
+        <translation>Berechnen, wie jedes Foto gedreht ist, und sehen, wie genau das bekannt ist</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>How much work goes into the pictures: about 0.1, 0.5, 1.5 or 3.5 s a photo on one core</source>
+        <translation>Wie viel Arbeit in die Bilder geht: etwa 0,1, 0,5, 1,5 oder 3,5 s je Foto auf einem Kern</translation>
+    </message>
+    <message>
+        <source>Eff&amp;ort</source>
+        <translation>A&amp;ufwand</translation>
+    </message>
+    <message>
+        <source>What the photos support</source>
+        <translation>Was die Fotos hergeben</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Yaw and tilt</source>
+        <translation>Drehung und Neigung</translation>
+    </message>
+    <message>
+        <source>And rail placements</source>
+        <translation>Dazu Lage der Schienen</translation>
+    </message>
+    <message>
+        <source>And positions</source>
+        <translation>Dazu Positionen</translation>
+    </message>
+    <message>
+        <source>What is solved, each with all that the ones above it solve</source>
+        <translation>Was berechnet wird; jede Stufe enthält alle darüber</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modell</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How far photos stand from where they are tagged, one standard deviation</source>
+        <translation>Wie weit Fotos von dem Ort stehen, der bei ihnen steht; eine Standardabweichung</translation>
+    </message>
+    <message>
+        <source>&amp;Positions to</source>
+        <translation>&amp;Positionen auf</translation>
+    </message>
+    <message>
+        <source>A picture, twice as wide as high, black where photos are not to be looked at: cart, operator</source>
+        <translation>Ein Bild, doppelt so breit wie hoch, schwarz, wo Fotos nicht beachtet werden: Wagen, Bediener</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>Solve how each photo is turned</source>
+        <translation>Berechnen, wie jedes Foto gedreht ist</translation>
+    </message>
+    <message>
+        <source>Stop; what was found in the pictures is kept for the next run</source>
+        <translation>Anhalten; was in den Bildern gefunden wurde, bleibt für das nächste Mal</translation>
+    </message>
+    <message>
+        <source>Only photos with a fla&amp;g</source>
+        <translation>Nur Fotos mit Hin&amp;weis</translation>
+    </message>
+    <message>
+        <source>Photos and what the alignment says of them</source>
+        <translation>Die Fotos und was das Ausrichten zu ihnen sagt</translation>
+    </message>
+    <message>
+        <source>Re&amp;tag</source>
+        <translation>Um&amp;setzen</translation>
+    </message>
+    <message>
+        <source>Move the chosen photos to the stations that fit them</source>
+        <translation>Die gewählten Fotos an die Standorte setzen, die zu ihnen passen</translation>
+    </message>
+    <message>
+        <source>Retag a&amp;ll proposed</source>
+        <translation>Alle &amp;Vorschläge umsetzen</translation>
+    </message>
+    <message>
+        <source>Move every photo that fits another station there</source>
+        <translation>Jedes Foto, das zu einem anderen Standort passt, dorthin setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Retake</source>
+        <translation>&amp;Neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Reject the chosen photos, so that their stations are taken again</source>
+        <translation>Die gewählten Fotos ablehnen, damit ihre Standorte neu aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Headings of the photos</source>
+        <translation>Richtungen der Fotos</translation>
+    </message>
+    <message>
+        <source>Lines: how photos are turned. Fans: three standard deviations, %1 times as wide. Colour: standard deviation of the yaw.</source>
+        <translation>Striche: wie Fotos gedreht sind. Fächer: drei Standardabweichungen, %1-mal so breit. Farbe: Standardabweichung der Drehung.</translation>
+    </message>
+    <message>
+        <source>Picture that tells what is left out</source>
+        <translation>Bild, das sagt, was ausgelassen wird</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>No mas&amp;k...</source>
+        <translation>Keine Mas&amp;ke...</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k: %1</source>
+        <translation>Mas&amp;ke: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignModel</name>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>nicht ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Standort</translation>
+    </message>
+    <message>
+        <source>Where the photo was taken, in walking order</source>
+        <translation>Wo das Foto aufgenommen wurde, in Gehreihenfolge</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>What the alignment says of the photo</source>
+        <translation>Was das Ausrichten zum Foto sagt</translation>
+    </message>
+    <message>
+        <source>Yaw °</source>
+        <translation>Drehung °</translation>
+    </message>
+    <message>
+        <source>How the photo is turned, counter-clockwise from the room&apos;s x axis</source>
+        <translation>Wie das Foto gedreht ist, gegen den Uhrzeigersinn von der x-Achse des Raums</translation>
+    </message>
+    <message>
+        <source>σ yaw °</source>
+        <translation>σ Drehung °</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the yaw</source>
+        <translation>Standardabweichung der Drehung</translation>
+    </message>
+    <message>
+        <source>σ tilt °</source>
+        <translation>σ Neigung °</translation>
+    </message>
+    <message>
+        <source>Standard deviation of pitch or roll, the larger of them</source>
+        <translation>Standardabweichung von Nicken oder Rollen, die größere</translation>
+    </message>
+    <message>
+        <source>Residual °</source>
+        <translation>Rest °</translation>
+    </message>
+    <message>
+        <source>How far the photo&apos;s matches miss, root mean square</source>
+        <translation>Um wie viel die Treffer des Fotos danebenliegen, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Neighbours that hold the photo</source>
+        <translation>Nachbarn, die das Foto halten</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Was helfen würde</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>What speaks against the photo</source>
+        <translation>Was gegen das Foto spricht</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::AlignPresenter</name>
+    <message numerus="yes">
+        <source>Move %n photo(s) to other stations</source>
+        <translation>
+            <numerusform>%n Foto an einen anderen Standort setzen</numerusform>
+            <numerusform>%n Fotos an andere Standorte setzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moved to this station since; align again.</source>
+        <translation>Seither an diesen Standort gesetzt; richten Sie erneut aus.</translation>
+    </message>
+    <message>
+        <source>The survey is not aligned yet.</source>
+        <translation>Das Projekt ist noch nicht ausgerichtet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Alignment of %n photo(s): %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>Ausrichtung von %n Foto: %1 gut, %2 zweifelhaft, %3 fehlgeschlagen.</numerusform>
+            <numerusform>Ausrichtung von %n Fotos: %1 gut, %2 zweifelhaft, %3 fehlgeschlagen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With what the checks found, %n photo(s) are to be looked at in Review.</source>
+        <translation>
+            <numerusform>Mit dem, was die Prüfungen fanden, ist %n Foto in Sichten anzusehen.</numerusform>
+            <numerusform>Mit dem, was die Prüfungen fanden, sind %n Fotos in Sichten anzusehen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) came since, or were left out: align again.</source>
+        <translation>
+            <numerusform>%n Foto kam seither dazu oder wurde ausgelassen: richten Sie erneut aus.</numerusform>
+            <numerusform>%n Fotos kamen seither dazu oder wurden ausgelassen: richten Sie erneut aus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Model %1.</source>
+        <translation>Modell %1.</translation>
+    </message>
+    <message>
+        <source>Aligning %1</source>
+        <translation>%1 wird ausgerichtet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Aligned %n photo(s) in %1.</source>
+        <translation>
+            <numerusform>%n Foto in %1 ausgerichtet.</numerusform>
+            <numerusform>%n Fotos in %1 ausgerichtet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped; the survey is as it was.</source>
+        <translation>Angehalten; das Projekt ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Another job is changing the survey; try again when it has ended.</source>
+        <translation>Eine andere Aufgabe ändert das Projekt; versuchen Sie es nach deren Ende erneut.</translation>
+    </message>
+    <message>
+        <source>Moving photos to other stations</source>
+        <translation>Fotos werden an andere Standorte gesetzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Moved %n photo(s); align again to be sure.</source>
+        <translation>
+            <numerusform>%n Foto umgesetzt; richten Sie zur Sicherheit erneut aus.</numerusform>
+            <numerusform>%n Fotos umgesetzt; richten Sie zur Sicherheit erneut aus.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Application</name>
+    <message>
+        <source>Spherewalk met a defect of its own: %1.</source>
+        <translation>Spherewalk ist auf einen eigenen Fehler gestoßen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CameraBox</name>
+    <message>
+        <source>From a ROS file...</source>
+        <translation>Aus einer ROS-Datei...</translation>
+    </message>
+    <message>
+        <source>Camera model</source>
+        <translation>Kameramodell</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s camera; a ROS camera-info YAML has your own one&apos;s calibration</source>
+        <translation>Die Kamera des Roboters; eine camera-info-YAML von ROS enthält die Kalibrierung der eigenen</translation>
+    </message>
+    <message>
+        <source>ROS camera-info file</source>
+        <translation>ROS-Datei camera-info</translation>
+    </message>
+    <message>
+        <source>Camera info (*.yaml *.yml)</source>
+        <translation>Kameradaten (*.yaml *.yml)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CameraFinder</name>
+    <message>
+        <source>Looking for cameras...</source>
+        <translation>Kameras werden gesucht...</translation>
+    </message>
+    <message>
+        <source>Looking for cameras</source>
+        <translation>Kameras werden gesucht</translation>
+    </message>
+    <message>
+        <source>No camera answers. Switch it on, connect this computer to its WiFi, and look again.</source>
+        <translation>Keine Kamera antwortet. Schalten Sie die Kamera ein, verbinden Sie diesen Rechner mit ihrem WLAN, und suchen Sie erneut.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n camera(s) found</source>
+        <translation>
+            <numerusform>%n Kamera gefunden</numerusform>
+            <numerusform>%n Kameras gefunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CameraLogin</name>
+    <message>
+        <source>The system&apos;s keychain did not keep the password (%1); it is asked for again when the program starts next.</source>
+        <translation>Der Schlüsselbund des Systems hat das Passwort nicht behalten (%1); das Programm fragt beim nächsten Start erneut.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CameraPanel</name>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>PRACTICE: photos of a room that exists only in the program</source>
+        <translation>ÜBUNG: Fotos eines Raums, den es nur im Programm gibt</translation>
+    </message>
+    <message>
+        <source>Shoot by &amp;itself</source>
+        <translation>Von &amp;selbst auslösen</translation>
+    </message>
+    <message>
+        <source>Address of the camera</source>
+        <translation>Adresse der Kamera</translation>
+    </message>
+    <message>
+        <source>Address of the camera, with :port if it is not 80.</source>
+        <translation>Adresse der Kamera, mit :Port, wenn er nicht 80 ist.</translation>
+    </message>
+    <message>
+        <source>Ask the camera at this address how it is.</source>
+        <translation>Die Kamera an dieser Adresse fragen, wie es ihr geht.</translation>
+    </message>
+    <message>
+        <source>The camera inside of the program, which photographs a practice room.</source>
+        <translation>Die Kamera im Programm, die einen Übungsraum aufnimmt.</translation>
+    </message>
+    <message>
+        <source>Time to hide</source>
+        <translation>Zeit zum Verstecken</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>From the key to the shot, so that nobody is in the picture.</source>
+        <translation>Von der Taste bis zum Auslösen, damit niemand im Bild ist.</translation>
+    </message>
+    <message>
+        <source>The practice camera moves from station to station without the key.</source>
+        <translation>Die Übungskamera geht ohne Taste von Standort zu Standort.</translation>
+    </message>
+    <message>
+        <source>Ti&amp;me to hide:</source>
+        <translation>Zeit zum V&amp;erstecken:</translation>
+    </message>
+    <message>
+        <source>Practice camera</source>
+        <translation>Übungskamera</translation>
+    </message>
+    <message>
+        <source>The practice camera photographs a room of the program. Its photos would become photos of %1.</source>
+        <translation>Die Übungskamera nimmt einen Raum des Programms auf. Ihre Fotos würden Fotos von %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Use it here</source>
+        <translation>Hier &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd cameras</source>
+        <translation>Kameras &amp;finden</translation>
+    </message>
+    <message>
+        <source>Looks where cameras usually are, and for those that announce themselves on the network.</source>
+        <translation>Sucht, wo Kameras meist sind, und nach denen, die sich im Netz melden.</translation>
+    </message>
+    <message>
+        <source>Cameras that were found</source>
+        <translation>Gefundene Kameras</translation>
+    </message>
+    <message>
+        <source>Choose the camera to connect to.</source>
+        <translation>Wählen Sie die Kamera, mit der verbunden wird.</translation>
+    </message>
+    <message>
+        <source>How the camera is set for the photos of this survey.</source>
+        <translation>Wie die Kamera für die Fotos dieses Projekts eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Live preview</source>
+        <translation>&amp;Live-Bild</translation>
+    </message>
+    <message>
+        <source>What the camera sees, until the picture is taken.</source>
+        <translation>Was die Kamera sieht, bis das Foto aufgenommen wird.</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Storage of the camera</source>
+        <translation>Speicher der Kamera</translation>
+    </message>
+    <message>
+        <source>Temperature of the camera</source>
+        <translation>Temperatur der Kamera</translation>
+    </message>
+    <message>
+        <source>Leave the &amp;practice camera</source>
+        <translation>Übungs&amp;kamera verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Practice camera</source>
+        <translation>Übungs&amp;kamera</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure: %1</source>
+        <translation>Beli&amp;chtung: %1</translation>
+    </message>
+    <message>
+        <source>connecting...</source>
+        <translation>verbinde...</translation>
+    </message>
+    <message>
+        <source>no camera</source>
+        <translation>keine Kamera</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>practice camera</source>
+        <translation>Übungskamera</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>(charging)</source>
+        <translation>(lädt)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s)</source>
+        <translation>
+            <numerusform>%n Foto</numerusform>
+            <numerusform>%n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>zu heiß</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>warm</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CaptureDesk</name>
+    <message>
+        <source>Connecting to %1</source>
+        <translation>Verbinden mit %1</translation>
+    </message>
+    <message>
+        <source>Starting the practice camera</source>
+        <translation>Die Übungskamera wird gestartet</translation>
+    </message>
+    <message>
+        <source>Capturing %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CaptureMode</name>
+    <message>
+        <source>Capture</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the photos, station by station</source>
+        <translation>Die Fotos aufnehmen, Standort für Standort</translation>
+    </message>
+    <message>
+        <source>Every station has its photo.</source>
+        <translation>Jeder Standort hat sein Foto.</translation>
+    </message>
+    <message>
+        <source>Capturing has ended; it goes on where it stopped.</source>
+        <translation>Die Aufnahme ist beendet; es geht dort weiter, wo sie anhielt.</translation>
+    </message>
+    <message>
+        <source>Space, Return, Page Down, or a presenter&apos;s button.</source>
+        <translation>Leertaste, Eingabe, Bild ab oder der Knopf eines Presenters.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Sto&amp;pp</translation>
+    </message>
+    <message>
+        <source>Ends after what is stored already; capturing goes on from there later (Escape).</source>
+        <translation>Endet nach dem, was schon gespeichert ist; später geht es von dort weiter (Escape).</translation>
+    </message>
+    <message>
+        <source>Align (A)</source>
+        <translation>Ausrichten (A)</translation>
+    </message>
+    <message>
+        <source>photos left</source>
+        <translation>Fotos übrig</translation>
+    </message>
+    <message>
+        <source>time left</source>
+        <translation>Zeit übrig</translation>
+    </message>
+    <message>
+        <source>photos a minute</source>
+        <translation>Fotos je Minute</translation>
+    </message>
+    <message>
+        <source>To be taken again</source>
+        <translation>Neu aufzunehmen</translation>
+    </message>
+    <message>
+        <source>Puts the station that is selected on the plan on the list, or takes it off.</source>
+        <translation>Setzt den im Plan gewählten Standort auf die Liste oder nimmt ihn herunter.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or try the practice camera.</source>
+        <translation>Verbinden Sie eine Kamera, oder probieren Sie die Übungskamera.</translation>
+    </message>
+    <message>
+        <source>Connecting...</source>
+        <translation>Verbinde...</translation>
+    </message>
+    <message>
+        <source>The next station:</source>
+        <translation>Der nächste Standort:</translation>
+    </message>
+    <message>
+        <source>Preparing the camera...</source>
+        <translation>Die Kamera wird vorbereitet...</translation>
+    </message>
+    <message>
+        <source>Bring the camera to</source>
+        <translation>Bringen Sie die Kamera zu</translation>
+    </message>
+    <message>
+        <source>No picture was taken at</source>
+        <translation>Kein Foto entstand bei</translation>
+    </message>
+    <message>
+        <source>Hide! The picture is taken at</source>
+        <translation>Verstecken! Gleich wird aufgenommen:</translation>
+    </message>
+    <message>
+        <source>Taking the picture at</source>
+        <translation>Aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Shoot</source>
+        <translation>Auslösen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>%1 ... (press to wait)</source>
+        <translation>%1 ... (Taste: warten)</translation>
+    </message>
+    <message>
+        <source>Please wait</source>
+        <translation>Bitte warten</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>PRACTICE. %1</source>
+        <translation>ÜBUNG. %1</translation>
+    </message>
+    <message>
+        <source>%1 taken, %2 doubtful, %3 failed</source>
+        <translation>%1 aufgenommen, %2 zweifelhaft, %3 fehlgeschlagen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Look at %n in Review (R)</source>
+        <translation>
+            <numerusform>%n in Sichten ansehen (R)</numerusform>
+            <numerusform>%n in Sichten ansehen (R)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n again (T)</source>
+        <translation>
+            <numerusform>%n neu aufnehmen (T)</numerusform>
+            <numerusform>%n neu aufnehmen (T)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look at the doubtful photos while the rail is still here.</source>
+        <translation>Sehen Sie die zweifelhaften Fotos an, solange die Schiene noch da ist.</translation>
+    </message>
+    <message>
+        <source>Next: solve how each photo is turned.</source>
+        <translation>Als Nächstes: berechnen, wie jedes Foto gedreht ist.</translation>
+    </message>
+    <message>
+        <source>Space, Return, Page Down</source>
+        <translation>Leertaste, Eingabe, Bild ab</translation>
+    </message>
+    <message>
+        <source>Start, shoot, try again, or end the countdown</source>
+        <translation>Beginnen, auslösen, noch einmal oder Herunterzählen beenden</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Stop capturing</source>
+        <translation>Aufnahme anhalten</translation>
+    </message>
+    <message>
+        <source>At the end: review, take again, align</source>
+        <translation>Am Ende: sichten, neu aufnehmen, ausrichten</translation>
+    </message>
+    <message>
+        <source>The photo is stored.</source>
+        <translation>Das Foto ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Do not take it again</source>
+        <translation>Nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected station again</source>
+        <translation>Den gewählten Standort neu aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CapturePlanView</name>
+    <message>
+        <source>to be taken again</source>
+        <translation>wird neu aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CoreWords</name>
+    <message>
+        <source>It is %1 pixels wide instead of %2; set the camera&apos;s size and take it again.</source>
+        <translation>Es ist %1 Pixel breit statt %2; stellen Sie die Größe an der Kamera ein, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It says that it is no whole stitched sphere; switch stitching on in the camera and take it again.</source>
+        <translation>Es sagt, dass es keine ganze zusammengesetzte Kugel ist; schalten Sie das Zusammensetzen in der Kamera ein, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It says that the camera hung upside down; put it upright and take it again.</source>
+        <translation>Es sagt, dass die Kamera kopfüber hing; richten Sie sie auf, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The camera leaned by %1 degrees; check its mount.</source>
+        <translation>Die Kamera neigte sich um %1 Grad; prüfen Sie ihre Halterung.</translation>
+    </message>
+    <message>
+        <source>It was exposed for %1 s instead of %2 s; take it again.</source>
+        <translation>Es wurde %1 s statt %2 s belichtet; nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It was taken at ISO %1 instead of %2; take it again.</source>
+        <translation>Es wurde mit ISO %1 statt %2 aufgenommen; nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It was taken with a fixed white balance, against the survey&apos;s settings; take it again if its colours differ.</source>
+        <translation>Es wurde mit festem Weißabgleich aufgenommen, anders als das Projekt vorgibt; nehmen Sie es neu auf, wenn seine Farben abweichen.</translation>
+    </message>
+    <message>
+        <source>It was taken with automatic white balance, against the survey&apos;s settings; take it again if its colours differ.</source>
+        <translation>Es wurde mit automatischem Weißabgleich aufgenommen, anders als das Projekt vorgibt; nehmen Sie es neu auf, wenn seine Farben abweichen.</translation>
+    </message>
+    <message>
+        <source>It is too dark; check the lens and the exposure.</source>
+        <translation>Es ist zu dunkel; prüfen Sie das Objektiv und die Belichtung.</translation>
+    </message>
+    <message>
+        <source>It is too bright; check the exposure.</source>
+        <translation>Es ist zu hell; prüfen Sie die Belichtung.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops darker than its neighbours; check the exposure and the lamps.</source>
+        <translation>Es ist %1 Blenden dunkler als seine Nachbarn; prüfen Sie die Belichtung und die Lampen.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops brighter than its neighbours; check the exposure and the lamps.</source>
+        <translation>Es ist %1 Blenden heller als seine Nachbarn; prüfen Sie die Belichtung und die Lampen.</translation>
+    </message>
+    <message>
+        <source>Its colours differ by %1 % from its neighbours&apos;; fix the white balance, and check the lamps.</source>
+        <translation>Seine Farben weichen um %1 % von denen seiner Nachbarn ab; legen Sie den Weißabgleich fest, und prüfen Sie die Lampen.</translation>
+    </message>
+    <message>
+        <source>%1 % of it is black; check that nothing covers a lens.</source>
+        <translation>%1 % davon sind schwarz; prüfen Sie, dass nichts ein Objektiv bedeckt.</translation>
+    </message>
+    <message>
+        <source>%1 % of it is burnt out; shorten the exposure, or keep the light out.</source>
+        <translation>%1 % davon sind ausgebrannt; belichten Sie kürzer, oder halten Sie das Licht fern.</translation>
+    </message>
+    <message>
+        <source>Something is in view that its neighbours do not show, %1 degrees to the left of the picture&apos;s middle (%2 % of the sphere); if it is a person, step aside and take it again.</source>
+        <translation>Etwas ist im Bild, das seine Nachbarn nicht zeigen, %1 Grad links von der Bildmitte (%2 % der Kugel); ist es ein Mensch, treten Sie beiseite, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>Something is in view that its neighbours do not show, %1 degrees to the right of the picture&apos;s middle (%2 % of the sphere); if it is a person, step aside and take it again.</source>
+        <translation>Etwas ist im Bild, das seine Nachbarn nicht zeigen, %1 Grad rechts von der Bildmitte (%2 % der Kugel); ist es ein Mensch, treten Sie beiseite, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The camera was turned by %1 degrees against its neighbours, which all look one way; check its mount.</source>
+        <translation>Die Kamera war um %1 Grad gegen ihre Nachbarn gedreht, die alle in eine Richtung sehen; prüfen Sie ihre Halterung.</translation>
+    </message>
+    <message>
+        <source>It is blurred: its edges are %1 times as wide as they should be; let the camera come to rest and take it again.</source>
+        <translation>Es ist unscharf: seine Kanten sind %1-mal so breit, wie sie sein sollten; lassen Sie die Kamera zur Ruhe kommen, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It is upside down against its neighbours; put the camera upright and take it again.</source>
+        <translation>Es steht gegen seine Nachbarn auf dem Kopf; richten Sie die Kamera auf, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>It does not look like its neighbours, however it is turned; check that the camera stood at this station.</source>
+        <translation>Es sieht nicht aus wie seine Nachbarn, wie immer man es dreht; prüfen Sie, dass die Kamera an diesem Standort stand.</translation>
+    </message>
+    <message>
+        <source>It seems to stand %1 cm from where it is tagged, farther off than the others: correct its position, or retake it at its station.</source>
+        <translation>Es scheint %1 cm von dem Ort zu stehen, der bei ihm steht, weiter als die anderen: berichtigen Sie seine Position, oder nehmen Sie es an seinem Standort neu auf.</translation>
+    </message>
+    <message>
+        <source>Its rotation against its neighbours is known to %1 deg only: it shares too little with them; retake it with more light, or with more to see.</source>
+        <translation>Seine Drehung gegen seine Nachbarn ist nur auf %1 Grad bekannt: es hat zu wenig mit ihnen gemeinsam; nehmen Sie es mit mehr Licht neu auf, oder mit mehr zu sehen.</translation>
+    </message>
+    <message>
+        <source>Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if it is not of this place.</source>
+        <translation>Seine Nachbarn widersprechen %1 % dessen, was es zeigt; sehen Sie das Bild an, und nehmen Sie es neu auf, wenn es nicht von diesem Ort ist.</translation>
+    </message>
+    <message>
+        <source>It belongs to a part of the survey that nothing connects with the rest (%1 parts): headings are right within the part, and the part&apos;s own rests on its positions alone; take photos between the parts.</source>
+        <translation>Es gehört zu einem Teil des Projekts, den nichts mit dem Rest verbindet (%1 Teile): Richtungen stimmen innerhalb des Teils, und die des Teils beruht nur auf seinen Positionen; nehmen Sie Fotos zwischen den Teilen auf.</translation>
+    </message>
+    <message>
+        <source>Where it was taken is known to %1 cm only: correct its position, or retake it at its station.</source>
+        <translation>Wo es aufgenommen wurde, ist nur auf %1 cm bekannt: berichtigen Sie seine Position, oder nehmen Sie es an seinem Standort neu auf.</translation>
+    </message>
+    <message>
+        <source>It was taken at one place with %1, though their tags lie %2 m apart: the camera was not moved between them.</source>
+        <translation>Es wurde am selben Ort aufgenommen wie %1, obwohl ihre Orte %2 m auseinanderliegen sollen: die Kamera wurde dazwischen nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>Retake the one whose tag is wrong.</source>
+        <translation>Nehmen Sie das neu auf, dessen Ort falsch ist.</translation>
+    </message>
+    <message>
+        <source>There was nothing to solve.</source>
+        <translation>Es gab nichts zu berechnen.</translation>
+    </message>
+    <message>
+        <source>It was asked for.</source>
+        <translation>Es wurde verlangt.</translation>
+    </message>
+    <message>
+        <source>Photos with wrong tags are solved with their places.</source>
+        <translation>Fotos mit falschem Ort werden mit ihrem Ort berechnet.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is the richest, and every step to it helped: matches that were held out miss by %2.</source>
+        <translation>Das Modell &apos;%1&apos; ist das reichste, und jeder Schritt dahin hat geholfen: zurückgehaltene Treffer liegen daneben um %2.</translation>
+    </message>
+    <message>
+        <source>The model &apos;%1&apos; is the richest whose gain exceeds its noise: matches that were held out miss by %2.</source>
+        <translation>Das Modell &apos;%1&apos; ist das reichste, dessen Gewinn sein Rauschen übersteigt: zurückgehaltene Treffer liegen daneben um %2.</translation>
+    </message>
+    <message>
+        <source>There is something by the name %1 already; choose another name, or remove it.</source>
+        <translation>Es gibt schon etwas mit dem Namen %1; wählen Sie einen anderen Namen, oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>1 station has no photo: near them, views come from farther away.</source>
+        <translation>1 Standort hat kein Foto: in seiner Nähe kommen Ansichten von weiter weg.</translation>
+    </message>
+    <message>
+        <source>%1 stations have no photo: near them, views come from farther away.</source>
+        <translation>%1 Standorte haben kein Foto: in ihrer Nähe kommen Ansichten von weiter weg.</translation>
+    </message>
+    <message>
+        <source>1 photo was rejected and is left out.</source>
+        <translation>1 Foto wurde abgelehnt und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 photos were rejected and are left out.</source>
+        <translation>%1 Fotos wurden abgelehnt und werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 photos have no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <translation>%1 Fotos haben keine bekannte Richtung: sie würden exportiert, als sähen sie die x-Achse des Raums entlang; richten Sie erneut aus, oder lehnen Sie sie ab.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 photos is doubtful; review them, or export them as they are.</source>
+        <translation>Die Ausrichtung von %1 Fotos ist zweifelhaft; sichten Sie sie, oder exportieren Sie sie, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The alignment of 1 photo is doubtful; review them, or export them as they are.</source>
+        <translation>Die Ausrichtung von 1 Foto ist zweifelhaft; sichten Sie es, oder exportieren Sie es, wie es ist.</translation>
+    </message>
+    <message>
+        <source>The cheapest that holds %1 px is the scene model %2 with sampling %3: 95 of 100 places are displaced by at most %4 px, in %5 ms a view.</source>
+        <translation>Das billigste, das %1 px hält, ist das Szenenmodell %2 mit der Abtastung %3: 95 von 100 Stellen sind um höchstens %4 px verschoben, in %5 ms je Ansicht.</translation>
+    </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, reaches %4 px.</source>
+        <translation>Keine Möglichkeit dieses Datensatzes hält %1 px an 95 von 100 Stellen; die beste, das Szenenmodell %2 mit der Abtastung %3, erreicht %4 px.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together.</source>
+        <translation>Nehmen Sie Fotos dichter beieinander auf.</translation>
+    </message>
+    <message>
+        <source>No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model %2 with sampling %3, misses more than 5 of 100 places.</source>
+        <translation>Keine Möglichkeit dieses Datensatzes hält %1 px an 95 von 100 Stellen; die beste, das Szenenmodell %2 mit der Abtastung %3, verfehlt mehr als 5 von 100 Stellen.</translation>
+    </message>
+    <message>
+        <source>Take photos closer together, or export the dataset with a richer scene model.</source>
+        <translation>Nehmen Sie Fotos dichter beieinander auf, oder exportieren Sie den Datensatz mit einem reicheren Szenenmodell.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CornerModel</name>
+    <message>
+        <source>x (m)</source>
+        <translation>x (m)</translation>
+    </message>
+    <message>
+        <source>y (m)</source>
+        <translation>y (m)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CoverageLegend</name>
+    <message>
+        <source>Legend of the plan</source>
+        <translation>Legende des Plans</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CoverageView</name>
+    <message>
+        <source>Coverage of the room</source>
+        <translation>Abdeckung des Raums</translation>
+    </message>
+    <message>
+        <source>%L1 px</source>
+        <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>%L1°</source>
+        <translation>%L1°</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::DriveView</name>
+    <message>
+        <source>What the robot&apos;s camera sees</source>
+        <translation>Was die Kamera des Roboters sieht</translation>
+    </message>
+    <message>
+        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn</source>
+        <translation>W A S D oder die Pfeiltasten fahren, Q und E seitwärts; Ziehen dreht</translation>
+    </message>
+    <message>
+        <source>outside of what was scanned</source>
+        <translation>außerhalb des Aufgenommenen</translation>
+    </message>
+    <message>
+        <source>no photo sees this place</source>
+        <translation>kein Foto sieht diesen Ort</translation>
+    </message>
+    <message>
+        <source>error not known</source>
+        <translation>Fehler nicht bekannt</translation>
+    </message>
+    <message>
+        <source>expected error %L1 px</source>
+        <translation>erwarteter Fehler %L1 px</translation>
+    </message>
+    <message>
+        <source>%1, %L2 cm away, %3, %L4 ms</source>
+        <translation>%1, %L2 cm entfernt, %3, %L4 ms</translation>
+    </message>
+    <message>
+        <source>scene model %1, sampling %2</source>
+        <translation>Szenenmodell %1, Abtastung %2</translation>
+    </message>
+    <message>
+        <source>, coarse until it is decoded</source>
+        <translation>, grob, bis das Foto gelesen ist</translation>
+    </message>
+    <message>
+        <source>, from the photo before until it is decoded</source>
+        <translation>, aus dem Foto davor, bis es gelesen ist</translation>
+    </message>
+    <message>
+        <source>Rendering...</source>
+        <translation>Wird berechnet...</translation>
+    </message>
+    <message>
+        <source>Make a preview of the open survey, or open a dataset.</source>
+        <translation>Machen Sie eine Vorschau des offenen Projekts, oder öffnen Sie einen Datensatz.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ExportMode</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Make a dataset for simulators</source>
+        <translation>Einen Datensatz für Simulatoren machen</translation>
+    </message>
+    <message>
+        <source>What and where</source>
+        <translation>Was und wohin</translation>
+    </message>
+    <message>
+        <source>A folder that does not exist yet</source>
+        <translation>Ein Ordner, den es noch nicht gibt</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>Wählen...</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>Sphere (nothing more is computed)</source>
+        <translation>Kugel (nichts weiter wird berechnet)</translation>
+    </message>
+    <message>
+        <source>Room: walls, floor, ceiling (a minute or two)</source>
+        <translation>Raum: Wände, Boden, Decke (ein, zwei Minuten)</translation>
+    </message>
+    <message>
+        <source>Depth of each pixel (some seconds a photo)</source>
+        <translation>Tiefe jedes Pixels (einige Sekunden je Foto)</translation>
+    </message>
+    <message>
+        <source>The cheapest that holds a tolerance (all are tried and measured)</source>
+        <translation>Das billigste, das eine Toleranz hält (alle werden gemessen)</translation>
+    </message>
+    <message>
+        <source>What views of places between photos can be computed with; cheaper ones come with it</source>
+        <translation>Womit Ansichten zwischen Fotos berechnet werden; billigere Modelle kommen mit</translation>
+    </message>
+    <message>
+        <source>S&amp;cene model</source>
+        <translation>S&amp;zenenmodell</translation>
+    </message>
+    <message>
+        <source>Eno&amp;ugh for</source>
+        <translation>&amp;Genügt für</translation>
+    </message>
+    <message>
+        <source>Fastest views (photos grow by about 2 %)</source>
+        <translation>Schnellste Ansichten (Fotos wachsen um etwa 2 %)</translation>
+    </message>
+    <message>
+        <source>Smaller (0.6 %), views of new places take longer</source>
+        <translation>Kleiner (0,6 %), Ansichten neuer Orte dauern länger</translation>
+    </message>
+    <message>
+        <source>How far apart the marks are that let a part of a photo be decoded by itself</source>
+        <translation>Wie weit die Marken auseinanderliegen, mit denen ein Teil eines Fotos für sich gelesen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Optimised for</source>
+        <translation>O&amp;ptimiert für</translation>
+    </message>
+    <message>
+        <source>Open the folder &amp;when it is done</source>
+        <translation>Danach den Ordner ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k again</source>
+        <translation>E&amp;rneut prüfen</translation>
+    </message>
+    <message>
+        <source>Look again at what the dataset would have and lack</source>
+        <translation>Erneut nachsehen, was der Datensatz enthielte und was fehlt</translation>
+    </message>
+    <message>
+        <source>Look at them in &amp;Review</source>
+        <translation>In &amp;Sichten ansehen</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>Stop; nothing of the dataset is left then</source>
+        <translation>Anhalten; vom Datensatz bleibt dann nichts</translation>
+    </message>
+    <message>
+        <source>Open the fol&amp;der</source>
+        <translation>Ord&amp;ner öffnen</translation>
+    </message>
+    <message>
+        <source>Folder of the dataset</source>
+        <translation>Ordner des Datensatzes</translation>
+    </message>
+    <message>
+        <source>No program could open %1.</source>
+        <translation>Kein Programm konnte %1 öffnen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2, in %3.</source>
+        <translation>
+            <numerusform>%1: %n Foto, %2, in %3.</numerusform>
+            <numerusform>%1: %n Fotos, %2, in %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What the camera carries along covers %1 % of each photo. The dataset shows floor and walls there, as other photos see them.</source>
+        <translation>Was die Kamera mitführt, bedeckt %1 % jedes Fotos. Der Datensatz zeigt dort Boden und Wände, wie andere Fotos sie sehen.</translation>
+    </message>
+    <message>
+        <source>No survey is open.</source>
+        <translation>Kein Projekt ist offen.</translation>
+    </message>
+    <message>
+        <source>Trying one photo...</source>
+        <translation>Ein Foto wird probiert...</translation>
+    </message>
+    <message>
+        <source>Not checked yet.</source>
+        <translation>Noch nicht geprüft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s), about %1 and %2; %3 are free.</source>
+        <translation>
+            <numerusform>%n Foto, etwa %1 und %2; %3 sind frei.</numerusform>
+            <numerusform>%n Fotos, etwa %1 und %2; %3 sind frei.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) are doubtful or failed, and nobody has decided.</source>
+        <translation>
+            <numerusform>%n Foto ist zweifelhaft oder fehlgeschlagen, und niemand hat entschieden.</numerusform>
+            <numerusform>%n Fotos sind zweifelhaft oder fehlgeschlagen, und niemand hat entschieden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is missing or doubtful.</source>
+        <translation>Nichts fehlt oder ist zweifelhaft.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ExportPresenter</name>
+    <message>
+        <source>Looking before the export</source>
+        <translation>Vor dem Export wird nachgesehen</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing of the dataset is left.</source>
+        <translation>Angehalten; vom Datensatz bleibt nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n photo(s) to %1: %2.</source>
+        <translation>
+            <numerusform>%n Foto nach %1 exportiert: %2.</numerusform>
+            <numerusform>%n Fotos nach %1 exportiert: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FindingWords</name>
+    <message>
+        <source>foreign, %L1 %</source>
+        <translation>fremd, %L1 %</translation>
+    </message>
+    <message>
+        <source>foreign</source>
+        <translation>fremd</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>other size</source>
+        <translation>andere Größe</translation>
+    </message>
+    <message>
+        <source>no sphere</source>
+        <translation>keine Kugel</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>andere Einstellung</translation>
+    </message>
+    <message>
+        <source>too dark or bright</source>
+        <translation>zu dunkel oder hell</translation>
+    </message>
+    <message>
+        <source>other colours</source>
+        <translation>andere Farben</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>unscharf</translation>
+    </message>
+    <message>
+        <source>black area</source>
+        <translation>schwarze Fläche</translation>
+    </message>
+    <message>
+        <source>burnt area</source>
+        <translation>ausgebrannte Fläche</translation>
+    </message>
+    <message>
+        <source>leaning</source>
+        <translation>schief</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>gedreht</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>anderer Ort</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FloorPicture</name>
+    <message>
+        <source>A PDF needs the program pdftoppm (poppler-utils); install it, or export the page as PNG or SVG.</source>
+        <translation>Ein PDF braucht das Programm pdftoppm (poppler-utils); installieren Sie es, oder exportieren Sie die Seite als PNG oder SVG.</translation>
+    </message>
+    <message>
+        <source>%1 is no PDF that can be drawn.</source>
+        <translation>%1 ist kein PDF, das gezeichnet werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read.</source>
+        <translation>%1 ist kein Bild, das gelesen werden kann.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyModel</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>%L1 px</source>
+        <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>95 of 100 places are displaced by no more: within the tolerance.</source>
+        <translation>95 von 100 Stellen sind höchstens so weit verschoben: innerhalb der Toleranz.</translation>
+    </message>
+    <message>
+        <source>95 of 100 places are displaced by no more: beyond the tolerance.</source>
+        <translation>95 von 100 Stellen sind höchstens so weit verschoben: außerhalb der Toleranz.</translation>
+    </message>
+    <message>
+        <source>The pictures had too little in common to say.</source>
+        <translation>Die Bilder hatten zu wenig gemeinsam, um etwas zu sagen.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Photos</source>
+        <translation>Fotos</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2</source>
+        <translation>
+            <numerusform>%1: %n Foto, %2</numerusform>
+            <numerusform>%1: %n Fotos, %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyPanel</name>
+    <message>
+        <source>How dense?</source>
+        <translation>Wie dicht?</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s ca&amp;mera</source>
+        <translation>Kamera des &amp;Roboters</translation>
+    </message>
+    <message>
+        <source>T&amp;olerance</source>
+        <translation>Toleran&amp;z</translation>
+    </message>
+    <message>
+        <source>With &amp;depth (takes minutes)</source>
+        <translation>&amp;Mit Tiefe (dauert Minuten)</translation>
+    </message>
+    <message>
+        <source>Also estimate how far away every pixel is, which lets grids be much coarser</source>
+        <translation>Auch schätzen, wie weit jeder Pixel entfernt ist; das Raster kann dann viel gröber sein</translation>
+    </message>
+    <message>
+        <source>Stud&amp;y the grid</source>
+        <translation>Raster &amp;untersuchen</translation>
+    </message>
+    <message>
+        <source>Leave photos out, render what they would show from the rest, and compare</source>
+        <translation>Fotos auslassen, aus dem Rest berechnen, was sie zeigen würden, und vergleichen</translation>
+    </message>
+    <message>
+        <source>Stop; what was found is kept for the next run</source>
+        <translation>Anhalten; was gefunden wurde, bleibt für das nächste Mal</translation>
+    </message>
+    <message>
+        <source>Steps that were studied</source>
+        <translation>Untersuchte Schrittweiten</translation>
+    </message>
+    <message>
+        <source>Step to plan with</source>
+        <translation>Schrittweite für den Plan</translation>
+    </message>
+    <message>
+        <source>The coarsest step that holds the tolerance, for each scene model</source>
+        <translation>Die gröbste Schrittweite, die die Toleranz hält, für jedes Szenenmodell</translation>
+    </message>
+    <message>
+        <source>&amp;Use this step</source>
+        <translation>Schritt &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Plan with this step; where the plan is fixed, a new survey of the same room begins with it</source>
+        <translation>Mit dieser Schrittweite planen; wo der Plan feststeht, beginnt ein neues Projekt desselben Raums damit</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::GridStudyPresenter</name>
+    <message>
+        <source>Open a survey with a small block of photos, 5 x 5 at the finest step that you would use.</source>
+        <translation>Öffnen Sie ein Projekt mit einem kleinen Block von Fotos, 5 x 5 mit der feinsten Schrittweite, die Sie nähmen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>This survey has %n photo(s). Take a block of 5 x 5 at the finest step that you would use (3 x 3 at least), and ask then.</source>
+        <translation>
+            <numerusform>Dieses Projekt hat %n Foto. Nehmen Sie einen Block von 5 x 5 mit der feinsten Schrittweite auf, die Sie nähmen (mindestens 3 x 3), und fragen Sie dann.</numerusform>
+            <numerusform>Dieses Projekt hat %n Fotos. Nehmen Sie einen Block von 5 x 5 mit der feinsten Schrittweite auf, die Sie nähmen (mindestens 3 x 3), und fragen Sie dann.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Studying the grid of %1</source>
+        <translation>Das Raster von %1 wird untersucht</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found is kept: the next study goes on from there.</source>
+        <translation>Angehalten. Was gefunden wurde, bleibt: die nächste Untersuchung geht von dort weiter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+Found in %2: %n photo(s), %L3 cm apart.</source>
+        <translation>
+            <numerusform>%1
+Gefunden in %2: %n Foto, %L3 cm Abstand.</numerusform>
+            <numerusform>%1
+Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::HelpWindow</name>
+    <message>
+        <source>Guide</source>
+        <translation>Anleitung</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::LoginForm</name>
+    <message>
+        <source>&amp;Keep them in the system&apos;s keychain</source>
+        <translation>Im Schlüssel&amp;bund des Systems behalten</translation>
+    </message>
+    <message>
+        <source>The camera asks who is there</source>
+        <translation>Die Kamera fragt, wer da ist</translation>
+    </message>
+    <message>
+        <source>The camera at %1 did not accept this user name and password.</source>
+        <translation>Die Kamera an %1 hat Benutzername und Passwort nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 is in client mode, and wants a user name and a password.</source>
+        <translation>Die Kamera an %1 ist im Client-Modus und verlangt Benutzername und Passwort.</translation>
+    </message>
+    <message>
+        <source>As set in the camera; at first THETA and its serial number.</source>
+        <translation>Wie in der Kamera eingestellt; zuerst THETA und ihre Seriennummer.</translation>
+    </message>
+    <message>
+        <source>As set in the camera; at first the digits of its serial number.</source>
+        <translation>Wie in der Kamera eingestellt; zuerst die Ziffern ihrer Seriennummer.</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;User name:</source>
+        <translation>Be&amp;nutzername:</translation>
+    </message>
+    <message>
+        <source>&amp;Password:</source>
+        <translation>&amp;Passwort:</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::MainWindow</name>
+    <message>
+        <source>Modes</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Plan of the room</source>
+        <translation>Plan des Raums</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Spherewalk</source>
+        <translation>Spherewalk</translation>
+    </message>
+    <message>
+        <source>Show what runs, and what has ended (Ctrl+T)</source>
+        <translation>Zeigen, was läuft und was beendet ist (Strg+T)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>The start page (Ctrl+0)</source>
+        <translation>Die Startseite (Strg+0)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 - Spherewalk</source>
+        <translation>%1 - Spherewalk</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stations have a photo</source>
+        <translation>%1 von %2 Standorten haben ein Foto</translation>
+    </message>
+    <message>
+        <source>%1; another program writes</source>
+        <translation>%1; ein anderes Programm schreibt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n task(s)</source>
+        <translation>
+            <numerusform>%n Aufgabe</numerusform>
+            <numerusform>%n Aufgaben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open survey</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>practice room</source>
+        <translation>Übungsraum</translation>
+    </message>
+    <message>
+        <source>practice room %1</source>
+        <translation>Übungsraum %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New survey</source>
+        <translation>&amp;Neues Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Open survey...</source>
+        <translation>Projekt ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>&amp;Practice room</source>
+        <translation>Übungs&amp;raum</translation>
+    </message>
+    <message>
+        <source>&amp;Close survey</source>
+        <translation>Projekt s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Import photos...</source>
+        <translation>Fotos &amp;importieren...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Guide to this page</source>
+        <translation>&amp;Anleitung zu dieser Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Spherewalk</source>
+        <translation>&amp;Über Spherewalk</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Aussehen</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>D&amp;unkel</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>The language changes when the program is started the next time.</source>
+        <translation>Die Sprache ändert sich beim nächsten Start des Programms.</translation>
+    </message>
+    <message>
+        <source>Spherewalk %1, free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Spherewalk %1, freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Open a survey first; the photos become part of it.</source>
+        <translation>Öffnen Sie zuerst ein Projekt; die Fotos werden Teil davon.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was sie tut</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Positions of the photos</source>
+        <translation>Positionen der Fotos</translation>
+    </message>
+    <message>
+        <source>Positions (*.csv)</source>
+        <translation>Positionen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Folder of the photos</source>
+        <translation>Ordner der Fotos</translation>
+    </message>
+    <message>
+        <source>Importing photos</source>
+        <translation>Fotos werden importiert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
+        <translation>
+            <numerusform>%n Foto importiert, %1 waren schon da. Prüfen Sie sie in Sichten.</numerusform>
+            <numerusform>%n Fotos importiert, %1 waren schon da. Prüfen Sie sie in Sichten.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::MeasurePanel</name>
+    <message>
+        <source>How right its views are</source>
+        <translation>Wie richtig seine Ansichten sind</translation>
+    </message>
+    <message>
+        <source>Open &amp;report</source>
+        <translation>Ber&amp;icht öffnen</translation>
+    </message>
+    <message>
+        <source>The page with error maps and trade-offs; the same as PDF lies beside it</source>
+        <translation>Die Seite mit Fehlerkarten und Abwägungen; dasselbe als PDF liegt daneben</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Leave photos out, render what they would show from the rest, and compare</source>
+        <translation>Fotos auslassen, aus dem Rest berechnen, was sie zeigen würden, und vergleichen</translation>
+    </message>
+    <message>
+        <source>Stop; what was found is kept for the next run</source>
+        <translation>Anhalten; was gefunden wurde, bleibt für das nächste Mal</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s camera</source>
+        <translation>Kamera des Roboters</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Export a dataset first, or name the folder of one that is there.</source>
+        <translation>Exportieren Sie zuerst einen Datensatz, oder nennen Sie den Ordner eines vorhandenen.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::MeasurePresenter</name>
+    <message>
+        <source>Measuring %1</source>
+        <translation>%1 wird gemessen</translation>
+    </message>
+    <message>
+        <source>%1
+Stored: views whose choice is left to the dataset are made so.</source>
+        <translation>%1
+Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.</translation>
+    </message>
+    <message>
+        <source>Stopped. What was found is kept: measuring again goes on from there.</source>
+        <translation>Angehalten. Was gefunden wurde, bleibt: das nächste Messen geht von dort weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::NewSurveyForm</name>
+    <message>
+        <source>New survey</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Create survey</source>
+        <translation>Projekt an&amp;legen</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>What the room is called; the survey&apos;s folder gets this name.</source>
+        <translation>Wie der Raum heißt; der Ordner des Projekts bekommt diesen Namen.</translation>
+    </message>
+    <message>
+        <source>Kept &amp;in</source>
+        <translation>Liegt &amp;in</translation>
+    </message>
+    <message>
+        <source>The folder in which the survey&apos;s folder is made.</source>
+        <translation>Der Ordner, in dem der Ordner des Projekts entsteht.</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>room %1</source>
+        <translation>Raum %1</translation>
+    </message>
+    <message>
+        <source>There is a survey of this name already.</source>
+        <translation>Ein Projekt dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Makes the survey on the disk.</source>
+        <translation>Legt das Projekt auf der Platte an.</translation>
+    </message>
+    <message>
+        <source>Where surveys are kept</source>
+        <translation>Wo Projekte liegen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PanoramaPresenter</name>
+    <message>
+        <source>No photo is chosen.</source>
+        <translation>Kein Foto ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Decoding %1...</source>
+        <translation>%1 wird gelesen...</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PanoramaView</name>
+    <message>
+        <source>Photo to look around in</source>
+        <translation>Foto zum Umsehen</translation>
+    </message>
+    <message>
+        <source>Drag or use the arrow keys to look around; wheel, + and - change the field of view; 0 looks level</source>
+        <translation>Ziehen oder Pfeiltasten sehen sich um; Rad, + und - ändern das Sichtfeld; 0 sieht waagerecht</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>Not aligned yet: these photos may be turned differently. Align the survey first.</source>
+        <translation>Noch nicht ausgerichtet: diese Fotos können verschieden gedreht sein. Richten Sie das Projekt zuerst aus.</translation>
+    </message>
+    <message>
+        <source>heading %1°, %2° up, %3° wide</source>
+        <translation>Richtung %1°, %2° hoch, %3° breit</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PathPlayer</name>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>Abs&amp;pielen</translation>
+    </message>
+    <message>
+        <source>Drive the recorded path again, as fast as it was driven</source>
+        <translation>Den aufgezeichneten Weg noch einmal fahren, so schnell wie damals</translation>
+    </message>
+    <message>
+        <source>Place on the recorded path</source>
+        <translation>Ort auf dem aufgezeichneten Weg</translation>
+    </message>
+    <message>
+        <source>Go to any pose of the recorded path</source>
+        <translation>Zu jeder Stelle des aufgezeichneten Wegs gehen</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhotoReviewer</name>
+    <message numerus="yes">
+        <source>Accept %n photo(s)</source>
+        <translation>
+            <numerusform>%n Foto annehmen</numerusform>
+            <numerusform>%n Fotos annehmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reject %n photo(s)</source>
+        <translation>
+            <numerusform>%n Foto ablehnen</numerusform>
+            <numerusform>%n Fotos ablehnen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reopen %n photo(s)</source>
+        <translation>
+            <numerusform>%n Foto wieder öffnen</numerusform>
+            <numerusform>%n Fotos wieder öffnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note on a photo</source>
+        <translation>Notiz zu einem Foto</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanCanvas</name>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanEditor</name>
+    <message>
+        <source>Move corner</source>
+        <translation>Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>Move outline</source>
+        <translation>Umriss verschieben</translation>
+    </message>
+    <message>
+        <source>Move obstacle</source>
+        <translation>Hindernis verschieben</translation>
+    </message>
+    <message>
+        <source>Add corner</source>
+        <translation>Ecke hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove corner</source>
+        <translation>Ecke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove obstacle</source>
+        <translation>Hindernis entfernen</translation>
+    </message>
+    <message>
+        <source>Draw outline</source>
+        <translation>Umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>Add obstacle</source>
+        <translation>Hindernis hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanEditorView</name>
+    <message>
+        <source>%1 m² not covered</source>
+        <translation>%1 m² nicht abgedeckt</translation>
+    </message>
+    <message>
+        <source>%L1 m</source>
+        <translation>%L1 m</translation>
+    </message>
+    <message>
+        <source>%1 m, then Return</source>
+        <translation>%1 m, dann Eingabe</translation>
+    </message>
+    <message>
+        <source>Drawing of the room</source>
+        <translation>Zeichnung des Raums</translation>
+    </message>
+    <message>
+        <source>Click corner after corner, or type a wall&apos;s length and press Return. Close on the first corner, or with a double click.</source>
+        <translation>Klicken Sie Ecke für Ecke, oder tippen Sie die Länge einer Wand und drücken Sie Eingabe. Geschlossen wird auf der ersten Ecke oder mit einem Doppelklick.</translation>
+    </message>
+    <message>
+        <source>Drag along something whose length you know.</source>
+        <translation>Ziehen Sie an etwas entlang, dessen Länge Sie kennen.</translation>
+    </message>
+    <message>
+        <source>Drag a corner on the picture to the corner where it belongs.</source>
+        <translation>Ziehen Sie eine Ecke auf dem Bild zu der Ecke, an die sie gehört.</translation>
+    </message>
+    <message>
+        <source>Drag a second corner to its place: the picture turns and scales around the first.</source>
+        <translation>Ziehen Sie eine zweite Ecke an ihren Ort: das Bild dreht und streckt sich um die erste.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanMode</name>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
+    </message>
+    <message>
+        <source>Draw the room and lay out where photos are to be taken</source>
+        <translation>Den Raum zeichnen und festlegen, wo Fotos aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move corners and obstacles</source>
+        <translation>Ecken und Hindernisse bewegen</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Draw the outline of the room anew</source>
+        <translation>Den Umriss des Raums neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Draw something that stands on the floor</source>
+        <translation>Etwas zeichnen, das auf dem Boden steht</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Draw a known length on the picture</source>
+        <translation>Eine bekannte Länge auf das Bild zeichnen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale the picture by two of its corners</source>
+        <translation>Das Bild an zwei seiner Ecken verschieben, drehen und strecken</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected corner or obstacle (Delete)</source>
+        <translation>Die gewählte Ecke oder das Hindernis entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring the whole room into sight (0)</source>
+        <translation>Den ganzen Raum zeigen (0)</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Lay a floor plan under the drawing, or take it away</source>
+        <translation>Einen Grundriss unter die Zeichnung legen oder wegnehmen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Write the marking-out sheet: the plan to scale with tape distances, as PDF</source>
+        <translation>Den Absteckplan schreiben: den Plan im Maßstab mit Bandmaßen, als PDF</translation>
+    </message>
+    <message>
+        <source>The line is this long:</source>
+        <translation>Der Strich ist so lang:</translation>
+    </message>
+    <message>
+        <source>Length of the line</source>
+        <translation>Länge des Strichs</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Set the scale</source>
+        <translation>Maßstab setzen</translation>
+    </message>
+    <message>
+        <source>The plan is fixed</source>
+        <translation>Der Plan steht fest</translation>
+    </message>
+    <message>
+        <source>Photos stand on this plan, or another program writes the survey.</source>
+        <translation>Fotos stehen auf diesem Plan, oder ein anderes Programm schreibt das Projekt.</translation>
+    </message>
+    <message>
+        <source>New survey with this room</source>
+        <translation>Neues Projekt mit diesem Raum</translation>
+    </message>
+    <message>
+        <source>Use step</source>
+        <translation>Schritt verwenden</translation>
+    </message>
+    <message>
+        <source>Stored.</source>
+        <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Storing...</source>
+        <translation>Wird gespeichert...</translation>
+    </message>
+    <message>
+        <source>Floor plan</source>
+        <translation>Grundriss</translation>
+    </message>
+    <message>
+        <source>Pictures and maps (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</source>
+        <translation>Bilder und Karten (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>There is no picture to scale; choose one first.</source>
+        <translation>Es gibt kein Bild, das einen Maßstab haben könnte; wählen Sie zuerst eins.</translation>
+    </message>
+    <message>
+        <source>Marking-out sheet</source>
+        <translation>Absteckplan</translation>
+    </message>
+    <message>
+        <source>marking-out.pdf</source>
+        <translation>absteckplan.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanPanel</name>
+    <message>
+        <source>What it comes to</source>
+        <translation>Was es ergibt</translation>
+    </message>
+    <message>
+        <source>Change number</source>
+        <translation>Zahl ändern</translation>
+    </message>
+    <message>
+        <source>Grid and rail</source>
+        <translation>Raster und Schiene</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>S&amp;chrittweite</translation>
+    </message>
+    <message>
+        <source>Between neighbouring stations, in both directions.</source>
+        <translation>Zwischen benachbarten Standorten, in beiden Richtungen.</translation>
+    </message>
+    <message>
+        <source>&amp;Rail length</source>
+        <translation>&amp;Schienenlänge</translation>
+    </message>
+    <message>
+        <source>From the first to the last stop of the cart.</source>
+        <translation>Vom ersten zum letzten Halt des Wagens.</translation>
+    </message>
+    <message>
+        <source>Cle&amp;arance</source>
+        <translation>Wandabs&amp;tand</translation>
+    </message>
+    <message>
+        <source>Least distance from a stop to walls and obstacles.</source>
+        <translation>Kleinster Abstand eines Halts von Wänden und Hindernissen.</translation>
+    </message>
+    <message>
+        <source>Len&amp;s height (m)</source>
+        <translation>&amp;Objektivhöhe (m)</translation>
+    </message>
+    <message>
+        <source>Of the lens above the floor; several heights, separated by semicolons, make layers.</source>
+        <translation>Des Objektivs über dem Boden; mehrere Höhen, durch Semikolon getrennt, ergeben Schichten.</translation>
+    </message>
+    <message>
+        <source>Ceilin&amp;g</source>
+        <translation>Dec&amp;kenhöhe</translation>
+    </message>
+    <message>
+        <source>Height of the ceiling above the floor.</source>
+        <translation>Höhe der Decke über dem Boden.</translation>
+    </message>
+    <message>
+        <source>Time a &amp;photo</source>
+        <translation>Zeit je &amp;Foto</translation>
+    </message>
+    <message>
+        <source>With moving the cart to the next stop.</source>
+        <translation>Mit der Fahrt des Wagens zum nächsten Halt.</translation>
+    </message>
+    <message>
+        <source>Time a rai&amp;l</source>
+        <translation>Zeit je Schi&amp;ene</translation>
+    </message>
+    <message>
+        <source>Carrying the rail and laying it anew.</source>
+        <translation>Die Schiene tragen und neu legen.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stop(s)</source>
+        <translation>
+            <numerusform>%n Halt</numerusform>
+            <numerusform>%n Halte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Corners of obstacle %1</source>
+        <translation>Ecken von Hindernis %1</translation>
+    </message>
+    <message>
+        <source>Corners of the room</source>
+        <translation>Ecken des Raums</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanStorage</name>
+    <message>
+        <source>The plan is not stored: %1</source>
+        <translation>Der Plan ist nicht gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanView</name>
+    <message>
+        <source>Plan of the room</source>
+        <translation>Plan des Raums</translation>
+    </message>
+    <message>
+        <source>No survey is open</source>
+        <translation>Kein Projekt ist offen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlanWords</name>
+    <message>
+        <source>closer than %L1 m to a wall or an obstacle</source>
+        <translation>näher als %L1 m an einer Wand oder einem Hindernis</translation>
+    </message>
+    <message>
+        <source>cut off by obstacles</source>
+        <translation>durch Hindernisse abgeschnitten</translation>
+    </message>
+    <message>
+        <source>no stop falls near enough</source>
+        <translation>kein Halt liegt nah genug</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n station(s)</source>
+        <translation>
+            <numerusform>%n Standort</numerusform>
+            <numerusform>%n Standorte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> on </source>
+        <translation> auf </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rail(s)</source>
+        <translation>
+            <numerusform>%n Schiene</numerusform>
+            <numerusform>%n Schienen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 m to walk, about %2</source>
+        <translation>%L1 m zu gehen, etwa %2</translation>
+    </message>
+    <message>
+        <source>%L1 m² of floor, %L2 m² not covered (%3 %)</source>
+        <translation>%L1 m² Boden, %L2 m² nicht abgedeckt (%3 %)</translation>
+    </message>
+    <message>
+        <source>%L1 m²: %2</source>
+        <translation>%L1 m²: %2</translation>
+    </message>
+    <message>
+        <source>Marking out: %1</source>
+        <translation>Absteckplan: %1</translation>
+    </message>
+    <message>
+        <source>%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m</source>
+        <translation>%1 Standorte auf %2 Schienen; Schritt %3 cm; Schiene mit %4 Halten, %5 m</translation>
+    </message>
+    <message>
+        <source>Scale 1:%1. Print at 100 %: this bar is 10 cm long.</source>
+        <translation>Maßstab 1:%1. Mit 100 % drucken: dieser Balken ist 10 cm lang.</translation>
+    </message>
+    <message>
+        <source>Where the rails lie: metres by tape</source>
+        <translation>Wo die Schienen liegen: Meter mit dem Bandmaß</translation>
+    </message>
+    <message>
+        <source>Error: how far a place is off at most if each tape is read wrong by 5 mm. Below: check and laser.</source>
+        <translation>Fehler: wie weit ein Ort höchstens danebenliegt, wenn jedes Band um 5 mm falsch gelesen wird. Darunter: Probe und Laser.</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Schiene</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Halte</translation>
+    </message>
+    <message>
+        <source>First stop (ring)</source>
+        <translation>Erster Halt (Ring)</translation>
+    </message>
+    <message>
+        <source>Last stop (arrow)</source>
+        <translation>Letzter Halt (Pfeil)</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>nothing in sight to measure from</source>
+        <translation>nichts in Sicht, von dem zu messen wäre</translation>
+    </message>
+    <message>
+        <source>check %1</source>
+        <translation>Probe %1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>ring %1</source>
+        <translation>Ring %1</translation>
+    </message>
+    <message>
+        <source>arrow %1</source>
+        <translation>Pfeil %1</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewFeed</name>
+    <message>
+        <source>The camera sent no picture; start the preview again.</source>
+        <translation>Die Kamera hat kein Bild geschickt; starten Sie das Live-Bild erneut.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewMode</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Drive a robot and see what its camera would see</source>
+        <translation>Einen Roboter fahren und sehen, was seine Kamera sähe</translation>
+    </message>
+    <message>
+        <source>Where the robot is</source>
+        <translation>Wo der Roboter ist</translation>
+    </message>
+    <message>
+        <source>Click to put the robot there, drag to turn it; with Shift, put the ball there</source>
+        <translation>Ein Klick setzt den Roboter dorthin, Ziehen dreht ihn; mit Umschalt kommt der Ball dorthin</translation>
+    </message>
+    <message>
+        <source>&amp;Preview this survey</source>
+        <translation>Dieses Projekt &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Export the survey to a temporary folder and look at it; nothing is kept</source>
+        <translation>Das Projekt in einen vorläufigen Ordner exportieren und ansehen; nichts bleibt</translation>
+    </message>
+    <message>
+        <source>Open a &amp;dataset...</source>
+        <translation>Datensatz ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Look at a dataset that was exported before</source>
+        <translation>Einen früher exportierten Datensatz ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;With depth</source>
+        <translation>&amp;Mit Tiefe</translation>
+    </message>
+    <message>
+        <source>The depth of each pixel follows while you drive, in surveys of up to %1 photos</source>
+        <translation>Die Tiefe jedes Pixels folgt, während Sie fahren, bei Projekten bis %1 Fotos</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Aufzei&amp;chnen</translation>
+    </message>
+    <message>
+        <source>Record the path that the robot takes</source>
+        <translation>Den Weg des Roboters aufzeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save frames...</source>
+        <translation>Bilder &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>Render a frame at each pose of the recorded path, as the command walk does</source>
+        <translation>An jeder Stelle des aufgezeichneten Wegs ein Bild berechnen, wie der Befehl walk</translation>
+    </message>
+    <message>
+        <source>Scene model of view %1</source>
+        <translation>Szenenmodell der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>What places between photos are computed with, cheap to exact</source>
+        <translation>Womit Orte zwischen Fotos berechnet werden, billig bis genau</translation>
+    </message>
+    <message>
+        <source>None: nearest photo, turned</source>
+        <translation>Keins: nächstes Foto, gedreht</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Room: walls, floor, ceiling</source>
+        <translation>Raum: Wände, Boden, Decke</translation>
+    </message>
+    <message>
+        <source>Depth of each pixel</source>
+        <translation>Tiefe jedes Pixels</translation>
+    </message>
+    <message>
+        <source>Blend: depth, photos mixed</source>
+        <translation>Mischung: Tiefe, Fotos gemischt</translation>
+    </message>
+    <message>
+        <source>Sampling of view %1</source>
+        <translation>Abtastung der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>How pixels are made, cheap to exact</source>
+        <translation>Wie Pixel entstehen, billig bis genau</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation>Bilinear</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Footprint</source>
+        <translation>Fußabdruck</translation>
+    </message>
+    <message>
+        <source>Bicubic</source>
+        <translation>Bikubisch</translation>
+    </message>
+    <message>
+        <source>Camera and view</source>
+        <translation>Kamera und Ansicht</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source> m high</source>
+        <translation> m hoch</translation>
+    </message>
+    <message>
+        <source>Height of the camera above the floor</source>
+        <translation>Höhe der Kamera über dem Boden</translation>
+    </message>
+    <message>
+        <source>° down</source>
+        <translation>° abwärts</translation>
+    </message>
+    <message>
+        <source>How far the camera looks below the horizon</source>
+        <translation>Wie weit die Kamera unter den Horizont sieht</translation>
+    </message>
+    <message>
+        <source>Carried</source>
+        <translation>Getragen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <source>Show a second view beside the first, made another way</source>
+        <translation>Daneben eine zweite Ansicht zeigen, die anders entsteht</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Lay a &amp;ball into the view</source>
+        <translation>&amp;Einen Ball in die Ansicht legen</translation>
+    </message>
+    <message>
+        <source>An object as a simulator would render it; Shift and a click on the plan put it elsewhere</source>
+        <translation>Ein Ding, wie ein Simulator es zeigen würde; Umschalt und ein Klick auf den Plan setzen es woandershin</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow the expected error</source>
+        <translation>Er&amp;warteten Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Tints what is displaced: light from half a pixel on, dark at %1 pixels and more</source>
+        <translation>Färbt, was verschoben ist: hell ab einem halben Pixel, dunkel ab %1 Pixeln</translation>
+    </message>
+    <message>
+        <source>Open a dataset</source>
+        <translation>Einen Datensatz öffnen</translation>
+    </message>
+    <message>
+        <source>Folder for the frames</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>Preparing the preview...</source>
+        <translation>Die Vorschau wird vorbereitet...</translation>
+    </message>
+    <message>
+        <source>No dataset is open.</source>
+        <translation>Kein Datensatz ist offen.</translation>
+    </message>
+    <message>
+        <source>%1: the survey has changed since; preview it again.</source>
+        <translation>%1: das Projekt hat sich seither geändert; zeigen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>%1: a sphere stands for the room; depth follows.</source>
+        <translation>%1: eine Kugel steht für den Raum; die Tiefe folgt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s)</source>
+        <translation>
+            <numerusform>%1: %n Foto</numerusform>
+            <numerusform>%1: %n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 views/s</source>
+        <translation>%1 Ansichten/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>● %n pose(s)</source>
+        <translation>
+            <numerusform>● %n Stelle</numerusform>
+            <numerusform>● %n Stellen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewPresenter</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>There is no photo to preview yet; capture or import some first.</source>
+        <translation>Es gibt noch kein Foto zu zeigen; nehmen Sie welche auf, oder importieren Sie sie.</translation>
+    </message>
+    <message>
+        <source>Preparing the preview of %1</source>
+        <translation>Die Vorschau von %1 wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Depth for the preview of %1</source>
+        <translation>Tiefe für die Vorschau von %1</translation>
+    </message>
+    <message>
+        <source>There is no path to save; record one first.</source>
+        <translation>Es gibt keinen Weg zu speichern; zeichnen Sie zuerst einen auf.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saving %n frame(s)</source>
+        <translation>
+            <numerusform>%n Bild wird gespeichert</numerusform>
+            <numerusform>%n Bilder werden gespeichert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n frame(s) to %1.</source>
+        <translation>
+            <numerusform>%n Bild nach %1 geschrieben.</numerusform>
+            <numerusform>%n Bilder nach %1 geschrieben.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PreviewView</name>
+    <message>
+        <source>The preview rests while a picture is taken.</source>
+        <translation>Das Live-Bild ruht, während ein Foto aufgenommen wird.</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera&apos;s first picture...</source>
+        <translation>Warten auf das erste Bild der Kamera...</translation>
+    </message>
+    <message>
+        <source>The camera has ended its preview.</source>
+        <translation>Die Kamera hat ihr Live-Bild beendet.</translation>
+    </message>
+    <message>
+        <source>What the camera sees</source>
+        <translation>Was die Kamera sieht</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ProfileForm</name>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>shade</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>cloudy</source>
+        <translation>bewölkt</translation>
+    </message>
+    <message>
+        <source>incandescent</source>
+        <translation>Glühlampe</translation>
+    </message>
+    <message>
+        <source>fluorescent, white</source>
+        <translation>Leuchtstoff, weiß</translation>
+    </message>
+    <message>
+        <source>fluorescent, warm white</source>
+        <translation>Leuchtstoff, warmweiß</translation>
+    </message>
+    <message>
+        <source>fluorescent, daylight</source>
+        <translation>Leuchtstoff, Tageslicht</translation>
+    </message>
+    <message>
+        <source>fluorescent, day white</source>
+        <translation>Leuchtstoff, tagesweiß</translation>
+    </message>
+    <message>
+        <source>fluorescent bulb</source>
+        <translation>Energiesparlampe</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation>EV</translation>
+    </message>
+    <message>
+        <source>as the camera is set</source>
+        <translation>wie die Kamera eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Leave it as the camera is set</source>
+        <translation>So lassen, wie die Kamera eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Exposure of the photos</source>
+        <translation>Belichtung der Fotos</translation>
+    </message>
+    <message>
+        <source>Photos of one room fit each other best if all are exposed alike: fix ISO, shutter time and white balance where the light does not change.</source>
+        <translation>Fotos eines Raums passen am besten zusammen, wenn alle gleich belichtet sind: legen Sie ISO, Belichtungszeit und Weißabgleich fest, wo sich das Licht nicht ändert.</translation>
+    </message>
+    <message>
+        <source>&amp;ISO</source>
+        <translation>&amp;ISO</translation>
+    </message>
+    <message>
+        <source>Fixed, or chosen by the camera for each photo.</source>
+        <translation>Fest, oder für jedes Foto von der Kamera gewählt.</translation>
+    </message>
+    <message>
+        <source>&amp;Shutter time</source>
+        <translation>Belichtungs&amp;zeit</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness</source>
+        <translation>&amp;Helligkeit</translation>
+    </message>
+    <message>
+        <source>How much brighter or darker than the camera thinks right.</source>
+        <translation>Wie viel heller oder dunkler, als die Kamera für richtig hält.</translation>
+    </message>
+    <message>
+        <source>&amp;White balance</source>
+        <translation>&amp;Weißabgleich</translation>
+    </message>
+    <message>
+        <source>The colour of the light.</source>
+        <translation>Die Farbe des Lichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Photo size</source>
+        <translation>&amp;Fotogröße</translation>
+    </message>
+    <message>
+        <source>Of those that the camera offers.</source>
+        <translation>Von denen, die die Kamera anbietet.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what the camera chose last: %1</source>
+        <translation>&amp;Behalten, was die Kamera zuletzt wählte: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what the camera chose last</source>
+        <translation>&amp;Behalten, was die Kamera zuletzt wählte</translation>
+    </message>
+    <message>
+        <source>ISO and shutter time of the latest photo of this survey.</source>
+        <translation>ISO und Belichtungszeit des letzten Fotos dieses Projekts.</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RecentSurveys</name>
+    <message>
+        <source>%1 of %2 photos, %3</source>
+        <translation>%1 von %2 Fotos, %3</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewDelegate</name>
+    <message>
+        <source>no photo</source>
+        <translation>kein Foto</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewMode</name>
+    <message>
+        <source>Review</source>
+        <translation>Sichten</translation>
+    </message>
+    <message>
+        <source>Look at the photos, and accept or reject them</source>
+        <translation>Die Fotos ansehen und annehmen oder ablehnen</translation>
+    </message>
+    <message>
+        <source>Which stations are listed</source>
+        <translation>Welche Standorte gelistet sind</translation>
+    </message>
+    <message>
+        <source>Station, file or note</source>
+        <translation>Standort, Datei oder Notiz</translation>
+    </message>
+    <message>
+        <source>Text that listed stations contain</source>
+        <translation>Text, den gelistete Standorte enthalten</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Standorte</translation>
+    </message>
+    <message>
+        <source>Accept every photo that the checks and the alignment call good</source>
+        <translation>Jedes Foto annehmen, das Prüfungen und Ausrichtung gut nennen</translation>
+    </message>
+    <message>
+        <source>Judge the photos that no check has seen, such as imported ones</source>
+        <translation>Die Fotos beurteilen, die noch keine Prüfung gesehen hat, etwa importierte</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>One photo</source>
+        <translation>Ein Foto</translation>
+    </message>
+    <message>
+        <source>Blink with</source>
+        <translation>Blinken mit</translation>
+    </message>
+    <message>
+        <source>Slider with</source>
+        <translation>Schieber mit</translation>
+    </message>
+    <message>
+        <source>How the photo is compared</source>
+        <translation>Wie das Foto verglichen wird</translation>
+    </message>
+    <message>
+        <source>Compare the photo with a neighbour: C for the next way</source>
+        <translation>Das Foto mit einem Nachbarn vergleichen: C für die nächste Art</translation>
+    </message>
+    <message>
+        <source>Neighbour to compare with</source>
+        <translation>Nachbar zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>The neighbour to compare with: N for the next one</source>
+        <translation>Der Nachbar zum Vergleichen: N für den nächsten</translation>
+    </message>
+    <message>
+        <source>Align first</source>
+        <translation>Erst ausrichten</translation>
+    </message>
+    <message>
+        <source>Photos that are not aligned may be turned differently</source>
+        <translation>Fotos, die nicht ausgerichtet sind, können verschieden gedreht sein</translation>
+    </message>
+    <message>
+        <source>Next way to compare</source>
+        <translation>Nächste Art zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Next neighbour</source>
+        <translation>Nächster Nachbar</translation>
+    </message>
+    <message>
+        <source>Note on this photo (M)</source>
+        <translation>Notiz zu diesem Foto (M)</translation>
+    </message>
+    <message>
+        <source>Note on this photo</source>
+        <translation>Notiz zu diesem Foto</translation>
+    </message>
+    <message>
+        <source>Write a note</source>
+        <translation>Eine Notiz schreiben</translation>
+    </message>
+    <message>
+        <source> Accept</source>
+        <translation> Annehmen</translation>
+    </message>
+    <message>
+        <source>Accept the photo and go on</source>
+        <translation>Das Foto annehmen und weitergehen</translation>
+    </message>
+    <message>
+        <source> Reject</source>
+        <translation> Ablehnen</translation>
+    </message>
+    <message>
+        <source>Reject the photo: it is left out of datasets and is to be taken again</source>
+        <translation>Das Foto ablehnen: es kommt in keinen Datensatz und wird neu aufgenommen</translation>
+    </message>
+    <message>
+        <source>Reopen</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Withdraw the decision</source>
+        <translation>Die Entscheidung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Next photo</source>
+        <translation>Nächstes Foto</translation>
+    </message>
+    <message>
+        <source>Previous photo</source>
+        <translation>Voriges Foto</translation>
+    </message>
+    <message>
+        <source>What the plan shows</source>
+        <translation>Was der Plan zeigt</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Residuals of the alignment</source>
+        <translation>Reste der Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the headings</source>
+        <translation>Unsicherheit der Richtungen</translation>
+    </message>
+    <message>
+        <source>Measured errors of views</source>
+        <translation>Gemessene Fehler von Ansichten</translation>
+    </message>
+    <message>
+        <source>Report...</source>
+        <translation>Bericht...</translation>
+    </message>
+    <message>
+        <source>Take the errors from another report.json</source>
+        <translation>Die Fehler aus einer anderen report.json nehmen</translation>
+    </message>
+    <message>
+        <source>Report of a measured dataset</source>
+        <translation>Bericht eines gemessenen Datensatzes</translation>
+    </message>
+    <message>
+        <source>Report (report.json *.json)</source>
+        <translation>Bericht (report.json *.json)</translation>
+    </message>
+    <message>
+        <source>Accept all &amp;good ones (%1)</source>
+        <translation>Alle &amp;guten annehmen (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Check %n photo(s)</source>
+        <translation>
+            <numerusform>%n Foto &amp;prüfen</numerusform>
+            <numerusform>%n Fotos &amp;prüfen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 cm away</source>
+        <translation>%1, %2 cm entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewModel</name>
+    <message>
+        <source>%L1 px</source>
+        <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>95 of 100 places of views in its place are displaced by %1 or less.</source>
+        <translation>95 von 100 Stellen von Ansichten an seinem Ort sind um höchstens %1 verschoben.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ReviewPresenter</name>
+    <message>
+        <source>The report %1 is of another survey&apos;s dataset, %2.</source>
+        <translation>Der Bericht %1 gehört zum Datensatz eines anderen Projekts, %2.</translation>
+    </message>
+    <message>
+        <source>No dataset of this survey has been measured yet: do so in Export, or choose the report.json of one that was.</source>
+        <translation>Noch kein Datensatz dieses Projekts wurde gemessen: tun Sie es in Exportieren, oder wählen Sie die report.json eines gemessenen.</translation>
+    </message>
+    <message>
+        <source>Displacement of 95 of 100 places, where the photo was left out of %1; scene model %2, tolerance %L3 px.</source>
+        <translation>Verschiebung von 95 von 100 Stellen, wo das Foto aus %1 ausgelassen wurde; Szenenmodell %2, Toleranz %L3 px.</translation>
+    </message>
+    <message>
+        <source>Checking photos</source>
+        <translation>Fotos werden geprüft</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) checked: %1 good, %2 doubtful, %3 failed.</source>
+        <translation>
+            <numerusform>%n Foto geprüft: %1 gut, %2 zweifelhaft, %3 fehlgeschlagen.</numerusform>
+            <numerusform>%n Fotos geprüft: %1 gut, %2 zweifelhaft, %3 fehlgeschlagen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 accepted, %2 rejected, %3 to be reviewed, %4 missing</source>
+        <translation>%1 angenommen, %2 abgelehnt, %3 zu sichten, %4 fehlen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RobotMap</name>
+    <message>
+        <source>No dataset is open</source>
+        <translation>Kein Datensatz ist offen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RungWords</name>
+    <message>
+        <source>none</source>
+        <translation>keins</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>Mischung</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <source>bilinear</source>
+        <translation>bilinear</translation>
+    </message>
+    <message>
+        <source>reduced</source>
+        <translation>reduziert</translation>
+    </message>
+    <message>
+        <source>footprint</source>
+        <translation>Fußabdruck</translation>
+    </message>
+    <message>
+        <source>bicubic</source>
+        <translation>bikubisch</translation>
+    </message>
+    <message>
+        <source>as needed</source>
+        <translation>nach Bedarf</translation>
+    </message>
+    <message>
+        <source>Best there is</source>
+        <translation>Das beste vorhandene</translation>
+    </message>
+    <message>
+        <source>Best there is: %1</source>
+        <translation>Das beste vorhandene: %1</translation>
+    </message>
+    <message>
+        <source>As measured: %1, cheaper where enough</source>
+        <translation>Wie gemessen: %1, billiger, wo es genügt</translation>
+    </message>
+    <message>
+        <source>As measured: %1</source>
+        <translation>Wie gemessen: %1</translation>
+    </message>
+    <message>
+        <source>As needed</source>
+        <translation>Nach Bedarf</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StartPage</name>
+    <message>
+        <source>Recent surveys</source>
+        <translation>Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>Spherewalk</source>
+        <translation>Spherewalk</translation>
+    </message>
+    <message>
+        <source>Scan a room with a spherical camera, and let robots see it.</source>
+        <translation>Nehmen Sie einen Raum mit einer Kugelkamera auf, und lassen Sie Roboter ihn sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Try the practice room</source>
+        <translation>Den Übungs&amp;raum ausprobieren</translation>
+    </message>
+    <message>
+        <source>Makes a survey of a room that exists only in the program, and photographs it.</source>
+        <translation>Macht ein Projekt eines Raums, den es nur im Programm gibt, und nimmt ihn auf.</translation>
+    </message>
+    <message>
+        <source>No camera is needed: the program has one inside, which photographs a furnished room while you watch. It takes about a minute.</source>
+        <translation>Keine Kamera nötig: das Programm hat eine in sich, die einen möblierten Raum aufnimmt, während Sie zusehen. Das dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>&amp;New survey</source>
+        <translation>&amp;Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Draw a room and lay out its stations.</source>
+        <translation>Einen Raum zeichnen und seine Standorte festlegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a survey...</source>
+        <translation>Projekt ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>A folder whose name ends in .spherewalk.</source>
+        <translation>Ein Ordner, dessen Name auf .spherewalk endet.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StationWords</name>
+    <message>
+        <source>ring %1</source>
+        <translation>Ring %1</translation>
+    </message>
+    <message>
+        <source>arrow %1</source>
+        <translation>Pfeil %1</translation>
+    </message>
+    <message>
+        <source>%1 %L2 m</source>
+        <translation>%1 %L2 m</translation>
+    </message>
+    <message>
+        <source>x %L1, y %L2</source>
+        <translation>x %L1, y %L2</translation>
+    </message>
+    <message>
+        <source>%1 (check: %2)</source>
+        <translation>%1 (Probe: %2)</translation>
+    </message>
+    <message>
+        <source>Rail %1, stop %2</source>
+        <translation>Schiene %1, Halt %2</translation>
+    </message>
+    <message>
+        <source>%1, at %L2 m</source>
+        <translation>%1, auf %L2 m</translation>
+    </message>
+    <message>
+        <source>x %L1 m, y %L2 m, lens at %L3 m</source>
+        <translation>x %L1 m, y %L2 m, Objektiv auf %L3 m</translation>
+    </message>
+    <message>
+        <source>Lay the rail. First stop: %1. Last stop: %2.</source>
+        <translation>Legen Sie die Schiene. Erster Halt: %1. Letzter Halt: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Task</name>
+    <message>
+        <source>Spherewalk met a defect of its own: %1.</source>
+        <translation>Spherewalk ist auf einen eigenen Fehler gestoßen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::TaskBar</name>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Sto&amp;pp</translation>
+    </message>
+    <message>
+        <source>Stop %1</source>
+        <translation>%1 anhalten</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::TaskPanel</name>
+    <message>
+        <source>Stop; what is complete stays</source>
+        <translation>Anhalten; was fertig ist, bleibt</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ToleranceBox</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Pixels of the robot&apos;s camera that 95 of 100 places of a view may be displaced by</source>
+        <translation>Pixel der Kamera des Roboters, um die 95 von 100 Stellen einer Ansicht verschoben sein dürfen</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/core_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <vector>
+
+namespace spherewalk::ui {
+
+namespace {
+
+constexpr const char* kContext = "spherewalk::ui::CoreWords";
+
+/// The sentences of the core that people read in the window. Sources: core/photo/verdict,
+/// core/jobs/survey, core/align/solve, core/jobs/export, core/jobs/measure.
+constexpr const char* kSentences[] = {
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is %1 pixels wide instead of %2; set the camera's size and take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It says that it is no whole stitched sphere; switch "
+                                                   "stitching on in the camera and take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It says that the camera hung upside down; put it upright and take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The camera leaned by %1 degrees; check its mount."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was exposed for %1 s instead of %2 s; take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was taken at ISO %1 instead of %2; take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was taken with a fixed white balance, against the "
+                                                   "survey's settings; take it again if its colours differ."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It was taken with automatic white balance, against the survey's settings; take it "
+                      "again if its colours differ."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It is too dark; check the lens and the exposure."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It is too bright; check the exposure."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is %1 stops darker than its neighbours; check the exposure and the lamps."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is %1 stops brighter than its neighbours; check the exposure and the lamps."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Its colours differ by %1 % from its neighbours'; fix the "
+                                                   "white balance, and check the lamps."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "%1 % of it is black; check that nothing covers a lens."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "%1 % of it is burnt out; shorten the exposure, or keep the light out."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Something is in view that its neighbours do not show, %1 degrees to the left of the "
+                      "picture's middle (%2 % of the sphere); if it is a person, step aside and take it "
+                      "again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Something is in view that its neighbours do not show, %1 degrees to the right of the "
+                      "picture's middle (%2 % of the sphere); if it is a person, step aside and take it "
+                      "again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The camera was turned by %1 degrees against its "
+                                                   "neighbours, which all look one way; check its mount."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "It is blurred: its edges are %1 times as wide as they should be; let the camera come to "
+        "rest and take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is upside down against its neighbours; put the camera upright and take it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It does not look like its neighbours, however it is "
+                                                   "turned; check that the camera stood at this station."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It seems to stand %1 cm from where it is tagged, farther off than the others: correct "
+                      "its position, or retake it at its station."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "Its rotation against its neighbours is known to %1 deg only: it shares too little with "
+        "them; retake it with more light, or with more to see."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if "
+        "it is not of this place."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It belongs to a part of the survey that nothing connects with the rest (%1 parts): "
+                      "headings are right within the part, and the part's own rests on its positions alone; "
+                      "take photos between the parts."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Where it was taken is known to %1 cm only: correct its "
+                                                   "position, or retake it at its station."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "It was taken at one place with %1, though their tags lie %2 m apart: the camera was not "
+        "moved between them."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Retake the one whose tag is wrong."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "There was nothing to solve."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was asked for."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Photos with wrong tags are solved with their places."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "The model '%1' is the richest, and every step to it helped: matches that were held out "
+        "miss by %2."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "The model '%1' is the richest whose gain exceeds its noise: matches that were held out "
+        "miss by %2."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "There is something by the name %1 already; choose another name, or remove it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "1 station has no photo: near them, views come from farther away."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "%1 stations have no photo: near them, views come from farther away."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "1 photo was rejected and is left out."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "%1 photos were rejected and are left out."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "%1 photos have no known heading: it would be exported as if it looked along the room's "
+        "x axis; align again, or reject it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The alignment of %1 photos is doubtful; review them, or "
+                                                   "export them as they are."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The alignment of 1 photo is doubtful; review them, or "
+                                                   "export them as they are."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "The cheapest that holds %1 px is the scene model %2 with sampling %3: 95 of 100 places "
+        "are displaced by at most %4 px, in %5 ms a view."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model "
+                      "%2 with sampling %3, reaches %4 px."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model "
+                      "%2 with sampling %3, misses more than 5 of 100 places."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together, or export the dataset with "
+                                                   "a richer scene model."),
+};
+
+/// A sentence with the expression that finds it.
+struct Pattern {
+    const char* sentence;
+    QRegularExpression expression;
+};
+
+/// Finds a sentence whose "%1" and so on stand for values in this order.
+QRegularExpression expressionOf(const QString& sentence) {
+    static const QRegularExpression place("%[1-9]");
+    QString pattern;
+    qsizetype at = 0;
+    for (auto found = place.globalMatch(sentence); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        pattern += QRegularExpression::escape(sentence.mid(at, match.capturedStart() - at)) + "(.+?)";
+        at = match.capturedEnd();
+    }
+    return QRegularExpression("^" + pattern + QRegularExpression::escape(sentence.mid(at)) + "$");
+}
+
+const std::vector<Pattern>& patterns() {
+    static const std::vector<Pattern> all = [] {
+        std::vector<Pattern> made;
+        for (const char* sentence : kSentences) {
+            made.push_back({sentence, expressionOf(QString::fromUtf8(sentence))});
+        }
+        return made;
+    }();
+    return all;
+}
+
+/// Writes the numbers in a value as the language does.
+QString localValue(const QString& value) {
+    static const QRegularExpression decimal("(?<=\\d)\\.(?=\\d)");
+    static const QRegularExpression number("^[-+]?\\d+\\.\\d+( .*)?$");
+    return number.match(value).hasMatch() ? QString(value).replace(decimal, QLocale().decimalPoint()) : value;
+}
+
+QString translatedSentence(const QString& sentence) {
+    for (const Pattern& pattern : patterns()) {
+        const QRegularExpressionMatch match = pattern.expression.match(sentence);
+        if (!match.hasMatch()) {
+            continue;
+        }
+        QString result = QCoreApplication::translate(kContext, pattern.sentence);
+        for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
+            result.replace(QString("%%1").arg(i), localValue(match.captured(i)));
+        }
+        return result;
+    }
+    return sentence;
+}
+
+} // namespace
+
+QString coreWords(const QString& text) {
+    static const QRegularExpression between("(?<=[.!?])\\s+(?=[A-Z0-9])");
+    QStringList sentences = text.split(between);
+    for (QString& sentence : sentences) {
+        sentence = translatedSentence(sentence);
+    }
+    return sentences.join(' ');
+}
+
+QString coreWords(const std::string& text) {
+    return coreWords(QString::fromStdString(text));
+}
+
+} // namespace spherewalk::ui

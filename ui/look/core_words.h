@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+namespace spherewalk::ui {
+
+/// Returns in the user's language what the core says of photos, alignments and datasets. A text of several
+/// sentences is translated sentence by sentence. A sentence that is not known is returned as it is. Numbers
+/// get the language's decimal point.
+QString coreWords(const QString& text);
+QString coreWords(const std::string& text);
+
+} // namespace spherewalk::ui
