@@ -56,7 +56,7 @@ TEST_F(MovedPhotos, AreNoneWhereTagsErrAsUsual) {
 TEST_F(MovedPhotos, AreFoundWhereOneWrongTagHasDraggedAll) {
     tagged[4].positionM += Eigen::Vector3d(0.072, -0.025, 0);
     drag(0.011, {0.018, -0.013, 0});
-    EXPECT_EQ(moved(), std::vector<std::size_t>{4});
+    ASSERT_EQ(moved(), std::vector<std::size_t>{4});
     EXPECT_NEAR(movedPhotos(tagged, alignment).front().byM, 0.076, 0.008);
 }
 
