@@ -239,8 +239,9 @@ StationRecord SurveyStore::station(std::int64_t id) const {
 }
 
 std::vector<StationRecord> SurveyStore::stationsWithoutPhoto() const {
-    return allStations(m_parts->db().query(
-        text(kSelectStation, "WHERE id NOT IN (SELECT station FROM photo WHERE ", kIsKept, ") ORDER BY id")));
+    return allStations(m_parts->db().query(text(kSelectStation, "WHERE ", kIsWanted,
+                                                " AND id NOT IN (SELECT station FROM photo WHERE ", kIsKept,
+                                                ") ORDER BY id")));
 }
 
 std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std::string& name) {

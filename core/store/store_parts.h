@@ -39,6 +39,9 @@ struct SurveyStore::Parts {
 inline constexpr const char* kIsKept =
     "is_chosen = 1 AND id NOT IN (SELECT photo FROM review WHERE decision = 'rejected')";
 
+/// The SQL condition on a row of `station` that a photo belongs there: it is planned, or has one.
+inline constexpr const char* kIsWanted = "(placement IS NOT NULL OR id IN (SELECT station FROM photo))";
+
 /// The present moment as the database spells it.
 std::string nowUtc();
 

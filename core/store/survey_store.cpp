@@ -333,7 +333,7 @@ Counts SurveyStore::counts() const {
     const auto count = [&](const char* sql) {
         return static_cast<int>(std::min<std::int64_t>(m_parts->db().integer(sql), INT32_MAX));
     };
-    return {.stations = count("SELECT count(*) FROM station"),
+    return {.stations = count(text("SELECT count(*) FROM station WHERE ", kIsWanted).c_str()),
             .stationsWithPhoto = count(text("SELECT count(*) FROM photo WHERE ", kIsKept).c_str()),
             .photos = count("SELECT count(*) FROM photo"),
             .rejectedPhotos =

@@ -41,6 +41,7 @@ class BadInput : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         s_folder = std::make_unique<test::TemporaryFolder>();
+        s_folder->leaveUnchecked(); // it holds damaged copies
         fs::create_directories(*s_folder / "in");
         std::string csv = "file,x_m,y_m,z_m,yaw_deg\n";
         for (int i = 0; i < 3; ++i) {

@@ -72,7 +72,8 @@ TEST(BenchCommand, MeasuresAllThatIsPromisedAndDrawsIt) {
 }
 
 TEST(BenchCommand, RefusesBadInputBeforeItMeasures) {
-    const test::TemporaryFolder folder;
+    test::TemporaryFolder folder;
+    folder.leaveUnchecked();
     const std::string dataset = test::writeMadeDataset(folder.path());
     expectBenchRefused({"bench", folder / "nowhere"}, "nowhere");
     expectBenchRefused({"bench", dataset, "--plot", folder / "plot.png"}, "ends in .svg");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_run.h"
+#include "keyboard.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/practice/practice_camera.h"
@@ -9,43 +10,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fcntl.h>
+#include <cstdint>
+#include <filesystem>
 #include <map>
-#include <unistd.h>
+#include <sys/resource.h>
 
 namespace spherewalk {
 
 using test::runCli;
 using testing::HasSubstr;
-
-namespace {
-
-/// A terminal at which a test is the person.
-class Keyboard {
-  public:
-    Keyboard() : m_keys(::posix_openpt(O_RDWR | O_NOCTTY)) {
-        if (m_keys < 0 || ::grantpt(m_keys) != 0 || ::unlockpt(m_keys) != 0) {
-            ADD_FAILURE() << "there is no terminal";
-        }
-    }
-
-    ~Keyboard() { ::close(m_keys); }
-
-    Keyboard(const Keyboard&) = delete;
-    Keyboard& operator=(const Keyboard&) = delete;
-
-    std::string terminal() const { return ::ptsname(m_keys); }
-
-    void press(const std::string& keys) const {
-        EXPECT_EQ(::write(m_keys, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-    }
-
-  private:
-    int m_keys;
-};
-
-} // namespace
 
 TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
     const test::TemporaryFolder folder;
@@ -59,7 +32,7 @@ TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
     ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
     const std::vector<store::StationRecord> stations =
         store::SurveyStore::open(survey, store::Access::Read).stations();
-    const Keyboard keyboard;
+    const test::Keyboard keyboard;
     test::Program::Options input;
     input.inputFile = keyboard.terminal();
     test::Program program({SPHEREWALK_CLI, "capture", survey, "--camera",
@@ -85,6 +58,30 @@ TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
     }
 }
 
+TEST(FollowCommand, ALineWithoutAnEndTakesNoMemory) {
+    const test::TemporaryFolder folder;
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    options.isPlain = true;
+    practice::PracticeCamera camera(options);
+    camera.start();
+    const std::string survey = (folder / "s.spherewalk").string();
+    ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    constexpr std::uintmax_t kLineBytes = 256 << 20;
+    test::Program::Options input;
+    input.inputFile = (folder / "line").string();
+    writeFile(input.inputFile, {});
+    std::filesystem::resize_file(input.inputFile, kLineBytes); // takes no room on the disk
+    const auto result = runCli({"capture", survey, "--follow", "--camera",
+                                "127.0.0.1:" + std::to_string(camera.port()), "--time-scale", "0.02"},
+                               input);
+    EXPECT_EQ(result.status, 0) << result.errors;
+    rusage used{};
+    ASSERT_EQ(::getrusage(RUSAGE_CHILDREN, &used), 0);
+    EXPECT_LT(static_cast<std::uintmax_t>(used.ru_maxrss) << 10,
+              kLineBytes / 2); // the greatest of all so far
+}
+
 TEST(ShotsCommand, ListsShotsWithoutAnEndAndTakesAPersonsDecision) {
     const test::TemporaryFolder folder;
     const std::string survey = (folder / "s.spherewalk").string();
@@ -102,7 +99,11 @@ TEST(ShotsCommand, ListsShotsWithoutAnEndAndTakesAPersonsDecision) {
     EXPECT_EQ(listed[0]["picture"], "R0010001.JPG");
     EXPECT_EQ(listed[1]["sentence"], "Two pictures are new.");
     EXPECT_EQ(listed[2]["step"], "intended");
-    EXPECT_THAT(runCli({"shots", survey}).output, HasSubstr("--confirm 1."));
+    const std::string words = runCli({"shots", survey}).output;
+    EXPECT_THAT(words, HasSubstr("--confirm 1."));
+    for (const char* wayOut : {"--give-up 1.", "--give-up 2.", "--give-up 3."}) {
+        EXPECT_THAT(words, HasSubstr(wayOut));
+    }
     EXPECT_EQ(runCli({"shots", survey, "--confirm", "2"}).status, 1); // there is no picture
     const Json decided =
         runCli({"shots", survey, "--confirm", "1", "--give-up", "rail 1, stop 2", "--json"}).json()["shots"];
@@ -110,6 +111,27 @@ TEST(ShotsCommand, ListsShotsWithoutAnEndAndTakesAPersonsDecision) {
     EXPECT_EQ(decided[0]["step"], "taken");
     EXPECT_EQ(runCli({"shots", survey, "--give-up", "all", "--json"}).json()["shots"].size(), 0U);
     EXPECT_EQ(runCli({"shots", survey, "--give-up", "all"}).status, 1);
+}
+
+TEST(ShotsCommand, IsNamedByCaptureAsLongAsAPersonHasToDecide) {
+    const test::TemporaryFolder folder;
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    options.isPlain = true;
+    practice::PracticeCamera camera(options);
+    camera.start();
+    const std::string survey = (folder / "s.spherewalk").string();
+    ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    {
+        auto store = store::SurveyStore::open(survey, store::Access::Write);
+        store.markUnclear(store.beginShot(store.stations()[0].id, "YN1", {}).id, "Two pictures are new.");
+    }
+    const std::vector<std::string> capture{
+        "capture",      survey, "--practice", "--camera", "127.0.0.1:" + std::to_string(camera.port()),
+        "--time-scale", "0.02", "--most",     "1"};
+    EXPECT_THAT(runCli(capture).output, HasSubstr("1 shot needs a person's decision; shots lists"));
+    EXPECT_EQ(runCli({"shots", survey, "--give-up", "all"}).status, 0);
+    EXPECT_THAT(runCli(capture).output, testing::Not(HasSubstr("decision")));
 }
 
 } // namespace spherewalk

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes surveys with a practice camera while everything goes wrong that can, and compares each with the
 // camera's own truth at the end. Usage: spherewalk_campaign CLI [--runs N] [--first SEED] [--jobs N]
+// [--minutes N]
 #include "campaign_run.h"
 #include "fault_script.h"
 #include "program.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -24,6 +26,7 @@ struct Options {
     unsigned runs = 500;
     unsigned first = 1;
     unsigned jobs = 4;
+    unsigned minutes = 24 * 60; ///< No run begins later.
 };
 
 Options parse(const std::vector<std::string>& words) {
@@ -36,6 +39,8 @@ Options parse(const std::vector<std::string>& words) {
             options.first = number();
         } else if (words[i] == "--jobs") {
             options.jobs = number();
+        } else if (words[i] == "--minutes") {
+            options.minutes = number();
         } else {
             options.cli = words[i];
         }
@@ -61,6 +66,9 @@ void print(const std::vector<RunReport>& reports) {
         for (const auto& [name, count] : report.faults) {
             sum.faults[name] += count;
         }
+        for (const auto& [name, count] : report.deeds) {
+            sum.deeds[name] += count;
+        }
         sum.programs += report.programs;
         sum.kills += report.kills;
         sum.powerCycles += report.powerCycles;
@@ -69,6 +77,7 @@ void print(const std::vector<RunReport>& reports) {
         sum.findings.exposures += report.findings.exposures;
         sum.findings.buttonPictures += report.findings.buttonPictures;
         sum.findings.toldShots += report.findings.toldShots;
+        sum.findings.datasetPhotos += report.findings.datasetPhotos;
         violations += static_cast<int>(report.findings.violations.size());
     }
     std::sort(sum.stopSeconds.begin(), sum.stopSeconds.end());
@@ -76,6 +85,7 @@ void print(const std::vector<RunReport>& reports) {
               << "\npower cycles " << sum.powerCycles << "\nexposures asked for " << sum.findings.exposures
               << "\npictures by the button " << sum.findings.buttonPictures << "\nphotos in the surveys "
               << sum.findings.photos << "\nshots that a person was told of " << sum.findings.toldShots
+              << "\nphotos of datasets that were known by their pictures " << sum.findings.datasetPhotos
               << "\n";
     if (!sum.stopSeconds.empty()) {
         const auto late = std::count_if(sum.stopSeconds.begin(), sum.stopSeconds.end(),
@@ -83,6 +93,9 @@ void print(const std::vector<RunReport>& reports) {
         std::cout << "stopped by Ctrl-C " << sum.stopSeconds.size() << ", median "
                   << sum.stopSeconds[sum.stopSeconds.size() / 2] << " s, longest " << sum.stopSeconds.back()
                   << " s, " << late << " above 0.2 s\n";
+    }
+    for (const auto& [name, count] : sum.deeds) {
+        std::cout << name << " " << count << "\n";
     }
     for (const auto& [name, count] : sum.faults) {
         std::cout << "fault " << name << " " << count << "\n";
@@ -98,8 +111,9 @@ int runAll(const Options& options) {
     std::vector<RunReport> reports;
     std::atomic<unsigned> next = 0;
     std::mutex mutex;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(options.minutes);
     const auto work = [&] {
-        for (unsigned i = next++; i < options.runs; i = next++) {
+        for (unsigned i = next++; i < options.runs && std::chrono::steady_clock::now() < end; i = next++) {
             RunReport report;
             try {
                 report = run({options.cli, survey, options.first + i});

@@ -2,35 +2,41 @@
 #include "campaign_run.h"
 
 #include "fault_script.h"
+#include "hand_work.h"
 #include "program.h"
 #include "random.h"
+#include "run_cameras.h"
 #include "temporary_folder.h"
+#include "terminal_person.h"
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 namespace spherewalk::campaign {
 
 namespace {
 
+namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Steady = std::chrono::steady_clock;
 
 constexpr const char* kProfile = "iso=200,shutter=1/50,white-balance=5000K";
 constexpr double kTimeScale = 0.01;
-constexpr std::chrono::seconds kHangs = 180s; ///< longer than all timeouts of one shot together
+constexpr double kPersonsTimeScale = 0.3; ///< A busy machine must not look like a camera that is too slow.
+constexpr std::chrono::seconds kHangs = 600s;   ///< longer than all timeouts of one survey together
+constexpr std::chrono::seconds kSlowStop = 20s; ///< also on a machine that does much else
 /// Nobody carries a cart on within the time in which a trigger that was lost can have begun a picture.
 constexpr std::chrono::seconds kCarried = 14s;
-constexpr int kTroubledPrograms = 6;
+constexpr int kTroubledPrograms = 7;
 constexpr int kLastPrograms = 8;
+constexpr const char* kOtherFileSystem = "/dev/shm";
 
 Json profileOptions() {
     return {{"exposureProgram", 1},
@@ -45,86 +51,136 @@ class Run {
     explicit Run(const RunOptions& options)
         : m_options(options),
           m_random(options.seed),
-          m_survey(m_folder / (m_random.integer(0, 1) == 0
-                                   ? "s.spherewalk"
-                                   : "R\xc3\xa4ume, 2. Stock \xe6\xb8\xac.spherewalk")) {
+          m_name(m_random.integer(0, 1) == 0 ? "s.spherewalk"
+                                             : "R\xc3\xa4ume, 2. Stock \xe6\xb8\xac.spherewalk"),
+          m_survey(m_folder / m_name),
+          m_isDrawn(options.seed % 8 == 0),
+          m_standsWrong(options.seed % 3 == 0),
+          m_exposure(profileOptions()),
+          m_cameras(m_random, m_folder.path(), kTimeScale, m_isDrawn),
+          m_people(options.cli, m_cameras, m_random, m_folder.path(), m_exposure) {
         m_report.seed = options.seed;
+        if (fs::is_directory(kOtherFileSystem)) {
+            m_elsewhere.emplace(kOtherFileSystem);
+        }
     }
 
     RunReport run() {
-        std::filesystem::copy(m_options.templateSurvey, m_survey, std::filesystem::copy_options::recursive);
-        practice::PracticeCameraOptions cameraOptions = randomCamera(m_random, m_folder.path());
-        cameraOptions.timeScale = kTimeScale;
-        practice::PracticeCamera camera(cameraOptions);
-        camera.start();
-        m_command = {m_options.cli,   "capture",  m_survey.string(),
-                     "--practice",    "--camera", text("127.0.0.1:", camera.port()),
-                     "--profile",     kProfile,   "--time-scale",
-                     text(kTimeScale)};
-        for (int i = 0; i < kTroubledPrograms && !isComplete(); ++i) {
-            armScript(camera);
-            trouble(camera);
-            moveOn(camera);
+        fs::copy(m_options.templateSurvey, m_survey, fs::copy_options::recursive);
+        for (int i = 0; i < kTroubledPrograms; ++i) {
+            armScript();
+            trouble();
+            m_cameras.look();
+            betweenPrograms();
+            expectRightPlaces();
         }
-        camera.disarm();
-        for (int i = 0; i < kLastPrograms && !isComplete(); ++i) {
-            test::Program program(m_command);
-            ++m_report.programs;
-            if (expectEnd(program) != 0) { // what its sentences ask for
-                camera.befall({practice::FaultKind::Reboot, "", 0, 1, 0, 3});
-            }
-        }
-        camera.stop();
-        if (!isComplete()) {
-            m_report.findings.violations.push_back("the last program said: " + m_lastWords);
-        }
-        expectSoundDataset();
-        Findings findings = examine(m_survey, m_folder / "truth.jsonl", profileOptions(), m_said);
-        for (std::string& violation : m_report.findings.violations) {
-            findings.violations.push_back(std::move(violation));
-        }
-        m_report.findings = std::move(findings);
+        m_cameras.disarm();
+        finish();
+        m_cameras.look();
+        conclude();
+        m_cameras.stop();
         return std::move(m_report);
     }
 
   private:
-    bool isComplete() const {
-        return store::SurveyStore::open(m_survey, store::Access::Read).stationsWithoutPhoto().empty();
+    Evidence evidence() const { return {m_cameras, m_people, m_exposure, m_said, m_standsWrong}; }
+
+    store::SurveyStore opened() const { return store::SurveyStore::open(m_survey, store::Access::Read); }
+
+    void violate(std::string sentence) { m_violations.push_back(std::move(sentence)); }
+
+    void did(const std::string& deed) { ++m_report.deeds[deed]; }
+
+    bool isOneOf(int many) { return m_random.integer(1, many) == 1; }
+
+    std::vector<std::string> command(const std::string& address, bool byPerson) {
+        std::vector<std::string> words{
+            m_options.cli, "capture",      m_survey.string(),
+            "--camera",    address,        "--profile",
+            kProfile,      "--time-scale", text(byPerson ? kPersonsTimeScale : kTimeScale)};
+        if (!byPerson) {
+            words.emplace_back("--practice");
+        }
+        return words;
     }
 
-    /// What a simulator gets says the same places as the survey.
-    void expectSoundDataset() {
-        const std::string dataset = (m_folder / "dataset").string();
-        for (const std::vector<std::string>& command :
-             {std::vector<std::string>{m_options.cli, "export", m_survey.string(), dataset},
-              std::vector<std::string>{m_options.cli, "check", dataset}}) {
-            test::Program program(command);
-            if (program.wait() != 0) {
-                m_report.findings.violations.push_back(
-                    text(command[1], " said: ", program.errors(), program.output()));
-            }
+    /// At times, a station is taken again that has a photo.
+    void takeAgain(std::vector<std::string>& words) {
+        const auto photos = opened().chosenPhotos();
+        if (!photos.empty() && isOneOf(5)) {
+            did("stations taken again");
+            words.emplace_back("--again");
+            words.push_back(opened().station(photos.front().station).name);
         }
     }
 
-    void armScript(practice::PracticeCamera& camera) {
-        if (m_random.integer(0, 3) == 0) {
-            camera.disarm(); // somebody has put right what was wrong
+    void armScript() {
+        if (isOneOf(4)) {
+            m_cameras.disarm(); // somebody has put right what was wrong
         }
         for (const practice::Fault& fault : randomScript(m_random)) {
             ++m_report.faults[std::string(practice::name(fault.kind))];
-            camera.arm(fault);
+            m_cameras.atHand().arm(fault);
         }
     }
 
+    std::map<std::string, Eigen::Vector3d> placesOfStations() const {
+        std::map<std::string, Eigen::Vector3d> places;
+        for (const store::StationRecord& station : opened().stations()) {
+            places[station.name] = station.station.positionM;
+        }
+        return places;
+    }
+
+    /// Brings the camera to the station, or to one that was not asked for.
+    void bringCamera(const std::map<std::string, Eigen::Vector3d>& places, const std::string& station) {
+        const Eigen::Vector3d& asked = places.at(station);
+        Eigen::Vector3d place = asked;
+        if (m_standsWrong && isOneOf(8)) {
+            place =
+                std::next(places.begin(), m_random.integer(0, static_cast<int>(places.size()) - 1))->second;
+            m_people.noteWrongPlace(asked, place);
+            did("carts at a wrong station");
+        }
+        m_cameras.atHand().setPosition(place);
+    }
+
     /// One program, which is killed, stopped, left alone, or has its camera switched off and on.
-    void trouble(practice::PracticeCamera& camera) {
-        test::Program program(m_command);
+    void trouble() {
+        const bool byPerson = isOneOf(3);
+        std::vector<std::string> words = command(m_cameras.address(), byPerson);
+        takeAgain(words);
+        std::optional<TerminalPerson> person;
+        test::Program::Options input;
+        if (byPerson) {
+            did("programs with a person at the terminal");
+            const auto places = placesOfStations();
+            person.emplace(TerminalPerson::Habits{
+                [this, places](const std::string& station) { bringCamera(places, station); },
+                [this] { return isOneOf(2) ? 1 : 3; }});
+            input.inputFile = person->terminal();
+        }
+        test::Program program(words, input);
         ++m_report.programs;
+        m_person = person ? &*person : nullptr;
+        std::optional<test::Program> second;
+        if (m_cameras.count() > 1 && isOneOf(3)) {
+            did("captures with both cameras at a time");
+            second.emplace(command(m_cameras.otherAddress(), false));
+        }
+        disturb(program);
+        m_person = nullptr;
+        if (second) {
+            expectEnd(*second);
+        }
+    }
+
+    void disturb(test::Program& program) {
         const std::chrono::milliseconds patience(m_random.integer(5, 2000));
         switch (m_random.integer(0, 5)) {
         case 0:
         case 1:
-            if (!program.endsWithin(patience)) {
+            if (!endsWithin(program, patience)) {
                 program.signal(SIGKILL);
                 ++m_report.kills;
             }
@@ -132,13 +188,14 @@ class Run {
             m_said += program.errors();
             return;
         case 2:
-            if (!program.endsWithin(patience)) {
+            if (!endsWithin(program, patience)) {
                 interrupt(program);
             }
             break;
         case 3:
-            if (!program.endsWithin(patience)) {
-                camera.befall({practice::FaultKind::Reboot, "", 0, 1, 0, m_random.uniform(1, 15)});
+            if (!endsWithin(program, patience)) {
+                m_cameras.atHand().befall(
+                    {practice::FaultKind::Reboot, "", 0, 1, 0, m_random.uniform(1, 15)});
                 ++m_report.powerCycles;
             }
             break;
@@ -148,26 +205,71 @@ class Run {
         expectEnd(program);
     }
 
-    /// Between two programs people move the cart, and may press the camera's own button.
-    void moveOn(practice::PracticeCamera& camera) {
+    /// While a person, if there is one, does what it says.
+    bool endsWithin(const test::Program& program, std::chrono::milliseconds time) {
+        return m_person == nullptr ? program.endsWithin(time) : m_person->attend(program, time);
+    }
+
+    /// Between two programs people move the cart, press the camera's own button, and work by hand.
+    void betweenPrograms() {
+        moveOn();
+        if (isOneOf(3)) {
+            m_people.import(m_survey);
+        }
+        if (isOneOf(4)) {
+            m_people.retag(m_survey);
+        }
+        if (isOneOf(3)) {
+            m_people.decide(m_survey, false);
+        }
+        if (m_isDrawn && isOneOf(3)) {
+            m_people.align(m_survey);
+        }
+        if (isOneOf(3)) {
+            m_people.correct(m_survey);
+        }
+        if (m_elsewhere && isOneOf(4)) {
+            carrySurvey();
+        }
+        if (isOneOf(4)) {
+            did("changes of the camera");
+            std::vector<Eigen::Vector3d> places;
+            for (const auto& [name, place] : placesOfStations()) {
+                places.push_back(place);
+            }
+            m_cameras.change(places);
+        }
+    }
+
+    /// To another file system and back, as whatever the last program has left.
+    void carrySurvey() {
+        did("copies to another file system");
+        const bool isHome = m_survey.parent_path() == m_folder.path();
+        const fs::path target = (isHome ? m_elsewhere->path() : m_folder.path()) / m_name;
+        fs::copy(m_survey, target, fs::copy_options::recursive);
+        fs::remove_all(m_survey);
+        m_survey = target;
+    }
+
+    void moveOn() {
         const bool isInDoubt = hasShotInDoubt(); // then it would do the most harm
-        if (!isInDoubt && m_random.integer(0, 1) == 0) {
+        if (!isInDoubt && isOneOf(2)) {
             return;
         }
-        camera.setPosition({m_random.uniform(0.2, 1.8), m_random.uniform(0.2, 1.4), 1.2});
-        if (!isInDoubt && m_random.integer(0, 2) > 0) {
+        m_cameras.atHand().setPosition({m_random.uniform(0.2, 1.8), m_random.uniform(0.2, 1.4), 1.2});
+        if (!isInDoubt && !isOneOf(3)) {
             return;
         }
         if (isInDoubt) {
             std::this_thread::sleep_for(kCarried);
         }
-        camera.befall({practice::FaultKind::ExtraPhoto, "", 0, 1, 0, 0});
+        m_cameras.atHand().befall({practice::FaultKind::ExtraPhoto, "", 0, 1, 0, 0});
         ++m_report.faults["button between programs"];
     }
 
     /// Whether a picture may be taken for that of a shot.
     bool hasShotInDoubt() const {
-        const auto shots = store::SurveyStore::open(m_survey, store::Access::Read).openShots();
+        const auto shots = opened().openShots();
         return std::ranges::any_of(
             shots, [](const survey::Shot& shot) { return shot.step < survey::ShotStep::Taken; });
     }
@@ -175,15 +277,19 @@ class Run {
     void interrupt(test::Program& program) {
         const auto begin = Steady::now();
         program.signal(SIGINT);
-        if (program.endsWithin(kHangs)) {
-            m_report.stopSeconds.push_back(std::chrono::duration<double>(Steady::now() - begin).count());
+        if (endsWithin(program, kHangs)) {
+            const std::chrono::duration<double> taken = Steady::now() - begin;
+            m_report.stopSeconds.push_back(taken.count());
+            if (taken > kSlowStop) {
+                violate(text("a program took ", fixed(taken.count(), 1), " s to stop: ", program.errors()));
+            }
         }
     }
 
     /// However it ends, it ends, and says why. Its exit status.
     int expectEnd(test::Program& program) {
-        if (!program.endsWithin(kHangs)) {
-            m_report.findings.violations.push_back("a program does not end: " + program.errors());
+        if (!endsWithin(program, kHangs)) {
+            violate("a program does not end: " + program.errors());
             program.signal(SIGKILL);
         }
         const int status = program.wait();
@@ -191,19 +297,92 @@ class Run {
         m_said += m_lastWords;
         constexpr int kInterrupted = 128 + SIGINT; // before it could do better
         if (status > 100 && status != kInterrupted) {
-            m_report.findings.violations.push_back(
-                text("a program ended with status ", status, ": ", program.errors()));
+            violate(text("a program ended with status ", status, ": ", program.errors()));
         }
         return status;
+    }
+
+    void expectRightPlaces() {
+        for (std::string& sentence : wrongPlaces(m_survey, evidence())) {
+            violate(std::move(sentence));
+        }
+    }
+
+    bool isComplete() const {
+        const store::SurveyStore store = opened();
+        return store.stationsWithoutPhoto().empty() && store.unclearShots().empty() &&
+               store.openShots().empty();
+    }
+
+    int captureQuietly(const std::string& address) {
+        test::Program program(command(address, false));
+        ++m_report.programs;
+        return expectEnd(program);
+    }
+
+    /// With nothing going wrong any more, the survey is brought to its end by what the programs' sentences
+    /// ask for.
+    void finish() {
+        for (int i = 0; i < kLastPrograms; ++i) {
+            m_people.correct(m_survey);
+            m_people.decide(m_survey, i >= kLastPrograms / 2);
+            if (isComplete()) {
+                break;
+            }
+            for (const std::string& address : {m_cameras.address(), m_cameras.otherAddress()}) {
+                if (captureQuietly(address) != 0) {
+                    m_cameras.atHand().befall({practice::FaultKind::Reboot, "", 0, 1, 0, 3});
+                }
+            }
+        }
+        if (!isComplete()) {
+            violate("the last program said: " + m_lastWords);
+        } else if (captureQuietly(m_cameras.address()) != 0) {
+            violate("nothing is left to do, and capture still says: " + m_lastWords);
+        }
+    }
+
+    /// What the truth says of the survey, and of the dataset that a simulator gets.
+    void conclude() {
+        if (m_isDrawn) {
+            m_people.align(m_survey);
+        }
+        const fs::path dataset = m_folder / "dataset";
+        const Answer exported = m_people.run({"export", m_survey.string(), dataset.string()});
+        Findings findings = examine(m_survey, evidence());
+        if (exported.status != 0) {
+            violate("export said: " + exported.errors);
+        } else {
+            examineDataset(dataset, m_cameras, exported.errors, findings);
+            const Answer checked = m_people.run({"check", dataset.string()});
+            if (checked.status != 0) {
+                violate("check said of the dataset: " + checked.output + checked.errors);
+            }
+        }
+        for (const auto& list : {m_violations, m_people.violations()}) {
+            findings.violations.insert(findings.violations.end(), list.begin(), list.end());
+        }
+        m_report.findings = std::move(findings);
+        for (const auto& [deed, count] : m_people.counts()) {
+            m_report.deeds[deed] += count;
+        }
     }
 
     RunOptions m_options;
     test::Random m_random;
     test::TemporaryFolder m_folder;
-    std::filesystem::path m_survey;
-    std::vector<std::string> m_command;
+    std::optional<test::TemporaryFolder> m_elsewhere; ///< in another file system, if there is one
+    std::string m_name;
+    fs::path m_survey;
+    bool m_isDrawn;     ///< The pictures show a room, so that they can be aligned.
+    bool m_standsWrong; ///< The person brings the camera to a wrong station at times.
+    Json m_exposure;
+    RunCameras m_cameras;
+    HandWork m_people;
+    TerminalPerson* m_person = nullptr; ///< who attends the program that runs
     std::string m_said;
     std::string m_lastWords;
+    std::vector<std::string> m_violations;
     RunReport m_report;
 };
 

@@ -19,6 +19,7 @@ struct RunOptions {
 struct RunReport {
     unsigned seed = 0;
     std::map<std::string, int> faults; ///< armed, by name
+    std::map<std::string, int> deeds;  ///< what people did, by name
     int programs = 0;
     int kills = 0;
     int powerCycles = 0;

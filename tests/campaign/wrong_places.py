@@ -18,7 +18,8 @@ import subprocess
 import sys
 import tempfile
 
-KINDS = ("off", "swap", "scale", "stretch", "mirror", "blur", "twice", "still", "none")
+KINDS = ("off", "swap", "scale", "stretch", "both", "mirror", "blur", "twice", "still", "bytes", "place", "mixed", "none")
+OF_THE_WHOLE = ("scale", "stretch", "both", "mirror")
 SOLVED_M = 0.015
 WRONG_M = 0.030
 
@@ -77,20 +78,20 @@ class Survey:
             self.wrong.add(name)
 
     def make_swap(self, data):
-        chosen = self.pick(2 * self.random.randint(1, 2))
+        right = [name for name in self.files if name not in self.wrong]
+        chosen = self.random.sample(right, 2 * self.random.randint(1, 2))
         for a, b in zip(chosen[::2], chosen[1::2]):
             self.tags[a], self.tags[b] = self.tags[b], self.tags[a]
         self.wrong.update(chosen)
 
     def scaled(self, x, y):
-        self.scale = [x, y]
         for tag in self.tags.values():
             tag[0], tag[1] = tag[0] * x, tag[1] * y
         self.rect = [-0.3, -0.3, 0.3 + 0.8 * x, 0.3 + 0.8 * y]
         self.wrong.update(self.files)
 
     def factor(self):
-        return self.random.choice([self.random.uniform(0.8, 0.92), self.random.uniform(1.08, 1.25)])
+        return self.random.uniform(0.8, 1.25)
 
     def make_scale(self, data):
         factor = self.factor()
@@ -100,6 +101,9 @@ class Survey:
         factors = [self.factor(), 1]
         self.random.shuffle(factors)
         self.scaled(*factors)
+
+    def make_both(self, data):
+        self.scaled(self.factor(), self.factor())
 
     def make_mirror(self, data):
         way = self.random.choice(["x", "y", "swapped"])
@@ -111,8 +115,8 @@ class Survey:
                 tag[axis] = 0.8 - tag[axis]
         self.wrong.update(self.files)
 
-    def make_blur(self, data):
-        self.blurred = set(self.pick(5))
+    def make_blur(self, data, count=5):
+        self.blurred = set(self.pick(count))
         for name in self.blurred:
             blurred(data / "photos" / name, self.folder / "in" / name, 31)
 
@@ -130,6 +134,26 @@ class Survey:
         self.truth[second] = self.truth[first]
         self.pair = {first, second}
         self.wrong.add(second)
+
+    def make_bytes(self, data):
+        """One file under two names."""
+        first, second = self.beside()
+        (self.folder / "in" / second).write_bytes((data / "photos" / first).read_bytes())
+        self.truth[second] = self.truth[first]
+        self.pair = {first, second}
+        self.wrong.update(self.pair)
+
+    def make_place(self, data):
+        """Two photos are tagged with one place."""
+        first, second = self.beside()
+        self.tags[second] = self.tags[first]
+        self.pair = {first, second}
+        self.wrong.update(self.pair)
+
+    def make_mixed(self, data):
+        self.make_off(data)
+        self.make_swap(data)
+        self.make_blur(data, 2)
 
     def make_still(self, data):
         """The cart was not moved: another picture of one place, a little darker and of other noise."""
@@ -162,7 +186,10 @@ class Outcome:
         (folder / "places.csv").write_text("file,x_m,y_m,z_m\n" + rows)
         where = folder / "s.spherewalk"
         self.expect(run(cli, "new", where, "--rect", ",".join(map(str, survey.rect)), "--step", survey.step, "--ceiling", 2.6))
-        self.expect(run(cli, "import", where, "--photos", folder / "in", "--positions", folder / "places.csv"))
+        imported = run(cli, "import", where, "--photos", folder / "in", "--positions", folder / "places.csv")
+        if survey.kind != "bytes":
+            self.expect(imported)
+        self.import_words = imported[2]
         _, out, words = run(cli, "align", where, "--json")
         self.align = json.loads(out)
         self.align_words = " ".join(word for word in words.splitlines() if "%" not in word[-20:])
@@ -206,7 +233,7 @@ class Outcome:
         if yaws:
             common = sorted(error for error, _ in yaws.values())[len(yaws) // 2]
             self.z_yaw = [(error - common) / sigma for error, sigma in yaws.values()]
-        if self.survey.kind not in ("scale", "stretch", "mirror"):
+        if self.survey.kind not in OF_THE_WHOLE:
             self.z_place = [error / math.sqrt(2) / sigma for error, sigma in self.errors.values() if sigma > 0]
         return self
 
@@ -226,8 +253,11 @@ class Outcome:
         kind = self.survey.kind
         if kind in ("twice", "still"):
             return [name for name in self.survey.pair if not self.flags().get(name)]
-        if kind in ("scale", "stretch", "mirror"):
-            return [] if self.whole() else ["the whole"]
+        if kind in ("bytes", "place"):
+            said = self.import_words + self.align_words
+            return [name for name in self.survey.pair if name.split(".")[0] not in said]
+        if kind in OF_THE_WHOLE:
+            return [] if self.whole() or max((error for error, _ in self.errors.values()), default=0) <= WRONG_M else ["the whole"]
         return [name for name in self.survey.wrong
                 if not self.told(name) and self.errors.get(name, (1, 0))[0] > SOLVED_M]
 

@@ -54,6 +54,8 @@ class PhotographedSurvey {
 
     std::filesystem::path operator/(const std::filesystem::path& name) const { return m_folder / name; }
 
+    void leaveUnchecked() { m_folder.leaveUnchecked(); }
+
     store::SurveyStore open(store::Access access = store::Access::Read) const {
         return store::SurveyStore::open(m_path, access);
     }

@@ -42,6 +42,7 @@ void becomeProgram(const std::vector<std::string>& command, const Program::Optio
     ::dup2(::open(inputFile.c_str(), O_RDONLY), STDIN_FILENO);
     ::dup2(::open(outputFile.c_str(), O_WRONLY | O_TRUNC), STDOUT_FILENO);
     ::dup2(::open(errorFile.c_str(), O_WRONLY | O_TRUNC), STDERR_FILENO);
+    ::signal(SIGINT, SIG_DFL); // a shell lets what it runs in the background ignore it
     if (options.fileSizeLimit) {
         const auto bytes = static_cast<rlim_t>(*options.fileSizeLimit);
         const rlimit limit{bytes, bytes};

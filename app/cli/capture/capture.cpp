@@ -90,7 +90,8 @@ std::vector<std::int64_t> stationsToRetake(const store::SurveyStore& store, cons
     return ids;
 }
 
-Result resultOf(const jobs::CaptureSurveyReport& report) {
+Result resultOf(const jobs::CaptureSurveyReport& report, const store::SurveyStore& store) {
+    const int undecided = store.counts().unclearShots;
     const std::string notCompared =
         jobs::notComparedText(report.taken, report.notCompared, report.contentNotCompared);
     return {jobs::toJson(report),
@@ -100,6 +101,9 @@ Result resultOf(const jobs::CaptureSurveyReport& report) {
                  report.flawed.empty()
                      ? ""
                      : text(" ", report.flawed.size(), " photos are not good; review lists them."),
+                 undecided == 0 ? ""
+                                : text(" ", counted(undecided, "shot needs", "shots need"),
+                                       " a person's decision; shots lists what can be done."),
                  notCompared.empty() ? "" : "\n", notCompared),
             report.missed.empty()};
 }
@@ -129,7 +133,8 @@ Result follow(const CaptureArguments& options, store::SurveyStore& store, camera
         std::fflush(stdout); // the robot waits for it
     };
     return resultOf(jobs::followPositions(store, client, link, systemClock(), followOptions, context.progress,
-                                          context.stop));
+                                          context.stop),
+                    store);
 }
 
 /// Errors: NotFound for a name that no station has.
@@ -170,7 +175,8 @@ Result capture(const CaptureArguments& options, Context& context) {
         captureOptions.again.push_back(station);
     }
     return resultOf(jobs::captureSurvey(store, *client, *people, systemClock(), captureOptions,
-                                        context.progress, context.stop));
+                                        context.progress, context.stop),
+                    store);
 }
 
 } // namespace

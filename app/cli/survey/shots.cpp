@@ -85,22 +85,26 @@ std::string sentenceOn(const survey::Shot& shot) {
     }
 }
 
+/// The options that end the shot.
+std::string waysOut(const survey::Shot& shot) {
+    const bool canConfirm = shot.step == survey::ShotStep::Unclear && !shot.fileUrl.empty();
+    const std::string number = text(static_cast<long long>(shot.id));
+    return text(canConfirm ? text(" If ", pictureOf(shot), " is its picture: --confirm ", number, ".") : "",
+                " To wait for no picture: --give-up ", number, ".");
+}
+
 Result listedShots(const store::SurveyStore& store) {
     Json json = Json::array();
     std::string lines;
     for (const survey::Shot& shot : shotsWithoutEnd(store)) {
         const std::string station = store.station(shot.station).name;
         const std::string sentence = sentenceOn(shot);
-        const bool canConfirm = shot.step == survey::ShotStep::Unclear && !shot.fileUrl.empty();
         json.push_back({{"shot", shot.id},
                         {"station", station},
                         {"step", name(shot.step)},
                         {"picture", pictureOf(shot)},
                         {"sentence", sentence}});
-        lines += text("\n", static_cast<long long>(shot.id), " at ", station, ": ", sentence,
-                      canConfirm ? text(" If ", pictureOf(shot), " is its picture: --confirm ",
-                                        static_cast<long long>(shot.id), ".")
-                                 : "");
+        lines += text("\n", static_cast<long long>(shot.id), " at ", station, ": ", sentence, waysOut(shot));
     }
     const std::string count = counted(json.size(), "shot has", "shots have");
     return {{{"shots", json}}, text(count, " no end yet.", lines)};

@@ -295,8 +295,9 @@ class AlignRun {
         throwIfStopped(m_stop);
         m_tagged = m_priors;
         solvePoses(0.87, 0.94);
-        if (m_options.checksPositions && !m_report.tagFrame.isMirrored && freeMoved()) {
-            solvePoses(0.94, 0.98);
+        const bool frees = m_options.checksPositions && !m_report.tagFrame.isMirrored;
+        for (double from = 0.94; frees && from < 0.98 && freeMoved(); from += 0.02) { // one may hide another
+            solvePoses(from, from + 0.02);
         }
         m_report.solveSeconds = secondsSince(begin);
     }
@@ -319,12 +320,14 @@ class AlignRun {
 
     /// Frees the photos that were moved far from their tags, so that a wrong tag does not pull at the place.
     bool freeMoved() {
-        const std::vector<std::size_t> moved = movedPhotos(m_tagged, m_report.alignment);
-        if (moved.empty() || 2 * moved.size() > m_priors.size()) {
+        const std::vector<PhotoMove> moved = movedPhotos(m_tagged, m_report.alignment);
+        const bool isNew = std::ranges::any_of(
+            moved, [&](const PhotoMove& one) { return m_report.photos[one.photo].freeSigmaM == 0; });
+        if (!isNew || 2 * moved.size() > m_priors.size()) {
             return false;
         }
-        for (const std::size_t photo : moved) {
-            free(photo, m_report.alignment.photos[photo].roomFromPhoto.translation);
+        for (const PhotoMove& one : moved) {
+            free(one.photo, m_report.alignment.photos[one.photo].roomFromPhoto.translation);
         }
         return true;
     }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_survey.h"
 
@@ -19,26 +18,18 @@ namespace {
 constexpr Radians kDoubtfulSigma = Degrees(0.15);
 /// Of the matches that agreed between two photos alone. Things that move and mirrors are some.
 constexpr double kMostOutliers = 0.5;
-/// A photo that was moved farther from its tag than this was not where its tag says.
-constexpr double kMovedSigmas = 5;
-
 /// Of the deviation that a place was sought with: above it the matches told nothing of it.
 constexpr double kUnknownPlaceShare = 0.5;
 /// A photo whose neighbours contradict more than this is not of this place.
 constexpr double kNothingFits = 0.9;
 
-/// How far the solution moved a photo along the floor.
-double movedM(const align::PhotoPrior& tagged, const align::SolvedPose& pose) {
-    return (pose.roomFromPhoto.translation - tagged.positionM).head<2>().norm();
-}
-
 /// Names photos that the solution moved farther from their tags than tags err in this survey.
 void tellMoved(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
-    for (const std::size_t i : movedPhotos(tagged, report.alignment)) {
-        if (report.alignment.photos[i].hasSigmas()) {
-            propose(Cure::Retake, report.photos[i]);
-            report.photos[i].flags.push_back(text(
-                "It seems to stand ", fixed(100 * movedM(tagged[i], report.alignment.photos[i]), 1),
+    for (const PhotoMove& moved : movedPhotos(tagged, report.alignment)) {
+        if (report.alignment.photos[moved.photo].hasSigmas()) {
+            propose(Cure::Retake, report.photos[moved.photo]);
+            report.photos[moved.photo].flags.push_back(text(
+                "It seems to stand ", fixed(100 * moved.byM, 1),
                 " cm from where it is tagged, farther off than the others: correct its position, or retake "
                 "it at its station."));
         }
@@ -94,26 +85,6 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
 }
 
 } // namespace
-
-std::vector<std::size_t> movedPhotos(std::span<const align::PhotoPrior> tagged,
-                                     const align::Alignment& alignment) {
-    std::vector<double> solvedM;
-    for (std::size_t i = 0; i < tagged.size(); ++i) {
-        if (alignment.photos[i].isSolved) {
-            solvedM.push_back(movedM(tagged[i], alignment.photos[i]));
-        }
-    }
-    // Of a length in two dimensions the median is 1.18 standard deviations along either axis.
-    const double usualM = solvedM.empty() ? 0 : median(std::move(solvedM)) / 1.18;
-    std::vector<std::size_t> moved;
-    for (std::size_t i = 0; i < tagged.size(); ++i) {
-        if (alignment.photos[i].isSolved && movedM(tagged[i], alignment.photos[i]) >
-                                                kMovedSigmas * std::max(usualM, tagged[i].positionSigmaM)) {
-            moved.push_back(i);
-        }
-    }
-    return moved;
-}
 
 void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
     tellMoved(tagged, report);

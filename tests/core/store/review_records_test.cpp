@@ -130,6 +130,18 @@ TEST_F(MovedPhotos, TakeThePlaceOfThePhotoThatWasChosenThere) {
     EXPECT_EQ(m_store.chosenPhoto(stationAt(0)), std::nullopt);
 }
 
+TEST_F(MovedPhotos, LeaveNoStationToBeTakenThatNobodyPlanned) {
+    const std::int64_t unplanned = m_store.addStation({0.5, 0.25, 1.2});
+    const std::int64_t photo = m_store.addPhoto(photoOf(unplanned, "c"));
+    const int stations = m_store.counts().stations;
+    const std::size_t missing = m_store.stationsWithoutPhoto().size();
+    m_store.movePhotos({moved(photo, 0)});
+    EXPECT_EQ(m_store.counts().stations, stations - 1);
+    EXPECT_EQ(m_store.stationsWithoutPhoto().size(), missing);
+    m_store.setReview({m_b, Decision::Rejected, ""});
+    EXPECT_EQ(m_store.stationsWithoutPhoto().size(), missing + 1);
+}
+
 TEST_F(MovedPhotos, MoveAllOrNone) {
     MovedPhoto nowhere = moved(m_b, 0);
     nowhere.station = 9999;

@@ -72,9 +72,9 @@ TEST_F(Sharing, NeedsNoMemoryOfOneMachineOnAShare) {
         EXPECT_EQ(journal(), isOnShare ? "delete" : "wal");
         EXPECT_EQ(std::filesystem::exists(m_path / "survey.sqlite-shm"), !isOnShare);
         const SurveyStore reader = SurveyStore::open(m_path, Access::Read);
-        const int before = reader.counts().stations;
+        const std::size_t before = reader.stations().size();
         m_store.addStation({0, 0, 1});
-        EXPECT_EQ(reader.counts().stations, before + 1);
+        EXPECT_EQ(reader.stations().size(), before + 1);
     }
 }
 

@@ -81,6 +81,7 @@ TEST_F(CapturePipeline, ADiskThatTakesNoMorePhotosEndsTheRunWithItsOwnSentence) 
     cart.onMove = [&](const std::stop_token& stop) {
         if (++moves == 3) {
             cart.waitForEnded(2, stop);
+            m_folder.leaveUnchecked();
             std::filesystem::remove_all(m_store->photoFolder());
             std::filesystem::remove_all(m_store->downloadFolder());
         }

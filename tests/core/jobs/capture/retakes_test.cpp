@@ -102,6 +102,7 @@ TEST_F(Retakes, VerdictsAreGivenToPhotosThatCameOtherwise) {
 }
 
 TEST_F(Retakes, APhotoThatIsGoneIsFailed) {
+    m_survey.leaveUnchecked();
     std::filesystem::remove(m_store.photoFolder() / m_photos[0].fileName);
     judgeSurvey(m_store, false, noProgress(), {});
     EXPECT_EQ(m_store.verdict(m_photos[0].id)->quality, survey::Quality::Failed);

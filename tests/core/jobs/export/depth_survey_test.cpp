@@ -135,6 +135,7 @@ TEST_F(DepthSurvey, FindsNothingInNoPhotos) {
 }
 
 TEST_F(DepthSurvey, NamesAPhotoThatCannotBeRead) {
+    m_survey.leaveUnchecked();
     std::filesystem::remove(m_photos[3].file);
     expectError(ErrorKind::NotFound, m_photos[3].file.filename(), [&] { estimate(); });
 }

@@ -54,12 +54,14 @@ TEST_F(CheckPlaces, NameAPhotoWhoseTagSaysAnotherPlaceThanTheSurvey) {
                             first.fileSha256,
                             first.sizeBytes,
                             true};
+    survey.leaveUnchecked();
     store.movePhotos({moved}); // without a new tag
     EXPECT_THAT(check(), ElementsAre(AllOf(HasSubstr(first.fileName), HasSubstr(stations[0].name),
                                            HasSubstr(stations[1].name))));
 }
 
 TEST_F(CheckPlaces, NameAPhotoThatTheSolutionPutsAtAnotherStation) {
+    survey.leaveUnchecked();
     store::NewSolution solution;
     solution.source = "align";
     solution.model = "position";
@@ -72,6 +74,7 @@ TEST_F(CheckPlaces, NameAPhotoThatTheSolutionPutsAtAnotherStation) {
 }
 
 TEST_F(CheckPlaces, NameAPhotoOfADatasetThatWasMovedByHand) {
+    survey.leaveUnchecked();
     exportDataset(store, survey / "d", {}, noProgress(), {});
     const fs::path description = survey / "d" / std::string(render::kDatasetFile);
     Json json = parseJson(readTextFile(description), "dataset");

@@ -34,6 +34,7 @@ class SolutionFindingsTest : public testing::Test {
             if (i != 2) {
                 store::SolvedPhoto solved;
                 solved.photo = photo.id;
+                solved.positionM = photo.positionM;
                 solved.sigmaYawRad = 0.002;
                 solution.photos.push_back(solved);
             }

@@ -112,10 +112,15 @@ void propose(Cure cure, AlignedPhoto& photo);
 void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
                        AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
 
-/// The photos that the alignment moved farther from their tags than tags err in this survey, as indices.
-/// Shape: tagged has one entry a photo.
-std::vector<std::size_t> movedPhotos(std::span<const align::PhotoPrior> tagged,
-                                     const align::Alignment& alignment);
+/// A photo that the alignment moved farther from its tag than tags err in this survey.
+struct PhotoMove {
+    std::size_t photo = 0; ///< Its index.
+    double byM = 0;        ///< How far along the floor, besides what most photos of its part have in common.
+};
+
+/// The moved photos, in order. Shape: tagged has one entry a photo.
+std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
+                                    const align::Alignment& alignment);
 
 /// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
 /// standard deviations of all places.

@@ -130,7 +130,7 @@ struct SolutionRecord {
 
 /// How much a survey holds.
 struct Counts {
-    int stations = 0;
+    int stations = 0;          ///< Stations of the plan, and others that have a photo.
     int stationsWithPhoto = 0; ///< Stations whose chosen photo was not rejected.
     int photos = 0;
     int rejectedPhotos = 0; ///< Chosen photos that a person rejected.

@@ -86,7 +86,8 @@ class SurveyStore {
     std::vector<StationRecord> stations() const;
     /// Errors: NotFound.
     StationRecord station(std::int64_t id) const;
-    /// The stations where a photo is still to be taken: they have none, or their chosen photo was rejected.
+    /// The stations where a photo is still to be taken: they have none, or their chosen photo was rejected. A
+    /// station outside the plan whose photos were all moved to others is not one.
     std::vector<StationRecord> stationsWithoutPhoto() const;
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
