@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sphere/lattice.h"
 
+#include "sphere/exact_view.h"
 #include "sphere/lattice_simd.h"
 
 #include <algorithm>
@@ -42,6 +43,11 @@ LatticeFrame::LatticeFrame(const RayTable& table, const Rigid3& roomFromCamera, 
         }
         displacement = {from.x(), from.y(), from.z()};
     }
+}
+
+LatticeFrame::LatticeFrame(const Eigen::Matrix3d& matrix, const EquirectSize& photo)
+    : photoFromRay{}, width(photo.width), height(photo.height) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(photoFromRay.data()) = matrix;
 }
 
 LatticeRow::Level::Level(int cellsX, int partsOfCell)
