@@ -105,7 +105,11 @@ bool contains(const Polygon& polygon, const Vector2d& point) {
 }
 
 double distanceToEdge(const Polygon& polygon, const Vector2d& point) {
-    return distanceToEdge(polygon, point, point);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        least = std::min(least, distance(point, polygon[i], after(polygon, i)));
+    }
+    return least;
 }
 
 double distanceToEdge(const Polygon& polygon, const Vector2d& begin, const Vector2d& end) {

@@ -34,7 +34,7 @@ void visitParameters(NodeOptions& options, const Visit& visit) {
     visit("camera_frame", "Optical frame of the camera: z forward, x right, y down", options.cameraFrame);
     visit("rate", "Frames a second of the transforms' time; 0: one for each pose", options.rate);
     visit("scene", "none, sphere, room, depth, blend, or auto", options.scene);
-    visit("sampling", "nearest, bilinear, reduced, footprint, bicubic, or auto", options.sampling);
+    visit("sampling", "nearest, bilinear, reduced, footprint, bicubic, best, or auto", options.sampling);
     visit("late", "What shows a photo that is not decoded yet: wait, coarse, or previous", options.late);
     visit("pace", "Frames whose turn has passed: newest leaves them out, every renders all", options.pace);
     visit("overlay", "How a simulator's objects are told from its room: labels, depth, or alone; or none",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dataset/depth_steps.h"
+
 #include "spherewalk/geometry/equirect.h"
-#include "spherewalk/render/scene_depth.h"
 
 #include <cstdint>
 #include <vector>
@@ -21,10 +22,14 @@ struct KnownDepth {
 /// Threads: const functions may run on any number at a time.
 class DepthEvidence {
   public:
-    explicit DepthEvidence(const DepthMap& map);
+    explicit DepthEvidence(const DepthSteps& depth);
 
-    /// direction: any length but zero.
-    KnownDepth at(const Eigen::Vector3d& direction) const;
+    /// The size of the equirectangular picture whose coordinates at() takes.
+    const EquirectSize& size() const { return m_size; }
+
+    /// What the depth says at a place of that picture. Any other numbers, and what is none, give what some
+    /// place says.
+    KnownDepth at(double u, double v) const;
 
     /// The angle of a pixel of the depth.
     double pixelRad() const { return m_pixelRad; }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace spherewalk::render {
@@ -81,14 +82,12 @@ class SightMap {
   public:
     SightMap() = default;
 
-    explicit SightMap(const DepthMap& map) {
-        const int side = std::max(1, map.width() / kWidth);
-        m_size = {map.width() / side, map.height() / side};
-        m_inverseM.resize(static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(m_size.height));
+    explicit SightMap(const DepthSteps& depth) {
+        const int side = std::max(1, depth.width() / kWidth);
+        m_size = {depth.width() / side, depth.height() / side};
+        m_inverseM.reserve(static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(m_size.height));
         for (int y = 0; y < m_size.height; ++y) {
-            for (int x = 0; x < m_size.width; ++x) {
-                m_inverseM[index(x, y)] = farthest(map, x * side, y * side, side);
-            }
+            addRow(depth, y * side, side);
         }
     }
 
@@ -127,19 +126,25 @@ class SightMap {
                static_cast<std::size_t>(x);
     }
 
-    /// 0 where less than half of the patch is sure.
-    static float farthest(const DepthMap& map, int left, int top, int side) {
-        float least = std::numeric_limits<float>::infinity();
-        int sure = 0;
+    /// Adds a row of patches. The value is 0 where less than half of a patch is sure.
+    void addRow(const DepthSteps& depth, int top, int side) {
+        const auto width = static_cast<std::size_t>(m_size.width) * static_cast<std::size_t>(side);
+        std::vector<std::uint16_t> least(width, std::numeric_limits<std::uint16_t>::max());
+        std::vector<std::uint16_t> sure(width);
         for (int y = top; y < top + side; ++y) {
-            for (int x = left; x < left + side; ++x) {
-                if (*map.sure().at(x, y) != 0) {
-                    least = std::min(least, *map.inverseM().at(x, y));
-                    ++sure;
-                }
+            const std::uint16_t* values = depth.row(y);
+            for (std::size_t x = 0; x < width; ++x) {
+                const auto isSure = static_cast<std::uint16_t>(values[x] & 1U);
+                const auto unsure = static_cast<std::uint16_t>(isSure - 1U); // all bits, or none
+                least[x] = std::min(least[x], static_cast<std::uint16_t>(values[x] | unsure));
+                sure[x] = static_cast<std::uint16_t>(sure[x] + isSure);
             }
         }
-        return 2 * sure >= side * side ? least : 0;
+        for (auto left = least.begin(); left != least.end(); left += side) {
+            const auto first = sure.begin() + (left - least.begin());
+            const bool isEnough = 2 * std::accumulate(first, first + side, 0) >= side * side;
+            m_inverseM.push_back(isEnough ? DepthSteps::inverseM(*std::min_element(left, left + side)) : 0);
+        }
     }
 
     EquirectSize m_size;
@@ -218,8 +223,14 @@ class SightMaps {
         return of.depth.empty() ? nullptr : kept(photo, of)->evidence;
     }
 
+    /// The depth's file, which several parts of a first view read.
+    std::shared_ptr<const DepthSteps> depth(std::size_t photo, const DatasetPhoto& of) {
+        return m_depths.get(photo, [&] { return DepthSteps::read(m_folder / of.depth); });
+    }
+
   private:
-    static constexpr std::size_t kKept = 96; ///< Each has 640 KB.
+    static constexpr std::size_t kKept = 96;      ///< Each has 640 KB.
+    static constexpr std::size_t kDepthsKept = 4; ///< Each has 1 MB.
 
     struct Solid {
         Polygon outline;
@@ -230,8 +241,8 @@ class SightMaps {
     std::shared_ptr<const DepthKept> kept(std::size_t photo, const DatasetPhoto& of) {
         return m_maps.get(photo, [&]() -> DepthKept {
             try {
-                const DepthMap map = DepthMap::read(m_folder / of.depth);
-                return {SightMap(map), std::make_shared<const DepthEvidence>(map)};
+                const std::shared_ptr<const DepthSteps> steps = depth(photo, of);
+                return {SightMap(*steps), std::make_shared<const DepthEvidence>(*steps)};
             } catch (const Error&) {
                 return {};
             }
@@ -253,6 +264,7 @@ class SightMaps {
     Polygon m_outline; ///< It is empty if it is not known.
     std::vector<Solid> m_solids;
     RecentlyUsed<std::size_t, DepthKept> m_maps{kKept};
+    RecentlyUsed<std::size_t, DepthSteps> m_depths{kDepthsKept};
 };
 
 Dataset::Dataset(std::filesystem::path folder, DatasetInfo info)
@@ -278,6 +290,10 @@ bool Dataset::seesFirmly(std::size_t photo, const Vector3d& pInRoom) const {
 
 std::shared_ptr<const DepthEvidence> Dataset::evidence(std::size_t photo) const {
     return m_sight->evidence(photo, m_info.photos.at(photo));
+}
+
+std::shared_ptr<const DepthSteps> Dataset::depth(std::size_t photo) const {
+    return m_sight->depth(photo, m_info.photos.at(photo));
 }
 
 bool Dataset::isOutside(const Vector3d& pInRoom) const {

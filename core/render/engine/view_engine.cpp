@@ -283,16 +283,15 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, cons
     view.report.decodeMs = waitedMs;
     view.report.decodedTiles = waitedTiles;
     view.report.filledShare = surfaceView.filledShare();
-    DepthImage depth;
-    if (request.options.wantsDepth || !request.options.overlays.empty()) {
-        depth = surfaceView.depth(*rays);
-    }
     ViewEvidence evidence = this->evidence(request, plan, chosen.photos);
     evidence.inverseM = [&surfaceView, isPinhole = request.camera.intrinsics().lens == LensModel::Pinhole](
                             int x, int y, const Eigen::Vector3d& ray) {
         return surfaceView.inverse(x, y) * (isPinhole ? ray.z() : 1);
     };
-    addLayers(request, plan, planes.front(), tools, evidence, std::move(depth), view);
+    const auto depthOfSurfaces = [&](DepthImage memory) {
+        return surfaceView.depth(*rays, tools.pool, tools.threads, std::move(memory));
+    };
+    addLayers(request, plan, planes.front(), tools, evidence, depthOfSurfaces, view);
 }
 
 void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Served& served,
@@ -346,13 +345,11 @@ ViewEvidence ViewEngine::evidence(const ViewRequest& request, const Plan& plan,
 }
 
 /// Adds the dataset's colour correction, and to the report how far the view can be trusted. Then it adds
-/// depth, overlays and trust, if they are wanted. depth: that of the view, if it is known already.
+/// depth, overlays and trust, if they are wanted. surfaceDepth: makes the depth of a view from surfaces.
 void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo,
-                           const Tools& tools, ViewEvidence evidence, DepthImage depth, View& view) {
+                           const Tools& tools, ViewEvidence evidence, const MakeDepth& surfaceDepth,
+                           View& view) {
     const ViewOptions& options = request.options;
-    view.depth = {};
-    view.trust = {};
-    view.overlaid = {};
     if (m_colour && options.correctsColour) {
         m_colour->apply(view.picture, *pixelRaysOf(request.camera, tools), tools.pool, tools.threads);
     }
@@ -369,20 +366,27 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
     report.trust = evidence.isKnown ? 1 / (1 + report.parallaxPx + report.blurPx) : 0;
     const bool needDepth = std::any_of(options.overlays.begin(), options.overlays.end(),
                                        [](const Overlay& overlay) { return overlay.roomDepth.empty(); });
+    DepthImage& depth = options.wantsDepth ? view.depth : tools.memory.depth;
     if (options.wantsDepth || needDepth) {
-        view.depth = plan.surface ? std::move(depth) : viewDepth(geometry, tools.pool, tools.threads);
+        depth = plan.surface ? surfaceDepth(std::move(depth))
+                             : viewDepth(geometry, tools.pool, tools.threads, std::move(depth));
     }
-    if (!options.overlays.empty()) {
+    if (options.overlays.empty()) {
+        view.overlaid = {};
+    } else {
         ComposeOptions compose = options.compose;
         compose.threads = tools.threads;
-        m_composer.compose(options.overlays, request.camera, view.depth, compose, tools.pool, view.picture,
-                           &view.overlaid);
+        const DepthImage none;
+        m_composer.compose(options.overlays, request.camera, needDepth ? depth : none, compose, tools.pool,
+                           view.picture, &view.overlaid);
     }
     if (options.wantsTrust) {
         TrustOptions trust;
         trust.coarseness = static_cast<double>(whole.width) / photo.size().width;
         trust.overlays = view.overlaid.empty() ? nullptr : &view.overlaid;
-        view.trust = pixelTrust(geometry, evidence, trust, tools.pool, tools.threads);
+        view.trust = pixelTrust(geometry, evidence, trust, tools.pool, tools.threads, std::move(view.trust));
+    } else {
+        view.trust = {};
     }
     if (!options.wantsDepth) {
         view.depth = {};

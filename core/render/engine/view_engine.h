@@ -9,6 +9,7 @@
 
 #include "spherewalk/base/recently_used.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -77,6 +78,7 @@ class ViewEngine {
         Workspace workspace;
         SurfaceView surfaceView;
         SurfaceView blendedView{true};
+        DepthImage depth; ///< For overlays alone.
     };
 
     /// What one view is drawn with. threads: the most to use of the pool.
@@ -109,8 +111,10 @@ class ViewEngine {
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
     ViewEvidence evidence(const ViewRequest& request, const Plan& plan,
                           const std::vector<std::size_t>& shown) const;
+    /// Makes a depth in memory that was used before.
+    using MakeDepth = std::function<DepthImage(DepthImage memory)>;
     void addLayers(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
-                   ViewEvidence evidence, DepthImage depth, View& view);
+                   ViewEvidence evidence, const MakeDepth& surfaceDepth, View& view);
 
     std::shared_ptr<const Dataset> m_dataset;
     std::shared_ptr<PhotoFiles> m_photos;

@@ -2,6 +2,7 @@
 #include "spherewalk/render/overlay.h"
 
 #include "layers/overlay_layer.h"
+#include "layers/overlay_pixels.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/recently_used.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,11 +75,27 @@ struct Layer {
         return span;
     }
 
+    /// Lays in pixels of a row that hide all that is behind them, from x on up to the first one that may not.
+    /// Returns that one, or `end`.
+    int layOpaque(int x, int end, int y, const DepthImage& viewDepth, RgbImage& picture) const {
+        if (!map) {
+            const int next = pixels.opaqueEnd(x, end, y);
+            simd::copyColours(pixels.picture().at(x, y), next - x, picture.at(x, y));
+            return next;
+        }
+        const std::span<const OverlayMap::Position> row = map->row(y);
+        const int next = pixels.opaqueEnd(row, x, end, viewDepth.empty() ? nullptr : viewDepth.at(0, y));
+        simd::coloursBetween(pixels.picture(),
+                             row.subspan(static_cast<std::size_t>(x), static_cast<std::size_t>(next - x)),
+                             picture.at(x, y));
+        return next;
+    }
+
     Shown at(int x, int y, float viewDepth) const {
         if (!map) {
             return pixels.pixel(x, y);
         }
-        const OverlayMap::Position position = map->at(x, y);
+        const OverlayMap::Position& position = map->at(x, y);
         return pixels.mayShow(position) ? pixels.between(position, viewDepth) : Shown();
     }
 };
@@ -127,14 +145,14 @@ void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y
         const OverlayLayer::Span span = space.spans.emplace_back(layer.span(y, picture.width()));
         row = {std::min(row.begin, span.begin), std::max(row.end, span.end)};
     }
-    const bool isAlone = layers.size() == 1 && !layers.front().map;
     for (int x = row.begin; x < row.end; ++x) {
-        if (const std::uint8_t* colour = isAlone ? layers.front().pixels.opaque(x, y) : nullptr) {
-            std::copy_n(colour, RgbImage::kChannels, picture.at(x, y));
-            if (shown != nullptr) {
-                *shown->at(x, y) = 255;
-            }
-            continue;
+        const int next = layers.size() == 1 ? layers.front().layOpaque(x, row.end, y, viewDepth, picture) : x;
+        if (shown != nullptr) {
+            std::fill(shown->at(x, y), shown->at(0, y) + next, std::uint8_t{255});
+        }
+        x = next;
+        if (x == row.end) {
+            break;
         }
         gather(layers, space.spans, x, y, viewDepth.empty() ? 0 : *viewDepth.at(x, y), space.pile);
         if (!space.pile.empty()) {
@@ -153,9 +171,9 @@ struct Composer::State {
                 const ComposeOptions& options, WorkerPool& pool) {
         if (overlay.camera == camera.intrinsics()) {
             const DepthImage& room = overlay.roomDepth.empty() ? viewDepth : overlay.roomDepth;
-            return {OverlayLayer(overlay, room, options, pool), nullptr};
+            return {OverlayLayer(overlay, room, OverlayLayer::Lookup::OneForOne, options, pool), nullptr};
         }
-        return {OverlayLayer(overlay, overlay.roomDepth, options, pool),
+        return {OverlayLayer(overlay, overlay.roomDepth, OverlayLayer::Lookup::Between, options, pool),
                 maps.get({camera.intrinsics(), overlay.camera}, [&] {
                     return OverlayMap(camera, CameraModel(overlay.camera), pool, options.threads);
                 })};
@@ -187,7 +205,10 @@ void Composer::compose(std::span<const Overlay> overlays, const CameraModel& cam
         layers.push_back(m_state->layer(overlay, camera, viewDepth, options, pool));
     }
     if (shown != nullptr) {
-        *shown = MaskImage(picture.width(), picture.height());
+        if (shown->width() != picture.width() || shown->height() != picture.height()) {
+            *shown = MaskImage(picture.width(), picture.height());
+        }
+        std::fill(shown->values().begin(), shown->values().end(), std::uint8_t{0});
     }
     std::vector<RowSpace> spaces(static_cast<std::size_t>(pool.threads()));
     pool.run(picture.height(), options.threads, [&](int y, int worker) {

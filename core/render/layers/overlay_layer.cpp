@@ -13,6 +13,8 @@ namespace {
 
 constexpr float kNoDepth = std::numeric_limits<float>::infinity();
 constexpr std::int16_t kNotThere = -1; ///< A pixel without an object: neighbours ignore it.
+/// Pixels side by side that are looked at together first, since most of them are alike.
+constexpr int kTogether = 16;
 
 /// How much the depth of one surface may change from pixel to pixel: 3 % are 87 degrees of inclination where
 /// a pixel spans a tenth of a degree.
@@ -33,12 +35,12 @@ OverlayMap::Position positionOf(const Vector2d& pixel, const CameraModel& view, 
 } // namespace
 
 OverlayMap::OverlayMap(const CameraModel& view, const CameraModel& other, WorkerPool& pool, int threads)
-    : m_positions(view.width(), view.height()) {
+    : m_width(view.width()),
+      m_positions(static_cast<std::size_t>(view.width()) * static_cast<std::size_t>(view.height())) {
     pool.run(view.height(), threads, [&](int y, int) {
         for (int x = 0; x < view.width(); ++x) {
-            const Position position = positionOf(Vector2d(x, y), view, other);
-            m_positions.at(x, y)[0] = position.u;
-            m_positions.at(x, y)[1] = position.v;
+            m_positions[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) +
+                        static_cast<std::size_t>(x)] = positionOf(Vector2d(x, y), view, other);
         }
     });
 }
@@ -55,8 +57,8 @@ int DepthTest::shown(float object, float room) const {
     return static_cast<int>(255 * (2 - behind / tolerance) + 0.5);
 }
 
-OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, const ComposeOptions& options,
-                           WorkerPool& pool)
+OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, Lookup lookup,
+                           const ComposeOptions& options, WorkerPool& pool)
     : m_overlay(overlay),
       m_test(options),
       m_edges(options.edges),
@@ -71,9 +73,18 @@ OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, 
             m_rows = {std::min(m_rows.begin, y), y + 1};
         }
     }
-    if (roomDepth.empty() || m_rows.begin >= m_rows.end) {
+    if (m_rows.begin >= m_rows.end) {
         return;
     }
+    if (!roomDepth.empty()) {
+        test(roomDepth, options, pool);
+    }
+    if (lookup == Lookup::Between) {
+        findSolids(options, pool);
+    }
+}
+
+void OverlayLayer::test(const DepthImage& roomDepth, const ComposeOptions& options, WorkerPool& pool) {
     const int rows = m_rows.end - m_rows.begin;
     Tested tested(m_columns.end - m_columns.begin, rows);
     std::vector<std::uint8_t> isHidden(static_cast<std::size_t>(rows) + 2); // with a row above and one below
@@ -88,11 +99,55 @@ OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, 
     });
 }
 
+/// The depths of a row of the box where pixels hide all that is behind them; else +infinity.
+void OverlayLayer::solidRow(int y, float* depths) const {
+    const int width = m_columns.end - m_columns.begin;
+    const std::uint8_t* rgba = m_overlay.picture.at(m_columns.begin, y);
+    const float* own = m_overlay.depth.at(m_columns.begin, y);
+    for (int x = 0; x < width; ++x) {
+        depths[x] = rgba[4 * x + 3] == 255 && own[x] > 0 ? own[x] : kNoDepth;
+    }
+    const std::uint8_t* shown = m_shown.empty() ? nullptr : m_shown.at(0, y - m_rows.begin);
+    for (int x = 0; x < width && shown != nullptr; ++x) {
+        depths[x] = shown[x] == 255 ? depths[x] : kNoDepth;
+    }
+}
+
+void OverlayLayer::findSolids(const ComposeOptions& options, WorkerPool& pool) {
+    const int width = m_columns.end - m_columns.begin;
+    m_solid = Image<float, 1>(width, m_rows.end - m_rows.begin);
+    pool.run(m_solid.height(), options.threads, [&](int row, int) {
+        std::vector<float> upper(static_cast<std::size_t>(width) + 1, kNoDepth);
+        std::vector<float> lower(upper);
+        solidRow(m_rows.begin + row, upper.data());
+        if (row + 1 < m_solid.height()) {
+            solidRow(m_rows.begin + row + 1, lower.data());
+        }
+        float* solid = m_solid.at(0, row);
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+            solid[x] = std::max(std::max(upper[x], upper[x + 1]), std::max(lower[x], lower[x + 1]));
+        }
+    });
+}
+
 OverlayLayer::Span OverlayLayer::found(int y) const {
     const std::uint8_t* row = m_overlay.picture.at(0, y);
+    const auto isClear = [&](int begin) {
+        unsigned any = 0;
+        for (int i = 0; i < kTogether; ++i) {
+            any |= row[4 * (begin + i) + 3];
+        }
+        return any == 0;
+    };
     Span span{0, m_overlay.picture.width()};
+    while (span.begin + kTogether <= span.end && isClear(span.begin)) {
+        span.begin += kTogether;
+    }
     while (span.begin < span.end && row[4 * span.begin + 3] == 0) {
         ++span.begin;
+    }
+    while (span.begin + kTogether <= span.end && isClear(span.end - kTogether)) {
+        span.end -= kTogether;
     }
     while (span.begin < span.end && row[4 * span.end - 1] == 0) {
         --span.end;
@@ -114,11 +169,30 @@ float OverlayLayer::depth(int x, int y) const {
     return nearest;
 }
 
+/// Whether kTogether pixels have objects with depths, and the room has none that is nearer. If this is
+/// false, each pixel must be tested by itself.
+bool OverlayLayer::isPlainlyInFront(int x, int y, const DepthImage& roomDepth) const {
+    const std::uint8_t* rgba = m_overlay.picture.at(x, y);
+    const float* objects = m_overlay.depth.at(x, y);
+    const float* rooms = roomDepth.at(x, y);
+    int plain = 0;
+    for (int i = 0; i < kTogether; ++i) {
+        const bool isThere = rgba[4 * i + 3] != 0 && objects[i] > 0 && objects[i] < kNoDepth;
+        plain += isThere && objects[i] <= rooms[i] ? 1 : 0;
+    }
+    return plain == kTogether;
+}
+
 bool OverlayLayer::testRow(int y, const DepthImage& roomDepth, Tested& tested) const {
     bool isInFront = true;
     std::int16_t* row = tested.at(0, y - m_rows.begin);
     std::fill_n(row, tested.width(), kNotThere);
     for (int x = span(y).begin; x < span(y).end; ++x) {
+        if (x + kTogether <= span(y).end && isPlainlyInFront(x, y, roomDepth)) {
+            std::fill_n(row + (x - m_columns.begin), kTogether, std::int16_t{255});
+            x += kTogether - 1;
+            continue;
+        }
         const float object = m_overlay.picture.at(x, y)[3] != 0 ? depth(x, y) : kNoDepth;
         if (isDepth(object)) {
             const int shown = m_test.shown(object, *roomDepth.at(x, y));
@@ -130,13 +204,19 @@ bool OverlayLayer::testRow(int y, const DepthImage& roomDepth, Tested& tested) c
 }
 
 void OverlayLayer::softenRow(int y, const Tested& tested, bool isHidden) {
+    const std::int16_t* own = tested.at(0, y - m_rows.begin);
+    std::uint8_t* shown = m_shown.at(0, y - m_rows.begin);
+    if (!isHidden) {
+        for (int x = 0; x < tested.width(); ++x) {
+            shown[x] = own[x] == kNotThere ? std::uint8_t{0} : std::uint8_t{255};
+        }
+        return;
+    }
     for (int x = span(y).begin; x < span(y).end; ++x) {
-        const int own = *tested.at(x - m_columns.begin, y - m_rows.begin);
-        if (own != kNotThere && !isHidden) {
-            *m_shown.at(x - m_columns.begin, y - m_rows.begin) = 255;
-        } else if (own != kNotThere) {
-            *m_shown.at(x - m_columns.begin, y - m_rows.begin) =
-                static_cast<std::uint8_t>(m_edges == Edges::Soft ? softened(x, y, tested) : own);
+        const int value = own[x - m_columns.begin];
+        if (value != kNotThere) {
+            shown[x - m_columns.begin] =
+                static_cast<std::uint8_t>(m_edges == Edges::Soft ? softened(x, y, tested) : value);
         }
     }
 }
@@ -184,10 +264,49 @@ void OverlayLayer::add(int x, int y, std::uint64_t weight, float viewDepth, std:
     }
 }
 
-const std::uint8_t* OverlayLayer::opaque(int x, int y) const {
-    const std::uint8_t* rgba = m_overlay.picture.at(x, y);
+bool OverlayLayer::isOpaque(int x, int y) const {
     const bool isShown = m_shown.empty() || *m_shown.at(x - m_columns.begin, y - m_rows.begin) == 255;
-    return rgba[3] == 255 && isShown && isDepth(depth(x, y)) ? rgba : nullptr;
+    return m_overlay.picture.at(x, y)[3] == 255 && isShown && isDepth(depth(x, y));
+}
+
+int OverlayLayer::opaqueEnd(int x, int end, int y) const {
+    const auto areOpaque = [&](int begin) {
+        const std::uint8_t* rgba = m_overlay.picture.at(begin, y);
+        const std::uint8_t* shown = m_shown.at(begin - m_columns.begin, y - m_rows.begin);
+        unsigned all = 255;
+        for (int i = 0; i < kTogether; ++i) {
+            all &= rgba[4 * i + 3] & shown[i];
+        }
+        return all == 255;
+    };
+    while (!m_shown.empty() && x + kTogether <= end && areOpaque(x)) {
+        x += kTogether;
+    }
+    while (x < end && isOpaque(x, y)) {
+        ++x;
+    }
+    return x;
+}
+
+int OverlayLayer::opaqueEnd(std::span<const OverlayMap::Position> row, int x, int end,
+                            const float* viewDepth) const {
+    const auto width = static_cast<unsigned>(m_solid.width());
+    const auto height = static_cast<unsigned>(m_solid.height());
+    const float* solids = m_solid.values().data();
+    for (; x < end; ++x) {
+        const OverlayMap::Position& at = row[static_cast<std::size_t>(x)];
+        const auto column = static_cast<unsigned>((at.u >> 8) - m_columns.begin);
+        const auto line = static_cast<unsigned>((at.v >> 8) - m_rows.begin);
+        if (column >= width || line >= height) {
+            break;
+        }
+        const float solid = solids[std::size_t{line} * width + column];
+        const float room = viewDepth != nullptr && m_shown.empty() ? viewDepth[x] : 0;
+        if (!(solid < kNoDepth) || (solid > room && isDepth(room))) {
+            break;
+        }
+    }
+    return x;
 }
 
 Shown OverlayLayer::pixel(int x, int y) const {

@@ -6,10 +6,12 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/render/overlay.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace spherewalk::render {
@@ -36,13 +38,16 @@ class OverlayMap {
     /// Cost: about a microsecond a pixel of the view.
     OverlayMap(const CameraModel& view, const CameraModel& other, WorkerPool& pool, int threads);
 
-    Position at(int x, int y) const {
-        const std::int32_t* at = m_positions.at(x, y);
-        return {at[0], at[1]};
+    const Position& at(int x, int y) const { return row(y)[static_cast<std::size_t>(x)]; }
+
+    std::span<const Position> row(int y) const {
+        const auto width = static_cast<std::size_t>(m_width);
+        return std::span(m_positions).subspan(static_cast<std::size_t>(y) * width, width);
     }
 
   private:
-    Image<std::int32_t, 2> m_positions;
+    int m_width;
+    std::vector<Position> m_positions;
 };
 
 /// What an overlay shows in one pixel of the view, in integers, so that nothing is rounded before the end.
@@ -72,9 +77,15 @@ class DepthTest {
 /// it. Threads: const functions may run on any number at a time.
 class OverlayLayer {
   public:
+    /// How a view's pixels find what an overlay shows.
+    enum class Lookup {
+        OneForOne, ///< The overlay's pixels are those of the view.
+        Between,   ///< Another camera took the overlay.
+    };
+
     /// roomDepth: the room's depth for each pixel of the overlay; empty if only the view's pixels have it.
-    OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, const ComposeOptions& options,
-                 WorkerPool& pool);
+    OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, Lookup lookup,
+                 const ComposeOptions& options, WorkerPool& pool);
 
     /// Pixels or rows that may show an object. There are none if begin >= end.
     struct Span {
@@ -89,14 +100,26 @@ class OverlayLayer {
     /// What one of the overlay's own pixels shows. Without a roomDepth it is in front of everything.
     Shown pixel(int x, int y) const;
 
-    /// The pixel's colour if it hides all that is behind it, else null.
-    const std::uint8_t* opaque(int x, int y) const;
+    /// The first of a row's pixels from x on that may not hide all that is behind it; at most `end`.
+    int opaqueEnd(int x, int end, int y) const;
+
+    /// The first of a row's positions from x on about which not all four pixels surely hide what is behind
+    /// them; at most `end`. viewDepth: as in between(), for the row; null if it is not known.
+    int opaqueEnd(std::span<const OverlayMap::Position> row, int x, int end, const float* viewDepth) const;
+
+    const RgbaImage& picture() const { return m_overlay.picture; }
 
     /// False only where between() surely shows nothing.
     bool mayShow(const OverlayMap::Position& position) const {
         const int x = position.u >> 8;
         const int y = position.v >> 8;
-        return x + 1 >= m_columns.begin && x < m_columns.end && y + 1 >= m_rows.begin && y < m_rows.end;
+        if (x + 1 < m_columns.begin || x >= m_columns.end || y + 1 < m_rows.begin || y >= m_rows.end) {
+            return false;
+        }
+        const Span& upper = m_spans[static_cast<std::size_t>(std::max(y, 0))];
+        const Span& lower =
+            m_spans[static_cast<std::size_t>(std::min(y + 1, static_cast<int>(m_spans.size()) - 1))];
+        return x + 1 >= std::min(upper.begin, lower.begin) && x < std::max(upper.end, lower.end);
     }
 
     /// What the overlay shows between its pixels, bilinearly. viewDepth: the room's depth at the view's
@@ -113,6 +136,11 @@ class OverlayLayer {
     bool testRow(int y, const DepthImage& roomDepth, Tested& tested) const;
     /// isHidden: whether the room hides some of this row or of those beside it.
     void softenRow(int y, const Tested& tested, bool isHidden);
+    bool isPlainlyInFront(int x, int y, const DepthImage& roomDepth) const;
+    void test(const DepthImage& roomDepth, const ComposeOptions& options, WorkerPool& pool);
+    bool isOpaque(int x, int y) const;
+    void solidRow(int y, float* depths) const;
+    void findSolids(const ComposeOptions& options, WorkerPool& pool);
     int softened(int x, int y, const Tested& tested) const;
     void add(int x, int y, std::uint64_t weight, float viewDepth, std::uint64_t& heaviest, Shown& sum) const;
 
@@ -124,6 +152,9 @@ class OverlayLayer {
     Span m_rows{0, 0};
     MaskImage m_shown; ///< The size is that of the box. It is empty if only the view's pixels have the room's
                        ///< depth.
+    /// The greatest depth of the four pixels from each one to the right and down, if all hide what is behind
+    /// them; else +infinity. The size is that of the box; it is empty without Lookup::Between.
+    Image<float, 1> m_solid;
 };
 
 } // namespace spherewalk::render

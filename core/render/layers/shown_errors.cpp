@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "layers/shown_errors.h"
 
+#include "sphere/lattice_simd.h"
+
 #include "spherewalk/geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <memory>
 
 namespace spherewalk::render {
 
@@ -56,78 +60,189 @@ double pixelsPerRadian(const CameraModel& camera, const Vector2d& pixel, const V
     return (ahead.value_or(pixel) - behind.value_or(pixel)).norm() / (steps * kStep);
 }
 
+/// Whether a point lies inside of an outline. Points on an edge may count as either.
+bool isInside(const Polygon& outline, const Vector2d& point) {
+    bool isInside = false;
+    Vector2d a = outline.back() - point;
+    for (const Vector2d& corner : outline) {
+        const Vector2d b = corner - point;
+        if ((a.y() > 0) != (b.y() > 0)) {
+            isInside ^= (b.y() > a.y()) == (a.x() * b.y() > a.y() * b.x());
+        }
+        a = b;
+    }
+    return isInside;
+}
+
 bool isBeyond(const RoomShape& room, const Vector3d& pInRoom) {
     return pInRoom.z() < room.floorM - kBeyondM || pInRoom.z() > room.ceilingM + kBeyondM ||
-           (!contains(room.outline, pInRoom.head<2>()) &&
+           (!isInside(room.outline, pInRoom.head<2>()) &&
             distanceToEdge(room.outline, pInRoom.head<2>()) > kBeyondM);
 }
 
 } // namespace
 
-/// The thing in a view of photos' depths: the first photo whose depth agrees shows it.
-ShownErrors::Thing ShownErrors::ofDepths(const Vector3d& direction, double modelInverseM) const {
-    const std::vector<PhotoEvidence>& photos = m_evidence.photos;
-    Thing thing;
-    thing.inverseM = modelInverseM;
-    thing.fromCamera = direction / modelInverseM;
-    thing.isFilled = thing.isDoubtful = true;
-    for (std::size_t i = 0; i < m_evidence.shown; ++i) {
-        if (!photos[i].depth) {
+void look(const DepthEvidence& depth, const Eigen::Matrix3d& photoFrom, const Directions& directions,
+          std::span<KnownDepth> known) {
+    std::vector<double> u(known.size() + Directions::kMore);
+    std::vector<double> v(u.size());
+    simd::photoCoordinates(LatticeFrame(photoFrom, depth.size()),
+                           {directions.component(0), directions.component(1), directions.component(2)},
+                           static_cast<int>(known.size()), {u.data(), v.data(), nullptr, nullptr});
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        known[i] = depth.at(u[i], v[i]);
+    }
+}
+
+ShownErrors::ShownErrors(const SceneRays& scene, const ViewGeometry& view, const ViewEvidence& evidence)
+    : m_camera(view.rays.camera()),
+      m_scene(scene),
+      m_view(view),
+      m_evidence(evidence),
+      m_roomFromCamera(view.roomFromCamera.rotation.toRotationMatrix()) {
+    for (const PhotoEvidence& photo : evidence.photos) {
+        m_offsets.push_back(view.roomFromCamera.translation - photo.roomFromPhoto.translation);
+        m_offsetsInCamera.push_back(m_roomFromCamera.transpose() * m_offsets.back());
+        m_photoFromRoom.push_back(photo.roomFromPhoto.rotation.conjugate().toRotationMatrix());
+    }
+}
+
+ShownErrors::Modelled ShownErrors::modelled(const ViewPixel& pixel) const {
+    Modelled model{m_roomFromCamera * pixel.ray, 0};
+    if (m_evidence.inverseM) {
+        model.inverseM = m_evidence.inverseM(pixel.x, pixel.y, pixel.ray);
+    } else if (const double distance = m_scene.distanceM(pixel.ray); std::isfinite(distance)) {
+        model.inverseM = 1 / distance;
+    }
+    return model;
+}
+
+/// Whether the photo's depth agrees with the model, so that the photo shows the thing. What is known of the
+/// thing is then told. It is told of the first photo in any case.
+bool ShownErrors::isShownBy(std::size_t photo, const Modelled& model, const Vector3d& place,
+                            const KnownDepth& depth, Thing& thing) const {
+    const double ownM = model.inverseM / place.norm();
+    const bool isSame = std::abs(depth.inverseM - ownM) < kSameShare * ownM;
+    if (isSame || photo == 0) {
+        thing.source = photo;
+        thing.isFilled = !isSame;
+        thing.isDoubtful = !isSame || !depth.isSure || !depth.isAmongSure ||
+                           depth.spreadM > kUnsureSpreadShare * model.inverseM;
+        thing.residualM =
+            kSpreadShare * std::min(depth.spreadM, kMostSpread) +
+            (depth.isSure ? 0 : kUnsureShare * model.inverseM) +
+            (isSame ? 0 : kFilledShare * std::min(std::abs(depth.inverseM - ownM), kMostContradiction));
+    }
+    return isSame;
+}
+
+/// The things in a view of photos' depths: the first photo whose depth agrees shows a thing.
+std::vector<ShownErrors::Thing> ShownErrors::ofDepths(std::span<const Modelled> models) const {
+    std::vector<Thing> things(models.size());
+    std::vector<std::size_t> open; // no photo shows these yet
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        things[k].inverseM = models[k].inverseM;
+        things[k].fromCamera = models[k].direction / models[k].inverseM;
+        things[k].isFilled = things[k].isDoubtful = true;
+        open.push_back(k);
+    }
+    Directions places(models.size());
+    std::vector<KnownDepth> depths(models.size());
+    for (std::size_t i = 0; i < m_evidence.shown && !open.empty(); ++i) {
+        const std::shared_ptr<const DepthEvidence>& depth = m_evidence.photos[i].depth;
+        if (!depth) {
             continue;
         }
-        const Vector3d place = inPhoto(i, direction, modelInverseM);
-        const KnownDepth depth = photos[i].depth->at(place);
-        const double ownM = modelInverseM / place.norm();
-        const bool isSame = std::abs(depth.inverseM - ownM) < kSameShare * ownM;
-        if (isSame || i == 0) {
-            thing.source = i;
-            thing.isFilled = !isSame;
-            thing.isDoubtful = !isSame || !depth.isSure || !depth.isAmongSure ||
-                               depth.spreadM > kUnsureSpreadShare * modelInverseM;
-            thing.residualM =
-                kSpreadShare * std::min(depth.spreadM, kMostSpread) +
-                (depth.isSure ? 0 : kUnsureShare * modelInverseM) +
-                (isSame ? 0 : kFilledShare * std::min(std::abs(depth.inverseM - ownM), kMostContradiction));
+        const auto place = [&](std::size_t k) {
+            return fromPhoto(i, models[k].direction, models[k].inverseM);
+        };
+        for (std::size_t j = 0; j < open.size(); ++j) {
+            places.set(j, place(open[j]));
         }
-        if (isSame) {
-            break;
+        look(*depth, m_photoFromRoom[i], places, std::span(depths).first(open.size()));
+        std::size_t left = 0;
+        for (std::size_t j = 0; j < open.size(); ++j) {
+            const std::size_t k = open[j];
+            if (!isShownBy(i, models[k], place(k), depths[j], things[k])) {
+                open[left++] = k;
+            }
         }
+        open.resize(left);
     }
-    return thing;
+    return things;
 }
 
-/// The thing in a view of a scene model that is not the photos' depths.
-ShownErrors::Thing ShownErrors::ofFirst(const Vector3d& direction, double modelInverseM) const {
-    const PhotoEvidence& photo = m_evidence.photos.front();
-    const Vector3d towards = inPhoto(0, direction, modelInverseM).normalized();
-    const KnownDepth depth = photo.depth->at(towards);
+/// The things in a view of a scene model that is not the photos' depths.
+std::vector<ShownErrors::Thing> ShownErrors::ofFirst(std::span<const Modelled> models) const {
+    Directions places(models.size());
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        places.set(k, fromPhoto(0, models[k].direction, models[k].inverseM));
+    }
+    std::vector<KnownDepth> depths(models.size());
+    look(*m_evidence.photos.front().depth, m_photoFromRoom.front(), places, depths);
+    std::vector<Thing> things(models.size());
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        const KnownDepth& depth = depths[k];
+        Thing& thing = things[k];
+        thing.fromCamera =
+            fromPhoto(0, models[k].direction, models[k].inverseM).normalized() / depth.inverseM -
+            m_offsets.front();
+        thing.inverseM = 1 / std::max(thing.fromCamera.norm(), 1e-3);
+        thing.residualM = kSpreadShare * std::min(depth.spreadM, kMostSpread) +
+                          (depth.isSure ? 0 : kUnsureShare * thing.inverseM);
+        thing.isDoubtful =
+            !depth.isSure || !depth.isAmongSure || depth.spreadM > kUnsureSpreadShare * thing.inverseM;
+    }
+    return things;
+}
+
+/// The thing in a view of photos without depths.
+ShownErrors::Thing ShownErrors::ofPrior(const Modelled& model) const {
     Thing thing;
-    thing.fromCamera = photo.roomFromPhoto.rotation * towards / depth.inverseM - m_offsets.front();
-    thing.inverseM = 1 / std::max(thing.fromCamera.norm(), 1e-3);
-    thing.residualM = kSpreadShare * std::min(depth.spreadM, kMostSpread) +
-                      (depth.isSure ? 0 : kUnsureShare * thing.inverseM);
-    thing.isDoubtful =
-        !depth.isSure || !depth.isAmongSure || depth.spreadM > kUnsureSpreadShare * thing.inverseM;
+    thing.inverseM = model.inverseM > 0 ? model.inverseM : 1 / m_view.sphereRadiusM;
+    thing.fromCamera = model.direction / thing.inverseM;
+    thing.residualM = m_evidence.priorShare * thing.inverseM;
+    thing.isDoubtful = true;
     return thing;
 }
 
-/// Asks the other photos' depths what they know of the thing.
-void ShownErrors::askOthers(Thing& thing) const {
-    double sum = 0;
-    double apartM = 0;
-    int asked = 0;
+/// Asks the other photos' depths what they know of the things.
+void ShownErrors::askOthers(std::span<Thing> things) const {
+    std::vector<Answers> answers(things.size());
+    Directions places(things.size());
+    std::vector<KnownDepth> depths(things.size());
+    std::vector<std::size_t> asked;
     for (std::size_t i = 0; i < m_evidence.photos.size(); ++i) {
-        if (i == thing.source || !m_evidence.photos[i].depth) {
+        const std::shared_ptr<const DepthEvidence>& depth = m_evidence.photos[i].depth;
+        asked.clear();
+        for (std::size_t k = 0; k < things.size() && depth; ++k) {
+            if (i != things[k].source) {
+                places.set(asked.size(), fromPhoto(i, things[k].fromCamera, 1));
+                asked.push_back(k);
+            }
+        }
+        if (asked.empty()) {
             continue;
         }
-        const Vector3d place = inPhoto(i, thing.fromCamera, 1);
-        const double disagreement =
-            std::abs(m_evidence.photos[i].depth->at(place).inverseM - 1 / place.norm());
-        thing.isDoubtful = thing.isDoubtful || disagreement > kUnsureDisagreement;
-        sum += std::min(disagreement, kMostDisagreement);
-        apartM += (m_offsets[i] - m_offsets[thing.source]).norm();
-        ++asked;
+        look(*depth, m_photoFromRoom[i], places, std::span(depths).first(asked.size()));
+        for (std::size_t j = 0; j < asked.size(); ++j) {
+            Thing& thing = things[asked[j]];
+            Answers& answer = answers[asked[j]];
+            const double disagreement =
+                std::abs(depths[j].inverseM - 1 / fromPhoto(i, thing.fromCamera, 1).norm());
+            thing.isDoubtful = thing.isDoubtful || disagreement > kUnsureDisagreement;
+            answer.sum += std::min(disagreement, kMostDisagreement);
+            answer.apartM += (m_offsets[i] - m_offsets[thing.source]).norm();
+            ++answer.asked;
+        }
     }
+    for (std::size_t k = 0; k < things.size(); ++k) {
+        judge(answers[k], things[k]);
+    }
+}
+
+void ShownErrors::judge(const Answers& answers, Thing& thing) const {
+    const auto& [sum, apartM, asked] = answers;
     const double matchedM = asked > 0 ? kMatchedPx * m_evidence.photos[thing.source].depth->pixelRad() /
                                             std::max(apartM / asked, kLeastBaselineM)
                                       : 0;
@@ -139,32 +254,28 @@ void ShownErrors::askOthers(Thing& thing) const {
     }
 }
 
-ShownErrors::Thing ShownErrors::shown(const Vector3d& direction, double modelInverseM) const {
+std::vector<ShownErrors::Thing> ShownErrors::shown(std::span<const Modelled> models) const {
+    std::vector<Thing> things;
     if (m_evidence.photos.front().depth) {
-        Thing thing =
-            m_evidence.showsDepths ? ofDepths(direction, modelInverseM) : ofFirst(direction, modelInverseM);
-        askOthers(thing);
-        return thing;
+        things = m_evidence.showsDepths ? ofDepths(models) : ofFirst(models);
+        askOthers(things);
+        return things;
     }
-    Thing thing;
-    thing.inverseM = modelInverseM > 0 ? modelInverseM : 1 / m_view.sphereRadiusM;
-    thing.fromCamera = direction / thing.inverseM;
-    thing.residualM = m_evidence.priorShare * thing.inverseM;
-    thing.isDoubtful = true;
-    return thing;
+    std::transform(models.begin(), models.end(), std::back_inserter(things),
+                   [&](const Modelled& model) { return ofPrior(model); });
+    return things;
 }
 
-ShownError ShownErrors::at(int x, int y, const Vector3d& ray) const {
-    const double model = modelInverseM(x, y, ray);
-    const Thing thing = shown(m_view.roomFromCamera.rotation * ray, model);
+ShownError ShownErrors::error(const ViewPixel& pixel, double modelInverseM, const Thing& thing) const {
     const PhotoEvidence& source = m_evidence.photos[thing.source];
-    const Vector3d offset = m_view.roomFromCamera.rotation.conjugate() * m_offsets[thing.source];
-    const Vector3d across = offset - offset.dot(ray) * ray;
+    const Vector3d& offset = m_offsetsInCamera[thing.source];
+    const Vector3d across = offset - offset.dot(pixel.ray) * pixel.ray;
     const double acrossM = across.norm();
-    const Vector3d unit = acrossM > 0 ? Vector3d(across / acrossM) : ray.unitOrthogonal();
-    const double perRadian = pixelsPerRadian(m_camera, Vector2d(x, y), ray, unit);
-    const double inverseError =
-        m_evidence.showsDepths ? thing.residualM : std::hypot(model - thing.inverseM, thing.residualM);
+    const Vector3d unit = acrossM > 0 ? Vector3d(across / acrossM) : pixel.ray.unitOrthogonal();
+    const double perRadian = pixelsPerRadian(m_camera, Vector2d(pixel.x, pixel.y), pixel.ray, unit);
+    const double inverseError = m_evidence.showsDepths
+                                    ? thing.residualM
+                                    : std::hypot(modelInverseM - thing.inverseM, thing.residualM);
     ShownError error;
     error.px = perRadian * std::hypot(acrossM * inverseError, source.rotationSigmaRad,
                                       source.positionSigmaM * thing.inverseM);
@@ -176,6 +287,21 @@ ShownError ShownErrors::at(int x, int y, const Vector3d& ray) const {
         error.isUnsure = true;
     }
     return error;
+}
+
+std::vector<ShownError> ShownErrors::of(std::span<const ViewPixel> pixels) const {
+    std::vector<Modelled> models;
+    models.reserve(pixels.size());
+    for (const ViewPixel& pixel : pixels) {
+        models.push_back(modelled(pixel));
+    }
+    const std::vector<Thing> things = shown(models);
+    std::vector<ShownError> errors;
+    errors.reserve(pixels.size());
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        errors.push_back(error(pixels[k], models[k].inverseM, things[k]));
+    }
+    return errors;
 }
 
 } // namespace spherewalk::render

@@ -43,8 +43,9 @@ struct ViewGeometry {
 ///
 /// Shape: that of the view; empty with SceneKind::None, which knows no depth. Range: > 0. It is +infinity
 /// where the lens sees nothing and where a ray lies 90 degrees or more off the axis. threads: the most to
-/// use, 0 for all of the pool; the values are the same for any number. Errors: as ViewGeometry::validate().
-DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads = 0);
+/// use, 0 for all of the pool; the values are the same for any number. memory: the result of a view before,
+/// whose memory is used again. Errors: as ViewGeometry::validate().
+DepthImage viewDepth(const ViewGeometry& view, WorkerPool& pool, int threads = 0, DepthImage memory = {});
 
 /// What a photo knows about the things that it shows, and how well its own pose is known.
 struct PhotoEvidence {
@@ -93,10 +94,10 @@ struct TrustOptions {
 /// a pixel of a coarser picture spans beyond a pixel of the view, or of the photo where that is the larger.
 ///
 /// threads: the most to use, 0 for all of the pool; the values are the same for any number. Errors: as
-/// validate() of the view and of the options; InvalidInput for a mask of another size. Cost: 15 ms of one
-/// core for 640 x 480 pixels.
+/// validate() of the view and of the options; InvalidInput for a mask of another size. memory: as in
+/// viewDepth().
 PixelTrust pixelTrust(const ViewGeometry& view, const ViewEvidence& evidence, const TrustOptions& options,
-                      WorkerPool& pool, int threads = 0);
+                      WorkerPool& pool, int threads = 0, PixelTrust memory = {});
 
 /// How far a view can be believed as a whole.
 struct ViewTrust {

@@ -76,6 +76,9 @@ class SceneRays {
     /// model has no point.
     double distanceM(const Eigen::Vector3d& rayInCamera) const;
 
+    /// How many times as fast as its ray the direction in the photo turns, at most.
+    double mostTurn() const { return m_scene == SceneKind::Sphere ? 1 + m_inPhoto.fromPhoto().norm() : 1; }
+
     /// The camera in the optical frame, for SceneKind::Sphere.
     const DisplacedCamera& inCamera() const { return m_inCamera; }
 

@@ -45,6 +45,11 @@ LatticeFrame::LatticeFrame(const RayTable& table, const Rigid3& roomFromCamera, 
     }
 }
 
+LatticeFrame::LatticeFrame(const Eigen::Matrix3d& matrix, const EquirectSize& photo)
+    : photoFromRay{}, width(photo.width), height(photo.height) {
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(photoFromRay.data()) = matrix;
+}
+
 LatticeRow::Level::Level(int cellsX, int partsOfCell)
     : parts(partsOfCell),
       values(static_cast<std::size_t>((18 + partsOfCell) * paddedNodes(cellsX * partsOfCell + 1))),

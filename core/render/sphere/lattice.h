@@ -32,15 +32,18 @@ struct LatticeFrame {
                  const EquirectSize& photo, SceneKind scene, double sphereRadiusM,
                  double tolerancePx = kTolerancePx);
 
+    /// For photoCoordinates() of directions that are known already, and only turned.
+    LatticeFrame(const Eigen::Matrix3d& photoFromRay, const EquirectSize& photo);
+
     static constexpr double kTolerancePx = 0.018; ///< With rounding to fixed point the whole error is 0.02.
 
-    const RayTable* rays;
+    const RayTable* rays = nullptr;
     std::array<double, 9> photoFromRay;   ///< Row after row. Rays are as the table has them.
     std::array<double, 3> displacement{}; ///< The camera minus the photo, in the photo's frame. Units: radii.
     bool displaced = false;               ///< Whether `displacement` counts: for SceneKind::Sphere.
     double width;
     double height;
-    double tolerancePx;
+    double tolerancePx = kTolerancePx;
 };
 
 /// How a cell's coordinates are computed.

@@ -6,43 +6,86 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
+#include <vector>
 
 namespace spherewalk::render {
 
 namespace {
 
 constexpr int kFarthestPx = 96;
+constexpr int kNoEnd = kFarthestPx + 1; ///< The steps to an end that is too far or beyond the picture.
 /// Ends that are so many times farther than both sides of a hole have no say.
 constexpr int kFarther = 4;
-/// Opposite directions follow each other.
-constexpr std::array<std::pair<int, int>, 8> kDirections{
+/// One worker fills so many rows in turn: a pixel's end above is that of the pixel above.
+constexpr int kFillRows = 16;
+
+struct Direction {
+    int right, down;
+};
+
+/// Opposite directions follow each other, the one that goes on in the picture first.
+constexpr std::array<Direction, 8> kDirections{
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1, -1}}};
+constexpr std::size_t kRight = 0;
+constexpr std::size_t kLeft = 1;
 
 /// What lies at the end of a hole in one direction.
 struct End {
     const std::uint8_t* colour = nullptr;
     float inverse = 0;
     float distance = 0;
-    int steps = 0;
+    int steps = kNoEnd;
 };
 
+/// Fills some rows one after the other. Known pixels are only read, and the others only written.
 class Filler {
   public:
-    Filler(const MaskImage& known, const InverseBuffer& inverse, const RgbImage& picture)
-        : m_known(known), m_inverse(inverse), m_picture(picture) {}
+    Filler(const MaskImage& known, const InverseBuffer& inverse, RgbImage& picture)
+        : m_known(known), m_inverse(inverse), m_picture(picture) {
+        for (std::size_t i = kLeft; i < kDirections.size(); i += 2) {
+            m_above[i].resize(static_cast<std::size_t>(picture.width()));
+            m_own[i].resize(m_above[i].size());
+        }
+    }
 
-    /// The colour of a pixel that is not known; nothing if no direction leads to a known one.
-    bool fill(int x, int y, std::uint8_t* out) const {
+    void fillRow(int y) {
+        const std::uint8_t* begin = m_known.at(0, y);
+        const std::uint8_t* end = begin + m_picture.width();
+        const auto holeFrom = [&](const std::uint8_t* at) {
+            const void* hole =
+                std::memchr(at, static_cast<int>(Known::Nothing), static_cast<std::size_t>(end - at));
+            return static_cast<const std::uint8_t*>(hole);
+        };
+        m_toRight = 0;
+        for (const std::uint8_t* hole = holeFrom(begin); hole != nullptr; hole = holeFrom(hole + 1)) {
+            const int x = static_cast<int>(hole - begin);
+            fill(x, y, m_picture.at(x, y));
+        }
+        m_above.swap(m_own);
+        m_hasAbove = true;
+    }
+
+  private:
+    bool is(Known what, int x, int y) const { return *m_known.at(x, y) == static_cast<std::uint8_t>(what); }
+
+    /// The colour of a pixel that is not known. It stays if no direction leads to a known one.
+    void fill(int x, int y, std::uint8_t* out) {
         std::array<End, kDirections.size()> ends;
         int farthest = kFarthestPx;
         for (std::size_t i = 0; i < ends.size(); i += 2) {
-            End& one = ends[i] = end(x, y, kDirections[i], farthest);
-            End& opposite = ends[i + 1] = end(x, y, kDirections[i + 1], farthest);
-            if (one.colour != nullptr && opposite.colour != nullptr) {
-                farthest = std::min(farthest, kFarther * std::max(one.steps, opposite.steps));
+            const int back = m_own[i + 1][static_cast<std::size_t>(x)] =
+                static_cast<std::uint8_t>(stepsBack(x, y, i + 1));
+            const int on = i == kRight ? stepsRight(x, y) : steps(x, y, i, farthest);
+            ends[i] = end(x, y, i, on, farthest);
+            ends[i + 1] = end(x, y, i + 1, back, farthest);
+            if (ends[i].colour != nullptr && ends[i + 1].colour != nullptr) {
+                farthest = std::min(farthest, kFarther * std::max(ends[i].steps, ends[i + 1].steps));
             }
         }
+        mix(ends, farthest, out);
+    }
+
+    static void mix(std::array<End, kDirections.size()>& ends, int farthest, std::uint8_t* out) {
         float least = HUGE_VALF;
         for (End& at : ends) {
             if (at.steps > farthest) {
@@ -67,53 +110,85 @@ class Filler {
         for (std::size_t channel = 0; channel < 3 && total > 0; ++channel) {
             out[channel] = static_cast<std::uint8_t>(sum[channel] / total + 0.5F);
         }
-        return total > 0;
     }
 
-  private:
-    End end(int x, int y, std::pair<int, int> direction, int farthest) const {
-        const auto [right, down] = direction;
+    /// The steps to the nearest known pixel in a direction; kNoEnd if it is farther than `farthest`.
+    int steps(int x, int y, std::size_t direction, int farthest) const {
+        const auto [right, down] = kDirections[direction];
         const auto toBorder = [](int at, int step, int count) {
             return step > 0 ? count - 1 - at : step < 0 ? at : kFarthestPx;
         };
-        const int steps = std::min(
+        const int most = std::min(
             {farthest, toBorder(x, right, m_picture.width()), toBorder(y, down, m_picture.height())});
         const std::ptrdiff_t stride = std::ptrdiff_t{down} * m_known.width() + right;
         const std::uint8_t* known = m_known.at(x, y);
-        for (int step = 1; step <= steps; ++step) {
+        for (int step = 1; step <= most; ++step) {
             if (known[step * stride] == static_cast<std::uint8_t>(Known::Seen)) {
-                const int atX = x + step * right;
-                const int atY = y + step * down;
-                const float length = right != 0 && down != 0 ? 1.41421356F : 1;
-                return {m_picture.at(atX, atY), *m_inverse.at(atX, atY), length * static_cast<float>(step),
-                        step};
+                return step;
             }
         }
-        return {};
+        return kNoEnd;
     }
+
+    /// The same in a direction from which rows come, and as far as any: the pixel before it is one nearer.
+    int stepsBack(int x, int y, std::size_t direction) const {
+        const int beforeX = x + kDirections[direction].right;
+        const int beforeY = y + kDirections[direction].down;
+        if (beforeX < 0 || beforeX >= m_picture.width() || beforeY < 0) {
+            return kNoEnd;
+        }
+        if (is(Known::Seen, beforeX, beforeY)) {
+            return 1;
+        }
+        if (!is(Known::Nothing, beforeX, beforeY) || (direction != kLeft && !m_hasAbove)) {
+            return steps(x, y, direction, kFarthestPx);
+        }
+        const auto& before = direction == kLeft ? m_own[direction] : m_above[direction];
+        return std::min(before[static_cast<std::size_t>(beforeX)] + 1, kNoEnd);
+    }
+
+    /// The same to the right: the known pixel is that of the pixel before, until the hole ends.
+    int stepsRight(int x, int y) {
+        if (m_toRight <= x) {
+            const int found = steps(x, y, kRight, kFarthestPx);
+            if (found == kNoEnd) {
+                return kNoEnd;
+            }
+            m_toRight = x + found;
+        }
+        return m_toRight - x;
+    }
+
+    End end(int x, int y, std::size_t direction, int steps, int farthest) const {
+        if (steps > farthest) {
+            return {};
+        }
+        const auto [right, down] = kDirections[direction];
+        const int atX = x + steps * right;
+        const int atY = y + steps * down;
+        const float length = right != 0 && down != 0 ? 1.41421356F : 1;
+        return {m_picture.at(atX, atY), *m_inverse.at(atX, atY), length * static_cast<float>(steps), steps};
+    }
+
+    using Steps = std::array<std::vector<std::uint8_t>, kDirections.size()>;
 
     const MaskImage& m_known;
     const InverseBuffer& m_inverse;
-    const RgbImage& m_picture;
+    RgbImage& m_picture;
+    Steps m_above; ///< The steps of holes of the row above, in the directions from which rows come.
+    Steps m_own;   ///< The same for this row.
+    bool m_hasAbove = false;
+    int m_toRight = 0; ///< The known pixel that is next on the right of the last hole of this row.
 };
 
 } // namespace
 
 void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool& pool, int threads,
                 RgbImage& picture) {
-    // Only known pixels are read and only the others are written, so rows may be filled in any order.
-    const Filler filler(known, inverse, picture);
-    pool.run(picture.height(), threads, [&](int y, int) {
-        const std::uint8_t* begin = known.at(0, y);
-        const std::uint8_t* end = begin + picture.width();
-        const auto holeFrom = [&](const std::uint8_t* at) {
-            const void* hole =
-                std::memchr(at, static_cast<int>(Known::Nothing), static_cast<std::size_t>(end - at));
-            return static_cast<const std::uint8_t*>(hole);
-        };
-        for (const std::uint8_t* hole = holeFrom(begin); hole != nullptr; hole = holeFrom(hole + 1)) {
-            const int x = static_cast<int>(hole - begin);
-            filler.fill(x, y, picture.at(x, y));
+    pool.run((picture.height() + kFillRows - 1) / kFillRows, threads, [&](int band, int) {
+        Filler filler(known, inverse, picture);
+        for (int y = band * kFillRows; y < std::min((band + 1) * kFillRows, picture.height()); ++y) {
+            filler.fillRow(y);
         }
     });
 }

@@ -244,9 +244,10 @@ class SurfaceRaster::BlockCutter {
           m_bands(bands) {}
 
     void cut(int blockX, int blockY) {
-        m_block = static_cast<std::size_t>(blockY * m_mesh.blocksX() + blockX);
+        m_detail = &m_mesh.detail(blockX, blockY);
+        m_patches = {};
         m_toleranceOfBlock = m_tolerance * m_projector.toleranceShare(m_mesh.bound(blockX, blockY));
-        const simd::SurfaceBlock part = m_mesh.block(blockX, blockY);
+        const simd::SurfaceBlock part = m_detail->block();
         m_projector.project(part, m_part);
         simd::boxes(m_part, part.rows, m_boxes);
         m_endY = part.rows - 1;
@@ -285,7 +286,7 @@ class SurfaceRaster::BlockCutter {
         if (size == kSubBlock && !mayShow(subBlock)) {
             return;
         }
-        const float deviation = m_mesh.deviation(m_block, level, x, y);
+        const float deviation = m_detail->deviation(level, x, y);
         if (level == 1 && std::isinf(deviation)) {
             return; // it is made of patches
         }
@@ -313,7 +314,7 @@ class SurfaceRaster::BlockCutter {
 
     /// Adds the patches of a sub-block. Patches of sub-blocks that follow each other go together.
     void addPatchesOf(int subBlock) {
-        const EdgePatches::Range range = m_mesh.patches().ofSubBlock(m_block, subBlock);
+        const EdgePatches::Range range = m_detail->patches().ofSubBlock(subBlock);
         if (range.begin != m_patches.end) {
             addPatches();
             m_patches.begin = range.begin;
@@ -322,7 +323,7 @@ class SurfaceRaster::BlockCutter {
     }
 
     void addPatches() {
-        const simd::SurfacePatches patches = m_mesh.patches().at(m_patches);
+        const simd::SurfacePatches patches = m_detail->patches().at(m_patches);
         m_patches.begin = m_patches.end;
         for (int first = 0; first < patches.count;) {
             if (m_quads.count == simd::Quads::kMost) {
@@ -366,10 +367,10 @@ class SurfaceRaster::BlockCutter {
     int m_height;
     std::span<std::vector<Piece>> m_bands; ///< The pieces go here.
     simd::CutQuads m_cut;
-    std::size_t m_block = 0;
-    int m_endY = 0;               ///< The last row of the block's vertices.
-    simd::Quads m_quads;          ///< These are yet to be cut.
-    EdgePatches::Range m_patches; ///< These are yet to be projected.
+    const SurfaceMesh::Detail* m_detail = nullptr; ///< Of the block.
+    int m_endY = 0;                                ///< The last row of the block's vertices.
+    simd::Quads m_quads;                           ///< These are yet to be cut.
+    EdgePatches::Range m_patches;                  ///< These are yet to be projected.
     ProjectedBlock m_part;
     simd::BlockBoxes m_boxes;
 };

@@ -4,11 +4,6 @@
 #include "pixels/sampler.h"
 #include "surface/cells.h"
 
-#include "spherewalk/base/error.h"
-#include "spherewalk/base/file.h"
-#include "spherewalk/base/text.h"
-#include "spherewalk/render/scene_depth.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,9 +14,6 @@
 namespace spherewalk::render {
 
 namespace {
-
-/// The width of a room's depth. Walls are flat between its pixels, only corners are blunt.
-constexpr int kRoomWidth = 512;
 
 double pixels(std::int32_t fixed) {
     return fixed / double{kFixedOne} - PlaneLayout::kGuard;
@@ -398,47 +390,25 @@ void SurfaceView::sample(const PixelRays& rays, std::span<const PlaneView> plane
     }
 }
 
-DepthImage SurfaceView::depth(const PixelRays& rays) const {
-    DepthImage depth(m_width, m_height);
+DepthImage SurfaceView::depth(const PixelRays& rays, WorkerPool& pool, int threads, DepthImage memory) const {
+    DepthImage depth = std::move(memory);
+    if (depth.width() != m_width || depth.height() != m_height) {
+        depth = DepthImage(m_width, m_height);
+    }
     const bool isPinhole = rays.camera().intrinsics().lens == LensModel::Pinhole;
-    for (int y = 0; y < depth.height(); ++y) {
-        for (int x = 0; x < depth.width(); ++x) {
-            const double along = isPinhole ? 1 : rays.ray(x, y).z();
-            const bool isSeen = *m_coordinates.source.at(x, y) != SurfaceCoordinates::kUnseen && along > 0;
-            *depth.at(x, y) = isSeen ? static_cast<float>(along / *m_coordinates.inverse.at(x, y))
-                                     : std::numeric_limits<float>::infinity();
+    pool.run(m_height, threads, [&](int y, int) {
+        const float* inverse = m_coordinates.inverse.at(0, y);
+        float* row = depth.at(0, y);
+        for (int x = 0; x < m_width && isPinhole; ++x) {
+            row[x] = 1 / inverse[x];
         }
-    }
+        for (int x = 0; x < m_width && !isPinhole; ++x) {
+            const double along = rays.ray(x, y).z();
+            const bool isSeen = *m_coordinates.source.at(x, y) != SurfaceCoordinates::kUnseen && along > 0;
+            row[x] = isSeen ? static_cast<float>(along / inverse[x]) : std::numeric_limits<float>::infinity();
+        }
+    });
     return depth;
-}
-
-Surfaces::Surfaces(std::shared_ptr<const Dataset> dataset) : m_dataset(std::move(dataset)) {
-}
-
-bool Surfaces::has(SceneKind kind, std::size_t photo) const {
-    const DatasetInfo& info = m_dataset->info();
-    return kind == SceneKind::Room ? info.roomShape.has_value()
-                                   : usesDepths(kind) && !info.photos[photo].depth.empty();
-}
-
-SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
-    const DatasetPhoto& of = m_dataset->info().photos[photo];
-    if (kind == SceneKind::Room) {
-        return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth));
-    }
-    const std::filesystem::path file = m_dataset->folder() / of.depth;
-    const DepthMap map = DepthMap::read(file);
-    if (map.width() % SurfaceMesh::kBlock != 0) {
-        throw Error(ErrorKind::Corrupt,
-                    text("The depth ", file.string(), " is damaged: its width of ", map.width(),
-                         " pixels is no multiple of ", SurfaceMesh::kBlock, "; export the dataset again."));
-    }
-    return SurfaceMesh(map);
-}
-
-std::shared_ptr<const SurfaceMesh> Surfaces::get(SceneKind kind, std::size_t photo) {
-    const SceneKind of = usesDepths(kind) ? SceneKind::Depth : kind;
-    return m_meshes.get({of, photo}, [&] { return made(of, photo); });
 }
 
 } // namespace spherewalk::render

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace spherewalk::render {
 
 using Eigen::Vector2d;
@@ -20,6 +23,33 @@ TEST(PixelRays, AreThoseOfTheCameraModel) {
                 const Vector3d exact = camera.ray(Vector2d(x, y)).value_or(Vector3d::Zero());
                 ASSERT_LT((rays.ray(x, y) - exact).norm(), 1e-7) << name(intrinsics.lens) << x << ", " << y;
                 ASSERT_EQ(rays.ray(x, y).isZero(0), exact.isZero(0));
+            }
+        }
+    }
+}
+
+TEST(PixelRays, OfASquareAreWithinItsReach) {
+    WorkerPool pool(2);
+    for (const int width : {57, 65, 90}) {
+        for (const CameraIntrinsics& intrinsics : test::everyLens(width, 43)) {
+            const PixelRays rays(CameraModel(intrinsics), pool);
+            for (int y = 0; y < 43; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    const int column = x / PixelRays::kSquare;
+                    const int row = y / PixelRays::kSquare;
+                    const Eigen::Vector2i middle = rays.middle(column, row);
+                    const double reach = rays.reach(column, row);
+                    for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                        const bool isLast = i < 0 ? x + 1 < width : j < 0 && y + 1 < 43;
+                        if (x + i < 0 || y + j < 0 || x + i >= width || y + j >= 43 || isLast) {
+                            continue; // a pixel's neighbours are before it only in the last column and row
+                        }
+                        const Vector3d ray = rays.ray(x + i, y + j);
+                        const Vector3d away = ray - rays.ray(middle.x(), middle.y());
+                        ASSERT_LE(ray.isZero(0) ? HUGE_VAL : away.norm(), reach)
+                            << name(intrinsics.lens) << " " << x << ", " << y;
+                    }
+                }
             }
         }
     }

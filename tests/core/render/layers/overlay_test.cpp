@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "each_target.h"
 #include "expect_error.h"
 #include "lenses.h"
 #include "random.h"
@@ -397,6 +398,50 @@ TEST(Overlay, GivesTheSameBytesForAnyNumberOfThreads) {
             const Composed many = composed(overlays, view, {0.1, 0.1, Edges::Soft, threads}, depth);
             EXPECT_EQ(many.picture, one.picture) << threads;
             EXPECT_EQ(many.shown, one.shown) << threads;
+        }
+    }
+}
+
+// One overlay alone is laid in by runs of pixels. Beside one that shows nothing it is laid in pixel by pixel.
+TEST(Overlay, IsLaidInByRunsAsItIsPixelByPixel) {
+    test::Random random(75);
+    SCOPED_TRACE(random.seed());
+    const CameraIntrinsics view = CameraIntrinsics::pinhole(131, 90, 1.2);
+    CameraIntrinsics wider = CameraIntrinsics::pinhole(150, 110, 1.5);
+    wider.lens = LensModel::PlumbBob;
+    wider.distortion = {-0.05, 0.01, 0, 0, 0};
+    const auto smooth = [&](const CameraIntrinsics& camera) {
+        Overlay overlay = noise(camera, random);
+        for (int y = 0; y < camera.height; ++y) {
+            for (int x = 0; x < camera.width; ++x) { // mostly whole objects before the room
+                const bool isPlain = random.integer(0, 60) != 0;
+                std::uint8_t& alpha = overlay.picture.at(x, y)[3];
+                alpha = isPlain ? ((x / 40 + y / 30) % 2 == 0 ? 255 : 0) : alpha;
+                *overlay.depth.at(x, y) = isPlain ? 1 + 0.01F * static_cast<float>(x) : kNan;
+                *overlay.roomDepth.at(x, y) = random.integer(0, 400) != 0 ? 1.9F : -1;
+            }
+        }
+        return overlay;
+    };
+    const Overlay nothing = plain(view, {}, kInfinity);
+    for (const CameraIntrinsics& camera : {view, wider}) {
+        for (const Alpha alpha : {Alpha::Straight, Alpha::Premultiplied}) {
+            for (const bool hasRoom : {true, false}) {
+                for (const float viewDepth : {0.0F, 1.4F, kInfinity, kNan}) {
+                    Overlay overlay = smooth(camera);
+                    overlay.alpha = alpha;
+                    overlay.roomDepth = hasRoom ? overlay.roomDepth : DepthImage();
+                    const DepthImage depth =
+                        viewDepth == 0 ? DepthImage() : depthOf(view.width, view.height, viewDepth);
+                    const std::array<Overlay, 2> both{overlay, nothing};
+                    const Composed expected = composed(both, view, {}, depth);
+                    test::forEachTarget([&](const char* target) {
+                        const Composed own = composed({&overlay, 1}, view, {}, depth);
+                        EXPECT_EQ(own.picture, expected.picture) << target << " " << viewDepth;
+                        EXPECT_EQ(own.shown, expected.shown) << target << " " << viewDepth;
+                    });
+                }
+            }
         }
     }
 }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::render {
@@ -263,6 +264,56 @@ TEST(PixelTrust, FlagsTheSeamOnBothOfItsSidesAndNothingElse) {
         }
     }
     EXPECT_GT(across, 300);
+}
+
+// Squares of pixels are flagged together. A picture that is coarser by next to nothing makes each pixel be
+// flagged by itself.
+TEST(PixelTrust, FlagsSquaresAsItFlagsPixels) {
+    test::Random random(86);
+    SCOPED_TRACE(random.seed());
+    WorkerPool pool(2);
+    for (int i = 0; i < 12; ++i) {
+        std::vector<CameraIntrinsics> cameras = test::everyLens(161, 121);
+        cameras.push_back(CameraIntrinsics::pinhole(161, 121, random.uniform(0.05, 2.8)));
+        for (const CameraIntrinsics& camera : cameras) {
+            for (const SceneKind scene : {SceneKind::None, SceneKind::Sphere}) {
+                const Rigid3 photo{random.rotation(), random.vector(10)};
+                const Rigid3 pose{random.rotation(),
+                                  photo.translation + random.direction() * random.uniform(0, 2.5)};
+                const Made made(camera, pose, scene, pool, photo);
+                TrustOptions options;
+                options.poleRadius = Degrees(random.uniform(0, 80));
+                options.stitchingHalfWidth = Degrees(random.uniform(0, 30));
+                const PixelTrust together = trustOf(made, pool, options);
+                options.coarseness = 1 + 1e-12;
+                const PixelTrust alone = trustOf(made, pool, options);
+                for (int y = 0; y < camera.height; ++y) {
+                    for (int x = 0; x < camera.width; ++x) {
+                        const int flags = *alone.flags.at(x, y) & ~static_cast<int>(PixelFlag::Coarse);
+                        ASSERT_EQ(*together.flags.at(x, y), flags) << x << ", " << y;
+                        ASSERT_EQ(*together.errorPx.at(x, y), *alone.errorPx.at(x, y));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(PixelTrust, UsesTheMemoryOfTheViewBefore) {
+    WorkerPool pool(1);
+    const Made made(test::everyLens(67, 51)[3], looking(Radians(3), Radians(0.3), {0.3, 0.2, 0.1}),
+                    SceneKind::Sphere, pool);
+    ViewEvidence evidence;
+    evidence.photos.push_back({made.view.roomFromPhoto, nullptr});
+    const PixelTrust fresh = pixelTrust(made.view, evidence, {}, pool);
+    PixelTrust used{Image<float, 1>(67, 51), MaskImage(67, 51)};
+    std::fill(used.errorPx.values().begin(), used.errorPx.values().end(), 17.0F);
+    std::fill(used.flags.values().begin(), used.flags.values().end(), std::uint8_t{255});
+    const float* memory = used.errorPx.values().data();
+    const PixelTrust again = pixelTrust(made.view, evidence, {}, pool, 0, std::move(used));
+    EXPECT_EQ(again.errorPx.values().data(), memory);
+    EXPECT_EQ(again.errorPx, fresh.errorPx);
+    EXPECT_EQ(again.flags, fresh.flags);
 }
 
 TEST(PixelTrust, FlagsOverlays) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "each_target.h"
 #include "expect_error.h"
 #include "layers/view_geometry.h"
 #include "lenses.h"
@@ -177,6 +178,19 @@ TEST(ViewDepth, IsTheSameForAnyNumberOfThreads) {
     const DepthImage one = viewDepth(made.view, pool, 1);
     for (const int threads : {0, 2, 3}) {
         EXPECT_EQ(viewDepth(made.view, pool, threads), one) << threads;
+    }
+}
+
+TEST(ViewDepth, IsTheSameOnEachProcessor) {
+    test::Random random(88);
+    SCOPED_TRACE(random.seed());
+    WorkerPool pool(1);
+    for (const int width : {1, 7, 64, 101}) {
+        const Made made(CameraIntrinsics::pinhole(width, 9, 1.9), {random.rotation(), random.vector()},
+                        {random.rotation(), random.vector()}, 3, pool);
+        const DepthImage expected = viewDepth(made.view, pool);
+        test::forEachTarget(
+            [&](const char* target) { EXPECT_EQ(viewDepth(made.view, pool), expected) << target; });
     }
 }
 

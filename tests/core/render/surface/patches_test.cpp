@@ -8,9 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace spherewalk::render {
 
@@ -32,10 +36,9 @@ SurfaceMesh meshOf(InverseAt&& inverseAt) {
 
 /// Of the square whose upper left vertex that is.
 simd::SurfacePatches patchesAt(const SurfaceMesh& mesh, int x, int y) {
-    const auto block =
-        static_cast<std::size_t>(y / SurfaceMesh::kBlock * mesh.blocksX() + x / SurfaceMesh::kBlock);
+    const EdgePatches& patches = mesh.detail(x / SurfaceMesh::kBlock, y / SurfaceMesh::kBlock).patches();
     const int square = EdgePatches::orderInBlock(x % SurfaceMesh::kBlock, y % SurfaceMesh::kBlock);
-    return mesh.patches().at(mesh.patches().ofSubBlock(block, square));
+    return patches.at(patches.ofSubBlock(square));
 }
 
 /// What a patch covers of the mesh: its angles are of half pixels. Units: quads.
@@ -101,6 +104,23 @@ TEST(EdgePatches, CoverAllQuadsBesideEdges) {
             }
         }
     }
+}
+
+TEST(SurfaceMesh, GivesAllThreadsTheSameDetail) {
+    test::Random random(13);
+    const SurfaceMesh mesh = meshOf([&](int, int) { return random.uniform(0.3, 0.5); });
+    std::array<const SurfaceMesh::Detail*, 4> first{};
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            threads.emplace_back([&, i] {
+                for (int block = 0; block < mesh.blocksX() * mesh.blocksY(); ++block) {
+                    first[i] = &mesh.detail(block % mesh.blocksX(), block / mesh.blocksX());
+                }
+            });
+        }
+    }
+    EXPECT_EQ(std::set(first.begin(), first.end()).size(), 1U);
 }
 
 TEST(EdgePatches, LeaveNoGapsWhereThePhotoWasTaken) {

@@ -107,7 +107,7 @@ TEST(SurfaceView, ShowsTheDepthOfTheRoomThatItWasGiven) {
     const Rigid3 pose = lookingFrom({0.4, -0.3, 0.2}, 0.6, 0.2);
     scene.view(kCamera, pose);
     const PixelRays rays(kCamera, scene.pool);
-    const DepthImage depth = scene.surfaceView.depth(rays);
+    const DepthImage depth = scene.surfaceView.depth(rays, scene.pool, 0);
     for (int y = 0; y < depth.height(); y += 7) {
         for (int x = 0; x < depth.width(); x += 7) {
             const Eigen::Vector3d ray = rays.ray(x, y);
@@ -139,7 +139,7 @@ TEST(SurfaceView, AFisheyeSeesTheDepthAheadAndNotThatBehind) {
             for (const double pitch : {-1.5, 0.0, 0.9}) {
                 const Rigid3 pose = lookingFrom({0.1, 0.2, 0.1}, 0.2, pitch);
                 scene.view(camera, pose);
-                const DepthImage depth = scene.surfaceView.depth(rays);
+                const DepthImage depth = scene.surfaceView.depth(rays, scene.pool, 0);
                 int wrong = 0;
                 int seen = 0;
                 for (int y = 0; y < depth.height(); y += 3) {
@@ -171,7 +171,7 @@ TEST(SurfaceView, HidesWhatLiesBehindFromTheCamera) {
     Scene scene(std::make_shared<const SurfaceMesh>(DepthMap(std::move(inverse))));
     scene.view(kCamera, lookingFrom({0, 0.5, 0}, 0, 0));
     const PixelRays rays(kCamera, scene.pool);
-    const DepthImage depth = scene.surfaceView.depth(rays);
+    const DepthImage depth = scene.surfaceView.depth(rays, scene.pool, 0);
     // From half a metre to the left, the strip lies half a metre to the right of the middle.
     const auto column = static_cast<int>(80 + 0.5 * kCamera.intrinsics().fx);
     EXPECT_NEAR(*depth.at(column, 60), 1, 0.1);
@@ -194,7 +194,7 @@ TEST(SurfaceView, TakesAHoleAtItsRightEdgeToBeAsFarAsWhatIsToItsLeft) {
         const CameraModel camera(intrinsics);
         scene.view(camera, lookingFrom({0, 0.1, 0}, 0, 0));
         EXPECT_GT(scene.surfaceView.filledShare(), 0);
-        return scene.surfaceView.depth(PixelRays(camera, scene.pool));
+        return scene.surfaceView.depth(PixelRays(camera, scene.pool), scene.pool, 0);
     };
     const DepthImage wider = depthOfView(80); // whole cells
     for (const int width : {65, 70, 79}) {
@@ -217,7 +217,7 @@ TEST(SurfaceView, OfNothingIsAsFarAsUsual) {
         scene.surfaceView.prepare(rays, lookingFrom({10, 0, 0}, 0, 0), {&scene.photo, 1}, kUsualDistanceM, 1,
                                   scene.pool, 1);
         EXPECT_EQ(scene.surfaceView.filledShare(), 1);
-        const DepthImage depth = scene.surfaceView.depth(rays);
+        const DepthImage depth = scene.surfaceView.depth(rays, scene.pool, 0);
         for (const float z : depth.values()) {
             ASSERT_NEAR(z, kUsualDistanceM, 1e-5) << width;
         }
@@ -233,7 +233,7 @@ TEST(SurfaceView, IsWholeFromAnywhere) {
           Eigen::Vector3d(5, 1, 0), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1000, 0, 0)}) {
         for (const double yaw : {0.0, 2.0, 4.0}) {
             scene.view(kCamera, lookingFrom(place, yaw, 0.3));
-            const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool));
+            const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool), scene.pool, 0);
             EXPECT_TRUE(std::all_of(depth.values().begin(), depth.values().end(),
                                     [](float z) { return std::isfinite(z) && z > 0; }));
         }
@@ -244,7 +244,7 @@ TEST(SurfaceView, TakesDepthsOfFiveCentimetresAndOfAHundredMetres) {
     for (const double radiusM : {0.05, 100.0}) {
         Scene scene(sphereMesh(radiusM));
         scene.view(kCamera, lookingFrom({0, 0, 0}, 1, 0));
-        const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool));
+        const DepthImage depth = scene.surfaceView.depth(PixelRays(kCamera, scene.pool), scene.pool, 0);
         EXPECT_NEAR(*depth.at(80, 60), radiusM, 0.04 * radiusM);
     }
 }

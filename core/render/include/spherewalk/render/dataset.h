@@ -65,6 +65,7 @@ struct NearPhotos {
 };
 
 class DepthEvidence;
+class DepthSteps;
 class SightMaps;
 
 /// A dataset on disk, opened and checked. Threads: const functions may run on any number at a time.
@@ -102,6 +103,10 @@ class Dataset {
     /// What a photo's depth tells about its own errors; nothing if the photo has no depth, or none that can
     /// be read.
     std::shared_ptr<const DepthEvidence> evidence(std::size_t photo) const;
+
+    /// A photo's depth. The last ones used are kept. Range: the photo has a depth. Errors: as
+    /// DepthMap::read().
+    std::shared_ptr<const DepthSteps> depth(std::size_t photo) const;
 
     /// The bytes of the photo's JPEG. Errors: NotFound, Io; Corrupt if its size or hash is not the one that
     /// dataset.json says.

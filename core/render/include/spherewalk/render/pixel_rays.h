@@ -23,9 +23,25 @@ class PixelRays {
     /// Range: 0 <= x < width, 0 <= y < height.
     Eigen::Vector3d ray(int x, int y) const;
 
+    static constexpr int kSquare = 8; ///< Pixels along an axis of the squares of reach().
+
+    /// How far the rays of a square of pixels, and of the pixels to its right and below, are from the ray in
+    /// its middle at most: chords of unit vectors. It is +infinity where the lens sees nothing in some pixel.
+    /// column, row: squares are counted from the view's upper left one.
+    double reach(int column, int row) const {
+        return m_rays.empty() ? m_pinholeReach : *m_reach.at(column, row);
+    }
+
+    /// The pixel in the middle of a square.
+    Eigen::Vector2i middle(int column, int row) const;
+
   private:
+    float measuredReach(int column, int row) const;
+
     CameraModel m_camera;
     Image<float, 3> m_rays; ///< This is empty without distortion.
+    double m_pinholeReach;
+    Image<float, 1> m_reach; ///< One value a square. This is empty without distortion.
 };
 
 } // namespace spherewalk::render

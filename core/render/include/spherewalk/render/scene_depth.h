@@ -11,6 +11,8 @@
 
 namespace spherewalk::render {
 
+class DepthSteps;
+
 /// How far away each pixel of a photo is. It mostly has fewer pixels than the photo. Frames: the photo's own,
 /// equirectangular as in geometry/equirect.h. Threads: const functions may run on any number at a time.
 class DepthMap {
@@ -25,6 +27,9 @@ class DepthMap {
     /// measured. Errors: InvalidInput for a size that is not 2:1 or not 16 to 8192 wide, sizes that differ,
     /// and NaN.
     explicit DepthMap(Image<float, 1> inverseM, MaskImage sure = {});
+
+    /// The map of what a file has.
+    explicit DepthMap(const DepthSteps& steps);
 
     /// The map that serialised() wrote. source: a name for sentences. Errors: Corrupt.
     static DepthMap parse(ByteView bytes, std::string_view source);
