@@ -149,27 +149,28 @@ class MarkingSheet {
         for (const double x : {-0.5, 0.0, 0.5}) {
             isFree = isFree && !contains(walls, at(1, 0.5) + Vector2d(x * widthMm, 0));
         }
-        double share = 0.5;
-        for (const double other : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
-            if (isFree || !touchesRail(at(-1, other), widthMm)) {
-                share = other;
-                break;
-            }
-        }
+        constexpr std::array<double, 7> kShares = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8};
+        const double share =
+            isFree ? kShares[0] : *std::min_element(kShares.begin(), kShares.end(), [&](double a, double b) {
+                return crowding(at(-1, a), widthMm) < crowding(at(-1, b), widthMm);
+            });
         m_pages.words(at(isFree ? 1 : -1, share) + Vector2d(0, 0.35 * kSmallMm), words, kSmallMm,
                       Align::Centre);
     }
 
-    /// Whether words of this width around a place lie over a rail, or over the number of one.
-    bool touchesRail(const Vector2d& middle, double widthMm) const {
+    /// How much words of this width around a place would lie over rails and, which is worse, their numbers.
+    int crowding(const Vector2d& middle, double widthMm) const {
         constexpr double kApartMm = 2;
-        constexpr double kFromNumberMm = 6;
+        constexpr double kFromNumberMm = 3;
         const Vector2d half(0.5 * widthMm, 0);
-        return std::any_of(m_plan.placements.begin(), m_plan.placements.end(), [&](const auto& rail) {
+        int result = 0;
+        for (const survey::RailPlacement& rail : m_plan.placements) {
             const Polygon line = onPaper({rail.stop(0), rail.stop(rail.stops - 1)});
-            return distanceToEdge(line, middle - half, middle + half) < kApartMm ||
-                   (line[0] - middle).norm() < kFromNumberMm + half.x();
-        });
+            const Vector2d number = (line[0] - middle).cwiseAbs();
+            result += distanceToEdge(line, middle - half, middle + half) < kApartMm ? 1 : 0;
+            result += number.x() < kFromNumberMm + half.x() && number.y() < 2 * kFromNumberMm ? 2 : 0;
+        }
+        return result;
     }
 
     void drawRail(const survey::RailPlacement& rail, std::size_t index) {
