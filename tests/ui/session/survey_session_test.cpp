@@ -24,9 +24,9 @@ QString surveyIn(const test::TemporaryFolder& folder) {
 TEST(SurveySession, ShowsItsOwnWritesToReaders) {
     const test::TemporaryFolder folder;
     const auto session = SurveySession::open(surveyIn(folder));
-    const int before = session->store().counts().stations;
+    const std::size_t before = session->store().stations().size();
     session->write(SurveySession::Plan, [](store::SurveyStore& store) { store.addStation({1, 1, 1.2}); });
-    EXPECT_EQ(session->store().counts().stations, before + 1);
+    EXPECT_EQ(session->store().stations().size(), before + 1);
 }
 
 TEST(SurveySession, TellsWhatChanged) {
