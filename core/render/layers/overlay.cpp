@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spherewalk/render/overlay.h"
 
+#include "layers/layer_rows.h"
 #include "layers/overlay_layer.h"
-#include "layers/overlay_pixels.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/recently_used.h"

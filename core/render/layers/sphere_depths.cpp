@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "layers/sphere_depths.h"
+#include "layers/layer_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "layers/view_geometry.h"
 
+#include "layers/layer_rows.h"
 #include "layers/shown_errors.h"
-#include "layers/sphere_depths.h"
 #include "sphere/exact_view.h"
 
 #include "spherewalk/base/error.h"
