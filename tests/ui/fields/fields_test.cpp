@@ -89,9 +89,9 @@ TEST(SceneFields, EachSceneModelAndSamplingHasAWordOfItsOwn) {
     }
     EXPECT_EQ(scenes.size(), 5U);
     std::set<QString> samplings;
-    for (const auto sampling :
-         {render::Sampling::Nearest, render::Sampling::Bilinear, render::Sampling::Reduced,
-          render::Sampling::Footprint, render::Sampling::Bicubic, render::Sampling::Best, render::Sampling::Auto}) {
+    for (const auto sampling : {render::Sampling::Nearest, render::Sampling::Bilinear,
+                                render::Sampling::Reduced, render::Sampling::Footprint,
+                                render::Sampling::Bicubic, render::Sampling::Best, render::Sampling::Auto}) {
         samplings.insert(samplingWord(sampling));
     }
     EXPECT_EQ(samplings.size(), 6U);

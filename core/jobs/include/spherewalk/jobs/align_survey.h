@@ -120,7 +120,7 @@ struct PhotoMove {
 
 /// The moved photos, in order. Shape: tagged has one entry a photo.
 std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
-                                    const align::Alignment& alignment);
+                                   const align::Alignment& alignment);
 
 /// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
 /// standard deviations of all places.
