@@ -24,7 +24,6 @@ namespace {
 
 constexpr int kBootstrapDraws = 192; // A standard deviation of so many is right to 5 %.
 constexpr double kLeastCurvature = 0.3;
-
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Draws = Eigen::MatrixXd; // One column a draw.
 
