@@ -45,12 +45,13 @@ constexpr Numbers<SceneKind, 5> kSceneNumbers{{{SPHEREWALK_SCENE_NONE, SceneKind
                                                {SPHEREWALK_SCENE_DEPTH, SceneKind::Depth},
                                                {SPHEREWALK_SCENE_BLEND, SceneKind::Blend}}};
 
-constexpr Numbers<Sampling, 6> kSamplingNumbers{{{SPHEREWALK_SAMPLING_NEAREST, Sampling::Nearest},
+constexpr Numbers<Sampling, 7> kSamplingNumbers{{{SPHEREWALK_SAMPLING_NEAREST, Sampling::Nearest},
                                                  {SPHEREWALK_SAMPLING_BILINEAR, Sampling::Bilinear},
                                                  {SPHEREWALK_SAMPLING_REDUCED, Sampling::Reduced},
                                                  {SPHEREWALK_SAMPLING_FOOTPRINT, Sampling::Footprint},
                                                  {SPHEREWALK_SAMPLING_BICUBIC, Sampling::Bicubic},
-                                                 {SPHEREWALK_SAMPLING_AUTO, Sampling::Auto}}};
+                                                 {SPHEREWALK_SAMPLING_AUTO, Sampling::Auto},
+                                                 {SPHEREWALK_SAMPLING_BEST, Sampling::Best}}};
 
 constexpr Numbers<ViewOrigin, 3> kOriginNumbers{{{SPHEREWALK_ORIGIN_PHOTO, ViewOrigin::Photo},
                                                  {SPHEREWALK_ORIGIN_THUMBNAIL, ViewOrigin::Thumbnail},

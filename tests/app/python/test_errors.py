@@ -70,7 +70,7 @@ def test_cameras_that_are_none_are_refused(arguments, words):
 
 def test_words_that_are_unknown_are_refused_with_those_that_are(renderer, small, dataset):
     for options, words in [({"scene": "sphere "}, "none, sphere, room, depth and blend"),
-                           ({"sampling": "best"}, "nearest, bilinear"),
+                           ({"sampling": "finest"}, "nearest, bilinear"),
                            ({"overlay_edges": "round"}, "soft and hard"),
                            ({"threads": -1}, "0 \\(all\\) to"),
                            ({"tolerance_db": np.nan}, "finite tolerance_db")]:

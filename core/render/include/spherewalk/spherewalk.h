@@ -202,8 +202,7 @@ enum {
 
 typedef struct spherewalk_renderer_options {
     size_t struct_size;
-    uint64_t
-        cache_bytes; ///< The budget for decoded pixels. Pixels in use stay in any case. Default: 512 MiB.
+    uint64_t cache_bytes;  ///< Budget for decoded pixels; pixels in use stay in any case. Default: 512 MiB.
     int32_t verify_photos; ///< Default: SPHEREWALK_VERIFY_PHOTOS_BEFORE_USE.
     int32_t reserved;      ///< It must be 0.
 } spherewalk_renderer_options;
@@ -229,13 +228,14 @@ enum {
 
 /// How a view's pixel is made from the photo's pixels, cheap to exact. The C++ header ladder.h explains them.
 enum {
-    SPHEREWALK_SAMPLING_DEFAULT = 0, ///< Bicubic where the photo is magnified, else footprint.
+    SPHEREWALK_SAMPLING_DEFAULT = 0, ///< It means SPHEREWALK_SAMPLING_BEST.
     SPHEREWALK_SAMPLING_NEAREST = 1,
     SPHEREWALK_SAMPLING_BILINEAR = 2,
     SPHEREWALK_SAMPLING_REDUCED = 3,
     SPHEREWALK_SAMPLING_FOOTPRINT = 4,
     SPHEREWALK_SAMPLING_BICUBIC = 5,
-    SPHEREWALK_SAMPLING_AUTO = 6 ///< The cheapest that is expected to reach tolerance_db.
+    SPHEREWALK_SAMPLING_AUTO = 6, ///< The cheapest that is expected to reach tolerance_db.
+    SPHEREWALK_SAMPLING_BEST = 7  ///< Bicubic where the photo is magnified, else footprint.
 };
 
 /// Pixels of the caller, row after row from the top left one.

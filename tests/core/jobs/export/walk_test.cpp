@@ -97,7 +97,7 @@ TEST_F(WalkTest, WritesAFrameAPoseWithItsIndexAndASheet) {
     EXPECT_FALSE(photo::readPicture(folder / "out/walk/contact-sheet.png").empty());
     const std::string csv = readTextFile(folder / "out/walk/index.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
-    EXPECT_NE(csv.find("\n000003.png,0.30000000000000004,0.75,0,0,0,0,0,1,photos/1.jpg,0.25,none,footprint,"),
+    EXPECT_NE(csv.find("\n000003.png,0.30000000000000004,0.75,0,0,0,0,0,1,photos/1.jpg,0.25,none,bicubic,"),
               std::string::npos)
         << csv;
 }
