@@ -72,8 +72,8 @@ class GoldenView : public testing::Test {
 
     static void TearDownTestSuite() { s_dataset.reset(); }
 
-    static render::View view(const CameraModel& camera, const Rigid3& pose,
-                             const render::ViewOptions& options) {
+    static render::View view(const CameraModel& camera, const Rigid3& pose, render::ViewOptions options) {
+        options.sampling = render::Sampling::Footprint;
         return s_dataset->renderer().render(camera, pose, options);
     }
 

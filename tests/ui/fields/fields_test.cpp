@@ -94,7 +94,7 @@ TEST(SceneFields, EachSceneModelAndSamplingHasAWordOfItsOwn) {
                                 render::Sampling::Bicubic, render::Sampling::Best, render::Sampling::Auto}) {
         samplings.insert(samplingWord(sampling));
     }
-    EXPECT_EQ(samplings.size(), 6U);
+    EXPECT_EQ(samplings.size(), 7U);
 }
 
 TEST(SceneFields, PromiseNothingMeasuredWithoutAMeasurement) {
