@@ -79,7 +79,7 @@ def test_mypy_finds_the_types_of_an_installed_module(tmp_path):
         "def f(renderer: spherewalk.Renderer, camera: spherewalk.Camera) -> None:\n"
         "    reveal_type(renderer.render(camera, [0, 0, 1, 0, 0, 0, 1], frame='body').report.offset_m)\n"
         "    renderer.render(camera, [0, 0, 1, 0, 0, 0, 1], frame='head')\n"
-        "    spherewalk.ViewOptions(sampling='best')\n")
+        "    spherewalk.ViewOptions(sampling='finest')\n")
     done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"),
                            str(tmp_path / "use.py")], stdout=subprocess.PIPE, text=True)
     assert 'Revealed type is "builtins.float"' in done.stdout
