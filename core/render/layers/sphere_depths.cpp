@@ -47,7 +47,7 @@ void sphereDepths(const CameraIntrinsics& camera, const DisplacedCamera& inCamer
         hn::StoreU(depthsFrom(x), df, depths.data() + x);
     }
     if (x < depths.size()) {
-        std::array<float, HWY_MAX_BYTES / sizeof(float)> last;
+        std::array<float, hn::MaxLanes(decltype(d){})> last;
         hn::StoreU(depthsFrom(x), df, last.data());
         std::copy_n(last.data(), depths.size() - x, depths.data() + x);
     }
