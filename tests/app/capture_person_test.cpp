@@ -20,16 +20,30 @@ namespace spherewalk {
 using test::runCli;
 using testing::HasSubstr;
 
-TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
-    const test::TemporaryFolder folder;
+namespace {
+
+practice::PracticeCameraOptions plainCamera() {
     practice::PracticeCameraOptions options;
     options.width = 1024;
     options.isPlain = true;
+    return options;
+}
+
+std::string plannedSurvey(const test::TemporaryFolder& folder) {
+    std::string survey = (folder / "s.spherewalk").string();
+    EXPECT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    return survey;
+}
+
+} // namespace
+
+TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
+    const test::TemporaryFolder folder;
+    practice::PracticeCameraOptions options = plainCamera();
     options.truthFile = folder / "truth.jsonl";
     practice::PracticeCamera camera(options);
     camera.start();
-    const std::string survey = (folder / "s.spherewalk").string();
-    ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    const std::string survey = plannedSurvey(folder);
     const std::vector<store::StationRecord> stations =
         store::SurveyStore::open(survey, store::Access::Read).stations();
     const test::Keyboard keyboard;
@@ -60,13 +74,9 @@ TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
 
 TEST(FollowCommand, ALineWithoutAnEndTakesNoMemory) {
     const test::TemporaryFolder folder;
-    practice::PracticeCameraOptions options;
-    options.width = 1024;
-    options.isPlain = true;
-    practice::PracticeCamera camera(options);
+    practice::PracticeCamera camera(plainCamera());
     camera.start();
-    const std::string survey = (folder / "s.spherewalk").string();
-    ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    const std::string survey = plannedSurvey(folder);
     constexpr std::uintmax_t kLineBytes = 256 << 20;
     test::Program::Options input;
     input.inputFile = (folder / "line").string();
@@ -115,13 +125,9 @@ TEST(ShotsCommand, ListsShotsWithoutAnEndAndTakesAPersonsDecision) {
 
 TEST(ShotsCommand, IsNamedByCaptureAsLongAsAPersonHasToDecide) {
     const test::TemporaryFolder folder;
-    practice::PracticeCameraOptions options;
-    options.width = 1024;
-    options.isPlain = true;
-    practice::PracticeCamera camera(options);
+    practice::PracticeCamera camera(plainCamera());
     camera.start();
-    const std::string survey = (folder / "s.spherewalk").string();
-    ASSERT_EQ(runCli({"new", survey, "--rect", "0,0,5,4", "--ceiling", "2.6", "--step", "0.6"}).status, 0);
+    const std::string survey = plannedSurvey(folder);
     {
         auto store = store::SurveyStore::open(survey, store::Access::Write);
         store.markUnclear(store.beginShot(store.stations()[0].id, "YN1", {}).id, "Two pictures are new.");

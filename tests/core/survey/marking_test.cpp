@@ -21,6 +21,16 @@ Room concaveRoom() {
     return room;
 }
 
+/// A room with four cupboards, one in the line of sight of each corner from the middle.
+Room roomOfFourCupboards() {
+    Room room = test::rectangularRoom(4, 4);
+    for (const Vector2d& at : {Vector2d(1, 1), Vector2d(3, 1), Vector2d(3, 3), Vector2d(1, 3)}) {
+        room.obstacles.push_back(
+            {at + Vector2d(-.3, -.3), at + Vector2d(.3, -.3), at + Vector2d(.3, .3), at + Vector2d(-.3, .3)});
+    }
+    return room;
+}
+
 Plan planOf(const Room& room) {
     PlanOptions options;
     options.stepM = 0.4;
@@ -100,14 +110,7 @@ TEST(Marking, ARoomFarFromTheOriginGetsTheSameTapes) {
 }
 
 TEST(Marking, APointThatNoCornerSeesIsMeasuredSquareFromWalls) {
-    Room room;
-    room.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-    room.ceilingM = 2.5;
-    // Four cupboards, one in each corner's line of sight.
-    for (const Vector2d& at : {Vector2d(1, 1), Vector2d(3, 1), Vector2d(3, 3), Vector2d(1, 3)}) {
-        room.obstacles.push_back(
-            {at + Vector2d(-.3, -.3), at + Vector2d(.3, -.3), at + Vector2d(.3, .3), at + Vector2d(-.3, .3)});
-    }
+    const Room room = roomOfFourCupboards();
     Plan one;
     one.placements = {{{2, 2}, Radians(0), 1, 0.4}};
     const auto marks = railMarks(room, one);
@@ -133,13 +136,7 @@ TEST(Marking, APointInsideOfAnObstacleGetsNoTape) {
 }
 
 TEST(Marking, APointThatNoCornerSeesHangsOnTheRailBefore) {
-    Room room;
-    room.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-    room.ceilingM = 2.5;
-    for (const Vector2d& at : {Vector2d(1, 1), Vector2d(3, 1), Vector2d(3, 3), Vector2d(1, 3)}) {
-        room.obstacles.push_back(
-            {at + Vector2d(-.3, -.3), at + Vector2d(.3, -.3), at + Vector2d(.3, .3), at + Vector2d(-.3, .3)});
-    }
+    const Room room = roomOfFourCupboards();
     Plan two;
     two.placements = {{{0.6, 2}, Radians(0), 1, 0.4}, {{2, 2}, Radians(0), 1, 0.4}};
     const std::vector<RailMark> marks = railMarks(room, two);
