@@ -83,6 +83,14 @@ TEST_F(PanoramaViewTest, ShowsThePhotoTurnedAsItWasSolved) {
     EXPECT_GT(ahead, at(0.5).red() + 60);
 }
 
+TEST_F(PanoramaViewTest, SaysWhenItsPictureIsThere) {
+    PanoramaPresenter presenter;
+    presenter.show(photo(0));
+    QSignalSpy changed(&presenter, &PanoramaPresenter::changed);
+    ASSERT_TRUE(changed.wait());
+    EXPECT_NE(presenter.picture({20, 10}).pixelColor(10, 5), QColor(Qt::black));
+}
+
 TEST_F(PanoramaViewTest, SaysWhyAPhotoCannotBeShown) {
     ShownPhoto missing = photo(0);
     missing.file = survey / "nothing.JPG";
