@@ -39,7 +39,7 @@ Rigid3 lookingTo(double leftDeg, double upDeg, const Vector3d& at) {
     return {rotation({Degrees(leftDeg), Degrees(-upDeg), Degrees(0)}) * bodyFromOptical(), at};
 }
 
-BenchPhoto::BenchPhoto(std::shared_ptr<const render::Dataset> dataset)
+BenchPhoto::BenchPhoto(const std::shared_ptr<const render::Dataset>& dataset)
     : m_index(dataset->nearestPhoto(dataset->info().photos.front().roomFromPhoto.translation)),
       m_jpeg(dataset->readPhoto(m_index)),
       m_picture(jpeg::decode(m_jpeg, dataset->info().photos[m_index].file)),

@@ -21,7 +21,7 @@ Rigid3 lookingTo(double leftDeg, double upDeg, const Eigen::Vector3d& at = Eigen
 class BenchPhoto {
   public:
     /// Errors: those of reading and decoding the photo.
-    explicit BenchPhoto(std::shared_ptr<const render::Dataset> dataset);
+    explicit BenchPhoto(const std::shared_ptr<const render::Dataset>& dataset);
 
     const render::Dataset& dataset() const { return m_renderer.dataset(); }
 

@@ -36,7 +36,8 @@ class Reference {
         parallelFor(rows, 1, 0, [&](int row, int /*end*/) {
             throwIfStopped(stop);
             for (int column = 0; column < columns; ++column) {
-                result[static_cast<std::size_t>(row * columns + column)] =
+                result[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(column)] =
                     mean(projection, Vector2d(column * m_step, row * m_step));
             }
         });
@@ -47,7 +48,8 @@ class Reference {
     Vector3d mean(const render::Projection& projection, const Vector2d& pixel) const {
         Vector3d sum = Vector3d::Zero();
         for (int part = 0; part < kParts * kParts; ++part) {
-            const Vector2d offset((part % kParts + 0.5) / kParts - 0.5, (part / kParts + 0.5) / kParts - 0.5);
+            const int row = part / kParts;
+            const Vector2d offset((part % kParts + 0.5) / kParts - 0.5, (row + 0.5) / kParts - 0.5);
             sum += render::bilinear(m_photo.picture(), *projection.photoPixel(pixel + offset));
         }
         return sum / (kParts * kParts);
@@ -77,6 +79,7 @@ std::vector<RungFidelity> measureFidelity(const BenchPhoto& photo, double fieldD
     const CameraModel camera = standardCamera(fieldDeg);
     const Reference reference(photo, camera, options.pixelStep);
     std::vector<RungFidelity> result;
+    result.reserve(std::size(kRungs));
     for (const render::Sampling rung : kRungs) {
         result.push_back({rung, fieldDeg, 0, kEqualDb});
     }

@@ -164,8 +164,10 @@ class Comparison {
         for (std::size_t i = 0; i < m_u.size(); i += kEvery) {
             const int at = static_cast<int>(i);
             const int part = at / kCell % (n * n);
-            const Vector2d pixel(kCell * cellX + at % kCell, kCell * cellY + at / (kCell * n * n));
-            const Vector2d offset((part % n + 0.5) / n - 0.5, (part / n + 0.5) / n - 0.5);
+            const int row = at / (kCell * n * n);
+            const int partRow = part / n;
+            const Vector2d pixel(kCell * cellX + at % kCell, kCell * cellY + row);
+            const Vector2d offset((part % n + 0.5) / n - 0.5, (partRow + 0.5) / n - 0.5);
             if (pixel.x() < m_view.camera.width() && pixel.y() < m_view.camera.height() &&
                 m_view.camera.ray(pixel)) {
                 compare(cellX, pixel, offset, {m_u[i], m_v[i]});
@@ -377,7 +379,8 @@ LatticeError searchLattice(LatticeSearch search, int everyNth, ProgressSink& pro
     int done = 0;
     parallelFor(count, 1, 0, [&](int i, int /*end*/) {
         throwIfStopped(stop);
-        errors[static_cast<std::size_t>(i)] = latticeError(cases[static_cast<std::size_t>(i * everyNth)]);
+        errors[static_cast<std::size_t>(i)] =
+            latticeError(cases[static_cast<std::size_t>(i) * static_cast<std::size_t>(everyNth)]);
         const std::scoped_lock lock(mutex);
         progress.progress(static_cast<double>(++done) / count,
                           text("Looking for the worst coordinates, ", name(search)));

@@ -311,7 +311,7 @@ std::string refusal(const ColourSamples& all, const Palette& views, const Palett
     }
     for (const auto& [palette, whose] :
          {std::pair(views, "views"), std::pair(pictures, "robot's pictures")}) {
-        if (const std::string why = refusal(palette, whose); !why.empty()) {
+        if (std::string why = refusal(palette, whose); !why.empty()) {
             return why;
         }
         if (palette.shades < kLeastShade) {

@@ -154,6 +154,7 @@ std::vector<PictureMatch> witnessedMatches(const PictureFeatures& a, const Pictu
     }
     const std::vector<PictureMatch> matches = pictureMatches(a, b);
     std::vector<Moved> all;
+    all.reserve(matches.size());
     for (const PictureMatch& match : matches) {
         all.push_back({match.inA, match.inB - match.inA});
     }
@@ -234,6 +235,7 @@ FoundPatch foundPatch(const cv::Mat& truth, const cv::Mat& computed, const cv::P
 /// The pixels of a picture's features, each once.
 std::vector<cv::Point> placesOf(const std::vector<cv::KeyPoint>& points) {
     std::vector<cv::Point> places;
+    places.reserve(points.size());
     for (const cv::KeyPoint& point : points) {
         places.emplace_back(cvRound(point.pt.x), cvRound(point.pt.y));
     }
@@ -331,6 +333,7 @@ std::optional<double> quantile(const std::vector<Displacement>& displacements, d
         return std::nullopt;
     }
     std::vector<double> errors;
+    errors.reserve(displacements.size());
     for (const Displacement& displacement : displacements) {
         errors.push_back(displacement.errorPx);
     }

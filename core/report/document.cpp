@@ -31,7 +31,7 @@ svg { max-width: 100%; height: auto; display: block; margin: 1em 0 }
 /// Writes a document as a page, with its pictures as files beside it.
 class HtmlPage {
   public:
-    explicit HtmlPage(const std::filesystem::path& folder) : m_folder(folder) {}
+    explicit HtmlPage(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
     void write(const Document& document) {
         m_html = text(

@@ -193,7 +193,7 @@ void PdfPages::picture(const Vector2d& at, double widthMm, const RgbImage& pictu
     const Bytes& bytes = *jpeg;
     if (cairo_surface_set_mime_data(surface.get(), CAIRO_MIME_TYPE_JPEG, bytes.data(), bytes.size(),
                                     forgetBytes, jpeg.get()) == CAIRO_STATUS_SUCCESS) {
-        jpeg.release(); // forgetBytes() has it now
+        static_cast<void>(jpeg.release()); // forgetBytes() has it now
     }
     cairo_save(m_cairo.get());
     cairo_translate(m_cairo.get(), at.x(), at.y());

@@ -383,8 +383,8 @@ FilledPicture withoutCarried(const PosedPicture& photo, std::span<const PosedPic
             const auto share = static_cast<float>(std::min(1.0, inside / kFadeRad));
             for (int c = 0; c < RgbImage::kChannels; ++c) {
                 std::uint8_t& value = result.picture.at(x, y)[c];
-                value = static_cast<std::uint8_t>((1 - share) * static_cast<float>(value) +
-                                                  share * (*colour)[c] + 0.5F);
+                value = static_cast<std::uint8_t>(
+                    nearestInt((1 - share) * static_cast<float>(value) + share * (*colour)[c]));
             }
             *result.filled.at(x, y) = 255;
         }

@@ -54,8 +54,8 @@ void markConfirmed(const Plane& inverseM, const PixelAngles& angles, int y, cons
         const Eigen::Vector3f point = ray / *inverseM.at(x, y) + offset;
         const float expected = 1 / std::max(1e-6F, point.norm());
         const FastPixel at = fastPixel(point.x(), point.y(), point.z(), static_cast<float>(width));
-        const int atX = static_cast<int>(at.u + 0.5F) % width;
-        const int atY = std::min(static_cast<int>(at.v + 0.5F), neighbourInverseM.height() - 1);
+        const int atX = nearestInt(at.u) % width;
+        const int atY = std::min(nearestInt(at.v), neighbourInverseM.height() - 1);
         const bool agrees =
             std::fabs(*neighbourInverseM.at(atX, atY) - expected) < kShare * expected + parallax;
         marks[x] = agrees ? 255 : marks[x];

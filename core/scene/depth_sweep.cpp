@@ -101,11 +101,11 @@ std::vector<double> baselines(const PosedPicture& photo, std::span<const PosedPi
 class Sweep {
   public:
     Sweep(const PosedPicture& photo, std::span<const PosedPicture> neighbours, const SweepOptions& options,
-          const std::stop_token& stop)
+          std::stop_token stop)
         : m_photo(photo),
           m_neighbours(neighbours),
           m_options(options),
-          m_stop(stop),
+          m_stop(std::move(stop)),
           m_distances(baselines(photo, neighbours), options),
           m_evident(options.width, options.width / 2) {
         std::fill(m_evident.values().begin(), m_evident.values().end(), std::uint8_t{255});
@@ -129,7 +129,7 @@ class Sweep {
   private:
     SweepCost costsAt(int width) const {
         throwIfStopped(m_stop);
-        return SweepCost(m_photo, m_neighbours, m_options.keptShare, width, m_options.threads, m_gains);
+        return {m_photo, m_neighbours, m_options.keptShare, width, m_options.threads, m_gains};
     }
 
     CostVolume<std::uint8_t> volume(const SweepCost& cost) const {

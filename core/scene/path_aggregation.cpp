@@ -50,7 +50,7 @@ class Paths {
     /// Adds both paths along a row. A path begins a part of a turn ahead, so that the seam is no beginning.
     void alongRow(int y) {
         const int width = m_costs.width;
-        const auto room = static_cast<std::size_t>(m_costs.distances + 2);
+        const auto room = static_cast<std::size_t>(m_costs.distances) + 2;
         std::vector<std::int16_t> unused(static_cast<std::size_t>(m_costs.distances));
         for (const int step : {1, -1}) {
             std::vector<std::int16_t> a(room, 0);
@@ -74,7 +74,7 @@ class Paths {
     void acrossRows(int step, int threads, const std::stop_token& stop) {
         const int width = m_costs.width;
         const std::size_t ends = 3 * static_cast<std::size_t>(width);
-        const auto room = static_cast<std::size_t>(m_costs.distances + 2);
+        const auto room = static_cast<std::size_t>(m_costs.distances) + 2;
         std::vector<std::int16_t> costs[2];
         std::vector<std::int16_t> least[2];
         for (int i = 0; i < 2; ++i) {

@@ -197,6 +197,7 @@ Polygon rectangleAbout(const std::vector<Seen>& walls) {
     const Vector2d across(-along.y(), along.x());
     const auto range = [&](const Vector2d& axis) {
         std::vector<double> values;
+        values.reserve(walls.size());
         for (const Seen& point : walls) {
             values.push_back(axis.dot(point.atM.head<2>()));
         }

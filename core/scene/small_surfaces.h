@@ -32,8 +32,8 @@ class Surfaces {
         m_pixels.assign(1, first);
         m_isSeen[first] = 1;
         const int width = m_inverseM.width();
-        for (std::size_t k = 0; k < m_pixels.size(); ++k) {
-            const std::size_t from = m_pixels[k];
+        for (std::size_t next = 0; next < m_pixels.size();) {
+            const std::size_t from = m_pixels[next++]; // join() adds pixels
             const int x = static_cast<int>(from) % width;
             const int y = static_cast<int>(from) / width;
             join(from, (x + 1) % width, y);
@@ -44,7 +44,8 @@ class Surfaces {
     }
 
     void join(std::size_t from, int x, int y) {
-        const auto to = static_cast<std::size_t>(y * m_inverseM.width() + x);
+        const auto to = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_inverseM.width()) +
+                        static_cast<std::size_t>(x);
         const float a = m_inverseM.values()[from];
         const float b = m_inverseM.values()[to];
         if (m_isSeen[to] == 0 && std::fabs(a - b) < kJump * std::max(a, b)) {

@@ -34,8 +34,8 @@ namespace {
 /// Finds where a photo shows a row of a frame's directions.
 class TurnedRow {
   public:
-    TurnedRow(const Eigen::Matrix3f& photoFromFrame, int width)
-        : m_turn(photoFromFrame), m_angles(width), m_u(static_cast<std::size_t>(width)), m_v(m_u) {}
+    TurnedRow(Eigen::Matrix3f photoFromFrame, int width)
+        : m_turn(std::move(photoFromFrame)), m_angles(width), m_u(static_cast<std::size_t>(width)), m_v(m_u) {}
 
     /// photoWidth: in pixels.
     SPHEREWALK_VECTOR_CLONES
@@ -83,16 +83,16 @@ Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFr
 /// The values of a plane in another frame, each the nearest one. Shape: as that of a SweepPicture, one column
 /// and one row more.
 std::vector<float> turned(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame, int threads) {
-    const auto pitch = static_cast<std::size_t>(plane.width() + 1);
-    std::vector<float> result(pitch * static_cast<std::size_t>(plane.height() + 1));
+    const auto pitch = static_cast<std::size_t>(plane.width()) + 1;
+    std::vector<float> result(pitch * (static_cast<std::size_t>(plane.height()) + 1));
     parallelFor(plane.height(), 32, threads, [&](int begin, int end) {
         TurnedRow row(planeFromFrame.cast<float>(), plane.width());
         for (int y = begin; y < end; ++y) {
             row.place(y, plane.width());
             float* out = result.data() + pitch * static_cast<std::size_t>(y);
             for (int x = 0; x < plane.width(); ++x) {
-                const int column = static_cast<int>(row.u(x) + 0.5F) % plane.width();
-                const int line = std::min(static_cast<int>(row.v(x) + 0.5F), plane.height() - 1);
+                const int column = nearestInt(row.u(x)) % plane.width();
+                const int line = std::min(nearestInt(row.v(x)), plane.height() - 1);
                 out[x] = *plane.at(column, line);
             }
             out[plane.width()] = out[0];

@@ -59,9 +59,9 @@ struct FrameMaker {
 };
 
 struct SimulatedCamera::State {
-    State(const render::Renderer& sharedRenderer, const CameraModel& model, const CameraOptions& wanted,
+    State(render::Renderer sharedRenderer, const CameraModel& model, const CameraOptions& wanted,
           GiveFrame give, Refusals::Tell tell)
-        : renderer(sharedRenderer),
+        : renderer(std::move(sharedRenderer)),
           options(checked(wanted)),
           giveFrame(std::move(give)),
           refusals(std::move(tell)),

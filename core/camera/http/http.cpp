@@ -81,7 +81,7 @@ void HttpOptions::validate() const {
 }
 
 HttpClient::HttpClient(Endpoint endpoint, HttpOptions options)
-    : m_endpoint(std::move(endpoint)), m_options(options) {
+    : m_endpoint(std::move(endpoint)), m_options(std::move(options)) {
     m_options.validate();
     initialiseOnce();
     m_handles = std::make_unique<Handles>();

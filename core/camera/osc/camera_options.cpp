@@ -113,7 +113,7 @@ double offered(const Json& known, const std::string& name, double wanted, double
 }
 
 Json whiteBalance(const Json& known, WhiteBalance balance) {
-    const Json wanted = spelled(balance);
+    Json wanted = spelled(balance);
     const auto list = known.find("whiteBalanceSupport");
     if (list != known.end() && list->is_array() &&
         std::find(list->begin(), list->end(), wanted) == list->end()) {
@@ -129,6 +129,7 @@ Json whiteBalance(const Json& known, WhiteBalance balance) {
 const std::vector<std::string>& profileOptionNames() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> result;
+        result.reserve(std::size(kWords));
         for (const auto& [option, word] : kWords) {
             result.emplace_back(option);
         }

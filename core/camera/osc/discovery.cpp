@@ -55,6 +55,7 @@ bool isFound(const std::vector<FoundCamera>& cameras, const CameraInfo& info) {
 void askAll(const std::vector<CameraPlace>& places, const FindOptions& options, FindReport& report,
             const std::stop_token& stop) {
     std::vector<std::future<std::optional<CameraInfo>>> answers;
+    answers.reserve(places.size());
     for (const CameraPlace& place : places) {
         answers.push_back(std::async(std::launch::async,
                                      [&options, &stop, &place] { return whoAnswers(place, options, stop); }));

@@ -41,7 +41,8 @@ bool needsSession(std::string_view command) {
 
 /// What all clients of one camera know of its level. The last of them closes the session.
 struct OscClient::Level {
-    Level(Endpoint where, const HttpOptions& with) : endpoint(std::move(where)), http(with), note(endpoint) {}
+    Level(Endpoint where, HttpOptions with)
+        : endpoint(std::move(where)), http(std::move(with)), note(endpoint) {}
 
     ~Level() {
         if (session.is_null()) {
@@ -73,9 +74,9 @@ struct OscClient::Level {
 
 OscClient::OscClient(Endpoint endpoint, OscOptions options, Clock& clock)
     : m_http(std::move(endpoint), options.http),
-      m_options(options),
+      m_options(std::move(options)),
       m_clock(clock),
-      m_level(std::make_shared<Level>(m_http.endpoint(), options.http)) {
+      m_level(std::make_shared<Level>(m_http.endpoint(), m_options.http)) {
     m_options.validate();
 }
 
@@ -211,7 +212,8 @@ Json OscClient::request(const std::string& command, Json parameters) const {
 
 FileList OscClient::listImages(const FileQuery& query, const std::stop_token& stop) {
     // There is no start position, only a token from page to page.
-    const auto wanted = static_cast<std::size_t>(query.startPosition + query.entryCount);
+    const auto wanted =
+        static_cast<std::size_t>(query.startPosition) + static_cast<std::size_t>(query.entryCount);
     FileList all;
     std::string token;
     for (std::size_t page = 0; page < kMostPages; ++page) {

@@ -106,15 +106,16 @@ Json CameraOptions::get(const Json& names, const std::map<std::string, Json>& re
         const std::string name = entry.get<std::string>();
         const bool isSupport = name.ends_with(kSupport);
         const std::string base = isSupport ? name.substr(0, name.size() - kSupport.size()) : name;
+        const bool isKnown = m_values.contains(base);
+        const auto* values = isKnown ? std::get_if<std::vector<Json>>(&m_legal.at(base)) : nullptr;
+        const auto* range = isKnown ? std::get_if<Range>(&m_legal.at(base)) : nullptr;
         if (const auto known = readOnly.find(name); known != readOnly.end()) {
             options[name] = known->second;
-        } else if (!m_values.contains(base)) {
-            throw OscError(OscCode::InvalidParameterName);
-        } else if (!isSupport) {
+        } else if (isKnown && !isSupport) {
             options[name] = m_values.at(base);
-        } else if (const auto* values = std::get_if<std::vector<Json>>(&m_legal.at(base))) {
+        } else if (values != nullptr) {
             options[name] = *values;
-        } else if (const auto* range = std::get_if<Range>(&m_legal.at(base))) {
+        } else if (range != nullptr) {
             options[name] = {{range->leastName, range->least}, {range->mostName, range->most}};
             if (range->step != 1) {
                 options[name]["stepSize"] = range->step;

@@ -128,7 +128,8 @@ Json OscDevice::state(const std::string& baseUrl) const {
     const std::scoped_lock lock(m_mutex);
     const auto& files = m_storage.files();
     Json state;
-    state["batteryLevel"] = m_condition.battery.value_or(std::max(0.05, 1.0 - 0.01 * (m_exposures / 5)));
+    const int percentUsed = m_exposures / 5;
+    state["batteryLevel"] = m_condition.battery.value_or(std::max(0.05, 1.0 - 0.01 * percentUsed));
     state["_batteryState"] = m_condition.saysUnknownThings ? "wireless" : "disconnect";
     state["_captureStatus"] = captureStatus();
     state["_recordedTime"] = 0;
@@ -151,8 +152,8 @@ Json OscDevice::state(const std::string& baseUrl) const {
         state["_newThing"] = Json::array({{{"b", "c"}}});
     }
     Json body;
-    body["fingerprint"] = text("FIG_", fixed(m_fingerprint / 1000, 0), fixed(m_fingerprint / 100 % 10, 0),
-                               fixed(m_fingerprint / 10 % 10, 0), fixed(m_fingerprint % 10, 0));
+    body["fingerprint"] = text("FIG_", m_fingerprint / 1000, m_fingerprint / 100 % 10,
+                               m_fingerprint / 10 % 10, m_fingerprint % 10);
     body["state"] = state;
     return body;
 }

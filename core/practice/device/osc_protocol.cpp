@@ -96,7 +96,7 @@ std::int64_t wholeNumber(const Json& value, std::int64_t least, std::int64_t mos
 }
 
 std::string word(const Json& value, std::initializer_list<std::string_view> known) {
-    const std::string spelled = value.is_string() ? value.get<std::string>() : std::string();
+    std::string spelled = value.is_string() ? value.get<std::string>() : std::string();
     if (std::find(known.begin(), known.end(), spelled) == known.end()) {
         throw OscError(OscCode::InvalidParameterValue);
     }

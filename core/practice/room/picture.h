@@ -108,8 +108,8 @@ template <class Rays>
 class Picture {
   public:
     Picture(const Scene& scene, const Rays& rays, const PictureOptions& options, ProgressSink& progress,
-            const std::stop_token& stop)
-        : m_scene(scene), m_rays(rays), m_options(options), m_progress(progress), m_stop(stop) {}
+            std::stop_token stop)
+        : m_scene(scene), m_rays(rays), m_options(options), m_progress(progress), m_stop(std::move(stop)) {}
 
     RgbImage colours() {
         RgbImage picture(m_rays.width(), m_rays.height());
@@ -151,6 +151,7 @@ class Picture {
     struct Tile {
         int left, top, right, bottom;
         std::vector<Candidate> candidates;
+        std::vector<Eigen::Vector3d> border;
     };
 
     bool withWalls() const { return m_options.content != Content::Objects; }
@@ -190,10 +191,10 @@ class Picture {
     void findCandidates(Tile& tile) const {
         Eigen::Vector3d axis = Eigen::Vector3d::Zero();
         Eigen::Vector3d direction;
-        m_border.clear();
+        tile.border.clear();
         const auto take = [&](int x, int y) {
             if (m_rays.ray(x, y, 4, 4, direction)) {
-                m_border.push_back(direction);
+                tile.border.push_back(direction);
                 axis += direction;
             }
         };
@@ -210,13 +211,13 @@ class Picture {
         const double length = axis.norm();
         // Rays all around, or a lens whose field ends inside the tile: no cone holds them.
         const auto borderSize = 2 * (tile.right - tile.left) + 2 * std::max(0, tile.bottom - tile.top - 2);
-        if (length < 0.5 * static_cast<double>(m_border.size()) ||
-            m_border.size() < static_cast<std::size_t>(borderSize)) {
+        if (length < 0.5 * static_cast<double>(tile.border.size()) ||
+            tile.border.size() < static_cast<std::size_t>(borderSize)) {
             axis = Eigen::Vector3d::UnitX();
             halfAngle = 4;
         } else {
             axis /= length;
-            for (const Eigen::Vector3d& ray : m_border) {
+            for (const Eigen::Vector3d& ray : tile.border) {
                 halfAngle = std::max(halfAngle, std::atan2(ray.cross(axis).norm(), ray.dot(axis)));
             }
             halfAngle = 1.05 * halfAngle + 2 * m_rays.pixelAngle(tile.left, tile.top);
@@ -226,7 +227,7 @@ class Picture {
 
     static void store(const Rgb& colour, std::uint8_t* pixel) {
         for (int i = 0; i < 3; ++i) {
-            pixel[i] = static_cast<std::uint8_t>(colour[i] + 0.5F);
+            pixel[i] = static_cast<std::uint8_t>(nearestInt(colour[i]));
         }
     }
 
@@ -292,7 +293,6 @@ class Picture {
     ProgressSink& m_progress;
     std::stop_token m_stop;
     std::mutex m_progressMutex;
-    static thread_local inline std::vector<Eigen::Vector3d> m_border;
 };
 
 } // namespace spherewalk::practice

@@ -291,7 +291,7 @@ Rgb Scene::lightAt(const Vector3d& point, const Eigen::Vector3f& normal) const {
     Rgb light = (sky * (0.5F + 0.5F * normal.z()) + bounce * (0.5F - 0.5F * normal.z())) * 0.42F;
 
     const Eigen::Vector3f toWindow = (m_furniture.windowCentre - point).cast<float>();
-    const float area = static_cast<float>(4 * m_furniture.windowHalf.y() * m_furniture.windowHalf.z());
+    const auto area = static_cast<float>(4 * m_furniture.windowHalf.y() * m_furniture.windowHalf.z());
     const float windowSquared = toWindow.squaredNorm() + 0.05F;
     const float towards = 1 / std::sqrt(windowSquared);
     // A large lamp wraps around: its light does not end at the horizon of the surface.

@@ -341,7 +341,7 @@ int HttpServer::hold(const std::string& host, int port) {
             0) {
         return 0;
     }
-    return std::atoi(service.data());
+    return static_cast<int>(parseNumber(service.data()).value_or(0));
 }
 
 bool HttpServer::open() {

@@ -60,6 +60,12 @@ class Image {
     std::vector<Value> m_values;
 };
 
+/// The nearest whole number. Range: 0 to 16 million. Loops with std::lround() take longer.
+inline int nearestInt(float value) {
+    constexpr float kHalf = 0.5F;
+    return static_cast<int>(value + kHalf);
+}
+
 /// 8-bit red, green, blue.
 using RgbImage = Image<std::uint8_t, 3>;
 /// 8-bit red, green, blue, alpha. Each user says whether the colours are multiplied by alpha.

@@ -45,7 +45,7 @@ class SettingsGuard {
     /// Owner: the client must outlive the guard.
     /// profile: none leaves the exposure as the camera is set.
     explicit SettingsGuard(OscClient& client, std::optional<survey::CaptureProfile> profile = {})
-        : m_client(client), m_profile(std::move(profile)) {}
+        : m_client(client), m_profile(profile) {}
 
     /// Where the camera's own settings are kept until they are put back, so that the next program puts them
     /// back if this one is killed: a file of this folder. Before apply().
