@@ -73,6 +73,43 @@ Eigen::Quaterniond asNeighboursSay(const ComponentInput& input, std::span<const 
     return said.empty() ? states[photo].roomFromPhoto : said[best];
 }
 
+/// How the lenses stand, by what the matches miss if both stand in one place. Photos of a camera that joins
+/// its pictures as if they did give 0.
+LensPair fittedLenses(const ComponentState& state, const RefinementOptions& options) {
+    constexpr double kPriorM = 0.02;
+    constexpr double kFarthestM = 0.05;
+    constexpr double kClearSigmas = 10; // Matches of one thing err together.
+    std::vector<PhotoState> states = state.unknowns.states();
+    LensPair lenses = state.unknowns.lenses;
+    double weight = 0;
+    for (int round = 0; round < 3; ++round) {
+        double slope = lenses.aheadM / (kPriorM * kPriorM);
+        weight = 1 / (kPriorM * kPriorM);
+        for (PhotoState& photo : states) {
+            photo.lenses = lenses;
+        }
+        for (const UsedPair& pair : state.used) {
+            const PhotoState& a = states[static_cast<std::size_t>(pair.a)];
+            const PhotoState& b = states[static_cast<std::size_t>(pair.b)];
+            const Eigen::Vector3d aheadOfA = a.roomFromPhoto * Eigen::Vector3d::UnitX();
+            const Eigen::Vector3d aheadOfB = b.roomFromPhoto * Eigen::Vector3d::UnitX();
+            MatchRow rows[2];
+            for (const UsedMatch& match : pair.matches) {
+                if (matchRows(pair, match, a, b, rows) != 1) {
+                    continue; // A turn alone tells nothing of places.
+                }
+                const Bounded robust = bounded(rows[0].residual / options.scale, options.width);
+                const Eigen::Vector3d moved = softSide(match.inB) * aheadOfB - softSide(match.inA) * aheadOfA;
+                const double by = robust.slope / options.scale * rows[0].by.tail<3>().dot(moved);
+                slope += by * robust.value;
+                weight += by * by;
+            }
+        }
+        lenses.aheadM = std::clamp(lenses.aheadM - slope / weight, -kFarthestM, kFarthestM);
+    }
+    return std::abs(lenses.aheadM) > kClearSigmas / std::sqrt(weight) ? lenses : LensPair{};
+}
+
 } // namespace
 
 RefinementOptions refinementOptions(const SolveOptions& options, Model model, double scale) {
@@ -107,6 +144,9 @@ void solveModel(const ComponentInput& input, Model model, bool isWarm, Component
         options.iterations = round == 0 ? 10 : 15;
         options.tolerance = round == 0 ? 1e-5 : 1e-8;
         refineState(input, options, state, step, stop);
+        if (solvesTilt(model)) {
+            state.unknowns.lenses = fittedLenses(state, options);
+        }
     }
     state.scale = residualScale(state.used, state.unknowns.states());
 }

@@ -3,6 +3,7 @@
 
 #include "pairs/pair_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::align {
@@ -33,34 +34,46 @@ int turnRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, 
 struct PairFrame {
     Eigen::Matrix3d roomFromA;
     Eigen::Matrix3d roomFromB;
-    Eigen::Vector3d direction;
-    double apartM = 0;
+    Eigen::Vector3d baselineM;
+    Eigen::Vector3d aheadOfAM; ///< From the place of a to its front lens.
+    Eigen::Vector3d aheadOfBM;
 };
 
 PairFrame pairFrameOf(const PhotoState& a, const PhotoState& b) {
     PairFrame frame{a.roomFromPhoto.toRotationMatrix(), b.roomFromPhoto.toRotationMatrix(),
-                    b.positionM - a.positionM, 0};
-    frame.apartM = std::max(frame.direction.norm(), 1e-6);
-    frame.direction /= frame.apartM;
+                    b.positionM - a.positionM, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    frame.aheadOfAM = a.lenses.aheadM * frame.roomFromA.col(0);
+    frame.aheadOfBM = b.lenses.aheadM * frame.roomFromB.col(0);
     return frame;
 }
 
 int planeRow(const UsedMatch& match, const PairFrame& frame, MatchRow& row) {
     const Eigen::Vector3d inRoomA = frame.roomFromA * match.inA;
     const Eigen::Vector3d inRoomB = frame.roomFromB * match.inB;
-    const EpipolarResidual residual = epipolarResidual(inRoomA, inRoomB, frame.direction, match.sigmaRad);
+    const Eigen::Vector3d lensOfAM = softSide(match.inA) * frame.aheadOfAM;
+    const Eigen::Vector3d lensOfBM = softSide(match.inB) * frame.aheadOfBM;
+    Eigen::Vector3d direction = frame.baselineM + lensOfBM - lensOfAM;
+    const double apartM = std::max(direction.norm(), 1e-6);
+    direction /= apartM;
+    const EpipolarResidual residual = epipolarResidual(inRoomA, inRoomB, direction, match.sigmaRad);
     if (std::min(residual.sineA, residual.sineB) < kNoPlane) {
         return 0;
     }
+    const Eigen::Vector3d byBaseline =
+        (residual.byBaseline - direction * direction.dot(residual.byBaseline)) / apartM;
     row.residual = residual.value;
-    row.by.head<3>() = inRoomA.cross(residual.byA);
-    row.by.segment<3>(3) = inRoomB.cross(residual.byB);
-    row.by.tail<3>() =
-        (residual.byBaseline - frame.direction * frame.direction.dot(residual.byBaseline)) / frame.apartM;
+    row.by.head<3>() = inRoomA.cross(residual.byA) - lensOfAM.cross(byBaseline);
+    row.by.segment<3>(3) = inRoomB.cross(residual.byB) + lensOfBM.cross(byBaseline);
+    row.by.tail<3>() = byBaseline;
     return 1;
 }
 
 } // namespace
+
+double softSide(const Eigen::Vector3d& inPhoto) {
+    constexpr double kFadeSine = 0.05; // three degrees to either side of the seam
+    return std::clamp(inPhoto.x() / kFadeSine, -1.0, 1.0);
+}
 
 int matchRows(const UsedPair& pair, const UsedMatch& match, const PhotoState& a, const PhotoState& b,
               MatchRow rows[2]) {

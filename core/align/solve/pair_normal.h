@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/geometry/lens_pair.h"
+
 #include <Eigen/Geometry>
 
 #include <cstddef>
@@ -14,7 +16,11 @@ namespace spherewalk::align {
 struct PhotoState {
     Eigen::Quaterniond roomFromPhoto = Eigen::Quaterniond::Identity();
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
+    LensPair lenses = {};
 };
+
+/// LensPair::side(), but between the two where a picture is faded from one lens to the other.
+double softSide(const Eigen::Vector3d& inPhoto);
 
 /// A match that the solution uses.
 struct UsedMatch {

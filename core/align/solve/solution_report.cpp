@@ -116,6 +116,7 @@ double report(const ComponentInput& input, Model model, const ComponentState& st
         pose.why.clear();
         pose.roomFromPhoto.rotation = where.roomFromPhoto.normalized();
         pose.roomFromPhoto.translation = origin + where.positionM;
+        pose.lenses = where.lenses;
         const UpPrior up = upPrior(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
         pose.leanFromStated =
             Radians(leanOf(where.roomFromPhoto.normalized() * up.upInPhoto).vectorRad.norm());

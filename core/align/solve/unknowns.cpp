@@ -23,7 +23,8 @@ Eigen::Vector3d vectorOf(const Unknowns::Block& block) {
 } // namespace
 
 PhotoState Unknowns::state(std::size_t i) const {
-    PhotoState state{align::turn(vectorOf(turn[i])) * reference[i], plannedM[i] + vectorOf(offset[i])};
+    PhotoState state{align::turn(vectorOf(turn[i])) * reference[i], plannedM[i] + vectorOf(offset[i]),
+                     lenses};
     if (rail[i] >= 0) {
         const auto on = static_cast<std::size_t>(rail[i]);
         const Eigen::Vector3d fromCentre = plannedM[i] - railCentreM[on];

@@ -29,6 +29,7 @@ struct Unknowns {
     std::vector<Block> turn;
     std::vector<Block> offset;
     std::vector<Block> placement; ///< One a rail.
+    LensPair lenses;              ///< Those of all photos.
 
     /// The pose of photo i, its position from the local origin.
     PhotoState state(std::size_t i) const;

@@ -39,6 +39,7 @@ Json toJson(const AlignedPhoto& photo) {
         json["sigma_own"] = photo.pose.hasSigmas() ? Json{{"turn_deg", Degrees(photo.pose.sigmaOwn).value()},
                                                           {"position_m", photo.pose.sigmaOwnPositionM}}
                                                    : Json();
+        json["lens_ahead_m"] = photo.pose.lenses.aheadM;
         json["neighbours"] = photo.pose.constraints;
         json["residual_deg"] = Degrees(Radians(photo.pose.residualRad)).value();
     }

@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/fixed_random.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
@@ -76,7 +77,8 @@ Found findPoints(const SyntheticSurveyOptions& options, const std::vector<Eigen:
         }
         found.featureOfPoint[i] = static_cast<int>(found.point.size());
         found.point.push_back(static_cast<int>(i));
-        const Eigen::Vector3d bearing = roomFromPhoto.rotation.conjugate() * away.normalized();
+        const Eigen::Vector3d bearing =
+            LensPair{options.lensAheadM}.directionTo(roomFromPhoto.rotation.conjugate() * away).normalized();
         found.bearing.push_back(disturbed(bearing, options.sigmaRad, random));
     }
     return found;

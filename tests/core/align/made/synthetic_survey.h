@@ -24,6 +24,7 @@ struct SyntheticSurveyOptions {
     Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< the room's south-west corner on the floor
     double heightM = 1.2;
     int points = 3000;
+    double lensAheadM = 0;  ///< LensPair::aheadM of the camera
     double seenShare = 0.5; ///< of the points that a photo finds
     bool isPlain = false;   ///< points on one wall alone
 

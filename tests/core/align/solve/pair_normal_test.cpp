@@ -68,7 +68,9 @@ Eigen::Matrix<double, 9, 1> numericDerivative(const Example& at, const UsedMatch
 TEST(PairNormal, DerivativesAreThoseOfTheResiduals) {
     for (int seed = 1; seed <= 5; ++seed) {
         for (const bool isTurn : {false, true}) {
-            const Example at = example(seed, isTurn);
+            Example at = example(seed, isTurn);
+            at.a.lenses.aheadM = 0.01 * (seed - 1);
+            at.b.lenses.aheadM = 0.015 * (seed - 1);
             for (const UsedMatch& match : at.pair.matches) {
                 MatchRow rows[2];
                 const int count = matchRows(at.pair, match, at.a, at.b, rows);

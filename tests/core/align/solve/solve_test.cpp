@@ -428,4 +428,22 @@ TEST(Solve, TurnsUprightWhatIsTilted) {
     EXPECT_GE(errors.within3, 0.9);
 }
 
+TEST(Solve, FindsHowFarTheLensesStandApart) {
+    for (const double aheadM : {0.01, -0.02, 0.0}) {
+        SCOPED_TRACE(aheadM);
+        SyntheticSurveyOptions options = small(19);
+        options.stepM = 0.6;
+        options.reachM = 1.3;
+        options.lensAheadM = aheadM;
+        const SyntheticSurvey survey = syntheticSurvey(options);
+        const Alignment alignment = solveSurvey(survey);
+        const SurveyErrors errors = errorsOf(alignment, survey.roomFromPhoto);
+        EXPECT_LT(errors.yawRms, 0.03 * kDegree);
+        EXPECT_LT(errors.ratioYaw, 2);
+        for (const SolvedPose& photo : alignment.photos) {
+            EXPECT_NEAR(photo.lenses.aheadM, aheadM, 5e-4);
+        }
+    }
+}
+
 } // namespace spherewalk::align

@@ -4,6 +4,7 @@
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <span>
@@ -63,6 +64,8 @@ struct SolvedPose {
     /// The same of its place among the other photos of its component. What all of them are moved, turned and
     /// scaled by together is no part of it.
     double sigmaOwnPositionM = 0;
+    /// How the lenses of its camera stand, as far as the matches tell.
+    LensPair lenses;
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
     double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts; 1 if none counts.
