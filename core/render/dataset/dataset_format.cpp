@@ -20,6 +20,7 @@ constexpr std::size_t kMostPhotos = 1'000'000;
 constexpr std::size_t kMostVertices = 100'000;
 constexpr double kFarthestM = 1e8;
 constexpr double kGreatestGain = 32;
+constexpr double kFarthestLensM = 0.1;
 constexpr double kMostErrorPx = 1e6;
 
 Json listOf(const Vector3d& v) {
@@ -104,6 +105,7 @@ Json photoJson(const DatasetPhoto& photo) {
             {"position_sigma_m", photo.positionSigmaM ? listOf(*photo.positionSigmaM) : Json()},
             {"room_from_photo", {{"w", q.w()}, {"x", q.x()}, {"y", q.y()}, {"z", q.z()}}},
             {"rotation_sigma_deg", rotationSigma},
+            {"lens_ahead_m", photo.lenses.aheadM},
             {"exposure_gain", photo.exposureGain ? listOf(*photo.exposureGain) : Json()},
             {"rotation_source", photo.rotationSource},
             {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
@@ -159,6 +161,9 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     }
     if (!reader.isAbsent("rotation_sigma_deg")) {
         photo.rotationSigma = rotationSigmaOf(reader.member("rotation_sigma_deg"));
+    }
+    if (!reader.isAbsent("lens_ahead_m")) {
+        photo.lenses.aheadM = boundedNumber(reader.member("lens_ahead_m"), -kFarthestLensM, kFarthestLensM);
     }
     if (!reader.isAbsent("exposure_gain")) {
         photo.exposureGain = vectorOf(reader.member("exposure_gain"), 1 / kGreatestGain, kGreatestGain);

@@ -37,14 +37,16 @@ double inverseDistance(const RoomShape& room, const Eigen::Vector3d& pInRoom,
     return greatest / direction.norm();
 }
 
-DepthMap roomDepth(const RoomShape& room, const Rigid3& roomFromPhoto, int width) {
+DepthMap roomDepth(const RoomShape& room, const Rigid3& roomFromPhoto, int width, const LensPair& lenses) {
     room.validate();
     const EquirectSize size{width, width / 2};
     Image<float, 1> inverse(size.width, size.height);
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-            const Eigen::Vector3d ray = roomFromPhoto.rotation * direction(size, Eigen::Vector2d(x, y));
-            *inverse.at(x, y) = static_cast<float>(inverseDistance(room, roomFromPhoto.translation, ray));
+            const Eigen::Vector3d inPhoto = direction(size, Eigen::Vector2d(x, y));
+            const Eigen::Vector3d ray = roomFromPhoto.rotation * inPhoto;
+            *inverse.at(x, y) =
+                static_cast<float>(inverseDistance(room, roomFromPhoto * lenses.place(inPhoto), ray));
         }
     }
     return DepthMap(std::move(inverse));

@@ -259,6 +259,7 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, cons
         const PhotoLevel level{photo, plan.level.denominator};
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});
+        photos.back().lenses = m_dataset->info().photos[photo].lenses;
         photos.back().gain = exposureGain(photo).cwiseQuotient(exposureGain(photos.front().photo));
     }
     const std::vector<TileSet> needs =

@@ -29,6 +29,7 @@ simd::PhotoTarget targetOf(const Rigid3& roomFromCamera, const SourcePhoto& phot
     for (int i = 0; i < 3; ++i) {
         target.offset[static_cast<std::size_t>(i)] = static_cast<float>(offset[i]);
     }
+    target.aheadM = static_cast<float>(photo.lenses.aheadM);
     target.perRadian = static_cast<float>(photo.size.width / (2 * std::numbers::pi));
     target.lastU = static_cast<float>(photo.size.width + PlaneLayout::kGuard - 0.5);
     target.lastV = static_cast<float>(photo.size.height + PlaneLayout::kGuard - 0.5);
@@ -296,9 +297,10 @@ std::optional<Eigen::Vector2d> exactCoordinates(const PixelRays& rays, const Rig
     }
     const bool isPinhole = rays.camera().intrinsics().lens == LensModel::Pinhole;
     const Vector3d step = isPinhole ? Vector3d(*ray / ray->z()) : *ray;
-    const Vector3d inPhoto = photo.roomFromPhoto.rotation.conjugate() *
-                             (roomFromCamera.rotation * step +
-                              inverse * (roomFromCamera.translation - photo.roomFromPhoto.translation));
+    const Vector3d fromMiddle = photo.roomFromPhoto.rotation.conjugate() *
+                                (roomFromCamera.rotation * step +
+                                 inverse * (roomFromCamera.translation - photo.roomFromPhoto.translation));
+    const Vector3d inPhoto = fromMiddle - inverse * photo.lenses.place(fromMiddle);
     if (inPhoto.head<2>().norm() < 0.17 * inPhoto.norm()) {
         return std::nullopt;
     }

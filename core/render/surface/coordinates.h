@@ -4,6 +4,7 @@
 #include "surface/cells.h"
 
 #include "spherewalk/geometry/equirect.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/pixel_rays.h"
 
@@ -71,6 +72,7 @@ struct SurfaceCoordinates {
 struct SourcePhoto {
     Rigid3 roomFromPhoto;
     EquirectSize size; ///< The size of the level that is sampled.
+    LensPair lenses = {};
 };
 
 /// Finds the coordinates of the pixels, whose photos are known. A pixel that no photo covers comes from the
@@ -96,10 +98,12 @@ std::array<std::int32_t, 4> coordinateSlopes(const PixelRays& rays, const Rigid3
 /// processor.
 namespace spherewalk::render::simd {
 
-/// What coordinates in a photo are computed with. The direction in the photo is m * ray + inverse * offset.
+/// What coordinates in a photo are computed with. The direction in the photo is m * ray + inverse * offset,
+/// less what its lens stands aside (LensPair).
 struct PhotoTarget {
     std::array<float, 9> m;      ///< Photo from optical frame, row after row.
     std::array<float, 3> offset; ///< The camera minus the photo, in the photo's frame. Units: metres.
+    float aheadM;                ///< LensPair::aheadM.
     float perRadian;             ///< Pixels per radian.
     float lastU;                 ///< The greatest coordinates, guard included.
     float lastV;

@@ -52,6 +52,13 @@ HWY_INLINE VF angle(F d, VF y, VF x) {
     return hn::IfThenElse(hn::Lt(y, hn::Zero(d)), hn::Neg(result), result);
 }
 
+/// The direction's x from the lens that sees it. side: a value with the sign of that lens.
+HWY_INLINE VF fromLens(VF x, VF side, VF w, float aheadM) {
+    const F d;
+    const VF ahead = hn::Mul(w, hn::Set(d, aheadM));
+    return hn::Sub(x, hn::IfThenElse(hn::Lt(side, hn::Zero(d)), hn::Neg(ahead), ahead));
+}
+
 void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, const float* inverse,
             std::ptrdiff_t pitch, std::int32_t* u, std::int32_t* v) {
     const F d;
@@ -72,7 +79,8 @@ void locate(const PhotoTarget& target, const std::array<CellRays, 3>& rays, cons
                            mulAdd(hn::Set(d, m[3 * k + 1]), ry, hn::Mul(hn::Set(d, m[3 * k + 2]), rz)));
                 return mulAdd(w, hn::Set(d, target.offset[k]), turned);
             };
-            const VF x = component(0);
+            const VF middle = component(0);
+            const VF x = fromLens(middle, middle, w, target.aheadM);
             const VF y = component(1);
             const VF z = component(2);
             const VF azimuth = angle(d, y, x);
@@ -139,6 +147,14 @@ HWY_INLINE VF errorBound(const PhotoTarget& target, const NodeRays& rays, VF len
     return hn::Mul(hn::Mul(cubes, hn::Set(d, scale)), hn::Sqrt(mulAdd(inU, inU, hn::Mul(inV, inV))));
 }
 
+/// A component of the direction from the photo's middle, for the ray (x, y, 1).
+HWY_INLINE VF fromMiddle(const PhotoTarget& target, std::size_t k, VF x, VF y, VF w) {
+    const F d;
+    const VF turned = mulAdd(hn::Set(d, target.m[3 * k]), x,
+                             mulAdd(hn::Set(d, target.m[3 * k + 1]), y, hn::Set(d, target.m[3 * k + 2])));
+    return mulAdd(w, hn::Set(d, target.offset[k]), turned);
+}
+
 void fit(const PhotoTarget& given, const NodeRays& rays, const float* least, const float* greatest,
          std::span<const std::uint8_t> isWanted, CellFits& fits) {
     const F d;
@@ -159,18 +175,17 @@ void fit(const PhotoTarget& given, const NodeRays& rays, const float* least, con
         VF lengthOfMiddle = hn::Zero(d);
         VF acrossOfMiddle = lengthOfMiddle;
         constexpr std::size_t kMiddle = CellFits::kTerms / 2;
+        // All of a cell is seen by the lens that sees its middle, or else the cell is not fitted.
+        const VF side = fromMiddle(target, 0, hn::LoadU(d, rays.x[1] + cell), hn::Set(d, rays.y[1]), middle);
+        VF leastSame = hn::Set(d, 1.0F);
         for (std::size_t i = 0; i < CellFits::kTerms; ++i) {
             const VF rx = hn::LoadU(d, rays.x[i % 3] + cell);
             const VF ry = hn::Set(d, rays.y[i / 3 % 3]);
-            const auto component = [&](std::size_t k) {
-                const VF turned =
-                    mulAdd(hn::Set(d, target.m[3 * k]), rx,
-                           mulAdd(hn::Set(d, target.m[3 * k + 1]), ry, hn::Set(d, target.m[3 * k + 2])));
-                return mulAdd(w[i / 9], hn::Set(d, target.offset[k]), turned);
-            };
-            const VF x = component(0);
-            const VF y = component(1);
-            const VF z = component(2);
+            const VF ahead = fromMiddle(target, 0, rx, ry, w[i / 9]);
+            const VF x = fromLens(ahead, side, w[i / 9], target.aheadM);
+            const VF y = fromMiddle(target, 1, rx, ry, w[i / 9]);
+            const VF z = fromMiddle(target, 2, rx, ry, w[i / 9]);
+            leastSame = hn::Min(leastSame, hn::IfThenElse(hn::Lt(side, hn::Zero(d)), hn::Neg(ahead), ahead));
             const VF across2 = mulAdd(x, x, hn::Mul(y, y));
             const VF across = hn::Sqrt(across2);
             u[i] = angle(d, y, x);
@@ -180,7 +195,9 @@ void fit(const PhotoTarget& given, const NodeRays& rays, const float* least, con
                 acrossOfMiddle = across;
             }
         }
-        hn::StoreU(errorBound(target, rays, lengthOfMiddle, acrossOfMiddle, halfSpan), d,
+        const VF bound = errorBound(target, rays, lengthOfMiddle, acrossOfMiddle, halfSpan);
+        const VF seam = target.aheadM != 0 ? hn::Zero(d) : hn::Set(d, -HUGE_VALF);
+        hn::StoreU(hn::IfThenElse(hn::Lt(leastSame, seam), hn::Set(d, HUGE_VALF), bound), d,
                    fits.errorPx.data() + cell);
         hn::StoreU(middle, d, fits.inverse.data() + cell);
         hn::StoreU(hn::Div(hn::Set(d, 1.0F), hn::Max(halfSpan, hn::Set(d, 1e-20F))), d,

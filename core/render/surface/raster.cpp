@@ -16,10 +16,8 @@ using simd::ProjectedBlock;
 
 namespace {
 
-/// The quads of a sub-block that cannot show are left out together.
-constexpr int kSubBlock = EdgePatches::kSubBlock;
-/// Points that are nearer to the camera are not drawn.
-constexpr float kNearestM = 0.005F;
+constexpr int kSubBlock = EdgePatches::kSubBlock; ///< Its quads are left out together if none can show.
+constexpr float kNearestM = 0.005F;               ///< Points that are nearer to the camera are not drawn.
 
 /// Projects a photo's surface into a view. Threads: const functions may run on any number at a time.
 class SurfaceProjector {
@@ -76,12 +74,8 @@ SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraMo
       m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole),
       m_leastCosine(leastCosine(camera)) {
     const CameraIntrinsics& k = camera.intrinsics();
-    for (int i = 0; i < 9; ++i) {
-        m_pinhole.rotation[static_cast<std::size_t>(i)] = m_rotation(i / 3, i % 3);
-    }
-    for (int i = 0; i < 3; ++i) {
-        m_pinhole.translation[static_cast<std::size_t>(i)] = m_translation[i];
-    }
+    Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(m_pinhole.rotation.data()) = m_rotation;
+    Vector3f::Map(m_pinhole.translation.data()) = m_translation;
     m_pinhole.fx = static_cast<float>(k.fx);
     m_pinhole.fy = static_cast<float>(k.fy);
     m_pinhole.cx = static_cast<float>(k.cx);
@@ -121,10 +115,8 @@ float SurfaceProjector::leastCosine(const CameraModel& camera) {
 SurfaceProjector::Vertex SurfaceProjector::throughLens(const Vector3f& direction, float inverseM) const {
     const Vector3f q = m_rotation * direction + inverseM * m_translation; // the point, times inverseM
     const float length = q.norm();
-    if (!(length > kNearestM * inverseM) || q.z() < m_leastCosine * length) {
-        return {};
-    }
-    const auto pixel = m_camera.project(q.cast<double>());
+    const bool isAhead = length > kNearestM * inverseM && q.z() >= m_leastCosine * length;
+    const auto pixel = isAhead ? m_camera.project(q.cast<double>()) : std::nullopt;
     if (!pixel) {
         return {};
     }
@@ -228,15 +220,31 @@ float SurfaceProjector::toleranceShare(const SurfaceMesh::Bound& bound) const {
     return std::min(1.0F, kUnseen * cosine * cosine);
 }
 
+/// One for the photo's front lens and one for its back lens.
+using LensProjectors = std::array<SurfaceProjector, 2>;
+
+LensProjectors projectorsOf(const Rigid3& cameraFromPhoto, const LensPair& lenses,
+                            const CameraModel& camera) {
+    const auto moved = [&](double aheadM) {
+        return Rigid3{cameraFromPhoto.rotation, cameraFromPhoto * Eigen::Vector3d(aheadM, 0, 0)};
+    };
+    return {SurfaceProjector(moved(lenses.aheadM), camera), SurfaceProjector(moved(-lenses.aheadM), camera)};
+}
+
+/// The seam of the lenses is a border of blocks wherever the depth's width is a multiple of four blocks.
+const SurfaceProjector& projectorOf(const LensProjectors& lenses, const SurfaceMesh::Bound& block) {
+    return lenses[block.centre.x() < 0 ? 1 : 0];
+}
+
 } // namespace
 
 /// Cuts one block of a surface into flat pieces.
 class SurfaceRaster::BlockCutter {
   public:
-    BlockCutter(const SurfaceMesh& mesh, const SurfaceProjector& projector, const OpenCells& open,
+    BlockCutter(const SurfaceMesh& mesh, const LensProjectors& projectors, const OpenCells& open,
                 float tolerance, int width, int height, std::span<std::vector<Piece>> bands)
         : m_mesh(mesh),
-          m_projector(projector),
+          m_projectors(projectors),
           m_open(open),
           m_tolerance(tolerance),
           m_width(width),
@@ -246,9 +254,10 @@ class SurfaceRaster::BlockCutter {
     void cut(int blockX, int blockY) {
         m_detail = &m_mesh.detail(blockX, blockY);
         m_patches = {};
-        m_toleranceOfBlock = m_tolerance * m_projector.toleranceShare(m_mesh.bound(blockX, blockY));
+        m_projector = &projectorOf(m_projectors, m_mesh.bound(blockX, blockY));
+        m_toleranceOfBlock = m_tolerance * m_projector->toleranceShare(m_mesh.bound(blockX, blockY));
         const simd::SurfaceBlock part = m_detail->block();
-        m_projector.project(part, m_part);
+        m_projector->project(part, m_part);
         simd::boxes(m_part, part.rows, m_boxes);
         m_endY = part.rows - 1;
         quad(SurfaceMesh::kLevels - 1, 0, 0);
@@ -290,7 +299,7 @@ class SurfaceRaster::BlockCutter {
         if (level == 1 && std::isinf(deviation)) {
             return; // it is made of patches
         }
-        const bool flat = level <= m_projector.largestLevel() && deviation < m_toleranceOfBlock;
+        const bool flat = level <= m_projector->largestLevel() && deviation < m_toleranceOfBlock;
         if (flat && add(x, y, x + size, endY)) {
             return;
         }
@@ -330,7 +339,7 @@ class SurfaceRaster::BlockCutter {
                 flush();
             }
             const int many = std::min(patches.count - first, simd::Quads::kMost - m_quads.count);
-            m_projector.project(patches.part(first, many), m_quads);
+            m_projector->project(patches.part(first, many), m_quads);
             first += many;
         }
     }
@@ -359,7 +368,8 @@ class SurfaceRaster::BlockCutter {
     }
 
     const SurfaceMesh& m_mesh;
-    const SurfaceProjector& m_projector;
+    const LensProjectors& m_projectors;
+    const SurfaceProjector* m_projector = nullptr; ///< The block's.
     const OpenCells& m_open;
     float m_tolerance; ///< In 1/m, in the middle of the picture.
     float m_toleranceOfBlock = 0;
@@ -375,12 +385,14 @@ class SurfaceRaster::BlockCutter {
     simd::BlockBoxes m_boxes;
 };
 
-void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
-                         const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads,
-                         InverseBuffer& out) {
+void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const LensPair& lenses,
+                         const CameraModel& camera, const OpenCells& open, double tolerancePx,
+                         WorkerPool& pool, int threads, InverseBuffer& out) {
     fit(out, camera.width(), camera.height());
-    const SurfaceProjector projector(cameraFromPhoto, camera);
-    const float tolerance = static_cast<float>(tolerancePx) / std::max(1e-6F, projector.pixelsPerInverse());
+    const LensProjectors projectors = projectorsOf(cameraFromPhoto, lenses, camera);
+    const float tolerance =
+        static_cast<float>(tolerancePx) /
+        std::max({1e-6F, projectors[0].pixelsPerInverse(), projectors[1].pixelsPerInverse()});
     const int bands = out.height() / kCell;
     m_pieces.resize(static_cast<std::size_t>(mesh.blocksY()) * static_cast<std::size_t>(bands));
     pool.run(mesh.blocksY(), threads, [&](int row, int) {
@@ -389,11 +401,12 @@ void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto,
         for (std::vector<Piece>& of : pieces) {
             of.clear();
         }
-        BlockCutter cutter(mesh, projector, open, tolerance, camera.width(), camera.height(), pieces);
+        BlockCutter cutter(mesh, projectors, open, tolerance, camera.width(), camera.height(), pieces);
         // A block is on its way from memory while the one before it is cut.
         int found = -1;
         for (int column = 0; column < mesh.blocksX(); ++column) {
-            if (projector.mayShow(mesh.bound(column, row), open)) {
+            const SurfaceMesh::Bound& bound = mesh.bound(column, row);
+            if (projectorOf(projectors, bound).mayShow(bound, open)) {
                 mesh.fetch(column, row);
                 if (found >= 0) {
                     cutter.cut(found, row);
@@ -414,9 +427,9 @@ void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto,
             simd::draw(m_pieces[static_cast<std::size_t>(row * bands + band)], begin, end, out.at(0, 0),
                        out.width());
         }
-        for (int y = begin; y < end; ++y) { // beyond the view
-            std::fill(out.at(0, y) + (y < camera.height() ? camera.width() : 0), out.at(0, y) + out.width(),
-                      1.0F);
+        for (int y = begin; y < end; ++y) {
+            const int width = y < camera.height() ? camera.width() : 0;
+            std::fill(out.at(0, y) + width, out.at(0, y) + out.width(), 1.0F); // beyond the view
         }
     });
 }

@@ -177,10 +177,10 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
         const bool isMixed = m_mixes && i == 1;
         const Rigid3 cameraFromPhoto = between(roomFromCamera, photos[i].roomFromPhoto);
         const double offset = cameraFromPhoto.translation.squaredNorm() + kNearestM * kNearestM;
-        m_raster.draw(*photos[i].mesh, cameraFromPhoto, camera, m_open,
+        m_raster.draw(*photos[i].mesh, cameraFromPhoto, photos[i].lenses, camera, m_open,
                       i == 0 || isMixed ? kTolerancePx : kFurtherTolerancePx, pool, threads,
                       i == 0 ? m_coordinates.inverse : m_seen);
-        drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo()});
+        drawn.push_back({photos[i].roomFromPhoto, photos[i].grid.photo(), photos[i].lenses});
         m_drawn.emplace_back(photos[i]);
         if (i == 0) {
             firstOffset = offset;

@@ -30,6 +30,7 @@ struct SurfacePhoto {
     TileGrid grid; ///< The grid of the level that is sampled.
     /// What its red, green and blue are multiplied by to be as bright as the view's first photo.
     Eigen::Vector3d gain = Eigen::Vector3d::Ones();
+    LensPair lenses = {};
 };
 
 /// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.
@@ -69,8 +70,9 @@ class SurfaceRaster {
     /// Draws the surface of a photo. Quads with a corner nearer than 5 mm are not drawn. Cells that are not
     /// open may be left out, and may get any values. Frames: the camera's is the optical one. tolerancePx: by
     /// how much a part that is drawn flat may be displaced. out: it gets the view's size in whole cells.
-    void draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const CameraModel& camera,
-              const OpenCells& open, double tolerancePx, WorkerPool& pool, int threads, InverseBuffer& out);
+    void draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto, const LensPair& lenses,
+              const CameraModel& camera, const OpenCells& open, double tolerancePx, WorkerPool& pool,
+              int threads, InverseBuffer& out);
 
   private:
     class BlockCutter;

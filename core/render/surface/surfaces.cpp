@@ -28,7 +28,7 @@ bool Surfaces::has(SceneKind kind, std::size_t photo) const {
 SurfaceMesh Surfaces::made(SceneKind kind, std::size_t photo) const {
     const DatasetPhoto& of = m_dataset->info().photos[photo];
     if (kind == SceneKind::Room) {
-        return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth));
+        return SurfaceMesh(roomDepth(*m_dataset->info().roomShape, of.roomFromPhoto, kRoomWidth, of.lenses));
     }
     std::shared_ptr<const DepthSteps> depth = m_dataset->depth(photo);
     if (depth->width() % SurfaceMesh::kBlock != 0) {

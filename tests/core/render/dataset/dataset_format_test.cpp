@@ -46,6 +46,7 @@ DatasetInfo fullInfo() {
         if (i == 1) {
             photo.scene = SceneKind::None;
             photo.exposureGain = Eigen::Vector3d(0.8, 1, 1.25);
+            photo.lenses.aheadM = 0.0115;
             photo.positionSigmaM = Eigen::Vector3d(0.01, 0.02, 0.03);
             photo.rotationSigma = RotationSigma{Degrees(0.1), Degrees(0.2), Degrees(0.3)};
         }
@@ -86,6 +87,8 @@ TEST(DatasetFormat, ComesBackAsItWasWritten) {
     EXPECT_FALSE(again.photos[0].rotationSigma);
     EXPECT_FALSE(again.photos[0].exposureGain);
     EXPECT_EQ(again.photos[1].exposureGain, info.photos[1].exposureGain);
+    EXPECT_EQ(again.photos[0].lenses.aheadM, 0);
+    EXPECT_EQ(again.photos[1].lenses.aheadM, 0.0115);
     EXPECT_NEAR(Degrees(again.photos[1].rotationSigma->roll).value(), 0.3, 1e-12);
 }
 
@@ -94,6 +97,16 @@ TEST(DatasetFormat, RefusesExposuresThatCannotBe) {
         refused(ErrorKind::Corrupt, "/photos/0/exposure_gain",
                 [&](Json& json) { json["photos"][0]["exposure_gain"] = parseJson(gain, "a gain"); });
     }
+}
+
+TEST(DatasetFormat, RefusesLensesThatCannotBe) {
+    for (const char* ahead : {"0.2", "-0.11", "\"far\""}) {
+        refused(ErrorKind::Corrupt, "/photos/0/lens_ahead_m",
+                [&](Json& json) { json["photos"][0]["lens_ahead_m"] = parseJson(ahead, "lenses"); });
+    }
+    Json older = toJson(fullInfo());
+    older["photos"][1].erase("lens_ahead_m");
+    EXPECT_EQ(parseDatasetInfo(older, "dataset.json").photos[1].lenses.aheadM, 0);
 }
 
 TEST(DatasetFormat, RefusesOtherFormatsAndVersions) {

@@ -41,14 +41,19 @@ Vector3d seenFrom(const Vector3d& place, const Vector3d& direction) {
 /// One photo of the room with its exact depth.
 class Room {
   public:
-    Room() {
-        const auto world = [](const Vector3d& direction) { return seenFrom(kPhotoAt, direction); };
+    /// told: what the dataset says of the lenses.
+    explicit Room(const LensPair& lenses = {}, const LensPair& told = {}) {
+        const auto world = [&](const Vector3d& direction) {
+            return seenFrom(kPhotoAt + lenses.place(direction), direction);
+        };
         DatasetInfo info = test::writeTestDataset(m_folder.path(),
                                                   {{Eigen::Quaterniond::Identity(), kPhotoAt}}, world, 2048);
         DatasetPhoto& photo = info.photos[0];
         photo.depth = "depth/0.pgm";
         std::filesystem::create_directories(m_folder.path() / "depth");
-        writeFile(m_folder.path() / photo.depth, roomDepth(kRoom, photo.roomFromPhoto, 1024).serialised());
+        photo.lenses = told;
+        writeFile(m_folder.path() / photo.depth,
+                  roomDepth(kRoom, photo.roomFromPhoto, 1024, lenses).serialised());
         info.roomShape = kRoom;
         test::rewriteInfo(m_folder.path(), info);
         m_renderer.emplace(std::make_shared<const Dataset>(Dataset::open(m_folder.path())));
@@ -170,6 +175,28 @@ TEST_P(EveryLens, ShowsTheRoomAsWellAsAPinhole) {
             const Likeness seen = likeness(room, of.camera, pose, GetParam());
             EXPECT_GT(seen.psnrDb, expected.psnrDb - 2) << "pitch " << pitchDeg;
             EXPECT_LT(seen.range95, 0.01) << "pitch " << pitchDeg;
+        }
+    }
+}
+
+TEST_P(EveryLens, ShowsTheRoomAsWellIfTheSphericalCameraHasTwoLenses) {
+    const LensPair lenses{0.015};
+    const Room plain;
+    const Room room(lenses, lenses);
+    const Room untold(lenses);
+    const Rigid3 level{bodyFromOptical(), kPhotoAt + Vector3d(0.25, -0.2, 0.1)};
+    const CameraModel fisheye = lens(LensModel::Equidistant, 300, {0, 0, 0, 0});
+    for (const double yaw : {0.2, 1.4, 2.9, -1.6}) { // to the front, the seams and the back
+        SCOPED_TRACE(yaw);
+        const bool looksAtSeam = std::abs(std::cos(yaw)) < 0.5;
+        const Rigid3 pose{(yawRotation(Radians(yaw)) * level.rotation).normalized(), level.translation};
+        for (const CameraModel& camera : {pinhole(57), pinhole(90), fisheye}) {
+            const Likeness expected = likeness(plain, camera, pose, GetParam());
+            const Likeness seen = likeness(room, camera, pose, GetParam());
+            // Neither lens sees the 3 cm between them, which are filled from beside.
+            EXPECT_GT(seen.psnrDb, looksAtSeam ? 44 : expected.psnrDb - 2);
+            EXPECT_LT(seen.range95, 0.01);
+            EXPECT_GT(seen.psnrDb, likeness(untold, camera, pose, GetParam()).psnrDb + 4);
         }
     }
 }

@@ -136,7 +136,7 @@ TEST(EdgePatches, LeaveNoGapsWhereThePhotoWasTaken) {
             rotation({Radians(random.uniform(-3, 3)), Radians(random.uniform(-0.7, 0.7)), Radians(0.1)}) *
             bodyFromOptical();
         const Rigid3 cameraFromPhoto{photoFromCamera.conjugate().normalized(), Eigen::Vector3d::Zero()};
-        raster.draw(mesh, cameraFromPhoto, camera, OpenCells(200, 150), 0, pool, 1, seen);
+        raster.draw(mesh, cameraFromPhoto, {}, camera, OpenCells(200, 150), 0, pool, 1, seen);
         for (int y = 0; y < 150; ++y) {
             for (int x = 0; x < 200; ++x) {
                 // 1 / depth along the axis: at most 1 / distance by the cosine of the view's corner.

@@ -31,6 +31,7 @@ struct Place {
 std::vector<Place> located(const std::vector<Eigen::Vector3d>& directions) {
     const PhotoTarget target{{1, 0, 0, 0, 1, 0, 0, 0, 1},
                              {0, 0, 0},
+                             0,
                              static_cast<float>(kPhoto.width / (2 * std::numbers::pi)),
                              static_cast<float>(kPhoto.width + PlaneLayout::kGuard - 0.5),
                              static_cast<float>(kPhoto.height + PlaneLayout::kGuard - 0.5)};

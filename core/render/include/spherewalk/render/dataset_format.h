@@ -4,6 +4,7 @@
 #include "spherewalk/base/json_fwd.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/colour_correction.h"
@@ -45,6 +46,7 @@ struct DatasetPhoto {
     std::string depth;
     std::string station; ///< The name that people give to the spot where it was taken.
     Rigid3 roomFromPhoto;
+    LensPair lenses;
     std::string rotationSource; ///< The words are "imported", "aligned", "metadata" and "unknown" (identity).
     std::optional<Eigen::Vector3d> positionSigmaM;
     std::optional<RotationSigma> rotationSigma;

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/bytes.h"
 #include "spherewalk/base/image.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 
@@ -72,8 +73,9 @@ struct RoomShape {
 double inverseDistance(const RoomShape& room, const Eigen::Vector3d& pInRoom,
                        const Eigen::Vector3d& direction);
 
-/// The depth of the room as a photo sees it. width: pixels, a multiple of 16. Errors: as
+/// The depth of the room as a photo's lenses see it. width: pixels, a multiple of 16. Errors: as
 /// RoomShape::validate().
-DepthMap roomDepth(const RoomShape& room, const Rigid3& roomFromPhoto, int width);
+DepthMap roomDepth(const RoomShape& room, const Rigid3& roomFromPhoto, int width,
+                   const LensPair& lenses = {});
 
 } // namespace spherewalk::render
