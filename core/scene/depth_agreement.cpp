@@ -34,10 +34,12 @@ constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth 
 constexpr float kNearestM = 0.2F;
 constexpr float kFarthestM = 100;
 
-/// Marks in a row what the neighbour gives the same distance to. neighbourFromPhoto: moves points of the
-/// photo.
-void markConfirmed(const Plane& inverseM, const PixelAngles& angles, int y, const Rigid3& neighbourFromPhoto,
-                   const Plane& neighbourInverseM, std::uint8_t* marks) {
+/// Marks in a row what the neighbour gives the same distance to.
+void markConfirmed(const PosedDepth& photo, const PosedDepth& neighbour, const PixelAngles& angles, int y,
+                   std::uint8_t* marks) {
+    const Plane& inverseM = photo.depth->inverseM;
+    const Plane& neighbourInverseM = neighbour.depth->inverseM;
+    const Rigid3 neighbourFromPhoto = neighbour.roomFromPhoto.inverse() * photo.roomFromPhoto;
     const Eigen::Matrix3f turn = neighbourFromPhoto.rotation.toRotationMatrix().cast<float>();
     const Eigen::Vector3f offset = neighbourFromPhoto.translation.cast<float>();
     const int width = inverseM.width();
@@ -47,11 +49,16 @@ void markConfirmed(const Plane& inverseM, const PixelAngles& angles, int y, cons
     const Eigen::Vector3f forward = angles.cosElevation[row] * turn.col(0);
     const Eigen::Vector3f left = angles.cosElevation[row] * turn.col(1);
     const Eigen::Vector3f up = angles.sinElevation[row] * turn.col(2);
+    const Eigen::Vector3f ahead = static_cast<float>(photo.lenses.aheadM) * turn.col(0);
+    const auto neighbourAhead = static_cast<float>(neighbour.lenses.aheadM);
     for (int x = 0; x < width; ++x) {
         const auto column = static_cast<std::size_t>(x);
         const Eigen::Vector3f ray =
             angles.cosAzimuth[column] * forward + angles.sinAzimuth[column] * left + up;
-        const Eigen::Vector3f point = ray / *inverseM.at(x, y) + offset;
+        const Eigen::Vector3f lens =
+            angles.cosAzimuth[column] < 0 ? Eigen::Vector3f(offset - ahead) : Eigen::Vector3f(offset + ahead);
+        Eigen::Vector3f point = ray / *inverseM.at(x, y) + lens;
+        point.x() -= point.x() < 0 ? -neighbourAhead : neighbourAhead;
         const float expected = 1 / std::max(1e-6F, point.norm());
         const FastPixel at = fastPixel(point.x(), point.y(), point.z(), static_cast<float>(width));
         const int atX = nearestInt(at.u) % width;
@@ -70,8 +77,7 @@ MaskImage confirmed(const PosedDepth& photo, std::span<const PosedDepth> neighbo
     parallelFor(result.height(), 8, threads, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             for (const PosedDepth& neighbour : neighbours) {
-                markConfirmed(inverseM, angles, y, neighbour.roomFromPhoto.inverse() * photo.roomFromPhoto,
-                              neighbour.depth->inverseM, result.at(0, y));
+                markConfirmed(photo, neighbour, angles, y, result.at(0, y));
             }
         }
     });

@@ -100,7 +100,10 @@ std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& 
     std::array<std::vector<double>, 3> logs;
     overSphere(kPlaces, [&](int, int, const Eigen::Vector3d& way) {
         const double inverse = sureInverse(*photo.depth, way);
-        const Eigen::Vector3d seen = otherFromPhoto.rotation * way + inverse * otherFromPhoto.translation;
+        const Eigen::Vector3d inOther =
+            otherFromPhoto.rotation * (way + inverse * photo.photo.lenses.place(way)) +
+            inverse * otherFromPhoto.translation;
+        const Eigen::Vector3d seen = inOther - inverse * other.photo.lenses.place(inOther);
         const double its = sureInverse(*other.depth, seen);
         // The other photo looks at the same place, and not at something before it.
         const double expected = inverse / seen.norm();

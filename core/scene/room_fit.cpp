@@ -109,7 +109,7 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
                 }
                 const Vector3d ray = direction(size, Vector2d(x, y));
                 const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
-                points.push_back({posed.roomFromPhoto * (distance * ray),
+                points.push_back({posed.roomFromPhoto * (posed.lenses.place(ray) + distance * ray),
                                   std::pow(side * distance, 2) * ray.head<2>().norm()});
             }
         }

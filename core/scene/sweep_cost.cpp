@@ -35,7 +35,10 @@ namespace {
 class TurnedRow {
   public:
     TurnedRow(Eigen::Matrix3f photoFromFrame, int width)
-        : m_turn(std::move(photoFromFrame)), m_angles(width), m_u(static_cast<std::size_t>(width)), m_v(m_u) {}
+        : m_turn(std::move(photoFromFrame)),
+          m_angles(width),
+          m_u(static_cast<std::size_t>(width)),
+          m_v(m_u) {}
 
     /// photoWidth: in pixels.
     SPHEREWALK_VECTOR_CLONES
@@ -175,21 +178,47 @@ struct RowPlaces {
     float* down;
 };
 
-/// Where a neighbour shows a row's pixels. Directions are never normalised.
+/// NeighbourLenses as numbers, which no store can change.
+struct LensNumbers {
+    struct Sight {
+        float x, y, z;
+    };
+
+    explicit LensNumbers(const NeighbourLenses& l)
+        : front{l.fromFrontM[0], l.fromFrontM[1], l.fromFrontM[2]},
+          back{l.fromBackM[0], l.fromBackM[1], l.fromBackM[2]},
+          ahead{l.ahead[0], l.ahead[1], l.ahead[2]},
+          aheadM(l.aheadM) {}
+
+    /// From the neighbour's lens to what the photo's ray (x, y, z) shows, not normalised.
+    Sight sight(float x, float y, float z, float inverse) const {
+        const float dx = x - inverse * (x < 0 ? back.x : front.x);
+        const float dy = y - inverse * (x < 0 ? back.y : front.y);
+        const float dz = z - inverse * (x < 0 ? back.z : front.z);
+        const float along = dx * ahead.x + dy * ahead.y + dz * ahead.z;
+        const float moved = inverse * (along < 0 ? -aheadM : aheadM);
+        return {dx - moved * ahead.x, dy - moved * ahead.y, dz - moved * ahead.z};
+    }
+
+    Sight front;
+    Sight back;
+    Sight ahead;
+    float aheadM;
+};
+
+/// Where a neighbour shows a row's pixels.
 SPHEREWALK_VECTOR_CLONES
-void findPlaces(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& offset, int width,
+void findPlaces(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int width,
                 int stride, const RowPlaces& places) {
-    const float ox = offset.x();
-    const float oy = offset.y();
-    const float oz = offset.z();
-    const RowRays r = rays; // No store can change the copy.
+    const LensNumbers numbers(lenses); // No store can change the copies.
+    const RowRays r = rays;
     std::int32_t* __restrict first = places.first;
     float* __restrict right = places.right;
     float* __restrict down = places.down;
     for (int i = 0; i < width; ++i) {
-        const FastPixel at = fastPixel(r.cosElevation * r.cosAzimuth[i] - inverseM[i] * ox,
-                                       r.cosElevation * r.sinAzimuth[i] - inverseM[i] * oy,
-                                       r.sinElevation - inverseM[i] * oz, static_cast<float>(width));
+        const LensNumbers::Sight to = numbers.sight(
+            r.cosElevation * r.cosAzimuth[i], r.cosElevation * r.sinAzimuth[i], r.sinElevation, inverseM[i]);
+        const FastPixel at = fastPixel(to.x, to.y, to.z, static_cast<float>(width));
         const int column = std::min(static_cast<int>(at.u), width - 1);
         const int line = std::min(static_cast<int>(at.v), width / 2 - 1);
         first[i] = line * stride + 4 * column;
@@ -259,8 +288,7 @@ void sortSmallest(std::vector<std::vector<float>>& rows, std::size_t kept, int w
 }
 
 std::size_t keptOf(std::size_t count, double share) {
-    return std::max<std::size_t>(1,
-                                 static_cast<std::size_t>(std::lround(static_cast<double>(count) * share)));
+    return std::max(1UL, static_cast<std::size_t>(std::lround(static_cast<double>(count) * share)));
 }
 
 constexpr float kSamePx = 2;        ///< Parallax by which two photos' depths of one thing may differ,
@@ -280,19 +308,15 @@ void seenAt(const RowPlaces& places, const float* inverseM, int width, float* se
 
 /// 1 / the distance of each pixel's thing from the neighbour.
 SPHEREWALK_VECTOR_CLONES
-void expectedAt(const RowRays& rays, const float* inverseM, const Eigen::Vector3f& offset, int width,
+void expectedAt(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int width,
                 float* __restrict expected) {
-    const float ox = offset.x();
-    const float oy = offset.y();
-    const float oz = offset.z();
-    const float square = ox * ox + oy * oy + oz * oz;
-    const RowRays r = rays;
+    const LensNumbers numbers(lenses);
     for (int i = 0; i < width; ++i) {
-        const float along =
-            r.cosElevation * (r.cosAzimuth[i] * ox + r.sinAzimuth[i] * oy) + r.sinElevation * oz;
-        const float inverse = inverseM[i];
-        const float squared = 1 - 2 * inverse * along + inverse * inverse * square;
-        expected[i] = inverse / std::sqrt(squared < 1e-6F ? 1e-6F : squared);
+        const LensNumbers::Sight to =
+            numbers.sight(rays.cosElevation * rays.cosAzimuth[i], rays.cosElevation * rays.sinAzimuth[i],
+                          rays.sinElevation, inverseM[i]);
+        const float squared = to.x * to.x + to.y * to.y + to.z * to.z;
+        expected[i] = inverseM[i] / std::sqrt(squared < 1e-6F ? 1e-6F : squared);
     }
 }
 
@@ -326,10 +350,15 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
             other.roomFromPhoto.rotation.conjugate() * photo.roomFromPhoto.rotation;
         const Eigen::Vector3d offset =
             photoFromRoom * (other.roomFromPhoto.translation - photo.roomFromPhoto.translation);
+        const Eigen::Vector3d front = photo.lenses.place(Eigen::Vector3d::UnitX());
         const Eigen::Matrix3d turn = otherFromPhoto.toRotationMatrix();
+        const NeighbourLenses lenses{(offset - front).cast<float>(), (offset + front).cast<float>(),
+                                     turn.row(0).transpose().cast<float>(),
+                                     static_cast<float>(other.lenses.aheadM),
+                                     static_cast<float>(offset.norm())};
         m_neighbours.push_back(
             {SweepPicture(*other.picture, turn, width, threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
-             offset.cast<float>(), m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
+             lenses, m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
     }
 }
 
@@ -350,7 +379,7 @@ void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inv
     const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
     findPlaces({m_angles.cosAzimuth.data(), m_angles.sinAzimuth.data(), m_angles.cosElevation[row],
                 m_angles.sinElevation[row]},
-               inverseM, neighbour.fromPhotoM, width(), stride, places);
+               inverseM, neighbour.lenses, width(), stride, places);
     costsAt(places, m_photo.at(0, y), neighbour.picture.at(0, 0), stride, width(), costs);
     if (m_knowsDepth) {
         judgeByDepth(neighbour, y, inverseM, scratch, costs);
@@ -365,10 +394,10 @@ void SweepCost::judgeByDepth(const Neighbour& neighbour, int y, const float* inv
                        m_angles.sinElevation[row]};
     const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
     seenAt(places, neighbour.inverseM.data(), width(), scratch.m_seen.data());
-    expectedAt(rays, inverseM, neighbour.fromPhotoM, width(), scratch.m_expected.data());
+    expectedAt(rays, inverseM, neighbour.lenses, width(), scratch.m_expected.data());
     judge(scratch.m_seen.data(), scratch.m_expected.data(),
           2 * std::numbers::pi_v<float> / static_cast<float>(width()) /
-              std::max(1e-3F, neighbour.fromPhotoM.norm()),
+              std::max(1e-3F, neighbour.lenses.apartM),
           width(), scratch.m_hidden.data(), costs);
 }
 

@@ -54,6 +54,15 @@ class SweepPicture {
     std::vector<float> m_values;
 };
 
+/// Where a neighbour's lenses stand. Frames: the photo's.
+struct NeighbourLenses {
+    Eigen::Vector3f fromFrontM; ///< From the photo's front lens to the neighbour's middle.
+    Eigen::Vector3f fromBackM;  ///< From the photo's back lens.
+    Eigen::Vector3f ahead;      ///< The unit vector along which the neighbour's front lens looks.
+    float aheadM = 0;           ///< How far the neighbour's lenses stand before and behind its middle.
+    float apartM = 0;           ///< From the photo's middle to the neighbour's.
+};
+
 /// How well neighbours confirm distances of a photo's pixels, at one size. Low costs are good. If the
 /// neighbours' own depths are known, a neighbour has no say in a place that something nearer hides from it. A
 /// place through which a neighbour sees costs more, and so does one that is hidden from some. Threads: const,
@@ -102,7 +111,7 @@ class SweepCost {
   private:
     struct Neighbour {
         SweepPicture picture; ///< Turned as the photo is.
-        Eigen::Vector3f fromPhotoM;
+        NeighbourLenses lenses;
         std::vector<float> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
     };
 

@@ -21,7 +21,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 4; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 5; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
@@ -153,14 +153,26 @@ class DepthJob {
                (m_options.onlyForScene ? kWithAgreement : kWithRefinement) * sweeping.count();
     }
 
+    scene::PosedPicture posed(std::size_t photo, const RgbImage& picture) const {
+        return {&picture, m_poses[photo], m_photos[photo].lenses};
+    }
+
+    scene::PosedDepth posed(std::size_t photo, const scene::PhotoDepth& depth) const {
+        return {&depth, m_poses[photo], m_photos[photo].lenses};
+    }
+
+    std::string placeKey(std::size_t photo) const {
+        return text(m_photos[photo].sha256, " ", keyOf(m_poses[photo]), " ", m_photos[photo].lenses.aheadM,
+                    "\n");
+    }
+
     /// All that a photo's own depth depends on.
     std::string sweptKey(std::size_t photo) const {
         const scene::SweepOptions& o = m_options.sweep;
         std::string key = text("sweep ", kDepthMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances,
-                               " ", o.stepPx, " ", o.nearestM, " ", o.keptShare, "\n", m_photos[photo].sha256,
-                               " ", keyOf(m_poses[photo]), "\n");
+                               " ", o.stepPx, " ", o.nearestM, " ", o.keptShare, "\n", placeKey(photo));
         for (const std::size_t other : m_neighbours[photo]) {
-            key += text(m_photos[other].sha256, " ", keyOf(m_poses[other]), "\n");
+            key += placeKey(other);
         }
         return sha256Hex(bytesOf(key));
     }
@@ -217,10 +229,10 @@ class DepthJob {
             std::vector<scene::PosedPicture> neighbours;
             for (const std::size_t other : m_neighbours[photo]) {
                 pictures.push_back(picture(other));
-                neighbours.push_back({pictures.back().get(), m_poses[other]});
+                neighbours.push_back(posed(other, *pictures.back()));
             }
             const auto own = picture(photo);
-            keep(file, scene::sweptDepth({own.get(), m_poses[photo]}, neighbours, m_options.sweep, m_stop));
+            keep(file, scene::sweptDepth(posed(photo, *own), neighbours, m_options.sweep, m_stop));
             return kept(file); // rounded as a later run will find it
         });
     }
@@ -240,11 +252,10 @@ class DepthJob {
         std::vector<scene::PosedDepth> neighbours;
         for (const std::size_t other : agreeing(photo)) {
             depths.push_back(swept(other));
-            neighbours.push_back({depths.back().get(), m_poses[other]});
+            neighbours.push_back(posed(other, *depths.back()));
         }
         const auto own = swept(photo);
-        return scene::agreeingDepth({own.get(), m_poses[photo]}, *picture(photo), neighbours,
-                                    m_options.sweep.threads);
+        return scene::agreeingDepth(posed(photo, *own), *picture(photo), neighbours, m_options.sweep.threads);
     }
 
     scene::PhotoDepth refined(std::size_t photo) {
@@ -253,7 +264,7 @@ class DepthJob {
         const auto known = [&](std::size_t i) {
             pictures.push_back(picture(i));
             depths.push_back(agreed(i));
-            return scene::KnownPhoto{{pictures.back().get(), m_poses[i]}, depths.back().get()};
+            return scene::KnownPhoto{posed(i, *pictures.back()), depths.back().get()};
         };
         std::vector<scene::KnownPhoto> neighbours;
         for (const std::size_t other : agreeing(photo)) {
@@ -299,8 +310,8 @@ class DepthJob {
             for (const std::size_t other : agreeing(photo)) {
                 const auto its = small(other);
                 const auto itsDepth = agreed(other);
-                const auto gains = scene::gainsBySurfaces({{own.get(), m_poses[photo]}, depth.get()},
-                                                          {{its.get(), m_poses[other]}, itsDepth.get()});
+                const auto gains = scene::gainsBySurfaces({posed(photo, *own), depth.get()},
+                                                          {posed(other, *its), itsDepth.get()});
                 if (gains) {
                     ratios.push_back({photo, other, *gains});
                 }
@@ -314,13 +325,13 @@ class DepthJob {
             return;
         }
         std::vector<scene::PhotoDepth> depths(photos.size());
-        std::vector<scene::PosedDepth> posed;
+        std::vector<scene::PosedDepth> known;
         for (std::size_t k = 0; k < photos.size(); ++k) {
             depths[k] = kept(fileOf(agreedKey(photos[k]))); // as a run for the scene alone would find it
-            posed.push_back({&depths[k], m_poses[photos[k]]});
+            known.push_back(posed(photos[k], depths[k]));
         }
-        result.radiusM = scene::sphereRadius(posed);
-        result.room = scene::fittedRoom(posed, m_options.drawnOutline);
+        result.radiusM = scene::sphereRadius(known);
+        result.room = scene::fittedRoom(known, m_options.drawnOutline);
     }
 
     std::span<const DepthInput> m_photos;

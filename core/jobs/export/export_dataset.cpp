@@ -41,22 +41,23 @@ std::string rotationSource(const store::SolutionRecord& solution) {
     return solution.source == "align" ? "aligned" : solution.source;
 }
 
-/// How well a photo is known among the others of its solution.
-struct OwnSigma {
-    Radians turn;
-    double positionM = 0;
+/// What a solution's report says of a photo. Sigmas are those among the other photos.
+struct PhotoReport {
+    Radians turn{HUGE_VAL};
+    double positionM = HUGE_VAL;
     /// What the turns of pairs disagree by, about each axis. Noise of matches is not all of it: a camera of
-    /// two lenses has no single centre.
+    /// two lenses has no single centre. It is 0 where the lenses were told apart.
     Radians apart;
+    LensPair lenses;
 };
 
-/// By the photos' numbers. It is empty where the solution's report does not tell.
-std::map<std::int64_t, OwnSigma> ownSigmas(const store::SolutionRecord& solution) {
+/// By the photos' numbers.
+std::map<std::int64_t, PhotoReport> photoReports(const store::SolutionRecord& solution) {
     // The median length of the sum of three errors in space, in standard deviations of one along an axis.
     constexpr double kPerTriangle = 2.67;
     const Json json = parseJson(solution.report, "the report of a solution");
     const JsonReader report(json, "the report of a solution");
-    std::map<std::int64_t, OwnSigma> result;
+    std::map<std::int64_t, PhotoReport> result;
     if (report.isAbsent("photos")) {
         return result;
     }
@@ -64,10 +65,13 @@ std::map<std::int64_t, OwnSigma> ownSigmas(const store::SolutionRecord& solution
     const JsonReader photos = report.member("photos");
     for (std::size_t i = 0; i < photos.arraySize(); ++i) {
         const JsonReader photo = photos.element(i);
+        PhotoReport& said = result[photo.integer("photo")];
+        said.lenses.aheadM = photo.isAbsent("lens_ahead_m") ? 0 : photo.number("lens_ahead_m");
         if (!photo.isAbsent("sigma_own")) {
             const JsonReader own = photo.member("sigma_own");
-            result[photo.integer("photo")] = {Degrees(own.number("turn_deg")), own.number("position_m"),
-                                              Degrees(aroundDeg / kPerTriangle)};
+            said.turn = Degrees(own.number("turn_deg"));
+            said.positionM = own.number("position_m");
+            said.apart = Degrees(said.lenses.aheadM != 0 ? 0 : aroundDeg / kPerTriangle);
         }
     }
     return result;
@@ -79,7 +83,7 @@ class Poses {
     explicit Poses(const store::SurveyStore& store) : m_folder(store.photoFolder()) {
         if (const auto solution = store.activeSolution()) {
             m_source = rotationSource(*solution);
-            m_own = ownSigmas(*solution);
+            m_reports = photoReports(*solution);
             for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
                 m_solved.emplace(photo.photo, photo);
             }
@@ -96,9 +100,9 @@ class Poses {
         const store::SolvedPhoto& solved = found->second;
         entry.roomFromPhoto = {solved.roomFromPhoto, solved.positionM};
         entry.rotationSource = m_source;
-        const auto own = m_own.find(photo.id);
-        const OwnSigma most =
-            own != m_own.end() ? own->second : OwnSigma{Radians(HUGE_VAL), HUGE_VAL, Radians(0)};
+        const auto reported = m_reports.find(photo.id);
+        const PhotoReport most = reported != m_reports.end() ? reported->second : PhotoReport();
+        entry.lenses = most.lenses;
         if (solved.sigmaPositionM) {
             entry.positionSigmaM =
                 Eigen::Vector3d::Constant(std::min(*solved.sigmaPositionM, most.positionM));
@@ -124,7 +128,7 @@ class Poses {
     std::filesystem::path m_folder;
     std::string m_source;
     std::map<std::int64_t, store::SolvedPhoto> m_solved;
-    std::map<std::int64_t, OwnSigma> m_own;
+    std::map<std::int64_t, PhotoReport> m_reports;
 };
 
 render::DatasetInfo infoOf(const store::SurveyStore& store) {
@@ -191,7 +195,7 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
 std::vector<DepthInput> depthInputs(const dataset::Contents& contents) {
     std::vector<DepthInput> inputs;
     for (const dataset::SourcePhoto& photo : contents.photos) {
-        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto});
+        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses});
     }
     return inputs;
 }

@@ -304,7 +304,10 @@ TruePictures robotTruePictures(const MeasureOptions& options, const CameraModel&
 }
 
 Rigid3 levelPose(const render::DatasetPhoto& photo, Radians turn) {
-    return {(yawRotation(turn) * bodyFromOptical()).normalized(), photo.roomFromPhoto.translation};
+    const Eigen::Quaterniond rotation = (yawRotation(turn) * bodyFromOptical()).normalized();
+    const Eigen::Vector3d ahead =
+        photo.roomFromPhoto.rotation.conjugate() * (rotation * Eigen::Vector3d::UnitZ());
+    return {rotation, photo.roomFromPhoto * photo.lenses.place(ahead)};
 }
 
 render::Sampling samplingFor(render::Sampling wanted, const render::Dataset& dataset,

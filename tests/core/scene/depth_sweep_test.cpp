@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
+#include "photo/exposure.h"
 
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/practice/practice_room.h"
@@ -104,6 +105,42 @@ TEST(DepthSweep, IsAsRightWhenNeighboursAreAStopDarker) {
     }
     const double as = rightShare(sweptDepth(survey.photo(0), survey.others(0), quick()), survey.range, 0.05);
     EXPECT_GT(rightShare(sweptDepth(survey.photo(0), others, quick()), survey.range, 0.05), as - 0.08);
+}
+
+TEST(DepthSweep, KnowsThatACameraHasTwoLenses) {
+    const LensPair lenses{0.02};
+    const practice::PracticeRoom room;
+    const auto lens = [&](const Rigid3& pose, double side) {
+        return Rigid3{pose.rotation, pose * lenses.place({side, 0, 0})};
+    };
+    std::vector<RgbImage> pictures;
+    std::vector<PosedPicture> photos;
+    for (const Rigid3& pose : Survey::made().poses) {
+        const EquirectSize size{2 * kSweepWidth, kSweepWidth};
+        pictures.push_back(
+            practice::stitched(room.spherical(lens(pose, 1), size), room.spherical(lens(pose, -1), size)));
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        photos.push_back({&pictures[i], Survey::made().poses[i], lenses});
+    }
+    const EquirectSize size{kSweepWidth, kSweepWidth / 2};
+    DepthImage range = room.sphericalRange(lens(photos[0].roomFromPhoto, 1), size);
+    const DepthImage back = room.sphericalRange(lens(photos[0].roomFromPhoto, -1), size);
+    for (int y = 0; y < range.height(); ++y) {
+        for (int x = 0; x < range.width(); ++x) {
+            const bool isBack = direction(size, Eigen::Vector2d(x, y)).x() < 0;
+            *range.at(x, y) = isBack ? *back.at(x, y) : *range.at(x, y);
+        }
+    }
+    const auto share = [&] {
+        return rightShare(sweptDepth(photos[0], std::span(photos).subspan(1), quick()), range, 0.05);
+    };
+    const double known = share();
+    EXPECT_GT(known, 0.85);
+    for (PosedPicture& photo : photos) {
+        photo.lenses = {};
+    }
+    EXPECT_LT(share(), known - 0.05);
 }
 
 TEST(DepthSweep, FindsNoEvidenceInNoise) {

@@ -141,6 +141,7 @@ TEST_F(ImportExportTest, ADatasetHasWhatEachPhotoErrsAmongTheOthers) {
         photos.push_back({{"photo", photo.id},
                           {"status", "good"},
                           {"flags", Json::array()},
+                          {"lens_ahead_m", isFirst ? 0.0 : 0.011},
                           {"sigma_own", isFirst ? Json{{"turn_deg", 0.1}, {"position_m", 0.0002}} : Json()}});
     }
     solution.report = Json{{"cycle_error_deg", 0.267}, {"photos", photos}}.dump();
@@ -151,6 +152,7 @@ TEST_F(ImportExportTest, ADatasetHasWhatEachPhotoErrsAmongTheOthers) {
     for (const render::DatasetPhoto& photo : info.photos) {
         const bool isFirst = photo.roomFromPhoto.translation.x() < 1.5;
         EXPECT_NEAR(photo.positionSigmaM.value().x(), isFirst ? 0.0002 : 0.003, 1e-9);
+        EXPECT_EQ(photo.lenses.aheadM, isFirst ? 0 : 0.011);
         // Pairs that disagree by 0.1 degrees about each axis count, too.
         const double turnRad = isFirst ? Radians(Degrees(std::hypot(0.1, 0.1))).value() : 0.01;
         for (const Radians sigma : {photo.rotationSigma.value().yaw, photo.rotationSigma.value().pitch,

@@ -50,6 +50,7 @@ struct DepthInput {
     std::filesystem::path file; ///< A JPEG file.
     std::string sha256;         ///< Hash of the file, or of all that it is made of.
     Rigid3 roomFromPhoto;
+    LensPair lenses = {};
 };
 
 struct DepthReport {

@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/image.h"
 #include "spherewalk/base/progress.h"
+#include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <span>
@@ -16,12 +17,13 @@ namespace spherewalk::scene {
 struct PosedPicture {
     const RgbImage* picture = nullptr; ///< Equirectangular.
     Rigid3 roomFromPhoto;
+    LensPair lenses = {};
 };
 
 /// The distance of the thing that each pixel of a photo shows. Frames: the photo's own. Shape: width x width
 /// / 2.
 struct PhotoDepth {
-    Image<float, 1> inverseM; ///< 1 / distance along the pixel's ray, above 0; 1 / metres.
+    Image<float, 1> inverseM; ///< 1 / distance along the pixel's ray from its lens, above 0; 1 / metres.
     MaskImage sure;           ///< 255 where it was measured, 0 where it continues what lies beside.
 };
 
@@ -59,6 +61,7 @@ PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> n
 struct PosedDepth {
     const PhotoDepth* depth = nullptr;
     Rigid3 roomFromPhoto;
+    LensPair lenses = {};
 };
 
 /// The depth that neighbours confirm, and planes where they do not. A neighbour confirms what it gives the
