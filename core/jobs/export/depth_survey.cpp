@@ -115,6 +115,15 @@ class DepthJob {
         return result;
     }
 
+    std::vector<std::filesystem::path> keptFiles() const {
+        std::vector<std::filesystem::path> files(m_photos.size());
+        for (const std::size_t i : photosWithNeighbours()) {
+            const std::filesystem::path file = fileOf(refinedKey(i));
+            files[i] = isThere(file) ? file : std::filesystem::path();
+        }
+        return files;
+    }
+
   private:
     std::vector<std::size_t> wanted() const {
         return m_options.onlyForScene ? photosForScene() : photosWithNeighbours();
@@ -356,6 +365,11 @@ SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& 
 DepthForecast depthForecast(std::span<const DepthInput> photos, const DepthOptions& options, bool withTrial,
                             const std::stop_token& stop) {
     return DepthJob(photos, options, noProgress(), stop).forecast(withTrial);
+}
+
+std::vector<std::filesystem::path> keptDepths(std::span<const DepthInput> photos,
+                                              const DepthOptions& options) {
+    return DepthJob(photos, options, noProgress(), {}).keptFiles();
 }
 
 } // namespace spherewalk::jobs

@@ -348,6 +348,27 @@ render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions
     return forecast.photos > 0 && forecast.missing == 0 ? options.scene : render::SceneKind::Sphere;
 }
 
+std::map<std::int64_t, fs::path> keptDepths(const store::SurveyStore& store, const DepthOptions& options,
+                                            const std::stop_token& stop) {
+    const ExportOptions all{{}, render::SceneKind::Depth, options};
+    const DepthCache cache(store, all);
+    std::map<std::int64_t, fs::path> kept;
+    if (!fs::exists(cache.path())) { // nothing was ever estimated
+        return kept;
+    }
+    ExportReport report;
+    const std::vector<store::PhotoRecord> photos = photosToExport(store).photos;
+    const dataset::Contents contents = contentsOf(store, photos, report);
+    const ClearedPhotos cleared = clearedPhotos(store, all, cache, contents, report, stop);
+    const std::vector<fs::path> files = keptDepths(cleared.inputs(), depthOptions(store, all, cache));
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        if (!files[i].empty()) {
+            kept.emplace(photos[i].id, files[i]);
+        }
+    }
+    return kept;
+}
+
 Json toJson(const ExportReport& report) {
     return {{"photos", report.written.photos},
             {"stations_without_photo", report.withoutPhoto},

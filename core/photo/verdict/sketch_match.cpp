@@ -94,15 +94,26 @@ struct BestShift {
     double likeness = -1;
 };
 
-BestShift bestShift(const Relief& photo, const Relief& other) {
-    BestShift best;
+std::vector<double> likenesses(const Relief& photo, const Relief& other) {
+    std::vector<double> all(kSketchWidth);
     for (int shift = 0; shift < kSketchWidth; ++shift) {
-        const double likeness = photo.correlation(other, shift);
-        if (likeness > best.likeness) {
-            best = {shift, likeness};
-        }
+        all[static_cast<std::size_t>(shift)] = photo.correlation(other, shift);
     }
-    return best;
+    return all;
+}
+
+BestShift bestOf(const std::vector<double>& all) {
+    const auto best = std::max_element(all.begin(), all.end());
+    return {static_cast<int>(best - all.begin()), *best};
+}
+
+BestShift bestShift(const Relief& photo, const Relief& other) {
+    return bestOf(likenesses(photo, other));
+}
+
+Radians turnOfShift(int shift) {
+    const double turn = -2 * std::numbers::pi * shift / kSketchWidth;
+    return Radians(turn <= -std::numbers::pi ? turn + 2 * std::numbers::pi : turn);
 }
 
 std::array<double, 3> gains(const RgbImage& photo, const RgbImage& other, int shift) {
@@ -264,12 +275,24 @@ SketchMatch match(const Sketch& photo, const Sketch& other) {
     SketchMatch result;
     const BestShift upright = bestShift(own, theirs);
     result.likeness = upright.likeness;
-    const double turn = -2 * std::numbers::pi * upright.shift / kSketchWidth;
-    result.turn = Radians(turn <= -std::numbers::pi ? turn + 2 * std::numbers::pi : turn);
+    result.turn = turnOfShift(upright.shift);
     result.gains = gains(photo.picture, other.picture, upright.shift);
     own.turnUpsideDown();
     result.upsideDownLikeness = bestShift(own, theirs).likeness;
     return result;
+}
+
+std::optional<Radians> turnBetween(const Sketch& photo, const Sketch& other) {
+    constexpr double kLeastAlike = 0.35;
+    constexpr int kNear = kSketchWidth / 12; // so far around the best turn, others are about as good
+    constexpr double kClearly = 0.12;
+    std::vector<double> all = likenesses(Relief(photo), Relief(other));
+    const BestShift best = bestOf(all);
+    for (int by = -kNear; by <= kNear; ++by) {
+        all[static_cast<std::size_t>((best.shift + by + kSketchWidth) % kSketchWidth)] = -1;
+    }
+    const bool isClear = best.likeness >= kLeastAlike && bestOf(all).likeness < best.likeness - kClearly;
+    return isClear ? std::optional(turnOfShift(best.shift)) : std::nullopt;
 }
 
 ForeignArea foreignArea(const Sketch& photo, std::span<const MatchedSketch> neighbours) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -141,6 +142,10 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
 /// depthForecast().
 render::SceneKind knownScene(const store::SurveyStore& store, const DepthOptions& options);
 
+/// The files among those of surveyDepth() that are kept already; empty for the other photos.
+std::vector<std::filesystem::path> keptDepths(std::span<const DepthInput> photos,
+                                              const DepthOptions& options);
+
 /// What an export would make, and what a person should know before.
 struct ExportCheck {
     std::size_t photos = 0;
@@ -158,6 +163,11 @@ struct ExportCheck {
 /// A folder that exists, or that has too little space, is an obstacle and no error.
 ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
                         const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
+
+/// The depths that earlier exports kept of photos as they are now, by photo: files that render::DepthMap
+/// reads. Cost: little, as nothing is estimated. Errors: those of exportForecast(). Stop: Stopped.
+std::map<std::int64_t, std::filesystem::path>
+keptDepths(const store::SurveyStore& store, const DepthOptions& options, const std::stop_token& stop);
 
 Json toJson(const ExportReport& report);
 Json toJson(const ExportCheck& check);
