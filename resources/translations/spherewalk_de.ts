@@ -1043,6 +1043,570 @@
         <source>Take photos closer together, or export the dataset with a richer scene model.</source>
         <translation>Nehmen Sie Fotos dichter beieinander auf, oder exportieren Sie den Datensatz mit einem reicheren Szenenmodell.</translation>
     </message>
+    <message>
+        <source>Could not reach the camera at %1 within %2; press its power button in case it sleeps, and check that this computer is on the camera&apos;s WiFi.</source>
+        <translation>Die Kamera bei %1 war in %2 nicht zu erreichen; drücken Sie ihre Ein-Taste, falls sie schläft, und prüfen Sie, ob dieser Rechner in ihrem WLAN ist.</translation>
+    </message>
+    <message>
+        <source>No answer from the camera at %1 within %2; press its power button in case it sleeps, and check the WiFi.</source>
+        <translation>Die Kamera bei %1 hat in %2 nicht geantwortet; drücken Sie ihre Ein-Taste, falls sie schläft, und prüfen Sie das WLAN.</translation>
+    </message>
+    <message>
+        <source>Could not reach the camera at %1 (%2); check that it is switched on, that no USB data cable is plugged in, and that this computer is on its WiFi.</source>
+        <translation>Die Kamera bei %1 war nicht zu erreichen (%2); prüfen Sie, ob sie eingeschaltet ist, kein USB-Datenkabel steckt und dieser Rechner in ihrem WLAN ist.</translation>
+    </message>
+    <message>
+        <source>The connection to the camera at %1 broke (%2); move closer to the camera, check the WiFi, and try again.</source>
+        <translation>Die Verbindung zur Kamera bei %1 ist abgerissen (%2); gehen Sie näher an die Kamera, prüfen Sie das WLAN, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 does not speak HTTP; check the address of the camera.</source>
+        <translation>Was bei %1 antwortet, spricht kein HTTP; prüfen Sie die Adresse der Kamera.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 sent more than a camera would; check the address.</source>
+        <translation>Was bei %1 antwortet, hat mehr geschickt, als eine Kamera täte; prüfen Sie die Adresse.</translation>
+    </message>
+    <message>
+        <source>What answers at http://%1 is not a spherical camera (%2); check that this computer is on the camera&apos;s WiFi and not also on another network with the same addresses, and check the address.</source>
+        <translation>Was bei http://%1 antwortet, ist keine Kugelkamera (%2); prüfen Sie die Adresse, und ob dieser Rechner im WLAN der Kamera ist und nicht auch in einem anderen Netz mit denselben Adressen.</translation>
+    </message>
+    <message>
+        <source>The download from the camera at %1 stood still for %2; move closer to the camera and try again.</source>
+        <translation>Das Laden von der Kamera bei %1 stand %2 lang still; gehen Sie näher an die Kamera, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s address &quot;%1&quot; cannot be used; write it like 192.168.1.1 or http://127.0.0.1:8080.</source>
+        <translation>Die Adresse &quot;%1&quot; ist für eine Kamera nicht zu gebrauchen; schreiben Sie etwa 192.168.1.1 oder http://127.0.0.1:8080.</translation>
+    </message>
+    <message>
+        <source>The camera named a photo by &quot;%1&quot;, which is not a usable URL; update its firmware.</source>
+        <translation>Die Kamera nennt ein Foto &quot;%1&quot;, was keine brauchbare URL ist; erneuern Sie ihre Firmware.</translation>
+    </message>
+    <message>
+        <source>The camera names photos as API level 1 does (&quot;%1&quot;); such cameras cannot be used yet.</source>
+        <translation>Die Kamera nennt Fotos wie die API-Stufe 1 (&quot;%1&quot;); solche Kameras gehen noch nicht.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 sent %2; switch it off and on if this persists.</source>
+        <translation>Die Kamera bei %1 hat %2 geschickt; schalten Sie sie aus und ein, wenn es so bleibt.</translation>
+    </message>
+    <message>
+        <source>an empty answer</source>
+        <translation>eine leere Antwort</translation>
+    </message>
+    <message>
+        <source>an answer that is not valid JSON</source>
+        <translation>eine Antwort, die kein gültiges JSON ist</translation>
+    </message>
+    <message>
+        <source>The camera at %1 sent JSON that is not an object; update its firmware.</source>
+        <translation>Die Kamera bei %1 hat JSON geschickt, das kein Objekt ist; erneuern Sie ihre Firmware.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 has sent no picture of its preview for %2 s; check the WiFi, press the camera&apos;s button in case it sleeps, and start the preview again.</source>
+        <translation>Die Kamera bei %1 hat %2 s lang kein Bild der Vorschau geschickt; prüfen Sie das WLAN, drücken Sie ihre Taste, falls sie schläft, und beginnen Sie die Vorschau noch einmal.</translation>
+    </message>
+    <message>
+        <source>A plug-in runs on the camera; end it by the camera&apos;s mode button, then resume.</source>
+        <translation>Auf der Kamera läuft ein Plug-in; beenden Sie es mit ihrer Modus-Taste, und machen Sie dann weiter.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s battery is at %1; charge it before going on.</source>
+        <translation>Der Akku der Kamera steht bei %1; laden Sie ihn, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s battery is at %1; charge it soon.</source>
+        <translation>Der Akku der Kamera steht bei %1; laden Sie ihn bald.</translation>
+    </message>
+    <message>
+        <source>The camera has room for only %1 more photos.</source>
+        <translation>Die Kamera hat nur noch Platz für %1 Fotos.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s storage is full; back its photos up, free some space, and resume.</source>
+        <translation>Der Speicher der Kamera ist voll; sichern Sie ihre Fotos, schaffen Sie Platz, und machen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>Another camera answers (serial number %1 instead of %2); check the WiFi, or connect anew.</source>
+        <translation>Eine andere Kamera antwortet (Seriennummer %1 statt %2); prüfen Sie das WLAN, oder verbinden Sie neu.</translation>
+    </message>
+    <message>
+        <source>Another camera answers now (serial number %1); whether the camera %2 has taken this photo must be looked up on it.</source>
+        <translation>Jetzt antwortet eine andere Kamera (Seriennummer %1); ob die Kamera %2 dieses Foto gemacht hat, muss man auf ihr nachsehen.</translation>
+    </message>
+    <message>
+        <source>The camera %1 speaks neither API level 1 nor 2; use another.</source>
+        <translation>Die Kamera %1 spricht weder API-Stufe 1 noch 2; nehmen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The photo %1 has %2 x %3 pixels, but a spherical photo is twice as wide as high and at least %4 wide; set the camera to full-size stitched photos.</source>
+        <translation>Das Foto %1 hat %2 x %3 Pixel; ein Kugelfoto ist doppelt so breit wie hoch und mindestens %4 breit. Stellen Sie die Kamera auf zusammengesetzte Fotos in voller Größe.</translation>
+    </message>
+    <message>
+        <source>The camera has given the name %1 to another photo, so that this one is gone; take it again.</source>
+        <translation>Die Kamera hat den Namen %1 einem anderen Foto gegeben, dieses ist also weg; nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The photo %1 is not a JPEG; set the camera to JPEG and take it again.</source>
+        <translation>Das Foto %1 ist kein JPEG; stellen Sie die Kamera auf JPEG, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The camera stays busy (&quot;%1&quot;); end what it is doing, or switch it off and on, then resume.</source>
+        <translation>Die Kamera bleibt beschäftigt (&quot;%1&quot;); beenden Sie, was sie tut, oder schalten Sie sie aus und ein, und machen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>The camera says that it is still taking the photo long after it must have been done; switch it off and on, then resume.</source>
+        <translation>Die Kamera sagt, dass sie noch immer fotografiert, obwohl sie längst fertig sein müsste; schalten Sie sie aus und ein, und machen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>The camera stays busy or gives no steady answer about its files; switch it off and on, then resume.</source>
+        <translation>Die Kamera bleibt beschäftigt oder antwortet widersprüchlich über ihre Dateien; schalten Sie sie aus und ein, und machen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>The camera has taken no photo; it can be taken again.</source>
+        <translation>Die Kamera hat kein Foto gemacht; es kann neu aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>The camera says that it has taken the photo, but has no new file: its files were deleted, or their names begin anew.</source>
+        <translation>Die Kamera sagt, dass sie das Foto gemacht hat, hat aber keine neue Datei: ihre Dateien wurden gelöscht, oder ihre Namen beginnen von vorn.</translation>
+    </message>
+    <message>
+        <source>The camera started a session without a name; switch it off and on.</source>
+        <translation>Die Kamera hat eine Sitzung ohne Namen begonnen; schalten Sie sie aus und ein.</translation>
+    </message>
+    <message>
+        <source>The camera stays at API level 1 although it offers level 2; switch it off and on.</source>
+        <translation>Die Kamera bleibt bei API-Stufe 1, obwohl sie Stufe 2 anbietet; schalten Sie sie aus und ein.</translation>
+    </message>
+    <message>
+        <source>The camera takes no photos %1 pixels wide, but %2.</source>
+        <translation>Die Kamera macht keine %1 Pixel breiten Fotos, sondern %2.</translation>
+    </message>
+    <message>
+        <source>Change the survey&apos;s capture profile.</source>
+        <translation>Ändern Sie die Belichtung des Projekts.</translation>
+    </message>
+    <message>
+        <source>The camera does not offer the white balance %1.</source>
+        <translation>Die Kamera hat den Weißabgleich %1 nicht.</translation>
+    </message>
+    <message>
+        <source>The camera does not offer the %1 %2; the nearest are %3.</source>
+        <translation>Die Kamera hat %1 %2 nicht; am nächsten sind %3.</translation>
+    </message>
+    <message>
+        <source>The camera stays in the mode &quot;%1&quot;; set it to still pictures by its mode button.</source>
+        <translation>Die Kamera bleibt in der Betriebsart &quot;%1&quot;; stellen Sie sie mit ihrer Modus-Taste auf Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>The camera does not take spherical JPEGs twice as wide as high; set it to stitched JPEG photos.</source>
+        <translation>Die Kamera macht keine Kugelfotos als JPEG, doppelt so breit wie hoch; stellen Sie sie auf zusammengesetzte JPEG-Fotos.</translation>
+    </message>
+    <message>
+        <source>The camera could not be told that it may sleep again; switch it off and on if it is not used soon.</source>
+        <translation>Der Kamera war nicht mehr zu sagen, dass sie wieder schlafen darf; schalten Sie sie aus und ein, wenn sie nicht bald gebraucht wird.</translation>
+    </message>
+    <message>
+        <source>The downloaded photo changed on the disk before it was recorded; the next run downloads it again.</source>
+        <translation>Das geladene Foto hat sich auf der Platte geändert, bevor es eingetragen war; der nächste Lauf lädt es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The photo of %1 is not known to be its own any more; take it again.</source>
+        <translation>Es ist nicht mehr bekannt, ob das Foto von %1 sein eigenes ist; nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The camera refused to %1: %2.</source>
+        <translation>Die Kamera hat etwas abgelehnt (%1): %2.</translation>
+    </message>
+    <message>
+        <source>this camera cannot do it; update its firmware or use another camera</source>
+        <translation>diese Kamera kann es nicht; erneuern Sie ihre Firmware, oder nehmen Sie eine andere Kamera</translation>
+    </message>
+    <message>
+        <source>set the camera to still pictures, end its plug-in or preview, close the telephone&apos;s application, and try again</source>
+        <translation>stellen Sie die Kamera auf Einzelbilder, beenden Sie ihr Plug-in oder ihre Vorschau, schließen Sie das Programm auf dem Telefon, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>the camera does not allow this value in its present mode</source>
+        <translation>die Kamera erlaubt diesen Wert in ihrer jetzigen Betriebsart nicht</translation>
+    </message>
+    <message>
+        <source>the file is damaged on the camera; take the photo again</source>
+        <translation>die Datei ist auf der Kamera beschädigt; nehmen Sie das Foto neu auf</translation>
+    </message>
+    <message>
+        <source>the camera is switching off; switch it on and resume</source>
+        <translation>die Kamera schaltet sich aus; schalten Sie sie ein, und machen Sie weiter</translation>
+    </message>
+    <message>
+        <source>wait a moment and try again</source>
+        <translation>warten Sie einen Augenblick, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>switch the camera off and on, then resume</source>
+        <translation>schalten Sie die Kamera aus und ein, und machen Sie weiter</translation>
+    </message>
+    <message>
+        <source>the shot was cancelled at the camera; take it again</source>
+        <translation>die Aufnahme wurde an der Kamera abgebrochen; nehmen Sie das Foto neu auf</translation>
+    </message>
+    <message>
+        <source>check that nobody has deleted the file from the camera</source>
+        <translation>prüfen Sie, ob jemand die Datei auf der Kamera gelöscht hat</translation>
+    </message>
+    <message>
+        <source>the camera has ended the session; switch it off and on, and close the telephone&apos;s application</source>
+        <translation>die Kamera hat die Sitzung beendet; schalten Sie sie aus und ein, und schließen Sie das Programm auf dem Telefon</translation>
+    </message>
+    <message>
+        <source>close the other program or telephone that uses the camera; if none does, wait three minutes</source>
+        <translation>schließen Sie das Programm oder Telefon, das die Kamera benutzt; tut es keines, warten Sie drei Minuten</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s storage is full; back its photos up and free some space</source>
+        <translation>der Speicher der Kamera ist voll; sichern Sie ihre Fotos, und schaffen Sie Platz</translation>
+    </message>
+    <message>
+        <source>it asks for a user name and a password (client mode), and was given none or wrong ones; give the right ones, or use the camera&apos;s own WiFi</source>
+        <translation>sie verlangt Benutzername und Kennwort (Client-Modus) und hat keine oder falsche bekommen; geben Sie die richtigen an, oder benutzen Sie das WLAN der Kamera</translation>
+    </message>
+    <message>
+        <source>update the camera&apos;s firmware; if it stays so, report it</source>
+        <translation>erneuern Sie die Firmware der Kamera; bleibt es so, melden Sie es</translation>
+    </message>
+    <message>
+        <source>The photo %1 is not usable: %2; %3.</source>
+        <translation>Das Foto %1 ist nicht zu gebrauchen: %2; %3.</translation>
+    </message>
+    <message>
+        <source>fetch it from the camera again</source>
+        <translation>holen Sie es noch einmal von der Kamera</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes instead of %2</source>
+        <translation>es hat %1 Bytes statt %2</translation>
+    </message>
+    <message>
+        <source>it is not a JPEG</source>
+        <translation>es ist kein JPEG</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>sein Ende fehlt</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were recorded (the SHA-256 differs)</source>
+        <translation>seine Bytes sind nicht die eingetragenen (die SHA-256 ist eine andere)</translation>
+    </message>
+    <message>
+        <source>it is not spherical, its %1 pixels are not twice as wide as high</source>
+        <translation>es ist keine Kugel, seine %1 Pixel sind nicht doppelt so breit wie hoch</translation>
+    </message>
+    <message>
+        <source>take or export it as a whole stitched sphere</source>
+        <translation>machen oder exportieren Sie es als ganze zusammengesetzte Kugel</translation>
+    </message>
+    <message>
+        <source>it is only %1 pixels wide, as a preview is; at least %2 are needed</source>
+        <translation>es ist nur %1 Pixel breit wie eine Vorschau; mindestens %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>The photo %1 is in the survey already, as %2.</source>
+        <translation>Das Foto %1 ist schon im Projekt, als %2.</translation>
+    </message>
+    <message>
+        <source>The picture %1 has %2 x %3 pixels, not the camera&apos;s %4 x %5.</source>
+        <translation>Das Bild %1 hat %2 x %3 Pixel, nicht die %4 x %5 der Kamera.</translation>
+    </message>
+    <message>
+        <source>%1 is in the survey already, as %2 at %3, %4 m from the place in the file.</source>
+        <translation>%1 ist schon im Projekt, als %2 bei %3, %4 m vom Ort in der Datei.</translation>
+    </message>
+    <message>
+        <source>%1 photos stand outside of the room&apos;s outline; check the outline and the positions.</source>
+        <translation>%1 Fotos stehen außerhalb des Grundrisses; prüfen Sie Grundriss und Positionen.</translation>
+    </message>
+    <message>
+        <source>Could not read the positions %1: %2.</source>
+        <translation>Die Positionen %1 waren nicht zu lesen: %2.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: there is no such file or folder.</source>
+        <translation>%1 war nicht zu lesen: es gibt keine solche Datei.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: there is no such file or folder.</source>
+        <translation>%1 war nicht zu schreiben: es gibt keinen solchen Ordner.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: %2; check the permissions.</source>
+        <translation>%1 war nicht zu lesen: %2; prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: %2; check the permissions.</source>
+        <translation>%1 war nicht zu schreiben: %2; prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: the disk is full; free some space and try again.</source>
+        <translation>%1 war nicht zu schreiben: die Platte ist voll; schaffen Sie Platz, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: it exists already.</source>
+        <translation>%1 war nicht zu schreiben: es gibt das schon.</translation>
+    </message>
+    <message>
+        <source>Could not write %1; is the disk full?</source>
+        <translation>%1 war nicht zu schreiben; ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>Could not write %1 %2: it exists already; choose another name, or remove it first.</source>
+        <translation>%1 %2 war nicht zu schreiben: es gibt das schon; nehmen Sie einen anderen Namen, oder löschen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is not a file.</source>
+        <translation>%1 war nicht zu lesen: es ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it ends too early; copy the file again.</source>
+        <translation>%1 war nicht zu lesen: es endet zu früh; kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it has %2, more than the %3 that such a file may have.</source>
+        <translation>%1 war nicht zu lesen: es hat %2, mehr als die %3, die eine solche Datei haben darf.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is not valid JSON.</source>
+        <translation>%1 war nicht zu lesen: es ist kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is neither a PNG nor a JPEG.</source>
+        <translation>%1 war nicht zu lesen: es ist weder PNG noch JPEG.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: the PNG is damaged, copy it again.</source>
+        <translation>%1 war nicht zu lesen: das PNG ist beschädigt, kopieren Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Could not make the folder %1: %2.</source>
+        <translation>Der Ordner %1 war nicht anzulegen: %2.</translation>
+    </message>
+    <message>
+        <source>Could not make a temporary folder %1: %2; set TMPDIR to a folder that can be written.</source>
+        <translation>Ein Ordner auf Zeit, %1, war nicht anzulegen: %2; setzen Sie TMPDIR auf einen Ordner, in den man schreiben kann.</translation>
+    </message>
+    <message>
+        <source>Stopped on request; what was complete is kept.</source>
+        <translation>Auf Wunsch angehalten; was fertig war, bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 is not a survey: %2; give a folder that Spherewalk has made.</source>
+        <translation>%1 ist kein Projekt: %2; nehmen Sie einen Ordner, den Spherewalk gemacht hat.</translation>
+    </message>
+    <message>
+        <source>There is no survey %1; check the path.</source>
+        <translation>Es gibt kein Projekt %1; prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>Could not open the survey %1: %2.</source>
+        <translation>Das Projekt %1 war nicht zu öffnen: %2.</translation>
+    </message>
+    <message>
+        <source>The survey&apos;s database %1 is empty.</source>
+        <translation>Die Datenbank des Projekts, %1, ist leer.</translation>
+    </message>
+    <message>
+        <source>The survey&apos;s database %1 is damaged: %2.</source>
+        <translation>Die Datenbank des Projekts, %1, ist beschädigt: %2.</translation>
+    </message>
+    <message>
+        <source>Restore it from a copy; the photos beside it are not affected.</source>
+        <translation>Stellen Sie sie aus einer Kopie wieder her; die Fotos daneben sind nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The survey %1 was written by a newer Spherewalk (format %2, this one knows up to %3); update Spherewalk to open it.</source>
+        <translation>Das Projekt %1 hat ein neueres Spherewalk geschrieben (Format %2, dieses kennt bis %3); erneuern Sie Spherewalk, um es zu öffnen.</translation>
+    </message>
+    <message>
+        <source>Could not create the survey %1: there is something by that name already; open it, or choose another name.</source>
+        <translation>Das Projekt %1 war nicht anzulegen: es gibt schon etwas dieses Namens; öffnen Sie es, oder nehmen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Could not create the survey %1: %2.</source>
+        <translation>Das Projekt %1 war nicht anzulegen: %2.</translation>
+    </message>
+    <message>
+        <source>Could not create the folder %1: %2.</source>
+        <translation>Der Ordner %1 war nicht anzulegen: %2.</translation>
+    </message>
+    <message>
+        <source>Could not change the survey %1: it is open for reading only.</source>
+        <translation>Das Projekt %1 war nicht zu ändern: es ist nur zum Lesen offen.</translation>
+    </message>
+    <message>
+        <source>The survey %1 is being written by another program%2; close it there, or open it here for reading.</source>
+        <translation>Das Projekt %1 wird von einem anderen Programm geschrieben%2; schließen Sie es dort, oder öffnen Sie es hier zum Lesen.</translation>
+    </message>
+    <message>
+        <source>The survey %1 is being written by another program; close it there, or open it here for reading.</source>
+        <translation>Das Projekt %1 wird von einem anderen Programm geschrieben; schließen Sie es dort, oder öffnen Sie es hier zum Lesen.</translation>
+    </message>
+    <message>
+        <source>Could not open the survey %1 for writing: %2; check the permissions, or open it for reading.</source>
+        <translation>Das Projekt %1 war nicht zum Schreiben zu öffnen: %2; prüfen Sie die Rechte, oder öffnen Sie es zum Lesen.</translation>
+    </message>
+    <message>
+        <source>Could not lock the survey %1 for writing: %2.</source>
+        <translation>Das Projekt %1 war nicht zum Schreiben zu sperren: %2.</translation>
+    </message>
+    <message>
+        <source>Could not replace the plan of the survey %1: photos have been taken at its stations; create another survey for the new plan.</source>
+        <translation>Der Plan des Projekts %1 war nicht zu ersetzen: an seinen Stationen wurden Fotos gemacht; legen Sie für den neuen Plan ein anderes Projekt an.</translation>
+    </message>
+    <message>
+        <source>The outline cannot be used: %1.</source>
+        <translation>Der Grundriss ist nicht zu gebrauchen: %1.</translation>
+    </message>
+    <message>
+        <source>The obstacle %1 cannot be used: %2.</source>
+        <translation>Das Hindernis %1 ist nicht zu gebrauchen: %2.</translation>
+    </message>
+    <message>
+        <source>the wall after corner %1 crosses the wall after corner %2</source>
+        <translation>die Wand nach Ecke %1 kreuzt die Wand nach Ecke %2</translation>
+    </message>
+    <message>
+        <source>corners %1 and %2 are the same point</source>
+        <translation>die Ecken %1 und %2 sind derselbe Punkt</translation>
+    </message>
+    <message>
+        <source>at corner %1 it turns back on itself</source>
+        <translation>an der Ecke %1 kehrt er auf sich selbst zurück</translation>
+    </message>
+    <message>
+        <source>it has %1 corners, and needs at least three</source>
+        <translation>er hat %1 Ecken und braucht mindestens drei</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>eine Koordinate ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>er hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>The outline is %1 m long, more than the %2 m that one survey may have; check its unit (metres), or split the room.</source>
+        <translation>Der Grundriss ist %1 m lang, mehr als die %2 m, die ein Projekt haben darf; prüfen Sie die Einheit (Meter), oder teilen Sie den Raum.</translation>
+    </message>
+    <message>
+        <source>The room has %1 corners, more than the %2 allowed; draw it more simply.</source>
+        <translation>Der Raum hat %1 Ecken, mehr als die erlaubten %2; zeichnen Sie ihn einfacher.</translation>
+    </message>
+    <message>
+        <source>The obstacle %1 lies outside the outline; move it into the room or remove it.</source>
+        <translation>Das Hindernis %1 liegt außerhalb des Grundrisses; schieben Sie es in den Raum, oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>The ceiling cannot be at %1 m: give its height above the floor, up to %2 m.</source>
+        <translation>Die Decke kann nicht bei %1 m sein: geben Sie ihre Höhe über dem Boden an, bis %2 m.</translation>
+    </message>
+    <message>
+        <source>A plan needs from one to %1 heights of the lens, not %2.</source>
+        <translation>Ein Plan braucht eine bis %1 Höhen des Objektivs, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The lens cannot be at %1 m: give heights above the floor and below the ceiling, which is at %2 m.</source>
+        <translation>Das Objektiv kann nicht bei %1 m sein: geben Sie Höhen über dem Boden und unter der Decke an, die bei %2 m ist.</translation>
+    </message>
+    <message>
+        <source>The height of %1 m is listed twice; list each height once.</source>
+        <translation>Die Höhe %1 m steht zweimal da; geben Sie jede Höhe einmal an.</translation>
+    </message>
+    <message>
+        <source>A step of %1 m is too fine for this room: %2.</source>
+        <translation>Ein Schritt von %1 m ist zu fein für diesen Raum: %2.</translation>
+    </message>
+    <message>
+        <source>A step of %1 m fits.</source>
+        <translation>Ein Schritt von %1 m passt.</translation>
+    </message>
+    <message>
+        <source>it would take %1 stations, more than the %2 of one plan</source>
+        <translation>er brauchte %1 Stationen, mehr als die %2 eines Plans</translation>
+    </message>
+    <message>
+        <source>its bounds would hold more than %1 stops</source>
+        <translation>seine Grenzen fassten mehr als %1 Halte</translation>
+    </message>
+    <message>
+        <source>There is nothing to align in %1: no station has a photo yet; capture or import some first.</source>
+        <translation>In %1 gibt es nichts auszurichten: noch keine Station hat ein Foto; nehmen Sie erst welche auf, oder importieren Sie sie.</translation>
+    </message>
+    <message>
+        <source>No photo could be aligned, so no solution was recorded; see what is said of each photo.</source>
+        <translation>Kein Foto war auszurichten, deshalb wurde keine Lösung eingetragen; sehen Sie nach, was zu jedem Foto gesagt wird.</translation>
+    </message>
+    <message>
+        <source>The photos do not show where walls, floor and ceiling are, and no room is drawn: the dataset has no room.</source>
+        <translation>Die Fotos zeigen nicht, wo Wände, Boden und Decke sind, und es ist kein Raum gezeichnet: der Datensatz hat keinen Raum.</translation>
+    </message>
+    <message>
+        <source>The photos do not show where walls, floor and ceiling are: the dataset&apos;s room is the drawn one.</source>
+        <translation>Die Fotos zeigen nicht, wo Wände, Boden und Decke sind: der Raum des Datensatzes ist der gezeichnete.</translation>
+    </message>
+    <message>
+        <source>Nothing can be exported.</source>
+        <translation>Nichts kann exportiert werden.</translation>
+    </message>
+    <message>
+        <source>The heading of %1 of %2 photos is not known; they are exported as if each looked along the room&apos;s x axis.</source>
+        <translation>Die Richtung von %1 der %2 Fotos ist nicht bekannt; sie werden exportiert, als blickten sie entlang der x-Achse des Raums.</translation>
+    </message>
+    <message>
+        <source>Could not keep a copy of the database as %1: %2.</source>
+        <translation>Eine Kopie der Datenbank war nicht als %1 abzulegen: %2.</translation>
+    </message>
+    <message>
+        <source>The camera refused to %1 (&quot;%2&quot;): %3.</source>
+        <translation>Die Kamera hat etwas abgelehnt (%1, &quot;%2&quot;): %3.</translation>
+    </message>
+    <message>
+        <source>take the photo</source>
+        <translation>das Foto aufnehmen</translation>
+    </message>
+    <message>
+        <source>list its files</source>
+        <translation>ihre Dateien auflisten</translation>
+    </message>
+    <message>
+        <source>describe itself</source>
+        <translation>sich beschreiben</translation>
+    </message>
+    <message>
+        <source>show its preview</source>
+        <translation>ihre Vorschau zeigen</translation>
+    </message>
+    <message>
+        <source>speak API level 2</source>
+        <translation>API-Stufe 2 sprechen</translation>
+    </message>
+    <message>
+        <source>start a session</source>
+        <translation>eine Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>tell its settings</source>
+        <translation>ihre Einstellungen nennen</translation>
+    </message>
+    <message>
+        <source>change its settings</source>
+        <translation>ihre Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>tell its state</source>
+        <translation>ihren Zustand nennen</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1126,6 +1690,14 @@
     <message>
         <source>Make a preview of the open survey, or open a dataset.</source>
         <translation>Machen Sie eine Vorschau des offenen Projekts, oder öffnen Sie einen Datensatz.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s own picture: %1</source>
+        <translation>Eigenes Bild des Roboters: %1</translation>
+    </message>
+    <message>
+        <source>expected error: 0 to %1 px and more</source>
+        <translation>erwarteter Fehler: 0 bis %1 px und mehr</translation>
     </message>
 </context>
 <context>
@@ -1885,6 +2457,26 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Decoding %1...</source>
         <translation>%1 wird gelesen...</translation>
     </message>
+    <message>
+        <source>as seen from here, by measured depth</source>
+        <translation>von hier gesehen, nach gemessener Tiefe</translation>
+    </message>
+    <message>
+        <source>as seen from here, by the drawn walls</source>
+        <translation>von hier gesehen, nach den gezeichneten Wänden</translation>
+    </message>
+    <message>
+        <source>as seen from here, roughly</source>
+        <translation>von hier gesehen, ungefähr</translation>
+    </message>
+    <message>
+        <source>turned as the first</source>
+        <translation>gedreht wie das erste</translation>
+    </message>
+    <message>
+        <source>Moving %1 to here...</source>
+        <translation>%1 wird hierher versetzt...</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PanoramaView</name>
@@ -1897,20 +2489,22 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <translation>Ziehen oder Pfeiltasten sehen sich um; Rad, + und - ändern das Sichtfeld; 0 sieht waagerecht</translation>
     </message>
     <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>A: %1</source>
         <translation>A: %1</translation>
     </message>
     <message>
-        <source>Not aligned yet: these photos may be turned differently. Align the survey first.</source>
-        <translation>Noch nicht ausgerichtet: diese Fotos können verschieden gedreht sein. Richten Sie das Projekt zuerst aus.</translation>
-    </message>
-    <message>
         <source>heading %1°, %2° up, %3° wide</source>
         <translation>Richtung %1°, %2° hoch, %3° breit</translation>
+    </message>
+    <message>
+        <source>B: %1
+%2</source>
+        <translation>B: %1
+%2</translation>
+    </message>
+    <message>
+        <source>Not aligned yet: the second photo is turned by what both show, roughly.</source>
+        <translation>Noch nicht ausgerichtet: das zweite Foto ist ungefähr nach dem gedreht, was beide zeigen.</translation>
     </message>
 </context>
 <context>
@@ -1934,6 +2528,13 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>%L1 s</source>
         <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhotoMover</name>
+    <message>
+        <source>The two photos cannot be compared before they are aligned: nothing tells how one is turned against the other.</source>
+        <translation>Die zwei Fotos sind erst nach dem Ausrichten zu vergleichen: nichts sagt, wie eines gegen das andere gedreht ist.</translation>
     </message>
 </context>
 <context>
@@ -2659,6 +3260,45 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
             <numerusform>● %n Stelle</numerusform>
             <numerusform>● %n Stellen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (dataset)</source>
+        <translation>%1 (Datensatz)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) in the dataset</source>
+        <translation>
+            <numerusform>%n Foto im Datensatz</numerusform>
+            <numerusform>%n Fotos im Datensatz</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its camera</source>
+        <translation>Ihre Kamera</translation>
+    </message>
+    <message>
+        <source>Give the second view another camera than the first</source>
+        <translation>Der zweiten Ansicht eine andere Kamera geben als der ersten</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Kamera der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s own pictures...</source>
+        <translation>Eigene Bilder des Roboters...</translation>
+    </message>
+    <message>
+        <source>Show what the robot&apos;s camera took beside the view: a CSV file with the columns file, x_m, y_m, z_m, qw, qx, qy, qz</source>
+        <translation>Neben der Ansicht zeigen, was die Kamera des Roboters aufgenommen hat: eine CSV-Datei mit den Spalten file, x_m, y_m, z_m, qw, qx, qy, qz</translation>
+    </message>
+    <message>
+        <source>Poses of the robot&apos;s own pictures</source>
+        <translation>Posen der eigenen Bilder des Roboters</translation>
+    </message>
+    <message>
+        <source>Positions (*.csv)</source>
+        <translation>Positionen (*.csv)</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,13 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
             <numerusform>● %n poses</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n photo(s) in the dataset</source>
+        <translation>
+            <numerusform>%n photo in the dataset</numerusform>
+            <numerusform>%n photos in the dataset</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>

@@ -1053,6 +1053,570 @@
         <source>Take photos closer together, or export the dataset with a richer scene model.</source>
         <translation>Rób zdjęcia gęściej albo wyeksportuj zbiór danych z bogatszym modelem sceny.</translation>
     </message>
+    <message>
+        <source>Could not reach the camera at %1 within %2; press its power button in case it sleeps, and check that this computer is on the camera&apos;s WiFi.</source>
+        <translation>Nie udało się połączyć z aparatem pod %1 w ciągu %2; naciśnij jego włącznik, jeśli śpi, i sprawdź, czy ten komputer jest w jego sieci WiFi.</translation>
+    </message>
+    <message>
+        <source>No answer from the camera at %1 within %2; press its power button in case it sleeps, and check the WiFi.</source>
+        <translation>Aparat pod %1 nie odpowiedział w ciągu %2; naciśnij jego włącznik, jeśli śpi, i sprawdź WiFi.</translation>
+    </message>
+    <message>
+        <source>Could not reach the camera at %1 (%2); check that it is switched on, that no USB data cable is plugged in, and that this computer is on its WiFi.</source>
+        <translation>Nie udało się połączyć z aparatem pod %1 (%2); sprawdź, czy jest włączony, czy nie jest podłączony kabel USB i czy ten komputer jest w jego sieci WiFi.</translation>
+    </message>
+    <message>
+        <source>The connection to the camera at %1 broke (%2); move closer to the camera, check the WiFi, and try again.</source>
+        <translation>Połączenie z aparatem pod %1 zostało przerwane (%2); podejdź bliżej aparatu, sprawdź WiFi i spróbuj jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 does not speak HTTP; check the address of the camera.</source>
+        <translation>To, co odpowiada pod %1, nie mówi po HTTP; sprawdź adres aparatu.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 sent more than a camera would; check the address.</source>
+        <translation>To, co odpowiada pod %1, przysłało więcej, niż przysłałby aparat; sprawdź adres.</translation>
+    </message>
+    <message>
+        <source>What answers at http://%1 is not a spherical camera (%2); check that this computer is on the camera&apos;s WiFi and not also on another network with the same addresses, and check the address.</source>
+        <translation>To, co odpowiada pod http://%1, nie jest aparatem sferycznym (%2); sprawdź adres oraz czy ten komputer jest w sieci WiFi aparatu, a nie w innej sieci o tych samych adresach.</translation>
+    </message>
+    <message>
+        <source>The download from the camera at %1 stood still for %2; move closer to the camera and try again.</source>
+        <translation>Pobieranie z aparatu pod %1 stało przez %2; podejdź bliżej aparatu i spróbuj jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s address &quot;%1&quot; cannot be used; write it like 192.168.1.1 or http://127.0.0.1:8080.</source>
+        <translation>Adresu aparatu &quot;%1&quot; nie można użyć; wpisz na przykład 192.168.1.1 lub http://127.0.0.1:8080.</translation>
+    </message>
+    <message>
+        <source>The camera named a photo by &quot;%1&quot;, which is not a usable URL; update its firmware.</source>
+        <translation>Aparat nazwał zdjęcie &quot;%1&quot;, co nie jest poprawnym adresem URL; zaktualizuj jego oprogramowanie.</translation>
+    </message>
+    <message>
+        <source>The camera names photos as API level 1 does (&quot;%1&quot;); such cameras cannot be used yet.</source>
+        <translation>Aparat nazywa zdjęcia jak API poziomu 1 (&quot;%1&quot;); takich aparatów jeszcze nie można używać.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 sent %2; switch it off and on if this persists.</source>
+        <translation>Aparat pod %1 przysłał %2; wyłącz go i włącz, jeśli to się powtarza.</translation>
+    </message>
+    <message>
+        <source>an empty answer</source>
+        <translation>pustą odpowiedź</translation>
+    </message>
+    <message>
+        <source>an answer that is not valid JSON</source>
+        <translation>odpowiedź, która nie jest poprawnym JSON-em</translation>
+    </message>
+    <message>
+        <source>The camera at %1 sent JSON that is not an object; update its firmware.</source>
+        <translation>Aparat pod %1 przysłał JSON, który nie jest obiektem; zaktualizuj jego oprogramowanie.</translation>
+    </message>
+    <message>
+        <source>The camera at %1 has sent no picture of its preview for %2 s; check the WiFi, press the camera&apos;s button in case it sleeps, and start the preview again.</source>
+        <translation>Aparat pod %1 od %2 s nie przysłał obrazu podglądu; sprawdź WiFi, naciśnij przycisk aparatu, jeśli śpi, i włącz podgląd jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>A plug-in runs on the camera; end it by the camera&apos;s mode button, then resume.</source>
+        <translation>W aparacie działa wtyczka; zakończ ją przyciskiem trybu aparatu i kontynuuj.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s battery is at %1; charge it before going on.</source>
+        <translation>Bateria aparatu ma %1; naładuj ją, zanim będziesz kontynuować.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s battery is at %1; charge it soon.</source>
+        <translation>Bateria aparatu ma %1; naładuj ją wkrótce.</translation>
+    </message>
+    <message>
+        <source>The camera has room for only %1 more photos.</source>
+        <translation>W aparacie jest miejsce jeszcze tylko na %1 zdjęć.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s storage is full; back its photos up, free some space, and resume.</source>
+        <translation>Pamięć aparatu jest pełna; skopiuj jego zdjęcia, zwolnij miejsce i kontynuuj.</translation>
+    </message>
+    <message>
+        <source>Another camera answers (serial number %1 instead of %2); check the WiFi, or connect anew.</source>
+        <translation>Odpowiada inny aparat (numer seryjny %1 zamiast %2); sprawdź WiFi albo połącz się od nowa.</translation>
+    </message>
+    <message>
+        <source>Another camera answers now (serial number %1); whether the camera %2 has taken this photo must be looked up on it.</source>
+        <translation>Odpowiada teraz inny aparat (numer seryjny %1); czy aparat %2 zrobił to zdjęcie, trzeba sprawdzić w nim.</translation>
+    </message>
+    <message>
+        <source>The camera %1 speaks neither API level 1 nor 2; use another.</source>
+        <translation>Aparat %1 nie zna API poziomu 1 ani 2; użyj innego.</translation>
+    </message>
+    <message>
+        <source>The photo %1 has %2 x %3 pixels, but a spherical photo is twice as wide as high and at least %4 wide; set the camera to full-size stitched photos.</source>
+        <translation>Zdjęcie %1 ma %2 x %3 pikseli, a zdjęcie sferyczne jest dwa razy szersze niż wyższe i ma co najmniej %4 szerokości; ustaw aparat na złożone zdjęcia w pełnym rozmiarze.</translation>
+    </message>
+    <message>
+        <source>The camera has given the name %1 to another photo, so that this one is gone; take it again.</source>
+        <translation>Aparat nadał nazwę %1 innemu zdjęciu, więc tego już nie ma; zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The photo %1 is not a JPEG; set the camera to JPEG and take it again.</source>
+        <translation>Zdjęcie %1 nie jest plikiem JPEG; ustaw aparat na JPEG i zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera stays busy (&quot;%1&quot;); end what it is doing, or switch it off and on, then resume.</source>
+        <translation>Aparat jest wciąż zajęty (&quot;%1&quot;); zakończ to, co robi, albo wyłącz go i włącz, i kontynuuj.</translation>
+    </message>
+    <message>
+        <source>The camera says that it is still taking the photo long after it must have been done; switch it off and on, then resume.</source>
+        <translation>Aparat twierdzi, że wciąż robi zdjęcie, choć dawno powinien skończyć; wyłącz go i włącz, i kontynuuj.</translation>
+    </message>
+    <message>
+        <source>The camera stays busy or gives no steady answer about its files; switch it off and on, then resume.</source>
+        <translation>Aparat jest wciąż zajęty lub niespójnie odpowiada o swoich plikach; wyłącz go i włącz, i kontynuuj.</translation>
+    </message>
+    <message>
+        <source>The camera has taken no photo; it can be taken again.</source>
+        <translation>Aparat nie zrobił zdjęcia; można je zrobić jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera says that it has taken the photo, but has no new file: its files were deleted, or their names begin anew.</source>
+        <translation>Aparat twierdzi, że zrobił zdjęcie, ale nie ma nowego pliku: jego pliki usunięto albo ich nazwy zaczynają się od nowa.</translation>
+    </message>
+    <message>
+        <source>The camera started a session without a name; switch it off and on.</source>
+        <translation>Aparat rozpoczął sesję bez nazwy; wyłącz go i włącz.</translation>
+    </message>
+    <message>
+        <source>The camera stays at API level 1 although it offers level 2; switch it off and on.</source>
+        <translation>Aparat pozostaje przy API poziomu 1, choć oferuje poziom 2; wyłącz go i włącz.</translation>
+    </message>
+    <message>
+        <source>The camera takes no photos %1 pixels wide, but %2.</source>
+        <translation>Aparat nie robi zdjęć o szerokości %1 pikseli, lecz %2.</translation>
+    </message>
+    <message>
+        <source>Change the survey&apos;s capture profile.</source>
+        <translation>Zmień ustawienia zdjęć pomiaru.</translation>
+    </message>
+    <message>
+        <source>The camera does not offer the white balance %1.</source>
+        <translation>Aparat nie ma balansu bieli %1.</translation>
+    </message>
+    <message>
+        <source>The camera does not offer the %1 %2; the nearest are %3.</source>
+        <translation>Aparat nie oferuje wartości %1 %2; najbliższe to %3.</translation>
+    </message>
+    <message>
+        <source>The camera stays in the mode &quot;%1&quot;; set it to still pictures by its mode button.</source>
+        <translation>Aparat pozostaje w trybie &quot;%1&quot;; przyciskiem trybu ustaw robienie zdjęć.</translation>
+    </message>
+    <message>
+        <source>The camera does not take spherical JPEGs twice as wide as high; set it to stitched JPEG photos.</source>
+        <translation>Aparat nie robi sferycznych JPEG-ów dwa razy szerszych niż wyższych; ustaw złożone zdjęcia JPEG.</translation>
+    </message>
+    <message>
+        <source>The camera could not be told that it may sleep again; switch it off and on if it is not used soon.</source>
+        <translation>Nie udało się powiedzieć aparatowi, że może znów zasypiać; wyłącz go i włącz, jeśli nie będzie wkrótce używany.</translation>
+    </message>
+    <message>
+        <source>The downloaded photo changed on the disk before it was recorded; the next run downloads it again.</source>
+        <translation>Pobrane zdjęcie zmieniło się na dysku, zanim je zapisano; następny przebieg pobierze je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The photo of %1 is not known to be its own any more; take it again.</source>
+        <translation>Nie wiadomo już, czy zdjęcie %1 jest jego własnym; zrób je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>The camera refused to %1: %2.</source>
+        <translation>Aparat odmówił (%1): %2.</translation>
+    </message>
+    <message>
+        <source>this camera cannot do it; update its firmware or use another camera</source>
+        <translation>ten aparat tego nie potrafi; zaktualizuj jego oprogramowanie albo użyj innego aparatu</translation>
+    </message>
+    <message>
+        <source>set the camera to still pictures, end its plug-in or preview, close the telephone&apos;s application, and try again</source>
+        <translation>ustaw aparat na robienie zdjęć, zakończ jego wtyczkę lub podgląd, zamknij aplikację w telefonie i spróbuj jeszcze raz</translation>
+    </message>
+    <message>
+        <source>the camera does not allow this value in its present mode</source>
+        <translation>aparat nie pozwala na tę wartość w obecnym trybie</translation>
+    </message>
+    <message>
+        <source>the file is damaged on the camera; take the photo again</source>
+        <translation>plik w aparacie jest uszkodzony; zrób zdjęcie jeszcze raz</translation>
+    </message>
+    <message>
+        <source>the camera is switching off; switch it on and resume</source>
+        <translation>aparat się wyłącza; włącz go i kontynuuj</translation>
+    </message>
+    <message>
+        <source>wait a moment and try again</source>
+        <translation>poczekaj chwilę i spróbuj jeszcze raz</translation>
+    </message>
+    <message>
+        <source>switch the camera off and on, then resume</source>
+        <translation>wyłącz aparat i włącz, i kontynuuj</translation>
+    </message>
+    <message>
+        <source>the shot was cancelled at the camera; take it again</source>
+        <translation>zdjęcie przerwano przy aparacie; zrób je jeszcze raz</translation>
+    </message>
+    <message>
+        <source>check that nobody has deleted the file from the camera</source>
+        <translation>sprawdź, czy nikt nie usunął pliku z aparatu</translation>
+    </message>
+    <message>
+        <source>the camera has ended the session; switch it off and on, and close the telephone&apos;s application</source>
+        <translation>aparat zakończył sesję; wyłącz go i włącz i zamknij aplikację w telefonie</translation>
+    </message>
+    <message>
+        <source>close the other program or telephone that uses the camera; if none does, wait three minutes</source>
+        <translation>zamknij inny program lub telefon, który używa aparatu; jeśli żaden, poczekaj trzy minuty</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s storage is full; back its photos up and free some space</source>
+        <translation>pamięć aparatu jest pełna; skopiuj jego zdjęcia i zwolnij miejsce</translation>
+    </message>
+    <message>
+        <source>it asks for a user name and a password (client mode), and was given none or wrong ones; give the right ones, or use the camera&apos;s own WiFi</source>
+        <translation>prosi o nazwę użytkownika i hasło (tryb klienta), a dostał błędne lub żadne; podaj właściwe albo użyj sieci WiFi aparatu</translation>
+    </message>
+    <message>
+        <source>update the camera&apos;s firmware; if it stays so, report it</source>
+        <translation>zaktualizuj oprogramowanie aparatu; jeśli to nie pomoże, zgłoś to</translation>
+    </message>
+    <message>
+        <source>The photo %1 is not usable: %2; %3.</source>
+        <translation>Zdjęcia %1 nie można użyć: %2; %3.</translation>
+    </message>
+    <message>
+        <source>fetch it from the camera again</source>
+        <translation>pobierz je z aparatu jeszcze raz</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes instead of %2</source>
+        <translation>ma %1 bajtów zamiast %2</translation>
+    </message>
+    <message>
+        <source>it is not a JPEG</source>
+        <translation>nie jest plikiem JPEG</translation>
+    </message>
+    <message>
+        <source>its end is missing</source>
+        <translation>brakuje jego końca</translation>
+    </message>
+    <message>
+        <source>its bytes are not those that were recorded (the SHA-256 differs)</source>
+        <translation>jego bajty nie są tymi, które zapisano (różni się SHA-256)</translation>
+    </message>
+    <message>
+        <source>it is not spherical, its %1 pixels are not twice as wide as high</source>
+        <translation>nie jest sferyczne, jego %1 pikseli to nie dwa razy więcej szerokości niż wysokości</translation>
+    </message>
+    <message>
+        <source>take or export it as a whole stitched sphere</source>
+        <translation>zrób lub wyeksportuj je jako całą złożoną sferę</translation>
+    </message>
+    <message>
+        <source>it is only %1 pixels wide, as a preview is; at least %2 are needed</source>
+        <translation>ma tylko %1 pikseli szerokości, jak podgląd; potrzeba co najmniej %2</translation>
+    </message>
+    <message>
+        <source>The photo %1 is in the survey already, as %2.</source>
+        <translation>Zdjęcie %1 jest już w pomiarze, jako %2.</translation>
+    </message>
+    <message>
+        <source>The picture %1 has %2 x %3 pixels, not the camera&apos;s %4 x %5.</source>
+        <translation>Obraz %1 ma %2 x %3 pikseli, a nie %4 x %5 jak kamera.</translation>
+    </message>
+    <message>
+        <source>%1 is in the survey already, as %2 at %3, %4 m from the place in the file.</source>
+        <translation>%1 jest już w pomiarze, jako %2 przy %3, %4 m od miejsca z pliku.</translation>
+    </message>
+    <message>
+        <source>%1 photos stand outside of the room&apos;s outline; check the outline and the positions.</source>
+        <translation>%1 zdjęć leży poza obrysem pomieszczenia; sprawdź obrys i pozycje.</translation>
+    </message>
+    <message>
+        <source>Could not read the positions %1: %2.</source>
+        <translation>Nie udało się odczytać pozycji %1: %2.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: there is no such file or folder.</source>
+        <translation>Nie udało się odczytać %1: nie ma takiego pliku.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: there is no such file or folder.</source>
+        <translation>Nie udało się zapisać %1: nie ma takiego folderu.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: %2; check the permissions.</source>
+        <translation>Nie udało się odczytać %1: %2; sprawdź uprawnienia.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: %2; check the permissions.</source>
+        <translation>Nie udało się zapisać %1: %2; sprawdź uprawnienia.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: the disk is full; free some space and try again.</source>
+        <translation>Nie udało się zapisać %1: dysk jest pełny; zwolnij miejsce i spróbuj jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Could not write %1: it exists already.</source>
+        <translation>Nie udało się zapisać %1: już istnieje.</translation>
+    </message>
+    <message>
+        <source>Could not write %1; is the disk full?</source>
+        <translation>Nie udało się zapisać %1; czy dysk jest pełny?</translation>
+    </message>
+    <message>
+        <source>Could not write %1 %2: it exists already; choose another name, or remove it first.</source>
+        <translation>Nie udało się zapisać %1 %2: już istnieje; wybierz inną nazwę albo najpierw to usuń.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is not a file.</source>
+        <translation>Nie udało się odczytać %1: to nie jest plik.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it ends too early; copy the file again.</source>
+        <translation>Nie udało się odczytać %1: kończy się za wcześnie; skopiuj plik jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it has %2, more than the %3 that such a file may have.</source>
+        <translation>Nie udało się odczytać %1: ma %2, więcej niż %3, które taki plik może mieć.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is not valid JSON.</source>
+        <translation>Nie udało się odczytać %1: to nie jest poprawny JSON.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it is neither a PNG nor a JPEG.</source>
+        <translation>Nie udało się odczytać %1: to nie jest ani PNG, ani JPEG.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: the PNG is damaged, copy it again.</source>
+        <translation>Nie udało się odczytać %1: PNG jest uszkodzony, skopiuj go jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Could not make the folder %1: %2.</source>
+        <translation>Nie udało się utworzyć folderu %1: %2.</translation>
+    </message>
+    <message>
+        <source>Could not make a temporary folder %1: %2; set TMPDIR to a folder that can be written.</source>
+        <translation>Nie udało się utworzyć tymczasowego folderu %1: %2; ustaw TMPDIR na folder, w którym można zapisywać.</translation>
+    </message>
+    <message>
+        <source>Stopped on request; what was complete is kept.</source>
+        <translation>Zatrzymano na życzenie; to, co było gotowe, pozostaje.</translation>
+    </message>
+    <message>
+        <source>%1 is not a survey: %2; give a folder that Spherewalk has made.</source>
+        <translation>%1 nie jest pomiarem: %2; podaj folder utworzony przez Spherewalk.</translation>
+    </message>
+    <message>
+        <source>There is no survey %1; check the path.</source>
+        <translation>Nie ma pomiaru %1; sprawdź ścieżkę.</translation>
+    </message>
+    <message>
+        <source>Could not open the survey %1: %2.</source>
+        <translation>Nie udało się otworzyć pomiaru %1: %2.</translation>
+    </message>
+    <message>
+        <source>The survey&apos;s database %1 is empty.</source>
+        <translation>Baza danych pomiaru %1 jest pusta.</translation>
+    </message>
+    <message>
+        <source>The survey&apos;s database %1 is damaged: %2.</source>
+        <translation>Baza danych pomiaru %1 jest uszkodzona: %2.</translation>
+    </message>
+    <message>
+        <source>Restore it from a copy; the photos beside it are not affected.</source>
+        <translation>Przywróć ją z kopii; zdjęcia obok nie ucierpiały.</translation>
+    </message>
+    <message>
+        <source>The survey %1 was written by a newer Spherewalk (format %2, this one knows up to %3); update Spherewalk to open it.</source>
+        <translation>Pomiar %1 zapisał nowszy Spherewalk (format %2, ten zna do %3); zaktualizuj Spherewalk, aby go otworzyć.</translation>
+    </message>
+    <message>
+        <source>Could not create the survey %1: there is something by that name already; open it, or choose another name.</source>
+        <translation>Nie udało się utworzyć pomiaru %1: coś o tej nazwie już istnieje; otwórz je albo wybierz inną nazwę.</translation>
+    </message>
+    <message>
+        <source>Could not create the survey %1: %2.</source>
+        <translation>Nie udało się utworzyć pomiaru %1: %2.</translation>
+    </message>
+    <message>
+        <source>Could not create the folder %1: %2.</source>
+        <translation>Nie udało się utworzyć folderu %1: %2.</translation>
+    </message>
+    <message>
+        <source>Could not change the survey %1: it is open for reading only.</source>
+        <translation>Nie udało się zmienić pomiaru %1: jest otwarty tylko do odczytu.</translation>
+    </message>
+    <message>
+        <source>The survey %1 is being written by another program%2; close it there, or open it here for reading.</source>
+        <translation>Pomiar %1 zapisuje właśnie inny program%2; zamknij go tam albo otwórz tutaj do odczytu.</translation>
+    </message>
+    <message>
+        <source>The survey %1 is being written by another program; close it there, or open it here for reading.</source>
+        <translation>Pomiar %1 zapisuje właśnie inny program; zamknij go tam albo otwórz tutaj do odczytu.</translation>
+    </message>
+    <message>
+        <source>Could not open the survey %1 for writing: %2; check the permissions, or open it for reading.</source>
+        <translation>Nie udało się otworzyć pomiaru %1 do zapisu: %2; sprawdź uprawnienia albo otwórz go do odczytu.</translation>
+    </message>
+    <message>
+        <source>Could not lock the survey %1 for writing: %2.</source>
+        <translation>Nie udało się zablokować pomiaru %1 do zapisu: %2.</translation>
+    </message>
+    <message>
+        <source>Could not replace the plan of the survey %1: photos have been taken at its stations; create another survey for the new plan.</source>
+        <translation>Nie udało się zastąpić planu pomiaru %1: na jego stanowiskach zrobiono już zdjęcia; utwórz inny pomiar dla nowego planu.</translation>
+    </message>
+    <message>
+        <source>The outline cannot be used: %1.</source>
+        <translation>Obrysu nie można użyć: %1.</translation>
+    </message>
+    <message>
+        <source>The obstacle %1 cannot be used: %2.</source>
+        <translation>Przeszkody %1 nie można użyć: %2.</translation>
+    </message>
+    <message>
+        <source>the wall after corner %1 crosses the wall after corner %2</source>
+        <translation>ściana za narożnikiem %1 przecina ścianę za narożnikiem %2</translation>
+    </message>
+    <message>
+        <source>corners %1 and %2 are the same point</source>
+        <translation>narożniki %1 i %2 to ten sam punkt</translation>
+    </message>
+    <message>
+        <source>at corner %1 it turns back on itself</source>
+        <translation>w narożniku %1 zawraca po sobie</translation>
+    </message>
+    <message>
+        <source>it has %1 corners, and needs at least three</source>
+        <translation>ma %1 narożników, a potrzebuje co najmniej trzech</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>współrzędna nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>it has no area</source>
+        <translation>nie ma powierzchni</translation>
+    </message>
+    <message>
+        <source>The outline is %1 m long, more than the %2 m that one survey may have; check its unit (metres), or split the room.</source>
+        <translation>Obrys ma %1 m długości, więcej niż %2 m, które może mieć jeden pomiar; sprawdź jednostkę (metry) albo podziel pomieszczenie.</translation>
+    </message>
+    <message>
+        <source>The room has %1 corners, more than the %2 allowed; draw it more simply.</source>
+        <translation>Pomieszczenie ma %1 narożników, więcej niż dozwolone %2; narysuj je prościej.</translation>
+    </message>
+    <message>
+        <source>The obstacle %1 lies outside the outline; move it into the room or remove it.</source>
+        <translation>Przeszkoda %1 leży poza obrysem; przesuń ją do pomieszczenia albo usuń.</translation>
+    </message>
+    <message>
+        <source>The ceiling cannot be at %1 m: give its height above the floor, up to %2 m.</source>
+        <translation>Sufit nie może być na %1 m: podaj jego wysokość nad podłogą, do %2 m.</translation>
+    </message>
+    <message>
+        <source>A plan needs from one to %1 heights of the lens, not %2.</source>
+        <translation>Plan potrzebuje od jednej do %1 wysokości obiektywu, a nie %2.</translation>
+    </message>
+    <message>
+        <source>The lens cannot be at %1 m: give heights above the floor and below the ceiling, which is at %2 m.</source>
+        <translation>Obiektyw nie może być na %1 m: podaj wysokości nad podłogą i pod sufitem, który jest na %2 m.</translation>
+    </message>
+    <message>
+        <source>The height of %1 m is listed twice; list each height once.</source>
+        <translation>Wysokość %1 m jest podana dwa razy; podaj każdą raz.</translation>
+    </message>
+    <message>
+        <source>A step of %1 m is too fine for this room: %2.</source>
+        <translation>Krok %1 m jest za mały dla tego pomieszczenia: %2.</translation>
+    </message>
+    <message>
+        <source>A step of %1 m fits.</source>
+        <translation>Pasuje krok %1 m.</translation>
+    </message>
+    <message>
+        <source>it would take %1 stations, more than the %2 of one plan</source>
+        <translation>wymagałby %1 stanowisk, więcej niż %2 w jednym planie</translation>
+    </message>
+    <message>
+        <source>its bounds would hold more than %1 stops</source>
+        <translation>jego granice objęłyby więcej niż %1 punktów</translation>
+    </message>
+    <message>
+        <source>There is nothing to align in %1: no station has a photo yet; capture or import some first.</source>
+        <translation>W %1 nie ma czego orientować: żadne stanowisko nie ma jeszcze zdjęcia; najpierw zrób lub zaimportuj zdjęcia.</translation>
+    </message>
+    <message>
+        <source>No photo could be aligned, so no solution was recorded; see what is said of each photo.</source>
+        <translation>Nie udało się wyznaczyć orientacji żadnego zdjęcia, więc nie zapisano rozwiązania; zobacz, co powiedziano o każdym zdjęciu.</translation>
+    </message>
+    <message>
+        <source>The photos do not show where walls, floor and ceiling are, and no room is drawn: the dataset has no room.</source>
+        <translation>Zdjęcia nie pokazują, gdzie są ściany, podłoga i sufit, a pomieszczenia nie narysowano: zbiór danych nie ma pomieszczenia.</translation>
+    </message>
+    <message>
+        <source>The photos do not show where walls, floor and ceiling are: the dataset&apos;s room is the drawn one.</source>
+        <translation>Zdjęcia nie pokazują, gdzie są ściany, podłoga i sufit: pomieszczenie zbioru danych to to narysowane.</translation>
+    </message>
+    <message>
+        <source>Nothing can be exported.</source>
+        <translation>Niczego nie można wyeksportować.</translation>
+    </message>
+    <message>
+        <source>The heading of %1 of %2 photos is not known; they are exported as if each looked along the room&apos;s x axis.</source>
+        <translation>Kierunek %1 z %2 zdjęć nie jest znany; są eksportowane tak, jakby patrzyły wzdłuż osi x pomieszczenia.</translation>
+    </message>
+    <message>
+        <source>Could not keep a copy of the database as %1: %2.</source>
+        <translation>Nie udało się zachować kopii bazy danych jako %1: %2.</translation>
+    </message>
+    <message>
+        <source>The camera refused to %1 (&quot;%2&quot;): %3.</source>
+        <translation>Aparat odmówił (%1, &quot;%2&quot;): %3.</translation>
+    </message>
+    <message>
+        <source>take the photo</source>
+        <translation>zrobić zdjęcie</translation>
+    </message>
+    <message>
+        <source>list its files</source>
+        <translation>podać listę plików</translation>
+    </message>
+    <message>
+        <source>describe itself</source>
+        <translation>opisać się</translation>
+    </message>
+    <message>
+        <source>show its preview</source>
+        <translation>pokazać podgląd</translation>
+    </message>
+    <message>
+        <source>speak API level 2</source>
+        <translation>używać API poziomu 2</translation>
+    </message>
+    <message>
+        <source>start a session</source>
+        <translation>rozpocząć sesję</translation>
+    </message>
+    <message>
+        <source>tell its settings</source>
+        <translation>podać ustawienia</translation>
+    </message>
+    <message>
+        <source>change its settings</source>
+        <translation>zmienić ustawienia</translation>
+    </message>
+    <message>
+        <source>tell its state</source>
+        <translation>podać stan</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1136,6 +1700,14 @@
     <message>
         <source>%1, %L2 cm away, %3, %L4 ms</source>
         <translation>%1, %L2 cm stąd, %3, %L4 ms</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s own picture: %1</source>
+        <translation>Własny obraz robota: %1</translation>
+    </message>
+    <message>
+        <source>expected error: 0 to %1 px and more</source>
+        <translation>oczekiwany błąd: od 0 do %1 px i więcej</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +2477,26 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Decoding %1...</source>
         <translation>Dekodowanie %1...</translation>
     </message>
+    <message>
+        <source>as seen from here, by measured depth</source>
+        <translation>widziane stąd, według zmierzonej głębi</translation>
+    </message>
+    <message>
+        <source>as seen from here, by the drawn walls</source>
+        <translation>widziane stąd, według narysowanych ścian</translation>
+    </message>
+    <message>
+        <source>as seen from here, roughly</source>
+        <translation>widziane stąd, w przybliżeniu</translation>
+    </message>
+    <message>
+        <source>turned as the first</source>
+        <translation>obrócone jak pierwsze</translation>
+    </message>
+    <message>
+        <source>Moving %1 to here...</source>
+        <translation>Przenoszenie tutaj: %1...</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PanoramaView</name>
@@ -1917,10 +2509,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Przeciągaj albo używaj strzałek, by się rozglądać; kółko, + i - zmieniają pole widzenia; 0 patrzy poziomo</translation>
     </message>
     <message>
-        <source>B: %1</source>
-        <translation>B: %1</translation>
-    </message>
-    <message>
         <source>A: %1</source>
         <translation>A: %1</translation>
     </message>
@@ -1929,8 +2517,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>kierunek %1°, %2° w górę, szerokość %3°</translation>
     </message>
     <message>
-        <source>Not aligned yet: these photos may be turned differently. Align the survey first.</source>
-        <translation>Orientacja nie jest jeszcze wyznaczona: te zdjęcia mogą być różnie obrócone. Najpierw ją wyznacz.</translation>
+        <source>B: %1
+%2</source>
+        <translation>B: %1
+%2</translation>
+    </message>
+    <message>
+        <source>Not aligned yet: the second photo is turned by what both show, roughly.</source>
+        <translation>Orientacja nie jest jeszcze wyznaczona: drugie zdjęcie obrócono w przybliżeniu według tego, co pokazują oba.</translation>
     </message>
 </context>
 <context>
@@ -1954,6 +2548,13 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>%L1 s</source>
         <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhotoMover</name>
+    <message>
+        <source>The two photos cannot be compared before they are aligned: nothing tells how one is turned against the other.</source>
+        <translation>Tych dwóch zdjęć nie można porównać przed wyznaczeniem orientacji: nic nie mówi, jak jedno jest obrócone względem drugiego.</translation>
     </message>
 </context>
 <context>
@@ -2687,6 +3288,46 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Tints what is displaced: light from half a pixel on, dark at %1 pixels and more</source>
         <translation>Barwi to, co przesunięte: jasno od pół piksela, ciemno od %1 pikseli</translation>
+    </message>
+    <message>
+        <source>%1 (dataset)</source>
+        <translation>%1 (zbiór danych)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) in the dataset</source>
+        <translation>
+            <numerusform>%n zdjęcie w zbiorze danych</numerusform>
+            <numerusform>%n zdjęcia w zbiorze danych</numerusform>
+            <numerusform>%n zdjęć w zbiorze danych</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its camera</source>
+        <translation>Jej kamera</translation>
+    </message>
+    <message>
+        <source>Give the second view another camera than the first</source>
+        <translation>Nadaj drugiemu widokowi inną kamerę niż pierwszemu</translation>
+    </message>
+    <message>
+        <source>Camera of view %1</source>
+        <translation>Kamera widoku %1</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s own pictures...</source>
+        <translation>Własne obrazy robota...</translation>
+    </message>
+    <message>
+        <source>Show what the robot&apos;s camera took beside the view: a CSV file with the columns file, x_m, y_m, z_m, qw, qx, qy, qz</source>
+        <translation>Pokaż obok widoku to, co zrobiła kamera robota: plik CSV z kolumnami file, x_m, y_m, z_m, qw, qx, qy, qz</translation>
+    </message>
+    <message>
+        <source>Poses of the robot&apos;s own pictures</source>
+        <translation>Pozy własnych obrazów robota</translation>
+    </message>
+    <message>
+        <source>Positions (*.csv)</source>
+        <translation>Pozycje (*.csv)</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,8 @@ import re
 import statistics
 import sys
 
+from core_words import core_words
+
 MOST_FILES_IN_FOLDER = 24
 MOST_LINES_OF_FILE = 450
 MOST_HEADERS_OF_ONE = 15
@@ -336,7 +338,7 @@ def functions(tree):
 
 
 RULES = {rule.__name__: rule for rule in
-         (folder_size, file_size, private_headers, rooms, layers, ui_arrows, owners, prose, translations, tree_size, functions)}
+         (folder_size, file_size, private_headers, rooms, layers, ui_arrows, owners, prose, translations, core_words, tree_size, functions)}
 
 
 def main():

@@ -152,6 +152,11 @@ class BrokenTree(unittest.TestCase):
         self.expect("translations", "a_de.ts", "translate", "Stop")
         self.expect("translations", "a_pl.ts", "lacks", "Stop")
 
+    def test_finds_errors_that_the_window_cannot_translate(self):
+        self.write("core/base/progress.cpp", 'throw Error(ErrorKind::Busy, text("The camera ", name, " sleeps. Wake it."));\n' + SUBJECT)
+        self.write("ui/look/core_errors.cpp", 'QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The camera %1 "\n"sleeps."),\n' + SUBJECT)
+        self.expect("core_words", "core/base/progress.cpp:1", "Wake it.")
+
     def test_counts_the_files_of_the_product(self):
         for i in range(860):
             self.write("core/base/room%d/part%d.cpp" % (i // 20, i), SUBJECT)

@@ -275,7 +275,7 @@ void AlignMode::showFindings() {
                             ? reviewRows(m_presenter->session()->store(), findings)
                             : std::vector<ReviewRow>());
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
     m_legend->setHottest(m_plan->hottest());
     sizeColumns();

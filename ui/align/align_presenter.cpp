@@ -77,7 +77,7 @@ void AlignPresenter::read() {
     } catch (const Error& error) {
         m_findings.reset();
         m_model.setPhotos({});
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
     emit findingsChanged();
 }

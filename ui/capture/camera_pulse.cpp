@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/camera_pulse.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 
@@ -45,7 +47,7 @@ void CameraPulse::beat() {
                               }
                           };
                       } catch (const Error& error) {
-                          return [this, number, sentence = QString::fromStdString(error.sentence())] {
+                          return [this, number, sentence = coreWords(error.sentence())] {
                               if (number == m_begun) {
                                   emit silent(sentence);
                               }

@@ -85,7 +85,7 @@ void CaptureDesk::setProfile(const std::optional<survey::CaptureProfile>& profil
         m_session->write(SurveySession::Profile,
                          [&](store::SurveyStore& store) { store.setCaptureProfile(profile); });
     } catch (const Error& error) {
-        failed(QString::fromStdString(error.sentence()));
+        failed(coreWords(error.sentence()));
     }
 }
 
@@ -151,7 +151,7 @@ void CaptureDesk::connectTo(const QString& address) {
         }
         m_endpoint = endpoint;
     } catch (const Error& error) {
-        return failed(QString::fromStdString(error.sentence()));
+        return failed(coreWords(error.sentence()));
     }
     m_isPractice = m_practice && m_practice->endpoint() == m_endpoint;
     m_isAutomatic = m_isAutomatic && m_isPractice;

@@ -2,6 +2,7 @@
 #include "ui/capture/desk_operator.h"
 
 #include "ui/capture/capture_desk.h"
+#include "ui/look/core_words.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/camera/capture.h"
@@ -85,9 +86,7 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
             // If the camera stays silent, the next shot will say more.
             m_status.batteryFraction.reset();
             postStatus();
-            post([sentence = QString::fromStdString(error.sentence())](CaptureDesk& desk) {
-                desk.failed(sentence);
-            });
+            post([sentence = coreWords(error.sentence())](CaptureDesk& desk) { desk.failed(sentence); });
         }
     }
     if (m_desk.m_preview.endAndWait()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/capture/live_preview.h"
 
+#include "ui/look/core_words.h"
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/base/error.h"
@@ -92,7 +93,7 @@ QString PreviewFeed::show(const Request& request, const std::stop_token& stop) {
             [&](const camera::PreviewFrame& frame) { publish(request.number, frame); }, stop);
         return pictures > 0 ? QString() : tr("The camera sent no picture; start the preview again.");
     } catch (const Error& error) {
-        return error.kind() == ErrorKind::Stopped ? QString() : QString::fromStdString(error.sentence());
+        return error.kind() == ErrorKind::Stopped ? QString() : coreWords(error.sentence());
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/fields/camera_box.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/render/camera_info.h"
@@ -78,7 +80,7 @@ bool CameraBox::readCamera(const QString& yaml) {
     try {
         offer({QFileInfo(yaml).fileName(), render::readCameraInfo(yaml.toStdString())});
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
         return false;
     }
     setCurrentIndex(count() - 2);

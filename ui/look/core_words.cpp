@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/core_words.h"
 
+#include "ui/look/core_errors.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace spherewalk::ui {
@@ -146,19 +150,24 @@ QRegularExpression expressionOf(const QString& sentence) {
 const std::vector<Pattern>& patterns() {
     static const std::vector<Pattern> all = [] {
         std::vector<Pattern> made;
-        for (const char* sentence : kSentences) {
+        const auto add = [&](const char* sentence) {
             made.push_back({sentence, expressionOf(QString::fromUtf8(sentence))});
-        }
+        };
+        std::for_each(std::begin(kSentences), std::end(kSentences), add);
+        std::for_each(coreErrors().begin(), coreErrors().end(), add);
         return made;
     }();
     return all;
 }
 
-/// Writes the numbers in a value as the language does.
+QString translatedSentence(const QString& sentence);
+
+/// Translates a value that is a part of a sentence itself, and writes numbers as the language does.
 QString localValue(const QString& value) {
     static const QRegularExpression decimal("(?<=\\d)\\.(?=\\d)");
     static const QRegularExpression number("^[-+]?\\d+\\.\\d+( .*)?$");
-    return number.match(value).hasMatch() ? QString(value).replace(decimal, QLocale().decimalPoint()) : value;
+    return number.match(value).hasMatch() ? QString(value).replace(decimal, QLocale().decimalPoint())
+                                          : translatedSentence(value);
 }
 
 QString translatedSentence(const QString& sentence) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panorama/photo_pictures.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -142,7 +144,7 @@ void PhotoDecoder::decode(const File& file, int denominator) {
                 const Decoded decoded{render::Panorama(jpeg::decode(bytes, file.string(), by)), by};
                 return [this, file, decoded] { keep(file, decoded, {}); };
             } catch (const Error& error) {
-                const QString sentence = QString::fromStdString(error.sentence());
+                const QString sentence = coreWords(error.sentence());
                 return [this, file, sentence] { keep(file, std::nullopt, sentence); };
             }
         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_draft.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
@@ -84,7 +85,7 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
         outcome.report = survey::report(draft.room, draft.options, outcome.plan);
         return outcome;
     } catch (const Error& error) {
-        return {{}, {}, withLetters(QString::fromStdString(error.sentence()))};
+        return {{}, {}, coreWords(withLetters(QString::fromStdString(error.sentence())))};
     } catch (const std::exception& defect) {
         return {{}, {}, QString::fromUtf8(defect.what())};
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_mode.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
 #include "ui/plan/grid_study.h"
@@ -242,7 +243,7 @@ void PlanMode::create(const QString& folder) {
             keepPicture();
         }
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
 }
 
@@ -269,7 +270,7 @@ void PlanMode::layPicture(const QString& file) {
         m_view->setTool(isMap ? PlanEditorView::Tool::Select : PlanEditorView::Tool::Scale);
         m_view->fitRoom();
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_storage.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/side_panel.h"
 
 #include "spherewalk/base/error.h"
@@ -112,7 +113,7 @@ void PlanStorage::flush() {
         });
         setState(State::Stored);
     } catch (const Error& error) {
-        emit problem(QString::fromStdString(error.sentence()));
+        emit problem(coreWords(error.sentence()));
     }
     m_isWriting = false;
 }

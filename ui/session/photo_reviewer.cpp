@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/photo_reviewer.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/error.h"
 
 #include <QUndoCommand>
@@ -53,7 +55,7 @@ class ReviewCommand : public QUndoCommand {
         } catch (const Error& error) {
             setObsolete(true);
             if (m_reviewer) {
-                emit m_reviewer->refused(QString::fromStdString(error.sentence()));
+                emit m_reviewer->refused(coreWords(error.sentence()));
             }
         }
     }
@@ -99,7 +101,7 @@ void PhotoReviewer::apply(const QString& what, const std::vector<std::int64_t>& 
         m_session->undoStack()->push(
             new ReviewCommand(what, *m_session, *this, std::move(before), std::move(after)));
     } catch (const Error& error) {
-        emit refused(QString::fromStdString(error.sentence()));
+        emit refused(coreWords(error.sentence()));
     }
 }
 

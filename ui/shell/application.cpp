@@ -2,6 +2,7 @@
 #include "ui/shell/application.h"
 
 #include "ui/frame/settings.h"
+#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
 #include "ui/look/theme.h"
 
@@ -50,7 +51,7 @@ bool Application::notify(QObject* receiver, QEvent* event) {
     try {
         return QApplication::notify(receiver, event);
     } catch (const Error& error) {
-        emit problem(QString::fromStdString(error.sentence()));
+        emit problem(coreWords(error.sentence()));
     } catch (const std::exception& defect) { // whatever no module translated
         emit problem(tr("Spherewalk met a defect of its own: %1.").arg(QString::fromUtf8(defect.what())));
     }

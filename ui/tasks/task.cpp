@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/task.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/error.h"
 
 #include <algorithm>
@@ -85,7 +87,7 @@ void Task::run(const Work& work, const std::stop_token& stop) {
         ending.state = State::Done;
     } catch (const Error& error) {
         ending.state = error.kind() == ErrorKind::Stopped ? State::Stopped : State::Failed;
-        ending.sentence = QString::fromStdString(error.sentence());
+        ending.sentence = coreWords(error.sentence());
     } catch (const std::exception& defect) { // whatever no module translated
         ending.sentence = tr("Spherewalk met a defect of its own: %1.").arg(QString::fromUtf8(defect.what()));
     }

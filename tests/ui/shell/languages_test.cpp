@@ -8,6 +8,10 @@
 #include "ui/shell/application.h"
 #include "ui/shell/main_window.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/camera/endpoint.h"
+#include "spherewalk/camera/osc_error.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/verdict.h"
 
@@ -15,11 +19,13 @@
 #include <QAction>
 #include <QLabel>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 
 namespace spherewalk::ui {
@@ -160,12 +166,49 @@ std::vector<std::string> sentencesOfTheCore() {
     return sentences;
 }
 
+/// What stops people on their first day, in the words of the core.
+std::vector<std::string> errorsOfTheCore() {
+    const test::TemporaryFolder folder;
+    const survey::Room bow{{{0, 0}, {4, 3}, {4, 0}, {0, 3}}, {}, 2.5};
+    const std::vector<std::function<void()>> mistakes = {
+        [&] { store::SurveyStore::open(folder / "nothing.spherewalk", store::Access::Read); },
+        [&] { store::SurveyStore::open(folder.path(), store::Access::Read); },
+        [&] { readFile(folder / "nothing.jpg"); },
+        [&] { bow.validate(); },
+        [&] { camera::parseEndpoint("http://"); },
+        [&] {
+            survey::plan({{{0, 0}, {4, 0}, {4, 3}}, {}, 2.5}, {.heightsM = {3}});
+        },
+        [&] { throw camera::refusal("take the photo", camera::OscErrorCode::StorageFull, ""); },
+    };
+    std::vector<std::string> sentences;
+    for (const auto& mistake : mistakes) {
+        try {
+            mistake();
+            ADD_FAILURE() << sentences.size() << " is no mistake";
+        } catch (const Error& error) {
+            sentences.push_back(error.sentence());
+        }
+    }
+    return sentences;
+}
+
 TEST_P(LanguagesTest, TheCoreSpeaksItToo) {
     const std::vector<std::string> sentences = sentencesOfTheCore();
     EXPECT_GE(sentences.size(), 5U);
     for (const std::string& sentence : sentences) {
         const bool isEnglish = std::string(GetParam()) == "en";
         EXPECT_EQ(coreWords(sentence) == QString::fromStdString(sentence), isEnglish) << sentence;
+    }
+}
+
+TEST_P(LanguagesTest, ErrorsOfTheCoreAreToldInIt) {
+    const bool isEnglish = std::string(GetParam()) == "en";
+    for (const std::string& sentence : errorsOfTheCore()) {
+        const QString told = coreWords(sentence);
+        EXPECT_EQ(told == QString::fromStdString(sentence), isEnglish) << sentence;
+        static const QRegularExpression english("\\b(the|cannot|could|there)\\b");
+        EXPECT_FALSE(!isEnglish && told.contains(english)) << told.toStdString();
     }
 }
 
