@@ -48,6 +48,7 @@ PanoramaPresenter::PanoramaPresenter(QObject* parent) : QObject(parent) {
     m_settling.setSingleShot(true);
     connect(&m_settling, &QTimer::timeout, this, &PanoramaPresenter::changed);
     connect(&m_decoder, &PhotoDecoder::decoded, this, &PanoramaPresenter::changed);
+    connect(&m_mover, &PhotoMover::moved, this, &PanoramaPresenter::changed);
 }
 
 void PanoramaPresenter::show(const std::optional<ShownPhoto>& photo) {
@@ -78,9 +79,9 @@ void PanoramaPresenter::setOther(const std::optional<ShownPhoto>& photo) {
     }
 }
 
-void PanoramaPresenter::setSphereRadius(std::optional<double> radiusM) {
-    m_sphereRadiusM = radiusM;
-    emit changed();
+void PanoramaPresenter::setSurroundings(const Surroundings& surroundings) {
+    m_surroundings = surroundings;
+    want();
 }
 
 void PanoramaPresenter::want() {
@@ -88,10 +89,10 @@ void PanoramaPresenter::want() {
     if (m_photo) {
         files.push_back(m_photo->file);
     }
-    if (m_other && m_comparison != Comparison::Off) {
-        files.push_back(m_other->file);
-    }
     m_decoder.want(files);
+    if (isComparing()) {
+        m_mover.want(*m_photo, *m_other, m_surroundings);
+    }
     emit changed();
 }
 
@@ -150,27 +151,31 @@ QImage PanoramaPresenter::picture(const QSize& sizePx) {
     if (sizePx.isEmpty() || qint64{sizePx.width()} * sizePx.height() > kMostPixels) {
         return {};
     }
-    const bool isComparing = m_comparison != Comparison::Off && m_other.has_value();
-    if (!m_photo) {
-        QImage nothing(sizePx, QImage::Format_RGB32);
-        nothing.fill(Qt::black);
-        return nothing;
+    const bool hasOther = isComparing() && m_mover.picture();
+    if (hasOther && m_comparison == Comparison::Blink && m_isOtherShown) {
+        return renderOther(sizePx);
     }
-    if (isComparing && m_comparison == Comparison::Blink && m_isOtherShown) {
-        return render(*m_other, sizePx);
-    }
-    QImage first = render(*m_photo, sizePx);
-    if (isComparing && m_comparison == Comparison::Slider) {
+    QImage first = renderFirst(sizePx);
+    if (hasOther && m_comparison == Comparison::Slider) {
         const int line = static_cast<int>(m_share * sizePx.width());
         const QRect right(line, 0, sizePx.width() - line, sizePx.height());
-        QPainter(&first).drawImage(right.topLeft(), render(*m_other, sizePx), right);
+        QPainter(&first).drawImage(right.topLeft(), renderOther(sizePx), right);
     }
     return first;
 }
 
-QImage PanoramaPresenter::render(const ShownPhoto& photo, const QSize& sizePx) {
-    const auto decoded = m_decoder.find(photo.file);
-    if (!decoded) {
+QImage PanoramaPresenter::renderFirst(const QSize& sizePx) {
+    const auto decoded = m_photo ? m_decoder.find(m_photo->file) : std::nullopt;
+    return render(decoded ? &decoded->panorama : nullptr, sizePx);
+}
+
+QImage PanoramaPresenter::renderOther(const QSize& sizePx) {
+    return render(&m_mover.picture()->panorama, sizePx);
+}
+
+/// Renders a panorama that has the pose of the first photo; null: nothing is there yet.
+QImage PanoramaPresenter::render(const render::Panorama* panorama, const QSize& sizePx) {
+    if (panorama == nullptr) {
         QImage nothing(sizePx, QImage::Format_RGB32);
         nothing.fill(Qt::black);
         return nothing;
@@ -178,7 +183,7 @@ QImage PanoramaPresenter::render(const ShownPhoto& photo, const QSize& sizePx) {
     const Eigen::Vector3d& from = m_photo->roomFromPhoto.translation;
     const render::Sampling sampling =
         m_settling.isActive() ? render::Sampling::Bilinear : render::Sampling::Footprint;
-    m_renderer.render(decoded->panorama, {photo.roomFromPhoto, m_sphereRadiusM},
+    m_renderer.render(*panorama, {m_photo->roomFromPhoto, std::nullopt},
                       CameraModel(m_look.camera(sizePx.width(), sizePx.height())),
                       m_look.roomFromCamera(from), sampling, m_pixels);
     return qtImage(m_pixels);
@@ -213,24 +218,40 @@ std::vector<QPolygonF> PanoramaPresenter::outlines(const QSize& sizePx) const {
 }
 
 bool PanoramaPresenter::isComparingUnaligned() const {
-    return m_comparison != Comparison::Off && m_photo && m_other &&
-           !(m_photo->isAligned && m_other->isAligned);
+    return isComparing() && !(m_photo->isAligned && m_other->isAligned);
+}
+
+QString PanoramaPresenter::movedWords() const {
+    if (!isComparing() || !m_mover.picture()) {
+        return {};
+    }
+    switch (m_mover.picture()->by) {
+    case MovedBy::Depth:
+        return tr("as seen from here, by measured depth");
+    case MovedBy::Room:
+        return tr("as seen from here, by the drawn walls");
+    case MovedBy::Sphere:
+        return tr("as seen from here, roughly");
+    case MovedBy::Turn:
+        return tr("turned as the first");
+    }
+    return {};
 }
 
 QString PanoramaPresenter::remark() const {
     if (!m_photo) {
         return tr("No photo is chosen.");
     }
-    for (const std::optional<ShownPhoto>& photo : {m_photo, m_other}) {
-        const bool isNeeded = photo && (photo == m_photo || m_comparison != Comparison::Off);
-        if (isNeeded && !m_decoder.sentence(photo->file).isEmpty()) {
-            return m_decoder.sentence(photo->file);
-        }
-        if (isNeeded && !m_decoder.find(photo->file)) {
-            return tr("Decoding %1...").arg(photo->name);
-        }
+    if (!m_decoder.sentence(m_photo->file).isEmpty()) {
+        return m_decoder.sentence(m_photo->file);
     }
-    return {};
+    if (!m_decoder.find(m_photo->file)) {
+        return tr("Decoding %1...").arg(m_photo->name);
+    }
+    if (isComparing() && !m_mover.sentence().isEmpty()) {
+        return m_mover.sentence();
+    }
+    return isComparing() && !m_mover.picture() ? tr("Moving %1 to here...").arg(m_other->name) : QString();
 }
 
 } // namespace spherewalk::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/panorama/photo_mover.h"
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/geometry/angle.h"
@@ -37,32 +38,6 @@ struct Look {
     CameraIntrinsics camera(int width, int height) const;
 };
 
-/// An area of a photo that somebody must look at. Frames: the photo's panorama frame.
-struct PhotoArea {
-    Radians azimuth; ///< Of the middle, counter-clockwise from the picture's middle.
-    Radians elevation;
-    Radians halfWidth;
-    Radians halfHeight;
-
-    bool operator==(const PhotoArea& other) const = default;
-};
-
-/// A photo that the viewer shows.
-struct ShownPhoto {
-    std::filesystem::path file;
-    QString name; ///< Station and file, for people.
-    Rigid3 roomFromPhoto;
-    bool isAligned = true; ///< Whether the rotation of roomFromPhoto is known.
-    std::vector<PhotoArea> areas = {};
-
-    bool operator==(const ShownPhoto& other) const {
-        return file == other.file && name == other.name && isAligned == other.isAligned &&
-               areas == other.areas &&
-               roomFromPhoto.rotation.coeffs() == other.roomFromPhoto.rotation.coeffs() &&
-               roomFromPhoto.translation == other.roomFromPhoto.translation;
-    }
-};
-
 /// Ways to compare two photos.
 enum class Comparison {
     Off,
@@ -70,8 +45,9 @@ enum class Comparison {
     Slider, ///< The photos lie left and right of a line.
 };
 
-/// Shows one photo, or compares two, from the place of the first photo. A difference is then an error of the
-/// alignment or a change in the room. Threads: the GUI thread; a background thread decodes photos.
+/// Shows one photo, or compares two, from the place of the first photo. The other one is moved there, so that
+/// a difference is an error of the alignment or a change in the room. Threads: the GUI thread; a background
+/// thread decodes photos.
 class PanoramaPresenter : public QObject {
     Q_OBJECT
 
@@ -82,9 +58,8 @@ class PanoramaPresenter : public QObject {
     void show(const std::optional<ShownPhoto>& photo);
     /// Sets the photo to compare with, or none.
     void setOther(const std::optional<ShownPhoto>& photo);
-    /// Sets the radius of the sphere on which the other photo is moved to the place of the first one;
-    /// nothing: it is only turned.
-    void setSphereRadius(std::optional<double> radiusM);
+    /// Sets what stands for the room where no depths of the photo are known.
+    void setSurroundings(const Surroundings& surroundings);
 
     const std::optional<ShownPhoto>& photo() const { return m_photo; }
 
@@ -122,7 +97,10 @@ class PanoramaPresenter : public QObject {
     /// Whether two photos are compared of which one is not aligned, so that they can be turned differently.
     bool isComparingUnaligned() const;
 
-    /// Says that a photo is being decoded, or why it cannot be; empty otherwise.
+    /// Says how the other photo was moved here, for its name; empty before that.
+    QString movedWords() const;
+
+    /// Says that a photo is being decoded or moved, or why it cannot be; empty otherwise.
     QString remark() const;
 
   signals:
@@ -133,17 +111,23 @@ class PanoramaPresenter : public QObject {
   private:
     void want();
     void lookAt(const PhotoArea& area);
-    QImage render(const ShownPhoto& photo, const QSize& sizePx);
+
+    bool isComparing() const { return m_comparison != Comparison::Off && m_photo && m_other; }
+
+    QImage render(const render::Panorama* panorama, const QSize& sizePx);
+    QImage renderFirst(const QSize& sizePx);
+    QImage renderOther(const QSize& sizePx);
     void move();
 
     std::optional<ShownPhoto> m_photo;
     std::optional<ShownPhoto> m_other;
-    std::optional<double> m_sphereRadiusM;
+    Surroundings m_surroundings;
     Comparison m_comparison = Comparison::Off;
     double m_share = 0.5;
     bool m_isOtherShown = false;
     Look m_look;
     PhotoDecoder m_decoder;
+    PhotoMover m_mover;
     render::PanoramaRenderer m_renderer;
     RgbImage m_pixels;
     QTimer m_blinking;

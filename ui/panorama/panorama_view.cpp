@@ -94,20 +94,21 @@ void PanoramaView::paintLine(QPainter& painter) const {
 void PanoramaView::paintNames(QPainter& painter) const {
     const auto& other = m_presenter->other();
     const QString first = m_presenter->photo()->name;
+    const QString moved = m_presenter->movedWords();
+    const QString second = !other || moved.isEmpty() ? QString() : tr("B: %1\n%2").arg(other->name, moved);
     switch (other ? m_presenter->comparison() : Comparison::Off) {
     case Comparison::Off:
         paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft, first);
         return;
     case Comparison::Blink:
         paintPlate(painter, rect(), Qt::AlignTop | Qt::AlignLeft,
-                   m_presenter->isOtherShown() ? tr("B: %1").arg(other->name) : tr("A: %1").arg(first));
+                   m_presenter->isOtherShown() && !second.isEmpty() ? second : tr("A: %1").arg(first));
         return;
     case Comparison::Slider: {
         const double line = m_presenter->share() * width();
         paintPlate(painter, QRectF(0, 0, line, height()), Qt::AlignTop | Qt::AlignLeft,
                    tr("A: %1").arg(first));
-        paintPlate(painter, QRectF(line, 0, width() - line, height()), Qt::AlignTop | Qt::AlignRight,
-                   tr("B: %1").arg(other->name));
+        paintPlate(painter, QRectF(line, 0, width() - line, height()), Qt::AlignTop | Qt::AlignRight, second);
     }
     }
 }
@@ -116,7 +117,7 @@ void PanoramaView::paintLook(QPainter& painter) const {
     if (m_presenter->isComparingUnaligned()) {
         constexpr int kLookPx = 34; // the height of the plate below
         paintPlate(painter, rect().adjusted(0, 0, 0, -kLookPx), Qt::AlignBottom | Qt::AlignHCenter,
-                   tr("Not aligned yet: these photos may be turned differently. Align the survey first."));
+                   tr("Not aligned yet: the second photo is turned by what both show, roughly."));
     }
     const Look& look = m_presenter->look();
     paintPlate(painter, rect(), Qt::AlignBottom | Qt::AlignRight,

@@ -3,8 +3,10 @@
 
 #include "ui/fields/scene_fields.h"
 #include "ui/frame/settings.h"
+#include "ui/look/core_words.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/judge_survey.h"
 #include "spherewalk/scene/room_fit.h"
 
@@ -42,6 +44,15 @@ std::optional<double> radiusOf(const survey::Room& room, const std::vector<Revie
         middle += row.positionM / static_cast<double>(rows.size());
     }
     return rows.empty() ? std::nullopt : scene::sphereRadius(room, {middle});
+}
+
+Surroundings surroundingsOf(const survey::Room& room, const std::vector<ReviewRow>& rows) {
+    Surroundings result;
+    if (room.outline.size() >= 3 && room.ceilingM > 0) {
+        result.room = render::RoomShape{room.outline, 0, room.ceilingM};
+    }
+    result.sphereRadiusM = radiusOf(room, rows);
+    return result;
 }
 
 } // namespace
@@ -107,6 +118,7 @@ void ReviewPresenter::setSession(SurveySession* session) {
     m_thumbnails.forgetRequests();
     m_errors.reset();
     m_errorsFile.clear();
+    m_depths.clear();
     SurveyPresenter::setSession(session);
     if (session != nullptr) {
         connect(session, &SurveySession::readOnlyChanged, this, &ReviewPresenter::currentChanged);
@@ -123,12 +135,15 @@ void ReviewPresenter::read() {
             fillErrors(rows, *m_errors);
         }
         m_model.setRows(std::move(rows));
-        m_viewer.setSphereRadius(session() != nullptr ? radiusOf(session()->store().room(), m_model.rows())
-                                                      : std::nullopt);
+        m_viewer.setSurroundings(
+            session() != nullptr ? surroundingsOf(session()->state().room, m_model.rows()) : Surroundings());
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
     m_list.invalidate();
+    if (m_compared) {
+        lookForDepths(); // with other poses, others hold
+    }
     showCurrent();
     emit rowsChanged();
 }
@@ -156,7 +171,7 @@ void ReviewPresenter::readErrors(const QString& reportFile) {
         takeErrors(reportFile);
         Settings().setMeasuredReport(surveyId(), reportFile);
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
 }
 
@@ -270,6 +285,9 @@ void ReviewPresenter::setNote(std::int64_t photo, const QString& note) {
 }
 
 void ReviewPresenter::compareWith(std::optional<std::size_t> neighbour) {
+    if (neighbour && !m_compared) {
+        lookForDepths();
+    }
     m_compared = neighbour;
     showCurrent();
 }
@@ -278,12 +296,41 @@ bool ReviewPresenter::canDecide() const {
     return session() != nullptr && !session()->isReadOnly();
 }
 
+/// Looks for the depths that exports have kept, with which a neighbour is moved best.
+void ReviewPresenter::lookForDepths() {
+    if (session() == nullptr) {
+        return;
+    }
+    const std::filesystem::path folder = session()->path();
+    m_worker.post("depths", [this, folder]() -> BackgroundWorker::Deliver {
+        try {
+            const auto store = store::SurveyStore::open(folder, store::Access::Read);
+            return [this, folder, depths = jobs::keptDepths(store, {}, {})] {
+                if (session() != nullptr && session()->path() == folder) {
+                    m_depths = depths;
+                    showCurrent();
+                }
+            };
+        } catch (const Error&) { // the drawn room is then enough
+            return {};
+        }
+    });
+}
+
+ShownPhoto ReviewPresenter::shown(const ReviewRow& row) const {
+    ShownPhoto photo = row.shown();
+    if (const auto depth = m_depths.find(*row.photo); depth != m_depths.end()) {
+        photo.depthFile = depth->second;
+    }
+    return photo;
+}
+
 void ReviewPresenter::showCurrent() {
     const ReviewRow* row = current();
     m_neighbours = row != nullptr ? nearest(m_model.rows(), *row) : std::vector<const ReviewRow*>();
-    m_viewer.show(row != nullptr && row->photo ? std::optional(row->shown()) : std::nullopt);
+    m_viewer.show(row != nullptr && row->photo ? std::optional(shown(*row)) : std::nullopt);
     const bool isCompared = m_compared && *m_compared < m_neighbours.size();
-    m_viewer.setOther(isCompared ? std::optional(m_neighbours[*m_compared]->shown()) : std::nullopt);
+    m_viewer.setOther(isCompared ? std::optional(shown(*m_neighbours[*m_compared])) : std::nullopt);
     emit currentChanged();
 }
 

@@ -14,6 +14,8 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 namespace spherewalk::ui {
@@ -103,6 +105,8 @@ class ReviewPresenter : public SurveyPresenter {
   private:
     void read() override;
     void showCurrent();
+    void lookForDepths();
+    ShownPhoto shown(const ReviewRow& row) const;
     void takeErrors(const QString& reportFile);
     QString surveyId() const;
 
@@ -119,6 +123,8 @@ class ReviewPresenter : public SurveyPresenter {
     QString m_errorsFile;    ///< The report that the errors come from.
     QDateTime m_errorsSince; ///< Time of its last change.
     QPointer<Task> m_checking;
+    std::map<std::int64_t, std::filesystem::path> m_depths; ///< Depths that exports kept, by photo.
+    BackgroundWorker m_worker; ///< The last member, as its results use the others.
 };
 
 } // namespace spherewalk::ui
