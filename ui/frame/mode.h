@@ -58,12 +58,23 @@ class Mode : public QWidget {
     /// Returns these keys for the list of all keys.
     virtual QList<Key> keys() const { return {}; }
 
+    /// What a page shows in place of the open survey, for the title and the status line.
+    struct Subject {
+        QString name;
+        QString note; ///< "101 photos", for example.
+    };
+
+    /// Returns the page's subject; the name is empty where that is the survey.
+    virtual Subject subject() const { return {}; }
+
     /// Shows a part of the page, such as a filter that another page has asked for.
     virtual void showPart(const QString& /*part*/) {}
 
   signals:
     /// The page has become visible or hidden.
     void shownChanged(bool isShown);
+    /// subject() returns another one.
+    void subjectChanged();
     /// Carries a sentence for the status line.
     void message(const QString& sentence);
     /// Asks the window to open the survey in this folder.

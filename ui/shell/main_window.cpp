@@ -6,6 +6,7 @@
 #include "ui/export/export_mode.h"
 #include "ui/frame/mode.h"
 #include "ui/frame/settings.h"
+#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
 #include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
@@ -135,6 +136,7 @@ void MainWindow::makeBar() {
         m_modeActions->addAction(action);
         addAction(action);
         connect(mode, &Mode::message, this, &MainWindow::say);
+        connect(mode, &Mode::subjectChanged, this, &MainWindow::showSubject);
         connect(mode, &Mode::openRequested, this, &MainWindow::openSurvey);
         connect(mode, &Mode::newRequested, this, &MainWindow::beginSurvey);
         connect(mode, &Mode::pageRequested, this, &MainWindow::showPage);
@@ -187,6 +189,7 @@ void MainWindow::showMode(Mode* mode) {
         actions[i]->setChecked(m_modes[i] == mode);
     }
     showBars();
+    showSubject();
     m_planDock->setVisible(m_wantsPlan && m_session && mode != nullptr && mode->wantsPlan());
     if (mode != nullptr) {
         mode->activated();
@@ -231,18 +234,15 @@ bool MainWindow::openSurvey(const QString& folder) {
         closeSurvey();
         m_session = std::move(session);
     } catch (const Error& error) {
-        say(QString::fromStdString(error.sentence()));
+        say(coreWords(error.sentence()));
         return false;
     }
     m_plan->setSession(m_session.get());
     for (Mode* mode : std::as_const(m_modes)) {
         mode->setSession(m_session.get());
     }
-    connect(m_session.get(), &SurveySession::changed, this, &MainWindow::showCounts);
-    connect(m_session.get(), &SurveySession::readOnlyChanged, this, &MainWindow::showCounts);
-    showCounts();
-    setWindowTitle(tr("%1 - Spherewalk").arg(m_session->name()));
-    setWindowFilePath(folder);
+    connect(m_session.get(), &SurveySession::changed, this, &MainWindow::showSubject);
+    connect(m_session.get(), &SurveySession::readOnlyChanged, this, &MainWindow::showSubject);
     Settings().addRecentSurvey(folder);
     enableModes();
     showMode(shown != nullptr || m_modes.isEmpty() ? shown : m_modes.first());
@@ -260,18 +260,27 @@ void MainWindow::closeSurvey() {
     m_plan->setSession(nullptr);
     m_undo->removeStack(m_session->undoStack());
     m_session.reset();
-    m_counts->clear();
-    setWindowTitle(tr("Spherewalk"));
-    setWindowFilePath({});
     enableModes();
     showMode(nullptr);
 }
 
-void MainWindow::showCounts() {
+/// Names what the page shows in the title and the status line: a subject of its own, or the survey.
+void MainWindow::showSubject() {
+    const Mode::Subject own = mode() != nullptr ? mode()->subject() : Mode::Subject();
+    const QString name = !own.name.isEmpty() ? own.name : m_session ? m_session->name() : QString();
+    setWindowFilePath(own.name.isEmpty() && m_session ? m_session->folder() : QString());
+    setWindowTitle(name.isEmpty() ? tr("Spherewalk") : tr("%1 - Spherewalk").arg(name));
+    m_counts->setText(own.name.isEmpty() ? countsText() : own.note);
+}
+
+QString MainWindow::countsText() const {
+    if (!m_session) {
+        return {};
+    }
     const store::Counts& counts = m_session->state().counts;
     const QString words =
         tr("%1 of %2 stations have a photo").arg(counts.stationsWithPhoto).arg(counts.stations);
-    m_counts->setText(m_session->isReadOnly() ? tr("%1; another program writes").arg(words) : words);
+    return m_session->isReadOnly() ? tr("%1; another program writes").arg(words) : words;
 }
 
 void MainWindow::showTasks() {
@@ -315,7 +324,7 @@ void MainWindow::runPractice() {
     try {
         jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
     } catch (const Error& error) {
-        return say(QString::fromStdString(error.sentence()));
+        return say(coreWords(error.sentence()));
     }
     if (openSurvey(folder)) {
         showMode(capture);

@@ -83,7 +83,8 @@ class MainWindow : public QMainWindow {
     void showPage(const QString& name, const QString& part);
     void chooseSurvey();
     void beginSurvey();
-    void showCounts();
+    void showSubject();
+    QString countsText() const;
     void showTasks();
     void showAbout();
     void showGuide();
