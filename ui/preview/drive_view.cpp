@@ -123,6 +123,9 @@ void DriveView::paintEvent(QPaintEvent* /*event*/) {
     for (std::size_t i = 0; i < views.size(); ++i) {
         paintView(painter, boxOf(i), views[i]);
     }
+    if (m_presenter.showsError() && !views.empty()) {
+        paintErrorLegend(painter);
+    }
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
@@ -130,7 +133,7 @@ void DriveView::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
-/// Returns the box of a view. Two views lie side by side or stacked, whichever is larger.
+/// Returns the box of a view. Views lie side by side or stacked, whichever is larger.
 QRect DriveView::boxOf(std::size_t view) const {
     const auto count = static_cast<int>(m_presenter.views().size());
     const auto index = static_cast<int>(view);
@@ -144,10 +147,15 @@ QRect DriveView::boxOf(std::size_t view) const {
     return box.adjusted(1, 1, -1, -1);
 }
 
-void DriveView::paintView(QPainter& painter, const QRect& box, const MadeView& view) const {
+void DriveView::paintView(QPainter& painter, const QRect& box, const MadeView& view) {
     QRect target(QPoint(), view.picture.size().scaled(box.size(), Qt::KeepAspectRatio));
     target.moveCenter(box.center());
     painter.drawImage(target, view.picture);
+    if (!view.caption.isEmpty()) {
+        paintPlate(painter, target, Qt::AlignLeft | Qt::AlignBottom,
+                   tr("The robot's own picture: %1").arg(view.caption));
+        return;
+    }
     const QRectF plate =
         paintPlate(painter, target, Qt::AlignLeft | Qt::AlignBottom, reportText(view.report));
     // How far the view can be believed, as a bar besides the number.
@@ -157,6 +165,25 @@ void DriveView::paintView(QPainter& painter, const QRect& box, const MadeView& v
     painter.drawRect(bar);
     painter.setBrush(QColor(86, 180, 233));
     painter.drawRect(QRectF(bar.topLeft(), QSizeF(bar.width() * view.report.trust, bar.height())));
+}
+
+/// Says what the tints of tintByError() mean.
+void DriveView::paintErrorLegend(QPainter& painter) const {
+    constexpr int kBarPx = 12;
+    const QString words = tr("expected error: 0 to %1 px and more").arg(kWorstShownPx);
+    const QRectF area = rect().adjusted(0, 0, 0, -height() / 2);
+    const QRectF plate = paintPlate(painter, area, Qt::AlignTop | Qt::AlignRight, words);
+    if (plate.isEmpty()) {
+        return;
+    }
+    const QRectF bar(plate.left(), plate.bottom() + 2, plate.width(), kBarPx);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 8;
+    for (int i = 0; i <= kStops; ++i) {
+        const double at = static_cast<double>(i) / kStops;
+        gradient.setColorAt(at, PlanView::heatColour(at));
+    }
+    painter.fillRect(bar, gradient);
 }
 
 bool DriveView::isDriving(int key) {

@@ -14,8 +14,9 @@ namespace spherewalk::ui {
 class PreviewPresenter;
 struct DriveWish;
 
-/// Shows what the robot's camera sees: one view, or two side by side, each with its report. W A S D or the
-/// arrow keys drive, Q and E go sideways, and dragging turns the robot.
+/// Shows what the robot's camera sees: one view, or two side by side, each with its report, and the robot's
+/// own picture beside them. W A S D or the arrow keys drive, Q and E go sideways, and dragging turns the
+/// robot.
 class DriveView : public QWidget {
     Q_OBJECT
 
@@ -41,7 +42,8 @@ class DriveView : public QWidget {
     static bool isDriving(int key);
     DriveWish wish() const;
     QRect boxOf(std::size_t view) const;
-    void paintView(QPainter& painter, const QRect& box, const MadeView& view) const;
+    static void paintView(QPainter& painter, const QRect& box, const MadeView& view);
+    void paintErrorLegend(QPainter& painter) const;
 
     PreviewPresenter& m_presenter;
     QSet<int> m_held;

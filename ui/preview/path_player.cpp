@@ -68,7 +68,7 @@ void PathPlayer::tick() {
 void PathPlayer::goTo(int pose) {
     const std::vector<TimedPose>& path = m_presenter.path();
     if (pose >= 0 && pose < static_cast<int>(path.size())) {
-        m_presenter.goTo(path[static_cast<std::size_t>(pose)]);
+        m_presenter.goTo(static_cast<std::size_t>(pose));
         m_time->setText(tr("%L1 s").arg(path[static_cast<std::size_t>(pose)].timeS, 0, 'f', 1));
     }
 }
@@ -82,8 +82,9 @@ void PathPlayer::showAll() {
     }
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(0, static_cast<int>(m_presenter.path().size()) - 1);
-    m_slider->setValue(m_slider->maximum());
-    m_time->setText(tr("%L1 s").arg(m_presenter.path().back().timeS, 0, 'f', 1));
+    const int shown = m_presenter.hasRobotPictures() ? 0 : m_slider->maximum(); // where the robot is
+    m_slider->setValue(shown);
+    m_time->setText(tr("%L1 s").arg(m_presenter.path()[static_cast<std::size_t>(shown)].timeS, 0, 'f', 1));
 }
 
 } // namespace spherewalk::ui

@@ -66,6 +66,7 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
     connect(m_map, &PlanCanvas::pressedAt, this, &PreviewMode::placeRobot);
     connect(m_map, &PlanCanvas::draggedTo, this, &PreviewMode::aimRobot);
     connect(m_presenter, &PreviewPresenter::datasetChanged, this, &PreviewMode::showDataset);
+    connect(m_presenter, &PreviewPresenter::datasetChanged, this, &Mode::subjectChanged);
     connect(m_presenter, &PreviewPresenter::viewsChanged, this, &PreviewMode::showViews);
     connect(m_presenter, &PreviewPresenter::recordingChanged, this, &PreviewMode::showRecording);
     connect(m_presenter, &PreviewPresenter::message, this, &Mode::message);
@@ -79,6 +80,15 @@ void PreviewMode::setSession(SurveySession* session) {
 
 void PreviewMode::activated() {
     (m_presenter->dataset() != nullptr ? static_cast<QWidget*>(m_view) : m_make)->setFocus();
+}
+
+Mode::Subject PreviewMode::subject() const {
+    if (!m_presenter->isForeign()) {
+        return {};
+    }
+    const render::DatasetInfo& info = m_presenter->dataset()->info();
+    return {tr("%1 (dataset)").arg(QString::fromStdString(info.name)),
+            tr("%n photo(s) in the dataset", nullptr, static_cast<int>(info.photos.size()))};
 }
 
 void PreviewMode::showPart(const QString& part) {
@@ -201,32 +211,63 @@ QWidget* PreviewMode::makeControls() {
     delete grid->itemAtPosition(3, 0)->widget(); // the box takes its place
     grid->addWidget(m_split, 3, 0);
     connect(m_split, &QCheckBox::toggled, this, &PreviewMode::applySides);
-    m_ball = new QCheckBox(tr("Lay a &ball into the view"), box);
-    m_ball->setObjectName("ball");
-    m_ball->setToolTip(
-        tr("An object as a simulator would render it; Shift and a click on the plan put it elsewhere"));
-    connect(m_ball, &QCheckBox::toggled, this, [this](bool isShown) {
-        if (!isShown) {
-            return m_presenter->setBall(std::nullopt);
-        }
-        const RobotPlace& robot = m_presenter->robot();
-        jobs::Ball ball;
-        ball.radiusM = kBallRadiusM;
-        ball.centreM << robot.pInRoom + kBallDistanceM * Eigen::Vector2d(cos(robot.yaw), sin(robot.yaw)),
-            std::max(kBallRadiusM, m_presenter->mount().heightM - kBallRadiusM);
-        m_presenter->setBall(ball);
-    });
-    grid->addWidget(m_ball, 4, 0, 1, 3);
-    auto* error = new QCheckBox(tr("Sh&ow the expected error"), box);
-    error->setObjectName("showError");
-    error->setToolTip(tr("Tints what is displaced: light from half a pixel on, dark at %1 pixels and more")
-                          .arg(kWorstShownPx));
-    connect(error, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setShowsError);
-    grid->addWidget(error, 5, 0, 1, 3);
+    makeOtherCamera(*grid, 4);
+    makeOverlays(*grid, 5);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
     applySides();
     return box;
+}
+
+/// Makes the choice of a camera of its own for the second view.
+void PreviewMode::makeOtherCamera(QGridLayout& grid, int row) {
+    m_otherCamera = new QCheckBox(tr("Its camera"), this);
+    m_otherCamera->setObjectName("otherCamera");
+    m_otherCamera->setToolTip(tr("Give the second view another camera than the first"));
+    m_cameraB = new CameraBox(this);
+    m_cameraB->setObjectName("cameraB");
+    m_cameraB->setAccessibleName(tr("Camera of view %1").arg(tr("B")));
+    grid.addWidget(m_otherCamera, row, 0);
+    grid.addWidget(m_cameraB, row, 1, 1, 2);
+    connect(m_otherCamera, &QCheckBox::toggled, this, &PreviewMode::applySides);
+    connect(m_cameraB, &CameraBox::cameraChanged, this, &PreviewMode::applySides);
+    connect(m_cameraB, &CameraBox::message, this, &Mode::message);
+}
+
+/// Makes what can be laid into the view or beside it.
+void PreviewMode::makeOverlays(QGridLayout& grid, int row) {
+    m_ball = new QCheckBox(tr("Lay a &ball into the view"), this);
+    m_ball->setObjectName("ball");
+    m_ball->setToolTip(
+        tr("An object as a simulator would render it; Shift and a click on the plan put it elsewhere"));
+    connect(m_ball, &QCheckBox::toggled, this, &PreviewMode::layBall);
+    grid.addWidget(m_ball, row, 0, 1, 3);
+    auto* error = new QCheckBox(tr("Sh&ow the expected error"), this);
+    error->setObjectName("showError");
+    error->setToolTip(tr("Tints what is displaced: light from half a pixel on, dark at %1 pixels and more")
+                          .arg(kWorstShownPx));
+    connect(error, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setShowsError);
+    grid.addWidget(error, row + 1, 0, 1, 3);
+    m_own = new QPushButton(tr("The robot's own pictures..."), this);
+    m_own->setObjectName("robotPictures");
+    m_own->setToolTip(
+        tr("Show what the robot's camera took beside the view: a CSV file with the columns file, x_m, y_m, "
+           "z_m, qw, qx, qy, qz"));
+    connect(m_own, &QPushButton::clicked, this, &PreviewMode::chooseRobotPictures);
+    grid.addWidget(m_own, row + 2, 0, 1, 3);
+}
+
+/// Lays a ball before the robot, or takes it away.
+void PreviewMode::layBall(bool isShown) {
+    if (!isShown) {
+        return m_presenter->setBall(std::nullopt);
+    }
+    const RobotPlace& robot = m_presenter->robot();
+    jobs::Ball ball;
+    ball.radiusM = kBallRadiusM;
+    ball.centreM << robot.pInRoom + kBallDistanceM * Eigen::Vector2d(cos(robot.yaw), sin(robot.yaw)),
+        std::max(kBallRadiusM, m_presenter->mount().heightM - kBallRadiusM);
+    m_presenter->setBall(ball);
 }
 
 void PreviewMode::chooseDataset() {
@@ -243,15 +284,25 @@ void PreviewMode::chooseFolder() {
     }
 }
 
+void PreviewMode::chooseRobotPictures() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Poses of the robot's own pictures"), {},
+                                                      tr("Positions (*.csv)"));
+    if (!file.isEmpty()) {
+        m_presenter->openRobotPictures(file);
+    }
+}
+
 void PreviewMode::applyMount() {
     m_presenter->setMount({m_height->value(), Degrees(m_pitch->value())});
 }
 
 void PreviewMode::applySides() {
-    if (m_sides.size() < 2) {
+    if (m_cameraB == nullptr) {
         return; // still being made
     }
     const bool isSplit = m_split->isChecked();
+    m_otherCamera->setEnabled(isSplit);
+    m_cameraB->setEnabled(isSplit && m_otherCamera->isChecked());
     m_sides[1].scene->setEnabled(isSplit);
     m_sides[1].sampling->setEnabled(isSplit);
     std::vector<ViewSide> sides;
@@ -263,6 +314,9 @@ void PreviewMode::applySides() {
         }
         side.sampling = static_cast<render::Sampling>(m_sides[i].sampling->currentData().toInt());
         sides.push_back(side);
+    }
+    if (isSplit && m_otherCamera->isChecked()) {
+        sides.back().camera = m_cameraB->camera();
     }
     m_presenter->setSides(sides);
 }
@@ -294,6 +348,7 @@ void PreviewMode::showDataset() {
     const render::Dataset* dataset = m_presenter->dataset();
     m_make->setEnabled(m_presenter->canMakeDataset());
     m_record->setEnabled(dataset != nullptr);
+    m_own->setEnabled(dataset != nullptr);
     showRungs();
     takeMeasured();
     if (dataset == nullptr) {

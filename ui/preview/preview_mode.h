@@ -37,6 +37,8 @@ class PreviewMode : public Mode {
 
     bool worksWithoutSurvey() const override { return true; }
 
+    Subject subject() const override;
+
     /// Opens the dataset in the folder of this name.
     void showPart(const QString& part) override;
 
@@ -52,13 +54,17 @@ class PreviewMode : public Mode {
     QWidget* makeBar();
     QWidget* makeControls();
     SideChoice makeSide(const QString& name, QGridLayout& grid, int row);
+    void makeOtherCamera(QGridLayout& grid, int row);
+    void makeOverlays(QGridLayout& grid, int row);
     void chooseDataset();
     void chooseFolder();
+    void chooseRobotPictures();
     void showDataset();
     void showViews();
     void showRecording();
     void showRungs();
     void takeMeasured();
+    void layBall(bool isShown);
     void applyMount();
     void applySides();
     void placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
@@ -76,10 +82,13 @@ class PreviewMode : public Mode {
     QDoubleSpinBox* m_height = nullptr;
     QDoubleSpinBox* m_pitch = nullptr;
     QCheckBox* m_split = nullptr;
+    QCheckBox* m_otherCamera = nullptr;
+    CameraBox* m_cameraB = nullptr;
     std::vector<SideChoice> m_sides;
     QCheckBox* m_ball = nullptr;
     QPushButton* m_record = nullptr;
     QPushButton* m_save = nullptr;
+    QPushButton* m_own = nullptr;
 };
 
 } // namespace spherewalk::ui

@@ -2,6 +2,7 @@
 #include "ui/preview/preview_presenter.h"
 
 #include "ui/fields/camera_box.h"
+#include "ui/look/core_words.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -23,6 +24,7 @@ constexpr std::chrono::milliseconds kTick{15};
 constexpr double kLongestTickS = 0.1; ///< Limits a tick, so that a robot does not jump after a pause.
 constexpr double kRecordIntervalS = 0.1;
 constexpr std::size_t kMostRecorded = 20'000;
+constexpr double kOwnPictureS = 0.5; ///< How long the player shows each picture of the robot's.
 
 using SharedDataset = std::shared_ptr<const render::Dataset>;
 
@@ -159,7 +161,7 @@ const render::Dataset* PreviewPresenter::dataset() const {
 
 void PreviewPresenter::use(SharedDataset dataset) {
     setRecording(false);
-    m_path.clear();
+    forgetPath();
     if (dataset) {
         const render::DatasetInfo& info = dataset->info();
         m_drive = Drive(info.outline, info.obstacles);
@@ -195,6 +197,7 @@ void PreviewPresenter::rebuild() {
 
 void PreviewPresenter::setRobot(const RobotPlace& robot) {
     m_robot = robot;
+    m_ownShown.reset();
     record();
     emit robotChanged();
     order();
@@ -202,6 +205,7 @@ void PreviewPresenter::setRobot(const RobotPlace& robot) {
 
 void PreviewPresenter::setMount(const CameraMount& mount) {
     m_mount = mount;
+    m_ownShown.reset();
     emit robotChanged();
     order();
 }
@@ -231,17 +235,50 @@ void PreviewPresenter::setShowsError(bool isShown) {
     order();
 }
 
-void PreviewPresenter::goTo(const TimedPose& pose) {
-    const Eigen::Vector3d ahead = pose.roomFromCamera.rotation * Eigen::Vector3d::UnitZ();
-    setRobot({pose.roomFromCamera.translation.head<2>(), Radians(std::atan2(ahead.y(), ahead.x()))});
+void PreviewPresenter::goTo(std::size_t pose) {
+    const Rigid3& there = m_path.at(pose).roomFromCamera;
+    const Eigen::Vector3d ahead = there.rotation * Eigen::Vector3d::UnitZ();
+    m_robot = {there.translation.head<2>(), Radians(std::atan2(ahead.y(), ahead.x()))};
+    m_ownShown = hasRobotPictures() ? std::optional(pose) : std::nullopt;
+    emit robotChanged();
+    order();
+}
+
+void PreviewPresenter::openRobotPictures(const QString& file) {
+    try {
+        std::vector<jobs::RobotPicture> pictures = jobs::readRobotPictures(file.toStdString());
+        setRecording(false);
+        forgetPath();
+        for (const jobs::RobotPicture& picture : pictures) {
+            m_path.push_back({kOwnPictureS * static_cast<double>(m_path.size()), picture.roomFromCamera});
+        }
+        m_ownPictures = std::move(pictures);
+    } catch (const Error& error) {
+        emit message(coreWords(error.sentence()));
+        return;
+    }
+    emit recordingChanged();
+    if (!m_path.empty()) {
+        goTo(0);
+    }
+}
+
+void PreviewPresenter::forgetPath() {
+    m_path.clear();
+    m_ownPictures.clear();
+    m_ownShown.reset();
 }
 
 void PreviewPresenter::order() {
     if (!m_maker) {
         return;
     }
-    const ViewOrder wish{roomFromOptical(m_robot, m_mount), 0.001 * static_cast<double>(m_clock.elapsed()),
-                         m_sides, m_ball, m_showsError};
+    ViewOrder wish{roomFromOptical(m_robot, m_mount), 0.001 * static_cast<double>(m_clock.elapsed()), m_sides,
+                   m_ball, m_showsError};
+    if (m_ownShown) {
+        wish.own = m_ownPictures.at(*m_ownShown);
+        wish.roomFromCamera = wish.own->roomFromCamera; // with its height and tilt
+    }
     m_worker.post(QStringLiteral("view"), [this, maker = m_maker, wish]() -> BackgroundWorker::Deliver {
         try {
             return [this, maker, views = maker->make(wish)] {
@@ -250,7 +287,7 @@ void PreviewPresenter::order() {
                 }
             };
         } catch (const Error& error) {
-            const QString sentence = QString::fromStdString(error.sentence());
+            const QString sentence = coreWords(error.sentence());
             return [this, sentence] { emit message(sentence); };
         }
     });
@@ -299,7 +336,7 @@ void PreviewPresenter::setRecording(bool isRecording) {
     if (wasRecording && !m_isRecording) {
         keepPath();
     } else if (m_isRecording) {
-        m_path.clear();
+        forgetPath();
         m_recordedFromS = 0.001 * static_cast<double>(m_clock.elapsed());
         record();
     }
@@ -329,7 +366,7 @@ void PreviewPresenter::keepPath() {
         std::filesystem::create_directories(keptPath().parent_path(), none);
         writeFile(keptPath(), bytesOf(tumText(m_path)));
     } catch (const Error& error) {
-        emit message(QString::fromStdString(error.sentence()));
+        emit message(coreWords(error.sentence()));
     }
 }
 

@@ -47,6 +47,9 @@ class PreviewPresenter : public SurveyPresenter {
     /// Returns the open dataset; null without one.
     const render::Dataset* dataset() const;
 
+    /// Whether the open dataset is one of openDataset(), and not the open survey's.
+    bool isForeign() const { return m_renderer && !m_folder; }
+
     /// Whether the survey has changed after makeDataset().
     bool isOutdated() const { return m_isOutdated; }
 
@@ -86,11 +89,20 @@ class PreviewPresenter : public SurveyPresenter {
 
     const std::vector<TimedPose>& path() const { return m_path; }
 
-    /// Puts the robot where it was at this pose of a path.
-    void goTo(const TimedPose& pose);
+    /// Puts the robot where it was at this pose of path(), and shows its own picture of there, if it has one.
+    void goTo(std::size_t pose);
+
+    /// Takes the pictures of the robot's own camera, and their poses as the path. file: a positions file, as
+    /// the command compare reads it. message() says why if that fails.
+    void openRobotPictures(const QString& file);
+
+    /// Whether path() is that of the robot's own pictures.
+    bool hasRobotPictures() const { return !m_ownPictures.empty(); }
 
     /// Whether views show by how many pixels each thing is displaced.
     void setShowsError(bool isShown);
+
+    bool showsError() const { return m_showsError; }
 
     /// Writes path.tum, robot.yaml and the frames, as `walk` does, in a task.
     void saveFrames(const QString& folder);
@@ -129,6 +141,7 @@ class PreviewPresenter : public SurveyPresenter {
     void tick();
     void record();
     void keepPath();
+    void forgetPath();
 
     TaskList& m_tasks;
     std::shared_ptr<TemporaryFolder> m_folder; ///< Folder of makeDataset().
@@ -152,6 +165,8 @@ class PreviewPresenter : public SurveyPresenter {
     bool m_isRecording = false;
     double m_recordedFromS = 0;
     std::vector<TimedPose> m_path;
+    std::vector<jobs::RobotPicture> m_ownPictures; ///< One for each pose of the path, or none at all.
+    std::optional<std::size_t> m_ownShown;         ///< Where the robot stands in them.
     std::vector<MadeView> m_views;
     std::vector<double> m_shownS; ///< Times of the views of the last second.
     BackgroundWorker m_worker;    ///< The last member, as its results use the others.

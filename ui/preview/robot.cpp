@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/preview/robot.h"
 
+#include "ui/look/core_words.h"
 #include "ui/map/plan_view.h"
 #include "ui/panorama/photo_pictures.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace spherewalk::ui {
@@ -45,20 +48,53 @@ RobotPlace Drive::after(const RobotPlace& robot, const DriveWish& wish, double s
     return next;
 }
 
+namespace {
+
+/// What an error makes of a pixel: a share of its own colour, in 256ths, and something of the tint.
+struct Tint {
+    int kept = 256;
+    std::array<int, 3> added{};
+};
+
+constexpr int kTints = 256; ///< From no error to kWorstShownPx.
+
+/// The tints, made once: a picture has a million pixels.
+const std::array<Tint, kTints>& tints() {
+    static const std::array<Tint, kTints> all = [] {
+        constexpr double kMostOpaque = 0.7;
+        std::array<Tint, kTints> made;
+        for (int i = 0; i < kTints; ++i) {
+            const double share = static_cast<double>(i) / (kTints - 1);
+            const double opaque = kMostOpaque * std::min(1.0, 2 * share);
+            const QColor colour = PlanView::heatColour(share);
+            const auto part = [opaque](int channel) {
+                return static_cast<int>(std::lround(256 * opaque * channel));
+            };
+            made[static_cast<std::size_t>(i)] = {
+                static_cast<int>(std::lround(256 * (1 - opaque))),
+                {part(colour.red()), part(colour.green()), part(colour.blue())}};
+        }
+        return made;
+    }();
+    return all;
+}
+
+} // namespace
+
 void tintByError(QImage& picture, const render::PixelTrust& trust) {
-    constexpr double kMostOpaque = 0.7;
+    constexpr float kTintsAPx = static_cast<float>((kTints - 1) / kWorstShownPx);
+    const std::array<Tint, kTints>& all = tints();
     picture.convertTo(QImage::Format_RGB32);
     for (int y = 0; y < picture.height(); ++y) {
         auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < picture.width(); ++x) {
-            const double share = std::min(1.0, trust.errorPx.at(x, y)[0] / kWorstShownPx);
-            const QColor tint = PlanView::heatColour(share);
-            const double opaque = kMostOpaque * std::min(1.0, 2 * share);
-            const auto mix = [opaque](int below, int above) {
-                return static_cast<int>(std::lround(below + opaque * (above - below)));
+        const std::span<const float> errors = trust.errorPx.row(y);
+        for (std::size_t x = 0; x < errors.size(); ++x) {
+            const float step = std::min(static_cast<float>(kTints - 1), kTintsAPx * errors[x]);
+            const Tint& tint = all[static_cast<std::size_t>(step)];
+            const auto mix = [&](int below, std::size_t channel) {
+                return (tint.kept * below + tint.added[channel]) >> 8;
             };
-            row[x] = qRgb(mix(qRed(row[x]), tint.red()), mix(qGreen(row[x]), tint.green()),
-                          mix(qBlue(row[x]), tint.blue()));
+            row[x] = qRgb(mix(qRed(row[x]), 0), mix(qGreen(row[x]), 1), mix(qBlue(row[x]), 2));
         }
     }
 }
@@ -67,31 +103,58 @@ ViewMaker::ViewMaker(render::Renderer renderer, const CameraIntrinsics& camera)
     : m_renderer(std::move(renderer)), m_camera(camera) {
 }
 
-render::ViewStream& ViewMaker::stream(std::size_t side) {
-    while (m_streams.size() <= side) {
-        m_streams.push_back(std::make_unique<render::ViewStream>(
-            m_renderer, m_camera, render::StreamOptions{render::LatePolicy::Coarse, 0.4}));
+ViewMaker::Eye& ViewMaker::eye(std::size_t side, const CameraIntrinsics& camera) {
+    if (m_eyes.size() <= side) {
+        m_eyes.resize(side + 1);
     }
-    return *m_streams[side];
+    std::unique_ptr<Eye>& eye = m_eyes[side];
+    if (!eye || !(eye->intrinsics == camera)) {
+        const CameraModel model(camera);
+        eye = std::make_unique<Eye>(Eye{
+            camera, model,
+            render::ViewStream(m_renderer, model, render::StreamOptions{render::LatePolicy::Coarse, 0.4})});
+    }
+    return *eye;
+}
+
+/// Reads the picture once. One that cannot be read is black, and its caption says why.
+const MadeView& ViewMaker::ownPicture(const jobs::RobotPicture& own) {
+    if (m_own.picture.isNull() || m_ownFile != own.file) {
+        m_ownFile = own.file;
+        try {
+            m_own.picture = qtImage(jobs::readRobotPicture(own, CameraModel(m_camera)));
+            m_own.caption = QString::fromStdString(own.file.filename().string());
+        } catch (const Error& error) {
+            m_own.picture = QImage(m_camera.width, m_camera.height, QImage::Format_RGB32);
+            m_own.picture.fill(Qt::black);
+            m_own.caption = coreWords(error.sentence());
+        }
+    }
+    return m_own;
 }
 
 std::vector<MadeView> ViewMaker::make(const ViewOrder& order) {
-    std::vector<render::Overlay> overlays;
-    if (order.ball) {
-        overlays.push_back(jobs::ballOverlay(*order.ball, m_camera, order.roomFromCamera));
-    }
     std::vector<MadeView> made;
     for (std::size_t side = 0; side < order.sides.size(); ++side) {
+        const ViewSide& wanted = order.sides[side];
+        Eye& own = eye(side, wanted.camera.value_or(m_camera));
+        std::vector<render::Overlay> overlays;
+        if (order.ball) {
+            overlays.push_back(jobs::ballOverlay(*order.ball, own.camera, order.roomFromCamera));
+        }
         render::ViewOptions options;
-        options.scene = order.sides[side].scene;
-        options.sampling = order.sides[side].sampling;
+        options.scene = wanted.scene;
+        options.sampling = wanted.sampling;
         options.overlays = overlays;
         options.wantsTrust = order.showsError;
-        stream(side).next(order.roomFromCamera, order.timeS, options, m_view);
+        own.stream.next(order.roomFromCamera, order.timeS, options, m_view);
         made.push_back({qtImage(m_view.picture), m_view.report});
         if (order.showsError) {
             tintByError(made.back().picture, m_view.trust);
         }
+    }
+    if (order.own) {
+        made.push_back(ownPicture(*order.own));
     }
     return made;
 }

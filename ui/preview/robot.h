@@ -5,10 +5,13 @@
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <QImage>
+#include <QString>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,6 +66,7 @@ class Drive {
 struct ViewSide {
     std::optional<render::SceneKind> scene; ///< Nothing: the scene model that the dataset chooses.
     render::Sampling sampling = render::Sampling::Footprint;
+    std::optional<CameraIntrinsics> camera = {}; ///< Nothing: the robot's camera.
 
     bool operator==(const ViewSide&) const = default;
 };
@@ -74,6 +78,8 @@ struct ViewOrder {
     std::vector<ViewSide> sides; ///< One side, or two for a comparison.
     std::optional<jobs::Ball> ball;
     bool showsError = false; ///< Whether the pictures are tinted by the expected error of each pixel.
+    /// What the robot's own camera took at this pose. It is shown beside the views.
+    std::optional<jobs::RobotPicture> own = {};
 };
 
 /// Tints the picture by the error: nothing for a pixel that is where it belongs, and the more the further it
@@ -84,6 +90,7 @@ inline constexpr double kWorstShownPx = 10;
 struct MadeView {
     QImage picture;
     render::ViewReport report;
+    QString caption = {}; ///< Of the robot's own picture, which has no report.
 };
 
 /// Makes the views of a camera that moves through a dataset. Threads: any, one at a time.
@@ -92,21 +99,27 @@ class ViewMaker {
     /// Errors: those of ViewStream.
     ViewMaker(render::Renderer renderer, const CameraIntrinsics& camera);
 
-    /// Returns one view for each side. Before a photo is decoded the view is coarse, and its report says so.
-    /// Errors: those of ViewStream::next().
+    /// Returns one view for each side, and the robot's own picture after them. Before a photo is decoded the
+    /// view is coarse, and its report says so. Errors: those of ViewStream::next().
     std::vector<MadeView> make(const ViewOrder& order);
 
-    const CameraModel& camera() const { return m_camera; }
-
-    const render::Renderer& renderer() const { return m_renderer; }
-
   private:
-    render::ViewStream& stream(std::size_t side);
+    /// A camera with its stream.
+    struct Eye {
+        CameraIntrinsics intrinsics;
+        CameraModel camera;
+        render::ViewStream stream;
+    };
+
+    Eye& eye(std::size_t side, const CameraIntrinsics& camera);
+    const MadeView& ownPicture(const jobs::RobotPicture& own);
 
     render::Renderer m_renderer;
-    CameraModel m_camera;
-    std::vector<std::unique_ptr<render::ViewStream>> m_streams; ///< One for each side.
+    CameraIntrinsics m_camera;
+    std::vector<std::unique_ptr<Eye>> m_eyes; ///< One for each side.
     render::View m_view;
+    std::filesystem::path m_ownFile; ///< The file of m_own.
+    MadeView m_own;
 };
 
 } // namespace spherewalk::ui

@@ -272,6 +272,69 @@ TEST_F(PreviewTest, TintsWhatIsDisplaced) {
     EXPECT_EQ(presenter().views().front().picture, plain);
 }
 
+TEST_F(PreviewTest, SaysWhatTheTintsMean) {
+    preview();
+    auto& view = widget<DriveView>("view");
+    const QImage plain = view.grab().toImage();
+    widget<QCheckBox>("showError").setChecked(true);
+    waitForView();
+    const QImage tinted = view.grab().toImage();
+    const QRect corner(view.width() - 60, 0, 60, 40); // there the legend is
+    EXPECT_NE(tinted.copy(corner), plain.copy(corner));
+}
+
+TEST_F(PreviewTest, GivesTheSecondViewACameraOfItsOwn) {
+    preview();
+    widget<QCheckBox>("split").setChecked(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views().size() == 2; }));
+    EXPECT_EQ(presenter().views()[1].picture.size(), QSize(640, 480)); // as the first
+    EXPECT_FALSE(widget<CameraBox>("cameraB").isEnabled());
+    widget<QCheckBox>("otherCamera").setChecked(true);
+    widget<CameraBox>("cameraB").setCurrentIndex(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views()[1].picture.size() == QSize(1280, 720); }));
+    EXPECT_EQ(presenter().views()[0].picture.size(), QSize(640, 480));
+    widget<QCheckBox>("otherCamera").setChecked(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views()[1].picture.size() == QSize(640, 480); }));
+}
+
+TEST_F(PreviewTest, ShowsWhatTheRobotsCameraTookBesideTheView) {
+    preview();
+    QImage own(640, 480, QImage::Format_RGB32);
+    own.fill(QColor(10, 200, 30));
+    own.save(QString::fromStdString((survey / "one.png").string()));
+    own.fill(QColor(200, 20, 30));
+    own.save(QString::fromStdString((survey / "two.png").string()));
+    writeFile(survey / "robot.csv", bytesOf("file,x_m,y_m,z_m,qw,qx,qy,qz\n"
+                                            "one.png,1,1,0.9,0.5,-0.5,0.5,-0.5\n"
+                                            "two.png,2,1,0.9,0.5,-0.5,0.5,-0.5\n"));
+    presenter().openRobotPictures(QString::fromStdString((survey / "robot.csv").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(2); }));
+    EXPECT_EQ(presenter().views()[1].picture.pixelColor(5, 5), QColor(10, 200, 30));
+    EXPECT_EQ(presenter().views()[1].caption, "one.png");
+    auto& slider = widget<QSlider>("pathPosition");
+    ASSERT_TRUE(slider.isVisible());
+    slider.setValue(1);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return hasSharpViews(2) && presenter().views()[1].caption == "two.png"; }));
+    EXPECT_NEAR(presenter().robot().pInRoom.x(), 2, 1e-9);
+    presenter().setRobot({{1.5, 1}, Radians(0)}); // driven away, there is no picture
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views().size() == 1; }));
+}
+
+TEST_F(PreviewTest, SaysWhyAPictureOfTheRobotsCannotBeShown) {
+    preview();
+    QImage(320, 200, QImage::Format_RGB32).save(QString::fromStdString((survey / "small.png").string()));
+    writeFile(survey / "robot.csv",
+              bytesOf("file,x_m,y_m,z_m,qw,qx,qy,qz\nsmall.png,1,1,0.9,0.5,-0.5,0.5,-0.5\n"));
+    presenter().openRobotPictures(QString::fromStdString((survey / "robot.csv").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(2); }));
+    EXPECT_TRUE(presenter().views()[1].caption.contains("320 x 200"));
+    QSignalSpy message(&mode, &Mode::message);
+    presenter().openRobotPictures("no such file.csv");
+    ASSERT_EQ(message.size(), 1);
+    EXPECT_TRUE(message.first().first().toString().contains("no such file.csv"));
+}
+
 TEST(ErrorTint, LeavesWhatIsRightAndDarkensWhatIsOff) {
     QImage picture(3, 1, QImage::Format_RGB32);
     picture.fill(Qt::white);

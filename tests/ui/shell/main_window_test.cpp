@@ -7,8 +7,12 @@
 #include "ui/frame/settings.h"
 #include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
+#include "ui/preview/preview_mode.h"
+#include "ui/preview/preview_presenter.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
+
+#include "spherewalk/jobs/export_dataset.h"
 
 #include <QAction>
 #include <QLabel>
@@ -55,6 +59,27 @@ TEST(MainWindow, ShowsARealSurveyWithItsNameAndCounts) {
     EXPECT_EQ(window.windowTitle(), "Küche - Spherewalk");
     EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().startsWith("0 of "));
     EXPECT_EQ(window.mode(), window.modes().first());
+}
+
+TEST(MainWindow, SpeaksOfTheDatasetWhereOneIsShown) {
+    const test::PhotographedSurvey other(4);
+    jobs::exportDataset(other.open(), other / "d", {}, noProgress(), {});
+    const test::TemporaryFolder folder;
+    MainWindow window;
+    ASSERT_TRUE(window.openSurvey(surveyIn(folder)));
+    auto* preview = modeOf<PreviewMode>(window);
+    window.showMode(preview);
+    EXPECT_EQ(window.windowTitle(), "Küche - Spherewalk");
+    preview->showPart(QString::fromStdString((other / "d").string()));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview->presenter().dataset() != nullptr; }, 30'000));
+    EXPECT_EQ(window.windowTitle(), "room (dataset) - Spherewalk");
+    EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().startsWith("4 photo"));
+    window.showMode(window.modes().first());
+    EXPECT_EQ(window.windowTitle(), "Küche - Spherewalk");
+    EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().startsWith("0 of "));
+    window.closeSurvey();
+    EXPECT_EQ(window.windowTitle(), "Spherewalk");
+    EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().isEmpty());
 }
 
 TEST(MainWindow, SaysInTheStatusLineWhyItCannotOpen) {
