@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/survey/marking.h"
+#include "spherewalk/survey/room_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -57,6 +58,8 @@ class MarkingSheet {
           m_options(options),
           m_plan(plan),
           m_words(words),
+          m_parts(room),
+          m_rooms(m_parts.ofRails(plan)),
           m_layout(layoutOf(room.outline)),
           m_pages(m_layout.paper) {}
 
@@ -66,6 +69,7 @@ class MarkingSheet {
         for (std::size_t i = 0; i < m_plan.placements.size(); ++i) {
             drawRail(m_plan.placements[i], i);
         }
+        drawNames();
         drawScale();
         drawTable(survey::railMarks(m_room, m_plan));
         return m_pages.finish();
@@ -216,6 +220,15 @@ class MarkingSheet {
         m_pages.line(last, last - 2.2 * along - 1.1 * across);
     }
 
+    /// Writes the names of rooms on the plan, in grey, as rails and letters may lie over them.
+    void drawNames() {
+        m_pages.setGrey(0.45);
+        for (const survey::RoomName& room : m_room.names) {
+            m_pages.words(m_layout.paperFromRoom(room.at), room.name, kNormalMm, Align::Centre, true);
+        }
+        m_pages.setGrey(0);
+    }
+
     void drawScale() {
         const double y = m_layout.paper.heightMm - kMarginMm;
         constexpr double kBarMm = 100;
@@ -229,20 +242,39 @@ class MarkingSheet {
         m_pages.words({kMarginMm, y - 1}, filled(m_words.scale, {std::to_string(m_layout.scale)}), kSmallMm);
     }
 
+    /// The tables, with a page of its own for each room of a flat.
     void drawTable(const std::vector<RailMark>& marks) {
         constexpr double kRowMm = 10;
-        constexpr std::size_t kRows = 18;
         const Paper paper{210, 297};
-        for (std::size_t i = 0; i < marks.size(); ++i) {
-            if (i % kRows == 0) {
-                m_pages.nextPage(paper);
-                m_pages.words({paper.widthMm - kMarginMm, paper.heightMm - kMarginMm},
-                              filled(m_words.page, {std::to_string(2 + i / kRows)}), kSmallMm, Align::Right);
-                drawMap(i, std::min(marks.size(), i + kRows));
-                drawTableHead();
+        int page = 1;
+        for (std::size_t begin = 0; begin < marks.size();) {
+            const std::size_t end = endOfPage(marks, begin);
+            m_pages.nextPage(paper);
+            m_pages.words({paper.widthMm - kMarginMm, paper.heightMm - kMarginMm},
+                          filled(m_words.page, {std::to_string(++page)}), kSmallMm, Align::Right);
+            drawMap(begin, end);
+            drawTableHead(roomOf(marks[begin]));
+            for (std::size_t i = begin; i < end; ++i) {
+                drawRow(marks[i], kTableMm + static_cast<double>(i - begin + 1) * kRowMm);
             }
-            drawRow(marks[i], kTableMm + static_cast<double>(i % kRows + 1) * kRowMm);
+            begin = end;
         }
+    }
+
+    /// The rail after the last one on the page that begins with this rail.
+    std::size_t endOfPage(const std::vector<RailMark>& marks, std::size_t begin) const {
+        constexpr std::size_t kRows = 18;
+        std::size_t end = begin + 1;
+        while (end < marks.size() && end < begin + kRows && roomOf(marks[end]) == roomOf(marks[begin])) {
+            ++end;
+        }
+        return end;
+    }
+
+    /// The name of the room that a rail lies in; "" where rooms have no names.
+    std::string roomOf(const RailMark& mark) const {
+        return m_rooms.empty() ? std::string()
+                               : m_parts.names()[m_rooms[static_cast<std::size_t>(mark.placement)]];
     }
 
     /// Draws the whole room small, with the rails of this page in black and by their numbers.
@@ -276,9 +308,11 @@ class MarkingSheet {
         m_pages.setGrey(0);
     }
 
-    void drawTableHead() {
+    void drawTableHead(const std::string& room) {
         m_pages.setGrey(0);
-        m_pages.words({kMarginMm, kMarginMm + 4}, m_words.tableTitle, kNormalMm, Align::Left, true);
+        m_pages.words({kMarginMm, kMarginMm + 4},
+                      room.empty() ? m_words.tableTitle : text(room, ". ", m_words.tableTitle), kNormalMm,
+                      Align::Left, true);
         m_pages.words({kMarginMm, kMarginMm + 9}, m_words.errorMeans, kSmallMm);
         const std::array<std::pair<double, std::string_view>, 5> columns = {{{kNumberMm, m_words.rail},
                                                                              {kStopsMm, m_words.stops},
@@ -362,6 +396,8 @@ class MarkingSheet {
     const survey::PlanOptions& m_options;
     const survey::Plan& m_plan;
     const SheetWords& m_words;
+    survey::RoomParts m_parts;
+    std::vector<std::size_t> m_rooms; ///< The room of each rail; empty where rooms have no names.
     PageLayout m_layout;
     PdfPages m_pages;
     std::vector<Vector2d> m_letters; ///< Places of the corners' letters on the paper.

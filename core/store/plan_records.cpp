@@ -136,7 +136,7 @@ void checkPlan(const Plan& plan) {
 }
 
 void insertPlan(Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
-    for (const char* table : {"station", "placement", "corner", "lens_height"}) {
+    for (const char* table : {"station", "placement", "corner", "lens_height", "room_name"}) {
         database.execute(text("DELETE FROM ", table));
     }
     database.run("UPDATE survey SET ceiling_m = ?, step_m = ?, rail_stops = ?, clearance_m = ?, "
@@ -150,6 +150,10 @@ void insertPlan(Database& database, const Room& room, const PlanOptions& options
     insertPolygon(database, 0, room.outline);
     for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
         insertPolygon(database, static_cast<int>(i) + 1, room.obstacles[i]);
+    }
+    for (std::size_t i = 0; i < room.names.size(); ++i) {
+        database.run("INSERT INTO room_name VALUES (?, ?, ?, ?)", static_cast<std::int64_t>(i),
+                     room.names[i].name, room.names[i].at.x(), room.names[i].at.y());
     }
     insertStations(database, plan);
 }
@@ -171,6 +175,10 @@ Room SurveyStore::room() const {
             room.obstacles.emplace_back();
         }
         (polygon == 0 ? room.outline : room.obstacles[polygon - 1]).emplace_back(rows.real(1), rows.real(2));
+    }
+    Statement names = database.query("SELECT name, x_m, y_m FROM room_name ORDER BY rank LIMIT 1000");
+    while (names.step()) {
+        room.names.push_back({names.text(0), {names.real(1), names.real(2)}});
     }
     checkStored(database, [&] { room.validate(); });
     return room;

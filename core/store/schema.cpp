@@ -165,8 +165,18 @@ CREATE TABLE verdict (
 ) STRICT;
 )sql";
 
+/// The names of a flat's rooms, and where they are written.
+constexpr const char* kVersion5 = R"sql(
+CREATE TABLE room_name (
+    rank INTEGER PRIMARY KEY,
+    name TEXT NOT NULL,
+    x_m REAL NOT NULL,
+    y_m REAL NOT NULL
+) STRICT;
+)sql";
+
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
-                                 Migration{4, kVersion4}};
+                                 Migration{4, kVersion4}, Migration{5, kVersion5}};
 
 void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);

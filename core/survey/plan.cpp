@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/survey/room_parts.h"
 #include "spherewalk/survey/walking_distance.h"
 
 #include <algorithm>
@@ -193,7 +194,7 @@ Plan plan(const Room& room, const PlanOptions& options) {
             }
         }
     }
-    return result;
+    return roomByRoom(std::move(result), room);
 }
 
 std::string stationName(const Plan& plan, std::size_t index) {

@@ -74,6 +74,47 @@ Polygon parsePolygon(const JsonReader& corners, std::size_t& cornersLeft) {
     return polygon;
 }
 
+std::vector<RoomName> parseNames(const JsonReader& list) {
+    std::vector<RoomName> names;
+    const std::size_t count = list.arraySize(kMostRoomNames);
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonReader room = list.element(i);
+        const JsonReader at = room.member("at");
+        if (at.arraySize() != 2) {
+            at.fail("expected a place as [x, y]");
+        }
+        names.push_back({room.string("name"), {at.element(0).asNumber(), at.element(1).asNumber()}});
+    }
+    return names;
+}
+
+void checkNames(const Room& room) {
+    if (room.names.size() > kMostRoomNames) {
+        refuseRoom(text("The plan names ", room.names.size(), " rooms, more than the ", kMostRoomNames,
+                        " allowed."));
+    }
+    constexpr std::size_t kLongestName = 100;
+    for (const RoomName& name : room.names) {
+        if (name.name.empty() || name.name.size() > kLongestName ||
+            printable(name.name, kLongestName) != name.name) {
+            refuseRoom(text("A room cannot be called \"", printable(name.name), "\": give one line of up to ",
+                            kLongestName, " letters."));
+        }
+        if (!name.at.allFinite() || !contains(room.outline, name.at)) {
+            refuseRoom(text("The room \"", name.name,
+                            "\" lies outside the outline; move its name into the room or remove it."));
+        }
+    }
+}
+
+Json namesJson(const std::vector<RoomName>& names) {
+    Json list = Json::array();
+    for (const RoomName& name : names) {
+        list.push_back({{"name", name.name}, {"at", {name.at.x(), name.at.y()}}});
+    }
+    return list;
+}
+
 Json polygonJson(const Polygon& polygon) {
     Json corners = Json::array();
     for (const Eigen::Vector2d& corner : polygon) {
@@ -106,13 +147,17 @@ void Room::validate() const {
         refuseRoom(text("The ceiling cannot be at ", ceilingM, " m: give its height above the floor, up to ",
                         kHighestCeilingM, " m."));
     }
+    checkNames(*this);
 }
 
 Outline parseOutline(const Json& value, const std::string& source) {
     const JsonReader document(value, source);
     std::size_t cornersLeft = kMostRoomCorners;
     if (value.is_array()) {
-        return {.outline = parsePolygon(document, cornersLeft), .obstacles = {}, .ceilingM = std::nullopt};
+        return {.outline = parsePolygon(document, cornersLeft),
+                .obstacles = {},
+                .ceilingM = std::nullopt,
+                .names = {}};
     }
     Outline result;
     result.outline = parsePolygon(document.member("outline"), cornersLeft);
@@ -126,6 +171,9 @@ Outline parseOutline(const Json& value, const std::string& source) {
     if (!document.isAbsent("ceiling_m")) {
         result.ceilingM = document.number("ceiling_m");
     }
+    if (!document.isAbsent("rooms")) {
+        result.names = parseNames(document.member("rooms"));
+    }
     return result;
 }
 
@@ -134,7 +182,12 @@ Json outlineJson(const Room& room) {
     for (const Polygon& obstacle : room.obstacles) {
         obstacles.push_back(polygonJson(obstacle));
     }
-    return {{"outline", polygonJson(room.outline)}, {"obstacles", obstacles}, {"ceiling_m", room.ceilingM}};
+    Json json = {
+        {"outline", polygonJson(room.outline)}, {"obstacles", obstacles}, {"ceiling_m", room.ceilingM}};
+    if (!room.names.empty()) {
+        json["rooms"] = namesJson(room.names);
+    }
+    return json;
 }
 
 } // namespace spherewalk::survey

@@ -1607,6 +1607,18 @@
         <source>tell its state</source>
         <translation>ihren Zustand nennen</translation>
     </message>
+    <message>
+        <source>The room &quot;%1&quot; lies outside the outline; move its name into the room or remove it.</source>
+        <translation>Der Raum &quot;%1&quot; liegt außerhalb des Grundrisses; schreiben Sie seinen Namen in den Raum, oder entfernen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>A room cannot be called &quot;%1&quot;: give one line of up to %2 letters.</source>
+        <translation>Ein Raum kann nicht &quot;%1&quot; heißen: geben Sie eine Zeile von bis zu %2 Buchstaben an.</translation>
+    </message>
+    <message>
+        <source>The plan names %1 rooms, more than the %2 allowed.</source>
+        <translation>Der Plan benennt %1 Räume, mehr als die erlaubten %2.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1639,6 +1651,14 @@
     <message>
         <source>%L1°</source>
         <translation>%L1°</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und mehr</translation>
     </message>
 </context>
 <context>
@@ -2343,6 +2363,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
             <numerusform>%n Fotos importiert, %1 waren schon da. Prüfen Sie sie in Sichten.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Tour in five steps</source>
+        <translation>&amp;Rundgang in fünf Schritten</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -2610,6 +2634,14 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Add obstacle</source>
         <translation>Hindernis hinzufügen</translation>
     </message>
+    <message>
+        <source>Remove the room&apos;s name</source>
+        <translation>Namen des Raums entfernen</translation>
+    </message>
+    <message>
+        <source>Name room</source>
+        <translation>Raum benennen</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
@@ -2644,6 +2676,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Drag a second corner to its place: the picture turns and scales around the first.</source>
         <translation>Ziehen Sie eine zweite Ecke an ihren Ort: das Bild dreht und streckt sich um die erste.</translation>
+    </message>
+    <message>
+        <source>Click into a room to name it, or on a name to change it.</source>
+        <translation>Klicken Sie in einen Raum, um ihn zu benennen, oder auf einen Namen, um ihn zu ändern.</translation>
     </message>
 </context>
 <context>
@@ -2811,6 +2847,22 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Wrote %1.</source>
         <translation>%1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name the rooms of a flat</source>
+        <translation>Die Räume einer Wohnung benennen</translation>
+    </message>
+    <message>
+        <source>Name of the room</source>
+        <translation>Name des Raums</translation>
+    </message>
+    <message>
+        <source>What is this room called?</source>
+        <translation>Wie heißt dieser Raum?</translation>
     </message>
 </context>
 <context>
@@ -3686,6 +3738,14 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>95 of 100 places of views in its place are displaced by %1 or less.</source>
         <translation>95 von 100 Stellen von Ansichten an seinem Ort sind um höchstens %1 verschoben.</translation>
     </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>More than 5 of 100 places were not found in views in its place.</source>
+        <translation>Mehr als 5 von 100 Stellen wurden in Ansichten an seinem Ort nicht gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ReviewPresenter</name>
@@ -3833,6 +3893,21 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>A folder whose name ends in .spherewalk.</source>
         <translation>Ein Ordner, dessen Name auf .spherewalk endet.</translation>
     </message>
+    <message>
+        <source>Take the tour, in five steps</source>
+        <translation>Rundgang in fünf Schritten</translation>
+    </message>
+    <message>
+        <source>Leads through all pages with the practice room.</source>
+        <translation>Führt mit dem Übungsraum durch alle Seiten.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StationQueue</name>
+    <message>
+        <source>%1: %2 of %3 taken</source>
+        <translation>%1: %2 von %3 aufgenommen</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StationWords</name>
@@ -3927,6 +4002,53 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Pixels of the robot&apos;s camera that 95 of 100 places of a view may be displaced by</source>
         <translation>Pixel der Kamera des Roboters, um die 95 von 100 Stellen einer Ansicht verschoben sein dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Tour</name>
+    <message>
+        <source>This is the plan of a practice room: walls, furniture, and rails with their stops. A ring is where a rail begins. The Sheet tells how to lay the rails with a tape.</source>
+        <translation>Das ist der Plan eines Übungsraums: Wände, Möbel und Schienen mit ihren Halten. Ein Ring ist der Anfang einer Schiene. Das Blatt sagt, wie man die Schienen mit dem Maßband legt.</translation>
+    </message>
+    <message>
+        <source>The practice camera now takes the photos by itself. With a real camera, bring it to the cross on the plan and press Space.</source>
+        <translation>Die Übungskamera nimmt die Fotos jetzt von selbst auf. Eine wirkliche Kamera bringen Sie zum Kreuz auf dem Plan und drücken die Leertaste.</translation>
+    </message>
+    <message>
+        <source>Look at the photos: J and K go from one to the next, A accepts, R rejects. What the checks found is outlined in the photo. C compares with a neighbour.</source>
+        <translation>Sehen Sie die Fotos durch: J und K gehen von einem zum nächsten, A nimmt an, R lehnt ab. Was die Prüfungen fanden, ist im Foto umrandet. C vergleicht mit einem Nachbarn.</translation>
+    </message>
+    <message>
+        <source>Press Align. It solves how each photo is turned, and finds stations that were mixed up.</source>
+        <translation>Drücken Sie Ausrichten. Es löst, wie jedes Foto gedreht ist, und findet verwechselte Stationen.</translation>
+    </message>
+    <message>
+        <source>Press Preview this survey, click into the view, and drive with W A S D. That is what a robot would see. Export writes it for simulators.</source>
+        <translation>Drücken Sie Dieses Projekt zeigen, klicken Sie in die Ansicht, und fahren Sie mit W A S D. Das sähe ein Roboter. Der Export schreibt es für Simulatoren.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2.&lt;/b&gt; %3</source>
+        <translation>&lt;b&gt;%1 von %2.&lt;/b&gt; %3</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 </TS>

@@ -879,11 +879,11 @@
     </message>
     <message>
         <source>It says that the camera hung upside down; put it upright and take it again.</source>
-        <translation>Zdjęcie mówi, że aparat wisiał do góry nogami; ustaw go prosto i zrób je jeszcze raz.</translation>
+        <translation>Zdjęcie mówi, że kamera wisiała do góry nogami; ustaw ją prosto i zrób je jeszcze raz.</translation>
     </message>
     <message>
         <source>The camera leaned by %1 degrees; check its mount.</source>
-        <translation>Aparat był pochylony o %1 stopni; sprawdź jego mocowanie.</translation>
+        <translation>Kamera była pochylona o %1 stopni; sprawdź jej mocowanie.</translation>
     </message>
     <message>
         <source>It was exposed for %1 s instead of %2 s; take it again.</source>
@@ -939,19 +939,19 @@
     </message>
     <message>
         <source>The camera was turned by %1 degrees against its neighbours, which all look one way; check its mount.</source>
-        <translation>Aparat był obrócony o %1 stopni względem sąsiadów, które patrzą w jedną stronę; sprawdź jego mocowanie.</translation>
+        <translation>Kamera była obrócona o %1 stopni względem sąsiadów, które patrzą w jedną stronę; sprawdź jej mocowanie.</translation>
     </message>
     <message>
         <source>It is blurred: its edges are %1 times as wide as they should be; let the camera come to rest and take it again.</source>
-        <translation>Jest nieostre: jego krawędzie są %1 razy szersze, niż powinny; pozwól aparatowi się uspokoić i zrób je jeszcze raz.</translation>
+        <translation>Jest nieostre: jego krawędzie są %1 razy szersze, niż powinny; pozwól kamerze się uspokoić i zrób je jeszcze raz.</translation>
     </message>
     <message>
         <source>It is upside down against its neighbours; put the camera upright and take it again.</source>
-        <translation>Jest do góry nogami względem sąsiadów; ustaw aparat prosto i zrób je jeszcze raz.</translation>
+        <translation>Jest do góry nogami względem sąsiadów; ustaw kamerę prosto i zrób je jeszcze raz.</translation>
     </message>
     <message>
         <source>It does not look like its neighbours, however it is turned; check that the camera stood at this station.</source>
-        <translation>Nie jest podobne do sąsiadów, jakkolwiek je obrócić; sprawdź, czy aparat stał na tym stanowisku.</translation>
+        <translation>Nie jest podobne do sąsiadów, jakkolwiek je obrócić; sprawdź, czy kamera stała na tym stanowisku.</translation>
     </message>
     <message>
         <source>It seems to stand %1 cm from where it is tagged, farther off than the others: correct its position, or retake it at its station.</source>
@@ -975,7 +975,7 @@
     </message>
     <message>
         <source>It was taken at one place with %1, though their tags lie %2 m apart: the camera was not moved between them.</source>
-        <translation>Zrobiono je w tym samym miejscu co %1, choć podane miejsca są odległe o %2 m: aparatu między nimi nie przesunięto.</translation>
+        <translation>Zrobiono je w tym samym miejscu co %1, choć podane miejsca są odległe o %2 m: kamery między nimi nie przesunięto.</translation>
     </message>
     <message>
         <source>Retake the one whose tag is wrong.</source>
@@ -1055,51 +1055,51 @@
     </message>
     <message>
         <source>Could not reach the camera at %1 within %2; press its power button in case it sleeps, and check that this computer is on the camera&apos;s WiFi.</source>
-        <translation>Nie udało się połączyć z aparatem pod %1 w ciągu %2; naciśnij jego włącznik, jeśli śpi, i sprawdź, czy ten komputer jest w jego sieci WiFi.</translation>
+        <translation>Nie udało się połączyć z kamerą pod %1 w ciągu %2; naciśnij jej włącznik, jeśli śpi, i sprawdź, czy ten komputer jest w jej sieci WiFi.</translation>
     </message>
     <message>
         <source>No answer from the camera at %1 within %2; press its power button in case it sleeps, and check the WiFi.</source>
-        <translation>Aparat pod %1 nie odpowiedział w ciągu %2; naciśnij jego włącznik, jeśli śpi, i sprawdź WiFi.</translation>
+        <translation>Kamera pod %1 nie odpowiedziała w ciągu %2; naciśnij jej włącznik, jeśli śpi, i sprawdź WiFi.</translation>
     </message>
     <message>
         <source>Could not reach the camera at %1 (%2); check that it is switched on, that no USB data cable is plugged in, and that this computer is on its WiFi.</source>
-        <translation>Nie udało się połączyć z aparatem pod %1 (%2); sprawdź, czy jest włączony, czy nie jest podłączony kabel USB i czy ten komputer jest w jego sieci WiFi.</translation>
+        <translation>Nie udało się połączyć z kamerą pod %1 (%2); sprawdź, czy jest włączona, czy nie jest podłączony kabel USB i czy ten komputer jest w jej sieci WiFi.</translation>
     </message>
     <message>
         <source>The connection to the camera at %1 broke (%2); move closer to the camera, check the WiFi, and try again.</source>
-        <translation>Połączenie z aparatem pod %1 zostało przerwane (%2); podejdź bliżej aparatu, sprawdź WiFi i spróbuj jeszcze raz.</translation>
+        <translation>Połączenie z kamerą pod %1 zostało przerwane (%2); podejdź bliżej kamery, sprawdź WiFi i spróbuj jeszcze raz.</translation>
     </message>
     <message>
         <source>What answers at %1 does not speak HTTP; check the address of the camera.</source>
-        <translation>To, co odpowiada pod %1, nie mówi po HTTP; sprawdź adres aparatu.</translation>
+        <translation>To, co odpowiada pod %1, nie mówi po HTTP; sprawdź adres kamery.</translation>
     </message>
     <message>
         <source>What answers at %1 sent more than a camera would; check the address.</source>
-        <translation>To, co odpowiada pod %1, przysłało więcej, niż przysłałby aparat; sprawdź adres.</translation>
+        <translation>To, co odpowiada pod %1, przysłało więcej, niż przysłałaby kamera; sprawdź adres.</translation>
     </message>
     <message>
         <source>What answers at http://%1 is not a spherical camera (%2); check that this computer is on the camera&apos;s WiFi and not also on another network with the same addresses, and check the address.</source>
-        <translation>To, co odpowiada pod http://%1, nie jest aparatem sferycznym (%2); sprawdź adres oraz czy ten komputer jest w sieci WiFi aparatu, a nie w innej sieci o tych samych adresach.</translation>
+        <translation>To, co odpowiada pod http://%1, nie jest kamerą sferyczną (%2); sprawdź adres oraz czy ten komputer jest w sieci WiFi kamery, a nie w innej sieci o tych samych adresach.</translation>
     </message>
     <message>
         <source>The download from the camera at %1 stood still for %2; move closer to the camera and try again.</source>
-        <translation>Pobieranie z aparatu pod %1 stało przez %2; podejdź bliżej aparatu i spróbuj jeszcze raz.</translation>
+        <translation>Pobieranie z kamery pod %1 stało przez %2; podejdź bliżej kamery i spróbuj jeszcze raz.</translation>
     </message>
     <message>
         <source>The camera&apos;s address &quot;%1&quot; cannot be used; write it like 192.168.1.1 or http://127.0.0.1:8080.</source>
-        <translation>Adresu aparatu &quot;%1&quot; nie można użyć; wpisz na przykład 192.168.1.1 lub http://127.0.0.1:8080.</translation>
+        <translation>Adresu kamery &quot;%1&quot; nie można użyć; wpisz na przykład 192.168.1.1 lub http://127.0.0.1:8080.</translation>
     </message>
     <message>
         <source>The camera named a photo by &quot;%1&quot;, which is not a usable URL; update its firmware.</source>
-        <translation>Aparat nazwał zdjęcie &quot;%1&quot;, co nie jest poprawnym adresem URL; zaktualizuj jego oprogramowanie.</translation>
+        <translation>Kamera nazwała zdjęcie &quot;%1&quot;, co nie jest poprawnym adresem URL; zaktualizuj jej oprogramowanie.</translation>
     </message>
     <message>
         <source>The camera names photos as API level 1 does (&quot;%1&quot;); such cameras cannot be used yet.</source>
-        <translation>Aparat nazywa zdjęcia jak API poziomu 1 (&quot;%1&quot;); takich aparatów jeszcze nie można używać.</translation>
+        <translation>Kamera nazywa zdjęcia jak API poziomu 1 (&quot;%1&quot;); takich kamer jeszcze nie można używać.</translation>
     </message>
     <message>
         <source>The camera at %1 sent %2; switch it off and on if this persists.</source>
-        <translation>Aparat pod %1 przysłał %2; wyłącz go i włącz, jeśli to się powtarza.</translation>
+        <translation>Kamera pod %1 przysłała %2; wyłącz ją i włącz, jeśli to się powtarza.</translation>
     </message>
     <message>
         <source>an empty answer</source>
@@ -1111,23 +1111,23 @@
     </message>
     <message>
         <source>The camera at %1 sent JSON that is not an object; update its firmware.</source>
-        <translation>Aparat pod %1 przysłał JSON, który nie jest obiektem; zaktualizuj jego oprogramowanie.</translation>
+        <translation>Kamera pod %1 przysłała JSON, który nie jest obiektem; zaktualizuj jej oprogramowanie.</translation>
     </message>
     <message>
         <source>The camera at %1 has sent no picture of its preview for %2 s; check the WiFi, press the camera&apos;s button in case it sleeps, and start the preview again.</source>
-        <translation>Aparat pod %1 od %2 s nie przysłał obrazu podglądu; sprawdź WiFi, naciśnij przycisk aparatu, jeśli śpi, i włącz podgląd jeszcze raz.</translation>
+        <translation>Kamera pod %1 od %2 s nie przysłała obrazu podglądu; sprawdź WiFi, naciśnij przycisk kamery, jeśli śpi, i włącz podgląd jeszcze raz.</translation>
     </message>
     <message>
         <source>A plug-in runs on the camera; end it by the camera&apos;s mode button, then resume.</source>
-        <translation>W aparacie działa wtyczka; zakończ ją przyciskiem trybu aparatu i kontynuuj.</translation>
+        <translation>W kamerze działa wtyczka; zakończ ją przyciskiem trybu kamery i kontynuuj.</translation>
     </message>
     <message>
         <source>The camera&apos;s battery is at %1; charge it before going on.</source>
-        <translation>Bateria aparatu ma %1; naładuj ją, zanim będziesz kontynuować.</translation>
+        <translation>Bateria kamery ma %1; naładuj ją, zanim będziesz kontynuować.</translation>
     </message>
     <message>
         <source>The camera&apos;s battery is at %1; charge it soon.</source>
-        <translation>Bateria aparatu ma %1; naładuj ją wkrótce.</translation>
+        <translation>Bateria kamery ma %1; naładuj ją wkrótce.</translation>
     </message>
     <message>
         <source>The camera has room for only %1 more photos.</source>
@@ -1135,63 +1135,63 @@
     </message>
     <message>
         <source>The camera&apos;s storage is full; back its photos up, free some space, and resume.</source>
-        <translation>Pamięć aparatu jest pełna; skopiuj jego zdjęcia, zwolnij miejsce i kontynuuj.</translation>
+        <translation>Pamięć kamery jest pełna; skopiuj jej zdjęcia, zwolnij miejsce i kontynuuj.</translation>
     </message>
     <message>
         <source>Another camera answers (serial number %1 instead of %2); check the WiFi, or connect anew.</source>
-        <translation>Odpowiada inny aparat (numer seryjny %1 zamiast %2); sprawdź WiFi albo połącz się od nowa.</translation>
+        <translation>Odpowiada inna kamera (numer seryjny %1 zamiast %2); sprawdź WiFi albo połącz się od nowa.</translation>
     </message>
     <message>
         <source>Another camera answers now (serial number %1); whether the camera %2 has taken this photo must be looked up on it.</source>
-        <translation>Odpowiada teraz inny aparat (numer seryjny %1); czy aparat %2 zrobił to zdjęcie, trzeba sprawdzić w nim.</translation>
+        <translation>Odpowiada teraz inna kamera (numer seryjny %1); czy kamera %2 zrobiła to zdjęcie, trzeba sprawdzić w niej.</translation>
     </message>
     <message>
         <source>The camera %1 speaks neither API level 1 nor 2; use another.</source>
-        <translation>Aparat %1 nie zna API poziomu 1 ani 2; użyj innego.</translation>
+        <translation>Kamera %1 nie zna API poziomu 1 ani 2; użyj innej.</translation>
     </message>
     <message>
         <source>The photo %1 has %2 x %3 pixels, but a spherical photo is twice as wide as high and at least %4 wide; set the camera to full-size stitched photos.</source>
-        <translation>Zdjęcie %1 ma %2 x %3 pikseli, a zdjęcie sferyczne jest dwa razy szersze niż wyższe i ma co najmniej %4 szerokości; ustaw aparat na złożone zdjęcia w pełnym rozmiarze.</translation>
+        <translation>Zdjęcie %1 ma %2 x %3 pikseli, a zdjęcie sferyczne jest dwa razy szersze niż wyższe i ma co najmniej %4 szerokości; ustaw kamerę na złożone zdjęcia w pełnym rozmiarze.</translation>
     </message>
     <message>
         <source>The camera has given the name %1 to another photo, so that this one is gone; take it again.</source>
-        <translation>Aparat nadał nazwę %1 innemu zdjęciu, więc tego już nie ma; zrób je jeszcze raz.</translation>
+        <translation>Kamera nadała nazwę %1 innemu zdjęciu, więc tego już nie ma; zrób je jeszcze raz.</translation>
     </message>
     <message>
         <source>The photo %1 is not a JPEG; set the camera to JPEG and take it again.</source>
-        <translation>Zdjęcie %1 nie jest plikiem JPEG; ustaw aparat na JPEG i zrób je jeszcze raz.</translation>
+        <translation>Zdjęcie %1 nie jest plikiem JPEG; ustaw kamerę na JPEG i zrób je jeszcze raz.</translation>
     </message>
     <message>
         <source>The camera stays busy (&quot;%1&quot;); end what it is doing, or switch it off and on, then resume.</source>
-        <translation>Aparat jest wciąż zajęty (&quot;%1&quot;); zakończ to, co robi, albo wyłącz go i włącz, i kontynuuj.</translation>
+        <translation>Kamera jest wciąż zajęta (&quot;%1&quot;); zakończ to, co robi, albo wyłącz ją i włącz, i kontynuuj.</translation>
     </message>
     <message>
         <source>The camera says that it is still taking the photo long after it must have been done; switch it off and on, then resume.</source>
-        <translation>Aparat twierdzi, że wciąż robi zdjęcie, choć dawno powinien skończyć; wyłącz go i włącz, i kontynuuj.</translation>
+        <translation>Kamera twierdzi, że wciąż robi zdjęcie, choć dawno powinna skończyć; wyłącz ją i włącz, i kontynuuj.</translation>
     </message>
     <message>
         <source>The camera stays busy or gives no steady answer about its files; switch it off and on, then resume.</source>
-        <translation>Aparat jest wciąż zajęty lub niespójnie odpowiada o swoich plikach; wyłącz go i włącz, i kontynuuj.</translation>
+        <translation>Kamera jest wciąż zajęta lub niespójnie odpowiada o swoich plikach; wyłącz ją i włącz, i kontynuuj.</translation>
     </message>
     <message>
         <source>The camera has taken no photo; it can be taken again.</source>
-        <translation>Aparat nie zrobił zdjęcia; można je zrobić jeszcze raz.</translation>
+        <translation>Kamera nie zrobiła zdjęcia; można je zrobić jeszcze raz.</translation>
     </message>
     <message>
         <source>The camera says that it has taken the photo, but has no new file: its files were deleted, or their names begin anew.</source>
-        <translation>Aparat twierdzi, że zrobił zdjęcie, ale nie ma nowego pliku: jego pliki usunięto albo ich nazwy zaczynają się od nowa.</translation>
+        <translation>Kamera twierdzi, że zrobiła zdjęcie, ale nie ma nowego pliku: jej pliki usunięto albo ich nazwy zaczynają się od nowa.</translation>
     </message>
     <message>
         <source>The camera started a session without a name; switch it off and on.</source>
-        <translation>Aparat rozpoczął sesję bez nazwy; wyłącz go i włącz.</translation>
+        <translation>Kamera rozpoczęła sesję bez nazwy; wyłącz ją i włącz.</translation>
     </message>
     <message>
         <source>The camera stays at API level 1 although it offers level 2; switch it off and on.</source>
-        <translation>Aparat pozostaje przy API poziomu 1, choć oferuje poziom 2; wyłącz go i włącz.</translation>
+        <translation>Kamera pozostaje przy API poziomu 1, choć oferuje poziom 2; wyłącz ją i włącz.</translation>
     </message>
     <message>
         <source>The camera takes no photos %1 pixels wide, but %2.</source>
-        <translation>Aparat nie robi zdjęć o szerokości %1 pikseli, lecz %2.</translation>
+        <translation>Kamera nie robi zdjęć o szerokości %1 pikseli, lecz %2.</translation>
     </message>
     <message>
         <source>Change the survey&apos;s capture profile.</source>
@@ -1199,23 +1199,23 @@
     </message>
     <message>
         <source>The camera does not offer the white balance %1.</source>
-        <translation>Aparat nie ma balansu bieli %1.</translation>
+        <translation>Kamera nie ma balansu bieli %1.</translation>
     </message>
     <message>
         <source>The camera does not offer the %1 %2; the nearest are %3.</source>
-        <translation>Aparat nie oferuje wartości %1 %2; najbliższe to %3.</translation>
+        <translation>Kamera nie oferuje wartości %1 %2; najbliższe to %3.</translation>
     </message>
     <message>
         <source>The camera stays in the mode &quot;%1&quot;; set it to still pictures by its mode button.</source>
-        <translation>Aparat pozostaje w trybie &quot;%1&quot;; przyciskiem trybu ustaw robienie zdjęć.</translation>
+        <translation>Kamera pozostaje w trybie &quot;%1&quot;; przyciskiem trybu ustaw robienie zdjęć.</translation>
     </message>
     <message>
         <source>The camera does not take spherical JPEGs twice as wide as high; set it to stitched JPEG photos.</source>
-        <translation>Aparat nie robi sferycznych JPEG-ów dwa razy szerszych niż wyższych; ustaw złożone zdjęcia JPEG.</translation>
+        <translation>Kamera nie robi sferycznych JPEG-ów dwa razy szerszych niż wyższych; ustaw złożone zdjęcia JPEG.</translation>
     </message>
     <message>
         <source>The camera could not be told that it may sleep again; switch it off and on if it is not used soon.</source>
-        <translation>Nie udało się powiedzieć aparatowi, że może znów zasypiać; wyłącz go i włącz, jeśli nie będzie wkrótce używany.</translation>
+        <translation>Nie udało się powiedzieć kamerze, że może znów zasypiać; wyłącz ją i włącz, jeśli nie będzie wkrótce używana.</translation>
     </message>
     <message>
         <source>The downloaded photo changed on the disk before it was recorded; the next run downloads it again.</source>
@@ -1227,19 +1227,19 @@
     </message>
     <message>
         <source>The camera refused to %1: %2.</source>
-        <translation>Aparat odmówił (%1): %2.</translation>
+        <translation>Kamera odmówiła (%1): %2.</translation>
     </message>
     <message>
         <source>this camera cannot do it; update its firmware or use another camera</source>
-        <translation>ten aparat tego nie potrafi; zaktualizuj jego oprogramowanie albo użyj innego aparatu</translation>
+        <translation>ta kamera tego nie potrafi; zaktualizuj jej oprogramowanie albo użyj innej kamery</translation>
     </message>
     <message>
         <source>set the camera to still pictures, end its plug-in or preview, close the telephone&apos;s application, and try again</source>
-        <translation>ustaw aparat na robienie zdjęć, zakończ jego wtyczkę lub podgląd, zamknij aplikację w telefonie i spróbuj jeszcze raz</translation>
+        <translation>ustaw kamerę na robienie zdjęć, zakończ jej wtyczkę lub podgląd, zamknij aplikację w telefonie i spróbuj jeszcze raz</translation>
     </message>
     <message>
         <source>the camera does not allow this value in its present mode</source>
-        <translation>aparat nie pozwala na tę wartość w obecnym trybie</translation>
+        <translation>kamera nie pozwala na tę wartość w obecnym trybie</translation>
     </message>
     <message>
         <source>the file is damaged on the camera; take the photo again</source>
@@ -1247,7 +1247,7 @@
     </message>
     <message>
         <source>the camera is switching off; switch it on and resume</source>
-        <translation>aparat się wyłącza; włącz go i kontynuuj</translation>
+        <translation>kamera się wyłącza; włącz ją i kontynuuj</translation>
     </message>
     <message>
         <source>wait a moment and try again</source>
@@ -1255,7 +1255,7 @@
     </message>
     <message>
         <source>switch the camera off and on, then resume</source>
-        <translation>wyłącz aparat i włącz, i kontynuuj</translation>
+        <translation>wyłącz kamerę i włącz, i kontynuuj</translation>
     </message>
     <message>
         <source>the shot was cancelled at the camera; take it again</source>
@@ -1263,27 +1263,27 @@
     </message>
     <message>
         <source>check that nobody has deleted the file from the camera</source>
-        <translation>sprawdź, czy nikt nie usunął pliku z aparatu</translation>
+        <translation>sprawdź, czy nikt nie usunął pliku z kamery</translation>
     </message>
     <message>
         <source>the camera has ended the session; switch it off and on, and close the telephone&apos;s application</source>
-        <translation>aparat zakończył sesję; wyłącz go i włącz i zamknij aplikację w telefonie</translation>
+        <translation>kamera zakończyła sesję; wyłącz ją i włącz i zamknij aplikację w telefonie</translation>
     </message>
     <message>
         <source>close the other program or telephone that uses the camera; if none does, wait three minutes</source>
-        <translation>zamknij inny program lub telefon, który używa aparatu; jeśli żaden, poczekaj trzy minuty</translation>
+        <translation>zamknij inny program lub telefon, który używa kamery; jeśli żaden, poczekaj trzy minuty</translation>
     </message>
     <message>
         <source>the camera&apos;s storage is full; back its photos up and free some space</source>
-        <translation>pamięć aparatu jest pełna; skopiuj jego zdjęcia i zwolnij miejsce</translation>
+        <translation>pamięć kamery jest pełna; skopiuj jej zdjęcia i zwolnij miejsce</translation>
     </message>
     <message>
         <source>it asks for a user name and a password (client mode), and was given none or wrong ones; give the right ones, or use the camera&apos;s own WiFi</source>
-        <translation>prosi o nazwę użytkownika i hasło (tryb klienta), a dostał błędne lub żadne; podaj właściwe albo użyj sieci WiFi aparatu</translation>
+        <translation>prosi o nazwę użytkownika i hasło (tryb klienta), a dostała błędne lub żadne; podaj właściwe albo użyj sieci WiFi kamery</translation>
     </message>
     <message>
         <source>update the camera&apos;s firmware; if it stays so, report it</source>
-        <translation>zaktualizuj oprogramowanie aparatu; jeśli to nie pomoże, zgłoś to</translation>
+        <translation>zaktualizuj oprogramowanie kamery; jeśli to nie pomoże, zgłoś to</translation>
     </message>
     <message>
         <source>The photo %1 is not usable: %2; %3.</source>
@@ -1291,7 +1291,7 @@
     </message>
     <message>
         <source>fetch it from the camera again</source>
-        <translation>pobierz je z aparatu jeszcze raz</translation>
+        <translation>pobierz je z kamery jeszcze raz</translation>
     </message>
     <message>
         <source>it has %1 bytes instead of %2</source>
@@ -1579,7 +1579,7 @@
     </message>
     <message>
         <source>The camera refused to %1 (&quot;%2&quot;): %3.</source>
-        <translation>Aparat odmówił (%1, &quot;%2&quot;): %3.</translation>
+        <translation>Kamera odmówiła (%1, &quot;%2&quot;): %3.</translation>
     </message>
     <message>
         <source>take the photo</source>
@@ -1617,6 +1617,18 @@
         <source>tell its state</source>
         <translation>podać stan</translation>
     </message>
+    <message>
+        <source>The room &quot;%1&quot; lies outside the outline; move its name into the room or remove it.</source>
+        <translation>Pomieszczenie &quot;%1&quot; leży poza obrysem; wpisz jego nazwę wewnątrz albo ją usuń.</translation>
+    </message>
+    <message>
+        <source>A room cannot be called &quot;%1&quot;: give one line of up to %2 letters.</source>
+        <translation>Pomieszczenie nie może nazywać się &quot;%1&quot;: podaj jeden wiersz do %2 liter.</translation>
+    </message>
+    <message>
+        <source>The plan names %1 rooms, more than the %2 allowed.</source>
+        <translation>Plan nazywa %1 pomieszczeń, więcej niż dozwolone %2.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -1649,6 +1661,14 @@
     <message>
         <source>%L1 px</source>
         <translation>%L1 px</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nie znaleziono</translation>
+    </message>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 i więcej</translation>
     </message>
 </context>
 <context>
@@ -2363,6 +2383,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Open a survey first; the photos become part of it.</source>
         <translation>Najpierw otwórz pomiar; zdjęcia staną się jego częścią.</translation>
     </message>
+    <message>
+        <source>&amp;Tour in five steps</source>
+        <translation>&amp;Zwiedzanie w pięciu krokach</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -2633,6 +2657,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Add obstacle</source>
         <translation>Dodanie przeszkody</translation>
     </message>
+    <message>
+        <source>Remove the room&apos;s name</source>
+        <translation>Usuń nazwę pomieszczenia</translation>
+    </message>
+    <message>
+        <source>Name room</source>
+        <translation>Nazwij pomieszczenie</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
@@ -2667,6 +2699,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Drag a second corner to its place: the picture turns and scales around the first.</source>
         <translation>Przeciągnij drugi narożnik na jego miejsce: obraz obróci się i przeskaluje wokół pierwszego.</translation>
+    </message>
+    <message>
+        <source>Click into a room to name it, or on a name to change it.</source>
+        <translation>Kliknij w pomieszczenie, aby je nazwać, albo w nazwę, aby ją zmienić.</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2870,22 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Pictures and maps (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</source>
         <translation>Obrazy i mapy (*.png *.jpg *.jpeg *.svg *.bmp *.pgm *.pdf *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Name the rooms of a flat</source>
+        <translation>Nazwij pomieszczenia mieszkania</translation>
+    </message>
+    <message>
+        <source>Name of the room</source>
+        <translation>Nazwa pomieszczenia</translation>
+    </message>
+    <message>
+        <source>What is this room called?</source>
+        <translation>Jak nazywa się to pomieszczenie?</translation>
     </message>
 </context>
 <context>
@@ -3496,11 +3548,11 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
     <message>
         <source>&amp;Keep what the camera chose last: %1</source>
-        <translation>Zachowaj to, co aparat wybrał ostat&amp;nio: %1</translation>
+        <translation>Zachowaj to, co kamera wybrała ostat&amp;nio: %1</translation>
     </message>
     <message>
         <source>&amp;Keep what the camera chose last</source>
-        <translation>Zachowaj to, co aparat wybrał ostat&amp;nio</translation>
+        <translation>Zachowaj to, co kamera wybrała ostat&amp;nio</translation>
     </message>
     <message>
         <source>ISO and shutter time of the latest photo of this survey.</source>
@@ -3718,6 +3770,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>95 of 100 places of views in its place are displaced by %1 or less.</source>
         <translation>95 ze 100 miejsc widoków z tego punktu jest przesuniętych najwyżej o %1.</translation>
     </message>
+    <message>
+        <source>not found</source>
+        <translation>nie znaleziono</translation>
+    </message>
+    <message>
+        <source>More than 5 of 100 places were not found in views in its place.</source>
+        <translation>Ponad 5 na 100 miejsc nie znaleziono w widokach z jego miejsca.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ReviewPresenter</name>
@@ -3866,6 +3926,21 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>A folder whose name ends in .spherewalk.</source>
         <translation>Folder o nazwie kończącej się na .spherewalk.</translation>
     </message>
+    <message>
+        <source>Take the tour, in five steps</source>
+        <translation>Zwiedzanie w pięciu krokach</translation>
+    </message>
+    <message>
+        <source>Leads through all pages with the practice room.</source>
+        <translation>Prowadzi przez wszystkie strony z pokojem ćwiczebnym.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StationQueue</name>
+    <message>
+        <source>%1: %2 of %3 taken</source>
+        <translation>%1: zrobiono %2 z %3</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StationWords</name>
@@ -3960,6 +4035,53 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Pixels of the robot&apos;s camera that 95 of 100 places of a view may be displaced by</source>
         <translation>O ile pikseli kamery robota może być przesuniętych 95 na 100 miejsc widoku</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Tour</name>
+    <message>
+        <source>This is the plan of a practice room: walls, furniture, and rails with their stops. A ring is where a rail begins. The Sheet tells how to lay the rails with a tape.</source>
+        <translation>To plan pokoju ćwiczebnego: ściany, meble i szyny z postojami. Okrąg to początek szyny. Arkusz mówi, jak ułożyć szyny z taśmą mierniczą.</translation>
+    </message>
+    <message>
+        <source>The practice camera now takes the photos by itself. With a real camera, bring it to the cross on the plan and press Space.</source>
+        <translation>Kamera ćwiczebna robi teraz zdjęcia sama. Prawdziwą kamerę ustaw przy krzyżyku na planie i naciśnij spację.</translation>
+    </message>
+    <message>
+        <source>Look at the photos: J and K go from one to the next, A accepts, R rejects. What the checks found is outlined in the photo. C compares with a neighbour.</source>
+        <translation>Obejrzyj zdjęcia: J i K przechodzą między nimi, A przyjmuje, R odrzuca. To, co znalazły kontrole, jest obwiedzione na zdjęciu. C porównuje z sąsiadem.</translation>
+    </message>
+    <message>
+        <source>Press Align. It solves how each photo is turned, and finds stations that were mixed up.</source>
+        <translation>Naciśnij Wyznacz. To ustala, jak obrócone jest każde zdjęcie, i znajduje pomylone stanowiska.</translation>
+    </message>
+    <message>
+        <source>Press Preview this survey, click into the view, and drive with W A S D. That is what a robot would see. Export writes it for simulators.</source>
+        <translation>Naciśnij Podgląd tego pomiaru, kliknij w widok i jedź klawiszami W A S D. To widziałby robot. Eksport zapisuje to dla symulatorów.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Zwiedzanie</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Zakończ zwiedzanie</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2.&lt;/b&gt; %3</source>
+        <translation>&lt;b&gt;%1 z %2.&lt;/b&gt; %3</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Gotowe</translation>
     </message>
 </context>
 </TS>

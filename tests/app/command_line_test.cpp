@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <string>
+#include <vector>
 
 namespace spherewalk {
 
@@ -81,6 +83,25 @@ TEST(CommandLine, GoesFromAPlanToARobotsViewWithEveryStepAsJson) {
     camera.signal(SIGINT);
     EXPECT_EQ(camera.wait(), 0);
     EXPECT_THAT(camera.output(), HasSubstr(std::to_string(stations + 1) + " pictures"));
+}
+
+TEST(CommandLine, PlansAFlatRoomByRoom) {
+    const test::TemporaryFolder folder;
+    const std::string outline = folder / "flat.json";
+    const std::string survey = folder / "flat.spherewalk";
+    writeFile(outline, bytesOf(R"({"outline":[[0,0],[4,0],[4,1.5],[4.1,1.5],[4.1,0],[8.1,0],[8.1,4],[4.1,4],
+        [4.1,2.4],[4,2.4],[4,4],[0,4]],"ceiling_m":2.6,
+        "rooms":[{"name":"kitchen","at":[2,2]},{"name":"bedroom","at":[6.1,2]}]})"));
+    ASSERT_EQ(runCli({"new", survey, "--outline", outline, "--step", "0.5"}).status, 0);
+    const CliResult plan = runCli({"plan", survey, "--json"});
+    std::vector<std::string> rooms;
+    for (const Json& rail : plan.json().at("rails")) {
+        if (const std::string room = rail.at("room"); rooms.empty() || rooms.back() != room) {
+            rooms.push_back(room);
+        }
+    }
+    EXPECT_EQ(rooms.size(), 2U);
+    EXPECT_NE(runCli({"plan", survey, "--list"}).output.find(", bedroom"), std::string::npos);
 }
 
 TEST(CommandLine, AnswersThatWereGivenBeforeTheQuestionTakeNoPicture) {

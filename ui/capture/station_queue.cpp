@@ -3,6 +3,10 @@
 
 #include "ui/map/station_words.h"
 
+#include "spherewalk/survey/room_parts.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <iterator>
 
@@ -20,6 +24,15 @@ void StationQueue::begin(const SurveyState* survey) {
 void StationQueue::markRails(const SurveyState* survey) {
     m_room = survey != nullptr ? survey->room : survey::Room();
     m_rails = survey != nullptr ? survey::railMarks(m_room, survey->plan) : std::vector<survey::RailMark>();
+    m_rooms.clear();
+    m_roomOfRail.clear();
+    if (!m_room.names.empty()) {
+        const survey::RoomParts parts(m_room);
+        m_roomOfRail = parts.ofRails(survey->plan);
+        for (const std::string& name : parts.names()) {
+            m_rooms.push_back({QString::fromStdString(name), 0, 0});
+        }
+    }
 }
 
 void StationQueue::read(const SurveyState* survey) {
@@ -31,6 +44,33 @@ void StationQueue::read(const SurveyState* survey) {
                  [&](const store::StationRecord& station) {
                      return m_again.contains(station.id) || survey->missing.contains(station.id);
                  });
+    countRooms(*survey);
+}
+
+void StationQueue::countRooms(const SurveyState& survey) {
+    for (Room& room : m_rooms) {
+        room.stations = room.taken = 0;
+    }
+    for (const store::StationRecord& station : survey.stations) {
+        const auto rail = static_cast<std::size_t>(station.station.placement);
+        if (station.station.placement >= 0 && rail < m_roomOfRail.size()) {
+            Room& room = m_rooms[m_roomOfRail[rail]];
+            ++room.stations;
+            room.taken += survey.missing.contains(station.id) ? 0 : 1;
+        }
+    }
+}
+
+QString StationQueue::roomWords() const {
+    const auto rail = static_cast<std::size_t>(m_next ? m_next->station.placement : -1);
+    if (!m_next || m_next->station.placement < 0 || rail >= m_roomOfRail.size()) {
+        return {};
+    }
+    const Room& room = m_rooms[m_roomOfRail[rail]];
+    return QCoreApplication::translate("spherewalk::ui::StationQueue", "%1: %2 of %3 taken")
+        .arg(room.name)
+        .arg(room.taken)
+        .arg(room.stations);
 }
 
 const survey::RailMark* StationQueue::railToLay() const {
@@ -44,7 +84,11 @@ const survey::RailMark* StationQueue::railToLay() const {
 
 QString StationQueue::wayWords() const {
     const survey::RailMark* rail = railToLay();
-    return rail != nullptr ? railWords(*rail, m_room) : m_next ? positionWords(m_next->station) : QString();
+    const QString way = rail != nullptr ? railWords(*rail, m_room)
+                        : m_next        ? positionWords(m_next->station)
+                                        : QString();
+    const QString room = roomWords();
+    return room.isEmpty() ? way : room + QLatin1Char('\n') + way;
 }
 
 std::vector<store::StationRecord> StationQueue::again() const {

@@ -82,7 +82,8 @@ class StationQueue {
     /// Returns how the rail of next() is laid; null while the cart is on it, and without a rail.
     const survey::RailMark* railToLay() const;
 
-    /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances.
+    /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances. In a flat
+    /// with named rooms, the room comes first, with how many of its stations have a photo.
     QString wayWords() const;
 
     /// Returns the stations of the queue that a person wants to take again.
@@ -103,12 +104,24 @@ class StationQueue {
     std::chrono::duration<double> timeLeft(const survey::PlanOptions& plan) const;
 
   private:
+    /// How far a named room of a flat is.
+    struct Room {
+        QString name;
+        int stations = 0;
+        int taken = 0;
+    };
+
+    QString roomWords() const;
+    void countRooms(const SurveyState& survey);
+
     std::vector<store::StationRecord> m_stations;
     std::set<std::int64_t> m_again;
     std::optional<store::StationRecord> m_next;
     std::optional<store::StationRecord> m_last; ///< Where the cart stood last.
     survey::Room m_room;
     std::vector<survey::RailMark> m_rails;
+    std::vector<Room> m_rooms;
+    std::vector<std::size_t> m_roomOfRail; ///< Index into m_rooms; empty where rooms have no names.
     Pace m_pace;
 };
 

@@ -257,6 +257,11 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The heading of %1 of %2 photos is not known; they are "
                                                    "exported as if each looked along the room's x axis."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Could not keep a copy of the database as %1: %2."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The room \"%1\" lies outside the outline; move its name into the room or remove it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "A room cannot be called \"%1\": give one line of up to %2 letters."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The plan names %1 rooms, more than the %2 allowed."),
 };
 
 } // namespace

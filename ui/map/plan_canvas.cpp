@@ -132,6 +132,12 @@ void PlanCanvas::paintRoom(QPainter& painter, const survey::Room& room, const QC
     for (const Polygon& obstacle : room.obstacles) {
         painter.drawPolygon(mapped(obstacle, widgetFromRoom));
     }
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    for (const survey::RoomName& name : room.names) {
+        QRectF box(0, 0, 400, 40);
+        box.moveCenter(mapped(name.at, widgetFromRoom));
+        painter.drawText(box, Qt::AlignCenter, QString::fromStdString(name.name));
+    }
 }
 
 void PlanCanvas::paintGrid(QPainter& painter, const QTransform& widgetFromRoom) const {

@@ -165,7 +165,11 @@ void PlanEditor::removeSelected() {
 }
 
 void PlanEditor::setOutline(const Polygon& outline) {
-    change(tr("Draw outline"), [&](PlanDraft& draft) { draft.room.outline = outline; });
+    change(tr("Draw outline"), [&](PlanDraft& draft) {
+        draft.room.outline = outline;
+        std::erase_if(draft.room.names,
+                      [&](const survey::RoomName& room) { return !contains(outline, room.at); });
+    });
     select({PlanPart::kOutline, PlanPart::kNone});
 }
 
@@ -175,6 +179,19 @@ void PlanEditor::addObstacle(const Polygon& obstacle) {
     }
     change(tr("Add obstacle"), [&](PlanDraft& draft) { draft.room.obstacles.push_back(obstacle); });
     select({static_cast<int>(m_draft.room.obstacles.size()), PlanPart::kNone});
+}
+
+void PlanEditor::nameRoom(const Vector2d& place, const std::string& name, std::optional<std::size_t> at) {
+    change(name.empty() ? tr("Remove the room's name") : tr("Name room"), [&](PlanDraft& draft) {
+        std::vector<survey::RoomName>& names = draft.room.names;
+        if (at && name.empty()) {
+            names.erase(names.begin() + static_cast<std::ptrdiff_t>(*at));
+        } else if (at) {
+            names[*at].name = name;
+        } else if (!name.empty()) {
+            names.push_back({name, place});
+        }
+    });
 }
 
 void PlanEditor::preview(const Polygon& outline) {

@@ -8,6 +8,8 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace spherewalk::ui {
 
@@ -68,6 +70,8 @@ class PlanEditor : public QObject {
     void removeSelected();
     void setOutline(const Polygon& outline);
     void addObstacle(const Polygon& obstacle);
+    /// Writes the name of a room at this place. `at`: the name there is replaced, or removed by an empty one.
+    void nameRoom(const Eigen::Vector2d& place, const std::string& name, std::optional<std::size_t> at);
 
     /// Computes the outcome of another outline without a change of the draft; empty: of the draft again.
     void preview(const Polygon& outline);

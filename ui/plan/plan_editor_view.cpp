@@ -57,6 +57,7 @@ void PlanEditorView::setTool(Tool tool) {
     } else {
         emit hint(m_tool == Tool::Scale   ? tr("Drag along something whose length you know.")
                   : m_tool == Tool::Place ? tr("Drag a corner on the picture to the corner where it belongs.")
+                  : m_tool == Tool::Name  ? tr("Click into a room to name it, or on a name to change it.")
                                           : QString());
     }
     setCursor(m_tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -108,6 +109,20 @@ PlanPart PlanEditorView::wallAt(const QPointF& at) const {
     return {};
 }
 
+std::optional<std::size_t> PlanEditorView::nameAt(const QPointF& at) const {
+    const QTransform transform = widgetFromRoom();
+    const std::vector<survey::RoomName>& names = m_editor.draft().room.names;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const QSize size = fontMetrics().size(Qt::TextSingleLine, QString::fromStdString(names[i].name));
+        QRectF box(QPointF(), QSizeF(size) + QSizeF(kReachPx, kReachPx));
+        box.moveCenter(mapped(names[i].at, transform));
+        if (box.contains(at)) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
 Vector2d PlanEditorView::snappedPoint(const QPointF& at, Qt::KeyboardModifiers modifiers) const {
     const Vector2d point = vectorOf(roomFromWidget(at));
     if (modifiers.testFlag(Qt::AltModifier)) {
@@ -139,6 +154,8 @@ void PlanEditorView::mousePressEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     if (m_tool == Tool::Scale || m_tool == Tool::Place) {
         m_scaleLine = QLineF(roomFromWidget(at), roomFromWidget(at));
+    } else if (m_tool == Tool::Name) {
+        return; // it acts on the release, as a question follows
     } else if (m_pen.isDrawing()) {
         m_pen.moveTo(snappedPoint(at, event->modifiers()));
         pressPen();
@@ -193,6 +210,9 @@ void PlanEditorView::mouseReleaseEvent(QMouseEvent* event) {
     PlanCanvas::mouseReleaseEvent(event);
     if (event->button() != Qt::LeftButton) {
         return;
+    }
+    if (m_tool == Tool::Name && event->modifiers() != Qt::ControlModifier) {
+        emit nameWanted(roomFromWidget(event->position()), nameAt(event->position()));
     }
     if (m_scaleLine && m_scaleLine->length() > 0) {
         m_tool == Tool::Place ? placePicture(*m_scaleLine) : emit scaleDrawn(*m_scaleLine);

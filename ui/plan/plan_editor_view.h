@@ -20,7 +20,7 @@ class PlanEditorView : public PlanCanvas {
     Q_OBJECT
 
   public:
-    enum class Tool { Select, Outline, Obstacle, Scale, Place };
+    enum class Tool { Select, Outline, Obstacle, Name, Scale, Place };
 
     explicit PlanEditorView(PlanEditor& editor, QWidget* parent = nullptr);
 
@@ -40,6 +40,8 @@ class PlanEditorView : public PlanCanvas {
     void toolChanged(spherewalk::ui::PlanEditorView::Tool tool);
     /// The user has drawn a line over something of known length, for the scale of the picture.
     void scaleDrawn(QLineF inRoom);
+    /// The user wants to name the room at this place, or to change the name that is written there.
+    void nameWanted(QPointF inRoom, std::optional<std::size_t> name);
     /// The user has moved, turned or scaled the picture.
     void pictureMoved();
     /// Carries a sentence about the keys of the present tool; empty: none.
@@ -70,6 +72,8 @@ class PlanEditorView : public PlanCanvas {
     PlanPart partAt(const QPointF& at) const;
     /// Returns the corner before the wall at this point of the widget.
     PlanPart wallAt(const QPointF& at) const;
+    /// Returns the name of a room that is written at this point of the widget.
+    std::optional<std::size_t> nameAt(const QPointF& at) const;
     Eigen::Vector2d snappedPoint(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
     void drag(const QPointF& at, Qt::KeyboardModifiers modifiers);
     /// Returns the corner near this point of the widget, or else the point itself.

@@ -16,6 +16,7 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -76,6 +77,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     connect(m_view, &PlanEditorView::hint, m_hint, &QLabel::setText);
     connect(m_view, &PlanEditorView::scaleDrawn, this, &PlanMode::askLength);
     connect(m_view, &PlanEditorView::pictureMoved, this, &PlanMode::keepPicture);
+    connect(m_view, &PlanEditorView::nameWanted, this, &PlanMode::askName);
     connect(&m_storage, &PlanStorage::stateChanged, this, &PlanMode::showState);
     connect(&m_storage, &PlanStorage::problem, this, &Mode::message);
     connect(study, &GridStudyPanel::stepChosen, this, &PlanMode::useStep);
@@ -115,6 +117,7 @@ QToolBar* PlanMode::makeToolBar() {
     addTool(bar, Tool::Outline, "outline", tr("Outline"), tr("Draw the outline of the room anew"), Qt::Key_O);
     addTool(bar, Tool::Obstacle, "obstacle", tr("Obstacle"), tr("Draw something that stands on the floor"),
             Qt::Key_B);
+    addTool(bar, Tool::Name, "name", tr("Name"), tr("Name the rooms of a flat"), Qt::Key_N);
     addTool(bar, Tool::Scale, "ruler", tr("Scale"), tr("Draw a known length on the picture"), Qt::Key_S);
     addTool(bar, Tool::Place, "place", tr("Place"),
             tr("Move, turn and scale the picture by two of its corners"), Qt::Key_P);
@@ -129,7 +132,7 @@ QToolBar* PlanMode::makeToolBar() {
         action->setToolTip(hint);
         return action;
     };
-    m_edits << m_tools->actions()[1] << m_tools->actions()[2];
+    m_edits << m_tools->actions()[1] << m_tools->actions()[2] << m_tools->actions()[3];
     m_edits << addAction("delete", tr("Remove"), tr("Remove the selected corner or obstacle (Delete)"),
                          [this] { m_editor.removeSelected(); });
     bar->addSeparator();
@@ -278,6 +281,19 @@ void PlanMode::removePicture() {
     m_view->picture().clear();
     keepPicture();
     m_view->fitRoom();
+}
+
+/// Asks what the room at this place is called. An empty name removes the one that is there.
+void PlanMode::askName(const QPointF& inRoom, std::optional<std::size_t> name) {
+    const std::vector<survey::RoomName>& names = m_editor.draft().room.names;
+    const QString before = name ? QString::fromStdString(names[*name].name) : QString();
+    bool isGiven = false;
+    const QString now = QInputDialog::getText(this, tr("Name of the room"), tr("What is this room called?"),
+                                              QLineEdit::Normal, before, &isGiven)
+                            .trimmed();
+    if (isGiven && now != before) {
+        m_editor.nameRoom({inRoom.x(), inRoom.y()}, now.toStdString(), name);
+    }
 }
 
 void PlanMode::askLength(const QLineF& inRoom) {

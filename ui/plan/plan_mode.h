@@ -63,6 +63,7 @@ class PlanMode : public Mode {
     void beginWithThisRoom();
     void choosePicture();
     void removePicture();
+    void askName(const QPointF& inRoom, std::optional<std::size_t> name);
     void askLength(const QLineF& inRoom);
     void applyLength();
     void chooseSheet();

@@ -13,6 +13,7 @@
 #include "spherewalk/store/survey_store.h"
 #include "spherewalk/survey/plan_report.h"
 #include "spherewalk/survey/room.h"
+#include "spherewalk/survey/room_parts.h"
 
 #include <memory>
 
@@ -103,6 +104,7 @@ survey::Room roomGiven(const NewArguments& options) {
     survey::Outline outline = survey::parseOutline(json, options.outline);
     room.outline = std::move(outline.outline);
     room.obstacles = std::move(outline.obstacles);
+    room.names = std::move(outline.names);
     if (options.ceilingM == 0 && !outline.ceilingM) {
         throw Error(ErrorKind::InvalidInput,
                     text("The ceiling's height is missing: give --ceiling, or \"ceiling_m\" in ",
@@ -149,14 +151,18 @@ Result shownPlan(const PlanArguments& options) {
     Json json = planJson(report, planOptions);
     std::string words = planText(report, planOptions);
     Json rails = Json::array();
+    const survey::RoomParts parts(store.room());
+    const std::vector<std::size_t> rooms = parts.ofRails(plan);
     for (std::size_t i = 0; i < plan.placements.size(); ++i) {
         const survey::RailPlacement& rail = plan.placements[i];
+        const std::string room = rooms.empty() ? std::string() : parts.names()[rooms[i]];
         rails.push_back({{"x_m", rail.origin.x()},
                          {"y_m", rail.origin.y()},
                          {"heading_deg", Degrees(rail.heading).value()},
                          {"stops", rail.stops},
-                         {"step_m", rail.stepM}});
-        words += options.list ? railLine(i + 1, rail) : "";
+                         {"step_m", rail.stepM},
+                         {"room", room}});
+        words += options.list ? railLine(i + 1, rail) + (room.empty() ? "" : text(", ", room)) : "";
     }
     json["rails"] = rails;
     Json stations = Json::array();
@@ -185,8 +191,9 @@ void addNew(Commands& commands) {
     shape.option("--rect", options->rect, "Rectangular room: x0,y0,x1,y1 in metres")
         .separatedBy(',')
         .count(4);
-    shape.option("--outline", options->outline,
-                 R"(JSON file: [[x,y],...] or {"outline":...,"obstacles":...,"ceiling_m":...})");
+    shape.option(
+        "--outline", options->outline,
+        R"(JSON file: [[x,y],...] or {"outline":...,"obstacles":...,"ceiling_m":...,"rooms":[{"name":...,"at":[x,y]},...]})");
     command.option("--ceiling", options->ceilingM, "Height of the ceiling, metres");
     command.option("--step", options->plan.stepM, "Distance of neighbouring stations, metres").showDefault();
     command

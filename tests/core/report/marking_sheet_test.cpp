@@ -248,6 +248,27 @@ TEST(MarkingSheet, DrawsTheRailsOfATableOnASmallMap) {
     EXPECT_EQ(starts, sheet.plan.placements.size());
 }
 
+TEST(MarkingSheet, HasItsTablesRoomByRoom) {
+    Sheet sheet;
+    sheet.room.outline = {{0, 0},   {4, 0},   {4, 1.5},   {4.1, 1.5}, {4.1, 0}, {8.1, 0},
+                          {8.1, 4}, {4.1, 4}, {4.1, 2.4}, {4, 2.4},   {4, 4},   {0, 4}};
+    sheet.room.names = {{"bedroom", {6.1, 2}}, {"kitchen", {2, 2}}};
+    sheet.plan = survey::plan(sheet.room, sheet.options);
+    const std::vector<test::PdfPage> pages = sheet.pages();
+    EXPECT_EQ(allOf(pages.front(), "kitchen").size(), 1U); // on the plan
+    std::vector<std::string> titles;
+    for (std::size_t i = 1; i < pages.size(); ++i) {
+        for (const char* room : {"bedroom", "kitchen"}) {
+            if (!allOf(pages[i], room + (". " + sheet.words.tableTitle)).empty()) {
+                titles.emplace_back(room);
+            }
+        }
+    }
+    EXPECT_EQ(titles.size(), pages.size() - 1);
+    titles.erase(std::unique(titles.begin(), titles.end()), titles.end());
+    EXPECT_EQ(titles.size(), 2U);
+}
+
 TEST(MarkingSheet, LeavesOutLengthsThatHaveNoRoom) {
     Sheet sheet;
     sheet.room.outline = {{0, 0}, {5, 0}, {5, 4}, {0.3, 4}, {0.3, 3}, {0, 3}};

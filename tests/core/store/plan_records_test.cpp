@@ -53,6 +53,19 @@ TEST_F(PlanRecords, KeepTheRoomTheOptionsAndThePlanToTheLastBit) {
     }
 }
 
+TEST_F(PlanRecords, KeepTheNamesOfRooms) {
+    survey::Room room = test::smallRoom();
+    const Eigen::Vector2d corner = room.outline.front();
+    room.names = {{"kuchnia", corner + Eigen::Vector2d(0.1, 0.1)},
+                  {"hall", corner + Eigen::Vector2d(0.4, 0.2)}};
+    const std::vector<survey::RoomName> names = room.names;
+    m_store.replacePlan(room, test::twoHeights(), survey::plan(room, test::twoHeights()));
+    EXPECT_EQ(SurveyStore::open(m_path, Access::Read).room().names, names);
+    room.names.clear();
+    m_store.replacePlan(room, test::twoHeights(), survey::plan(room, test::twoHeights()));
+    EXPECT_TRUE(SurveyStore::open(m_path, Access::Read).room().names.empty());
+}
+
 TEST_F(PlanRecords, NameStationsInWalkingOrder) {
     const auto stations = m_store.stations();
     EXPECT_EQ(stations.front().name, "rail 1, stop 1 at 1.60 m");
@@ -144,7 +157,8 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     test::createSurvey(path);
     {
         Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
-        database.execute("DROP TABLE verdict; DROP TABLE capture_profile; PRAGMA user_version = 2");
+        database.execute(
+            "DROP TABLE room_name; DROP TABLE verdict; DROP TABLE capture_profile; PRAGMA user_version = 2");
     }
     EXPECT_EQ(SurveyStore::open(path, Access::Read).captureProfile(), std::nullopt);
 }

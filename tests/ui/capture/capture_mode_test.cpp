@@ -15,6 +15,26 @@ namespace spherewalk::ui {
 using State = CaptureDesk::State;
 using CaptureModeTest = CaptureFixture;
 
+TEST_F(CaptureModeTest, NamesTheRoomOfTheNextStationAndHowFarItIs) {
+    session->write(SurveySession::Plan, [](store::SurveyStore& store) {
+        survey::Room room = store.room();
+        const Bounds2 extent = bounds(room.outline);
+        room.names = {{"kitchen", 0.5 * (extent.least + extent.greatest)}};
+        store.replacePlan(room, store.planOptions(), survey::plan(room, store.planOptions()));
+    });
+    connectPractice();
+    const QString all = QString::number(desk().stations());
+    EXPECT_TRUE(desk().wayText().startsWith("kitchen: 0 of " + all + " taken\n"))
+        << desk().wayText().toStdString();
+    desk().trigger();
+    waitFor(CaptureDesk::State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return desk().stationsLeft() == desk().stations() - 1; });
+    waitFor(CaptureDesk::State::AtStation);
+    EXPECT_TRUE(desk().wayText().startsWith("kitchen: 1 of " + all + " taken\n"))
+        << desk().wayText().toStdString();
+}
+
 TEST_F(CaptureModeTest, OneKeyTakesThePictureAndTheNextStationIsNamed) {
     connectPractice();
     auto* next = mode.findChild<BigText*>("nextStation");

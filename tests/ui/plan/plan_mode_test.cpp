@@ -7,12 +7,15 @@
 
 #include "spherewalk/base/file.h"
 
+#include <QApplication>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <gtest/gtest.h>
 
 namespace spherewalk::ui {
@@ -43,6 +46,18 @@ struct Fixture : testing::Test {
     void click(const Vector2d& pInRoom) {
         QTest::mouseMove(&mode.view(), at(pInRoom));
         QTest::mouseClick(&mode.view(), Qt::LeftButton, {}, at(pInRoom));
+    }
+
+    /// Answers the next question for a name.
+    void answer(const QString& name) {
+        QTimer::singleShot(0, &mode, [this, name] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) { // not there yet
+                return answer(name);
+            }
+            dialog->setTextValue(name);
+            dialog->accept();
+        });
     }
 
     test::TemporaryFolder folder;
@@ -136,6 +151,36 @@ TEST_F(PlanModeTest, WritesTheMarkingOutSheet) {
     mode.writeSheet(QString::fromStdString(file.string()));
     ASSERT_TRUE(ended.wait(10'000));
     EXPECT_EQ(readTextFile(file).substr(0, 5), "%PDF-");
+}
+
+TEST_F(PlanModeTest, NamesTheRoomsOfAFlat) {
+    const auto names = [&] { return mode.editor().draft().room.names; };
+    mode.view().setTool(PlanEditorView::Tool::Name);
+    const QImage unnamed = mode.view().grab().toImage();
+    answer("kitchen");
+    click({2, 2});
+    ASSERT_EQ(names().size(), 1U);
+    EXPECT_EQ(names().front().name, "kitchen");
+    EXPECT_LT((names().front().at - Vector2d(2, 2)).norm(), 0.05);
+    EXPECT_NE(mode.view().grab().toImage(), unnamed);
+    answer("  ");
+    click({4, 3}); // nothing is named
+    EXPECT_EQ(names().size(), 1U);
+    answer("hall");
+    click({2, 2});
+    ASSERT_EQ(names().size(), 1U);
+    EXPECT_EQ(names().front().name, "hall");
+    mode.editor().undoStack()->undo();
+    EXPECT_EQ(names().front().name, "kitchen");
+    answer({});
+    click({2, 2});
+    EXPECT_TRUE(names().empty());
+    mode.editor().undoStack()->undo();
+    EXPECT_EQ(names().size(), 1U);
+    settle();
+    EXPECT_TRUE(mode.editor().outcome().problem.isEmpty());
+    mode.editor().setOutline({{3, 0}, {5, 0}, {5, 4}, {3, 4}}); // without the kitchen
+    EXPECT_TRUE(names().empty());
 }
 
 TEST_F(PlanModeTest, RefusesANameThatIsTaken) {

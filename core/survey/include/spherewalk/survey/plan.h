@@ -55,7 +55,8 @@ struct Plan {
 
 /// Lays the room out: stops on a lattice along the room's axes, shifted so that most of them fit; rails of up
 /// to railStops stops along the axis that needs fewer placements; the order and direction of rails that moves
-/// the operator least, as far as a local search finds it. A room without space for any stop gives an empty
+/// the operator least, as far as a local search finds it. The rooms of a flat that have names come one after
+/// the other. A room without space for any stop gives an empty
 /// plan. The same input gives the same plan. Errors: those of both validate(). Cost: under a second for a
 /// room of 100 m2 at 20 cm.
 Plan plan(const Room& room, const PlanOptions& options);
