@@ -14,6 +14,7 @@
 #include "ui/preview/preview_mode.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/start_page.h"
+#include "ui/shell/tour.h"
 #include "ui/tasks/task.h"
 #include "ui/tasks/task_panel.h"
 
@@ -34,6 +35,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoGroup>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -48,6 +50,7 @@ QList<Mode*> makeModes(TaskList& tasks, QWidget* parent) {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
+      m_tour(new Tour(this)),
       m_pages(new QStackedWidget(this)),
       m_start(new StartPage(this)),
       m_bar(new QToolBar(tr("Modes"), this)),
@@ -60,7 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_tasksButton(new QToolButton(this)) {
     setWindowTitle(tr("Spherewalk"));
     resize(1280, 800);
-    setCentralWidget(m_pages);
+    makeTour();
     setAcceptDrops(true);
     m_pages->addWidget(m_start);
     makeDocks();
@@ -80,6 +83,24 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow() {
     closeSurvey();
     m_tasks.stopAll();
+}
+
+/// Puts the strip of the tour above the pages.
+void MainWindow::makeTour() {
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_tour);
+    layout->addWidget(m_pages, 1);
+    setCentralWidget(column);
+    connect(m_tour, &Tour::pageWanted, this, [this](const QString& page) { showPage(page, {}); });
+    connect(m_tour, &Tour::photosWanted, this, [this] {
+        CaptureDesk& desk = findMode<CaptureMode>()->desk();
+        if (m_session && !desk.isComplete() && !desk.isRunning()) {
+            desk.runPractice();
+        }
+    });
 }
 
 void MainWindow::makeDocks() {
@@ -149,6 +170,7 @@ void MainWindow::makeStart() {
     connect(m_start, &StartPage::chooseRequested, this, &MainWindow::chooseSurvey);
     connect(m_start, &StartPage::newRequested, this, &MainWindow::beginSurvey);
     connect(m_start, &StartPage::practiceRequested, this, &MainWindow::runPractice);
+    connect(m_start, &StartPage::tourRequested, this, &MainWindow::runTour);
 }
 
 Mode* MainWindow::mode() const {
@@ -257,6 +279,7 @@ void MainWindow::closeSurvey() {
     for (Mode* mode : std::as_const(m_modes)) {
         mode->setSession(nullptr);
     }
+    m_tour->end(); // it was of that survey
     m_plan->setSession(nullptr);
     m_undo->removeStack(m_session->undoStack());
     m_session.reset();
@@ -311,10 +334,10 @@ void MainWindow::beginSurvey() {
     }
 }
 
-void MainWindow::runPractice() {
+bool MainWindow::openPractice() {
     auto* capture = findMode<CaptureMode>();
     if (capture == nullptr) {
-        return;
+        return false;
     }
     QString folder;
     for (int number = 1; folder.isEmpty() || QFileInfo::exists(folder); ++number) {
@@ -324,11 +347,23 @@ void MainWindow::runPractice() {
     try {
         jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
     } catch (const Error& error) {
-        return say(coreWords(error.sentence()));
+        say(coreWords(error.sentence()));
+        return false;
     }
-    if (openSurvey(folder)) {
+    return openSurvey(folder);
+}
+
+void MainWindow::runPractice() {
+    if (openPractice()) {
+        auto* capture = findMode<CaptureMode>();
         showMode(capture);
         capture->desk().runPractice();
+    }
+}
+
+void MainWindow::runTour() {
+    if (openPractice()) {
+        m_tour->begin();
     }
 }
 

@@ -25,6 +25,7 @@ namespace spherewalk::ui {
 class HelpWindow;
 class Mode;
 class StartPage;
+class Tour;
 class SurveyPlanView;
 class TaskList;
 struct Dropped;
@@ -47,6 +48,8 @@ class MainWindow : public QMainWindow {
     void closeSurvey();
     /// Makes a survey of the practice room in surveysPlace() and photographs it.
     void runPractice();
+    /// Makes a survey of the practice room and leads through the pages with it.
+    void runTour();
 
     SurveySession* session() const { return m_session.get(); }
 
@@ -75,6 +78,8 @@ class MainWindow : public QMainWindow {
     void makeBar();
     void makeMenus();
     void makeStart();
+    void makeTour();
+    bool openPractice();
     void makeView(QMenu* view);
     void take(const Dropped& dropped);
     void addTheme(QMenu* menu, Theme theme, const QString& text);
@@ -99,6 +104,7 @@ class MainWindow : public QMainWindow {
     TaskList m_tasks;
     std::unique_ptr<SurveySession> m_session;
     QList<Mode*> m_modes;
+    Tour* m_tour;
     QStackedWidget* m_pages;
     StartPage* m_start;
     QToolBar* m_bar;

@@ -65,8 +65,11 @@ StartPage::StartPage(QWidget* parent)
                       "while you watch. It takes about a minute."),
                    this);
     about->setWordWrap(true);
+    auto* tour = makeButton("tourButton", "play", tr("Take the tour, in five steps"),
+                            tr("Leads through all pages with the practice room."), this);
     column->addWidget(practice);
     column->addWidget(about);
+    column->addWidget(tour);
     column->addSpacing(12);
 
     auto* begin =
@@ -97,6 +100,7 @@ StartPage::StartPage(QWidget* parent)
     page->addWidget(frame, 100);
     page->addStretch(1);
     connect(practice, &QPushButton::clicked, this, &StartPage::practiceRequested);
+    connect(tour, &QPushButton::clicked, this, &StartPage::tourRequested);
     connect(begin, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(open, &QPushButton::clicked, this, &StartPage::chooseRequested);
     connect(m_recent, &QListWidget::itemActivated, this,

@@ -21,6 +21,7 @@ class StartPage : public QWidget {
 
   signals:
     void practiceRequested();
+    void tourRequested();
     void newRequested();
     void chooseRequested();
     void openRequested(const QString& folder);

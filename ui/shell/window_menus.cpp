@@ -64,6 +64,7 @@ void MainWindow::makeMenus() {
     makeView(menuBar()->addMenu(tr("&View")));
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     add(help, tr("&Guide to this page"), Qt::Key_F1, &MainWindow::showGuide);
+    add(help, tr("&Tour in five steps"), {}, &MainWindow::runTour);
     add(help, tr("&Keys"), QKeySequence("Ctrl+/"), &MainWindow::showKeys);
     add(help, tr("&About Spherewalk"), {}, &MainWindow::showAbout);
 }

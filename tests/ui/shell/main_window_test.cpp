@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTest>
@@ -80,6 +81,36 @@ TEST(MainWindow, SpeaksOfTheDatasetWhereOneIsShown) {
     window.closeSurvey();
     EXPECT_EQ(window.windowTitle(), "Spherewalk");
     EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().isEmpty());
+}
+
+TEST(MainWindow, LeadsThroughThePagesInFiveSteps) {
+    const test::TemporaryFolder folder;
+    QSettings().setValue("surveysPlace", QString::fromStdString(folder.path().string()));
+    MainWindow window;
+    window.show();
+    modeOf<CaptureMode>(window)->desk().setPracticeSettings(kFastPractice);
+    auto* tour = window.findChild<QWidget*>("tour");
+    EXPECT_FALSE(tour->isVisible());
+    window.findChild<QPushButton*>("tourButton")->click();
+    ASSERT_TRUE(tour->isVisible());
+    auto* words = window.findChild<QLabel*>("tourWords");
+    auto* next = window.findChild<QPushButton*>("tourNext");
+    QStringList pages;
+    for (int step = 1; step <= 5; ++step) {
+        EXPECT_TRUE(words->text().contains(QString("%1 of 5").arg(step))) << words->text().toStdString();
+        pages << window.mode()->objectName();
+        if (pages.last() == "capture") { // the photos come by themselves
+            CaptureDesk& desk = modeOf<CaptureMode>(window)->desk();
+            EXPECT_TRUE(QTest::qWaitFor([&] { return desk.isComplete(); }, 60'000));
+        }
+        next->click();
+    }
+    EXPECT_EQ(pages, QStringList({"plan", "capture", "review", "align", "preview"}));
+    EXPECT_FALSE(tour->isVisible());
+    window.findChild<QPushButton*>("tourButton")->click();
+    window.closeSurvey();
+    EXPECT_FALSE(tour->isVisible()); // it was of that survey
+    QSettings().remove("surveysPlace");
 }
 
 TEST(MainWindow, SaysInTheStatusLineWhyItCannotOpen) {
