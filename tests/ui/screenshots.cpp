@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language]. Those of the guide,
-// small: DIR "" guide. With QT_SCALE_FACTOR=2 they are those of a screen of twice the density.
+// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language [WIDTHxHEIGHT]].
+// Those of the guide, small: DIR "" guide. With QT_SCALE_FACTOR=2 they are those of a screen of twice the
+// density.
 #include "temporary_folder.h"
 #include "ui/align/align_mode.h"
 #include "ui/capture/camera_login.h"
@@ -8,6 +9,7 @@
 #include "ui/export/export_mode.h"
 #include "ui/fields/camera_box.h"
 #include "ui/panorama/panorama_presenter.h"
+#include "ui/panorama/panorama_view.h"
 #include "ui/plan/plan_mode.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
@@ -64,15 +66,16 @@ void waitUntil(const std::function<bool()>& holds) {
 /// The window, led from page to page.
 class Album {
   public:
-    Album(QString folder, QString suffix, bool isForGuide)
+    Album(QString folder, QString suffix, bool isForGuide, const QSize& size)
         : m_folder(std::move(folder)), m_suffix(std::move(suffix)), m_isForGuide(isForGuide) {
-        m_window.resize(1280, 800);
+        m_window.resize(size);
         m_window.show();
     }
 
     void shootAll(const QString& place) {
         shoot("start-first");
         shootPlan(place);
+        shootTour();
         jobs::newPracticeSurvey((place + "/practice room.spherewalk").toStdString(), 0.8);
         m_window.openSurvey(place + "/practice room.spherewalk");
         shootCapture();
@@ -136,6 +139,18 @@ class Album {
         waitUntil([&] { return editor.isSettled(); });
         plan.view().fitRoom();
         shoot("plan");
+        editor.nameRoom({1.8, 4.2}, "hall", std::nullopt);
+        editor.nameRoom({4.9, 1.5}, "kitchen", std::nullopt);
+        waitUntil([&] { return editor.isSettled(); });
+        shoot("plan-names");
+        m_window.closeSurvey();
+    }
+
+    /// The first step of the tour.
+    void shootTour() {
+        m_window.runTour();
+        shoot("tour");
+        m_window.closeSurvey();
     }
 
     void shootCapture() {
@@ -191,6 +206,8 @@ class Album {
         auto& review = open<ReviewMode>();
         shoot("review");
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Slider));
+        const PanoramaPresenter& viewer = review.findChild<PanoramaView*>()->presenter();
+        waitUntil([&] { return viewer.remark().isEmpty(); });
         shoot("review-slider");
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Off));
     }
@@ -307,7 +324,9 @@ int main(int argc, char** argv) {
     }
     applyTheme(words[3] == "dark" ? Theme::Dark : Theme::Light);
     try {
-        Album(words[1], words[2], words[3] == "guide").shootAll(QString::fromStdString(home.path().string()));
+        const QStringList sides = words.value(5, "1280x800").split('x');
+        Album(words[1], words[2], words[3] == "guide", {sides.value(0).toInt(), sides.value(1).toInt()})
+            .shootAll(QString::fromStdString(home.path().string()));
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.sentence().c_str());
         return 1;

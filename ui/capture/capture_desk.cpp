@@ -247,7 +247,7 @@ void CaptureDesk::connected(const CameraStatus& status) {
     m_connectsAgain = false;
     m_status = status;
     m_verdict.reset();
-    m_sentence = status.troubles.join(" ");
+    m_sentence = coreWords(status.troubles.join(" "));
     setState(State::Ready);
     if (std::exchange(m_startsWhenReady, false)) {
         start();
@@ -263,7 +263,7 @@ void CaptureDesk::setAutomatic(bool isAutomatic) {
 
 void CaptureDesk::failed(const QString& sentence) {
     m_verdict = sentence.isEmpty() ? std::nullopt : std::optional(survey::Quality::Failed);
-    m_sentence = sentence;
+    m_sentence = coreWords(sentence);
     emit changed();
 }
 

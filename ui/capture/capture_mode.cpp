@@ -391,6 +391,7 @@ void CaptureMode::showVerdict() {
     const QString sentence = m_desk.sentence();
     const bool isStored = verdict == survey::Quality::Good && sentence.isEmpty() && !m_desk.isComplete();
     m_verdict->setText(isStored ? tr("The photo is stored.") : sentence);
+    m_verdictIcon->setVisible(!m_verdict->text().isEmpty()); // a sign alone tells nothing
 }
 
 void CaptureMode::showAgain() {

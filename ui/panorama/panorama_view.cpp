@@ -39,7 +39,8 @@ void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
     QImage picture = m_presenter->picture(size() * devicePixelRatioF());
     picture.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(0, 0, picture);
-    paintPlate(painter, rect(), Qt::AlignCenter, m_presenter->remark());
+    const QRect aboveLine = rect().adjusted(0, 0, 0, -height() / 3); // the handle is in the middle
+    paintPlate(painter, aboveLine, Qt::AlignCenter, m_presenter->remark());
     if (m_presenter->photo()) {
         paintAreas(painter);
         paintLine(painter);

@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace spherewalk::ui {
 
@@ -52,18 +53,29 @@ std::optional<double> CoverageView::measured(const ReviewRow& row) const {
 double CoverageView::greatest() const {
     double greatest = m_measure == CoverageMeasure::Error ? kLeastHottestPx : kLeastHottestDegrees;
     for (const ReviewRow& row : m_rows) {
-        greatest = std::max(greatest, measured(row).value_or(0));
+        if (const auto value = measured(row); value && std::isfinite(*value)) {
+            greatest = std::max(greatest, *value);
+        }
     }
     return greatest;
 }
 
 QString CoverageView::valueText(double value) const {
+    if (std::isinf(value)) {
+        return tr("not found");
+    }
     return m_measure == CoverageMeasure::Error ? tr("%L1 px").arg(value, 0, 'f', 1)
                                                : tr("%L1°").arg(value, 0, 'f', 3);
 }
 
 QString CoverageView::hottest() const {
-    return m_measure == CoverageMeasure::Standing ? QString() : valueText(greatest());
+    if (m_measure == CoverageMeasure::Standing) {
+        return {};
+    }
+    const bool isMore = std::any_of(m_rows.begin(), m_rows.end(), [this](const ReviewRow& row) {
+        return std::isinf(measured(row).value_or(0));
+    });
+    return isMore ? tr("%1 and more").arg(valueText(greatest())) : valueText(greatest());
 }
 
 std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) const {
@@ -77,7 +89,7 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
         mark.standing = row.standing;
         mark.note = standingText(row.standing);
         if (const auto value = measured(row)) {
-            mark.heat = *value / scale;
+            mark.heat = std::min(1.0, *value / scale);
             mark.note = valueText(*value);
         }
         if (!row.flags.isEmpty()) {

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace spherewalk::ui {
@@ -55,12 +56,18 @@ bool isSame(const ReviewRow& a, const ReviewRow& b) {
 }
 
 QString errorText(const ReviewRow& row) {
-    return row.errorPx ? ReviewModel::tr("%L1 px").arg(*row.errorPx, 0, 'f', 1) : QString();
+    if (!row.errorPx) {
+        return {};
+    }
+    return std::isfinite(*row.errorPx) ? ReviewModel::tr("%L1 px").arg(*row.errorPx, 0, 'f', 1)
+                                       : ReviewModel::tr("not found");
 }
 
 QString toolTip(const ReviewRow& row) {
     QStringList lines{row.fileName, row.note};
-    if (row.errorPx) {
+    if (row.errorPx && std::isinf(*row.errorPx)) {
+        lines << ReviewModel::tr("More than 5 of 100 places were not found in views in its place.");
+    } else if (row.errorPx) {
         lines << ReviewModel::tr("95 of 100 places of views in its place are displaced by %1 or less.")
                      .arg(errorText(row));
     }

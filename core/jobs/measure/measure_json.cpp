@@ -10,6 +10,8 @@
 #include "spherewalk/jobs/measure_report.h"
 #include "spherewalk/render/ladder.h"
 
+#include <limits>
+
 namespace spherewalk::jobs {
 
 namespace {
@@ -192,6 +194,8 @@ MeasuredPhotos readMeasuredPhotos(const std::filesystem::path& reportFile) {
             error.integer("photo", 0, static_cast<std::int64_t>(result.photos.size()) - 1));
         if (!error.isAbsent("p95_px")) {
             result.photos[photo].p95Px = error.number("p95_px");
+        } else if (error.number("places") > 0) { // too many of them were not found
+            result.photos[photo].p95Px = std::numeric_limits<double>::infinity();
         }
     }
     return result;

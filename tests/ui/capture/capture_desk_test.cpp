@@ -2,6 +2,7 @@
 #include "capture_fixture.h"
 #include "event_loop_gap.h"
 #include "stalled_server.h"
+#include "ui/shell/application.h"
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/practice/fault.h"
@@ -9,6 +10,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTranslator>
 
 namespace spherewalk::ui {
 
@@ -31,6 +33,22 @@ practice::PracticeCameraOptions quickCamera() {
 } // namespace
 
 using CaptureDeskTest = CaptureFixture;
+
+TEST_F(CaptureDeskTest, TellsARefusalOfTheCameraInTheWindowsLanguage) {
+    QTranslator german;
+    ASSERT_TRUE(loadWords(german, QLocale("de")));
+    QCoreApplication::installTranslator(&german);
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().practice()->camera().arm(
+        {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
+    desk().trigger();
+    waitFor(State::AskAgain);
+    EXPECT_TRUE(desk().sentence().contains("warten Sie einen Augenblick")) << desk().sentence().toStdString();
+    EXPECT_FALSE(desk().sentence().contains("refused"));
+    QCoreApplication::removeTranslator(&german);
+}
 
 TEST_F(CaptureDeskTest, SaysHowTheCameraIs) {
     connectPractice();

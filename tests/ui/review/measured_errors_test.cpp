@@ -27,7 +27,7 @@ class MeasuredErrorsTest : public testing::Test {
 
     QString surveyId() const { return QString::fromStdString(session->store().info().uuid); }
 
-    QString writeReport(const std::string& ofSurvey) {
+    QString writeReport(const std::string& ofSurvey, std::size_t placesOfSecond = 0) {
         render::DatasetInfo info;
         info.surveyId = ofSurvey;
         info.name = "room";
@@ -41,7 +41,7 @@ class MeasuredErrorsTest : public testing::Test {
         report.directions = 4;
         report.scenes.resize(1);
         report.scenes[0].scene = render::SceneKind::Sphere;
-        report.scenes[0].photos = {{0, 3, 9}, {1, {}, 0}, {2, 6, 9}};
+        report.scenes[0].photos = {{0, 3, 9}, {1, {}, placesOfSecond}, {2, 6, 9}};
         report.rungs = {{render::SceneKind::Sphere, {}, 6, 1, 1}};
         report.choice.tolerancePx = 4;
         report.choice.rung = 0;
@@ -111,6 +111,24 @@ TEST_F(MeasuredErrorsTest, AreHeatOnThePlanOnceADatasetWasMeasured) {
     EXPECT_NEAR(plan.stations().at(2).heat.value(), 1, 1e-9);
     EXPECT_EQ(plan.hottest(), "6.0 px");
     EXPECT_TRUE(words.text().contains("left out of room"));
+    mode.setSession(nullptr);
+}
+
+TEST_F(MeasuredErrorsTest, PlacesThatWereNotFoundAreTheHottest) {
+    TaskList tasks;
+    ReviewMode mode(tasks, survey / "cache", nullptr);
+    mode.setSession(session.get());
+    auto& measure = *mode.findChild<QComboBox*>("measure");
+    measure.setCurrentIndex(measure.findData(static_cast<int>(CoverageMeasure::Error)));
+    Settings().setMeasuredReport(surveyId(), writeReport(session->store().info().uuid, 9));
+    mode.activated();
+    const auto& plan = *mode.findChild<CoverageView*>("coverage");
+    EXPECT_NEAR(plan.stations().at(0).heat.value(), 0.5, 1e-9);
+    EXPECT_EQ(plan.stations().at(1).heat, 1);
+    EXPECT_EQ(plan.stations().at(1).note, "not found");
+    EXPECT_EQ(plan.hottest(), "6.0 px and more");
+    const QModelIndex second = mode.findChild<QListView*>("stations")->model()->index(1, 0);
+    EXPECT_EQ(second.data(ReviewModel::ErrorRole).toString(), "not found");
     mode.setSession(nullptr);
 }
 

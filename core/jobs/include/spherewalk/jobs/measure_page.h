@@ -30,8 +30,10 @@ void writeReport(const ReportContents& contents, const std::filesystem::path& fo
 
 /// How far views are off that replace a photo which was left out.
 struct MeasuredPhoto {
-    std::string file;            ///< Name in the dataset, such as "photos/R0010008.jpg".
-    std::optional<double> p95Px; ///< Nothing if the photo was not left out, or had no matches.
+    std::string file; ///< Name in the dataset, such as "photos/R0010008.jpg".
+    /// Nothing if the photo was not left out, or had no places; +infinity if more than 5 of 100 of them were
+    /// not found.
+    std::optional<double> p95Px;
 };
 
 /// What a report says of the photos of a dataset.
