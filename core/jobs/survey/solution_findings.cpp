@@ -172,9 +172,29 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
     return reading.done();
 }
 
+namespace {
+
+/// Of an alignment: photos with a rotation whose deviation is not known, as another one may be right.
+std::set<std::int64_t> turnedInDoubt(const store::SurveyStore& store) {
+    std::set<std::int64_t> photos;
+    const auto solution = store.activeSolution();
+    if (!solution || solution->source != "align") {
+        return photos;
+    }
+    for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
+        if (!photo.sigmaYawRad) {
+            photos.insert(photo.photo);
+        }
+    }
+    return photos;
+}
+
+} // namespace
+
 PhotosToExport photosToExport(const store::SurveyStore& store) {
     PhotosToExport made;
     std::set<std::int64_t> failed;
+    const std::set<std::int64_t> inDoubt = turnedInDoubt(store);
     if (const auto findings = activeFindings(store)) {
         made.doubts = findings->tagWarnings;
         for (const PhotoFinding& photo : findings->photos) {
@@ -184,14 +204,24 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
         }
     }
     std::string names;
+    std::string turned;
+    std::size_t turnedCount = 0;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
+        const std::string name = text(photo.fileName, " (", store.station(photo.station).name, ")");
         if (!failed.contains(photo.id)) {
+            if (inDoubt.contains(photo.id)) {
+                turned += text(turnedCount++ == 0 ? "" : ", ", name);
+            }
             made.photos.push_back(std::move(photo));
             continue;
         }
-        names += text(made.failed.empty() ? "" : ", ", photo.fileName, " (",
-                      store.station(photo.station).name, ")");
+        names += text(made.failed.empty() ? "" : ", ", name);
         made.failed.push_back(std::move(photo));
+    }
+    if (turnedCount > 0) {
+        made.doubts.push_back(text("How ", counted(turnedCount, "photo is", "photos are"),
+                                   " turned is not known: ", turned,
+                                   ". Look at what the alignment says of each, mend it, and align again."));
     }
     if (!made.failed.empty()) {
         made.doubts.push_back(text(counted(made.failed.size(), "photo is", "photos are"),

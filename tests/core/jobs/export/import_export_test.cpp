@@ -9,6 +9,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset.h"
@@ -160,6 +161,27 @@ TEST_F(ImportExportTest, ADatasetHasWhatEachPhotoErrsAmongTheOthers) {
             EXPECT_NEAR(sigma.value(), turnRad, 1e-9);
         }
     }
+}
+
+TEST_F(ImportExportTest, NamesPhotosWhoseTurnTheAlignmentDoesNotKnow) {
+    auto store = newSurvey();
+    import(store, "a.JPG,1,1,1.2,1,0,0,0\nb.JPG,2,1.5,1.3,1,0,0,0\n");
+    store::NewSolution solution;
+    solution.source = "align";
+    for (const store::PhotoRecord& photo : store.photos()) {
+        store::SolvedPhoto solved;
+        solved.photo = photo.id;
+        solved.positionM = photo.positionM;
+        if (photo.fileName == "a.JPG") {
+            solved.sigmaYawRad = solved.sigmaPitchRad = solved.sigmaRollRad = 0.01;
+        }
+        solution.photos.push_back(solved);
+    }
+    solution.report = Json{{"photos", Json::array()}}.dump();
+    store.addSolution(solution, true);
+    const std::vector<std::string> doubts = photosToExport(store).doubts;
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_TRUE(doubts[0].starts_with("How 1 photo is turned is not known: b.JPG (")) << doubts[0];
 }
 
 TEST_F(ImportExportTest, NamesTheLineWhosePhotoCannotBeUsedAndTakesTheOthers) {
