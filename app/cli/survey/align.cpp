@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/command.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/store/survey_store.h"
+#include "spherewalk/survey/room.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <optional>
 
 namespace spherewalk::cli {
 
@@ -24,6 +28,9 @@ struct AlignArguments {
     bool isTrade = false;
     bool keepsActive = false;
     bool ignoresPositions = false;
+    std::string positions = "given";
+    std::string distance;
+    std::string outline;
     double positionSigmaM = jobs::AlignOptions().positionSigmaM;
     int threads = 0;
 };
@@ -56,6 +63,49 @@ std::string errorText(const jobs::AlignmentError& error) {
                 fixed(100 * error.within3Sigma, 1), " % within three sigma.");
 }
 
+bool isFree(const AlignArguments& options) {
+    if (options.positions != "given" && options.positions != "free") {
+        throw Error(ErrorKind::InvalidInput, text("There are no positions '", printable(options.positions),
+                                                  "' to align with: give --positions given or free."));
+    }
+    return options.positions == "free";
+}
+
+/// "A,B,METRES".
+std::optional<jobs::MeasuredDistance> distanceIn(const AlignArguments& options) {
+    if (options.distance.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t last = options.distance.rfind(',');
+    const std::size_t first = options.distance.find(',');
+    jobs::MeasuredDistance distance;
+    const char* begin = options.distance.c_str() + last + 1;
+    char* end = nullptr;
+    distance.metres = last == std::string::npos ? 0 : std::strtod(begin, &end);
+    if (first == last || *end != '\0' || !(distance.metres > 0.01 && distance.metres < 1000)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The distance '", printable(options.distance),
+                         "' is none: give --distance PHOTO,PHOTO,METRES, from 0.01 to 1000 m."));
+    }
+    distance.a = options.distance.substr(0, first);
+    distance.b = options.distance.substr(first + 1, last - first - 1);
+    return distance;
+}
+
+/// The outline as `new --outline` reads it.
+void writeOutline(const std::string& file, const jobs::AlignReport& report, Result& result) {
+    if (!report.places || report.places->outline.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "There is no outline to write: the photos' places were not solved from the pictures.");
+    }
+    survey::Room room;
+    room.outline = report.places->outline;
+    room.ceilingM = report.places->ceilingM;
+    writeFile(file, bytesOf(survey::outlineJson(room).dump(2) + "\n"));
+    result.text +=
+        text("\nWrote ", file, ": a rectangle around what the photos show, and the ceiling's height.");
+}
+
 Result align(const AlignArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     jobs::AlignOptions alignOptions;
@@ -63,6 +113,8 @@ Result align(const AlignArguments& options, Context& context) {
     alignOptions.model = align::modelNamed(options.model);
     alignOptions.mask = options.mask;
     alignOptions.checksPositions = !options.ignoresPositions;
+    alignOptions.isFree = isFree(options);
+    alignOptions.distance = distanceIn(options);
     alignOptions.isActivated = !options.keepsActive;
     alignOptions.positionSigmaM = options.positionSigmaM;
     alignOptions.threads = options.threads;
@@ -72,6 +124,9 @@ Result align(const AlignArguments& options, Context& context) {
     const bool isAnySolved = std::ranges::any_of(
         report.photos, [](const jobs::AlignedPhoto& photo) { return photo.pose.isSolved; });
     Result result{jobs::toJson(report), jobs::alignText(report), isAnySolved};
+    if (!options.outline.empty()) {
+        writeOutline(options.outline, report, result);
+    }
     if (!truth.empty()) {
         const jobs::AlignmentError error = jobs::alignmentError(report, truth);
         result.json["error"] = jobs::toJson(error);
@@ -98,6 +153,15 @@ void addAlign(Commands& commands) {
         .option("--model", options->model,
                 "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")
         .showDefault();
+    command
+        .option("--positions", options->positions,
+                "Where the photos were taken: given (as tagged), or free (solved from the pictures alone)")
+        .showDefault();
+    command.option("--distance", options->distance,
+                   "With --positions free: PHOTO,PHOTO,METRES between two lenses, for the scale; without it "
+                   "the lens's height over the floor gives the scale");
+    command.option("--outline", options->outline,
+                   "With --positions free: JSON file for the outline that the photos show, as new reads it");
     command.option("--mask", options->mask,
                    "Picture, twice as wide as high, black where photos are not to be looked at");
     command

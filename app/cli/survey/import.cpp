@@ -26,7 +26,8 @@ Result importPictures(const ImportArguments& options, Context& context) {
                  report.alreadyThere, " were there already; ", report.newStations,
                  " stations were added for places that were not planned.",
                  report.moved == 0 ? "" : text(" ", report.moved, " were moved to another place."),
-                 report.imported == 0
+                 report.unknownPlaces > 0 ? " Where they were taken, align --positions free solves."
+                 : report.imported == 0
                      ? ""
                      : " None of them was compared with its neighbours yet: review does that, and align.",
                  report.refused.empty()
@@ -44,11 +45,10 @@ void addImport(Commands& commands) {
                      [options](Context& context) { return importPictures(*options, context); });
     command.option("survey", options->survey, "Folder of the survey").required();
     command.option("--photos", options->import.photos, "Folder of the photos").required();
-    command
-        .option(
-            "--positions", options->import.positions,
-            "CSV with the columns file,x_m,y_m,z_m and optionally yaw_deg, or qw,qx,qy,qz (room from photo)")
-        .required();
+    command.option(
+        "--positions", options->import.positions,
+        "CSV with the columns file,x_m,y_m,z_m and optionally yaw_deg, or qw,qx,qy,qz (room from photo); "
+        "without it: all JPEGs of the folder, whose places align --positions free solves");
     command
         .option("--tolerance", options->import.stationToleranceM,
                 "Distance within which a photo belongs to a planned station, metres")

@@ -47,9 +47,11 @@ TaggedPhoto tagged(const Arrival& arrival, const std::string& surveyId, const st
     const photo::PhotoFacts facts = photo::checkPhoto(arrival.jpeg, arrival.source);
     const photo::PhotoMetadata metadata = photo::readMetadata(arrival.jpeg, arrival.source);
     TaggedPhoto result;
-    result.file = photo::withPositionTag(
-        arrival.jpeg, {surveyId, arrival.station, stationName, arrival.positionM, arrival.roomFromPhoto},
-        arrival.source);
+    result.file = arrival.isPlaced ? photo::withPositionTag(arrival.jpeg,
+                                                            {surveyId, arrival.station, stationName,
+                                                             arrival.positionM, arrival.roomFromPhoto},
+                                                            arrival.source)
+                                   : arrival.jpeg;
     store::NewPhoto& row = result.row;
     row.station = arrival.station;
     row.fileSha256 = sha256Hex(result.file);

@@ -12,6 +12,7 @@ struct Arrival {
     std::string source; ///< Name of the photo in sentences.
     std::int64_t station = 0;
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
+    bool isPlaced = true; ///< Whether the position is known. If not, the file gets no position tag.
     std::string cameraFileName;
     std::string cameraSerial;
     std::string fileUrl;

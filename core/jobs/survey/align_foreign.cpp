@@ -13,6 +13,25 @@
 
 namespace spherewalk::jobs {
 
+MaskImage readMask(const std::filesystem::path& file) {
+    if (file.empty()) {
+        return {};
+    }
+    const RgbImage picture = photo::readPicture(file);
+    if (picture.width() != 2 * picture.height()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The mask ", printable(file.string()), " has ", picture.width(), " x ",
+                         picture.height(), " pixels; it must be twice as wide as high, as the photos are."));
+    }
+    MaskImage mask(picture.width(), picture.height());
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            *mask.at(x, y) = picture.at(x, y)[1] >= 128 ? 255 : 0;
+        }
+    }
+    return mask;
+}
+
 namespace {
 
 /// With a worse pose the photo would contradict its neighbours everywhere.

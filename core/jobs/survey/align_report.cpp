@@ -104,6 +104,31 @@ std::string knownText(const AlignReport& report) {
 
 } // namespace
 
+namespace {
+
+std::string_view scaleName(align::ScaleBy by) {
+    constexpr EnumNames<align::ScaleBy, 3> kNames{{{align::ScaleBy::Nothing, "nothing"},
+                                                   {align::ScaleBy::Floor, "floor"},
+                                                   {align::ScaleBy::Distance, "distance"}}};
+    return nameOf(kNames, by);
+}
+
+Json placesJson(const align::FreePlaces& places) {
+    Json outline = Json::array();
+    for (const Eigen::Vector2d& corner : places.outline) {
+        outline.push_back({corner.x(), corner.y()});
+    }
+    return {{"parts", places.parts},
+            {"scale_by", scaleName(places.scaleBy)},
+            {"scale_sigma", places.scaleSigma},
+            {"is_level_by_floor", places.isLevelByFloor},
+            {"points", places.pointsM.size()},
+            {"outline", outline},
+            {"ceiling_m", places.ceilingM}};
+}
+
+} // namespace
+
 std::string_view name(Cure cure) {
     return nameOf(kCures, cure);
 }
@@ -119,7 +144,8 @@ Json toJson(const AlignReport& report) {
     }
     const align::Alignment& alignment = report.alignment;
     const bool isKnown = worstSigma(report).has_value();
-    return {{"model", name(alignment.model)},
+    return {{"places", report.places ? placesJson(*report.places) : Json()},
+            {"model", name(alignment.model)},
             {"reason", alignment.reason},
             {"effort", name(report.effort)},
             {"seconds", report.seconds},

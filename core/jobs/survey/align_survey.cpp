@@ -10,7 +10,6 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/metadata.h"
-#include "spherewalk/photo/picture_file.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
@@ -34,26 +33,6 @@ constexpr Degrees kLevelledTiltSigma{0.5};
 
 double secondsSince(SteadyClock::time_point begin) {
     return std::chrono::duration<double>(SteadyClock::now() - begin).count();
-}
-
-/// White where photos are looked at.
-MaskImage readMask(const std::filesystem::path& file) {
-    if (file.empty()) {
-        return {};
-    }
-    const RgbImage picture = photo::readPicture(file);
-    if (picture.width() != 2 * picture.height()) {
-        throw Error(ErrorKind::InvalidInput,
-                    text("The mask ", printable(file.string()), " has ", picture.width(), " x ",
-                         picture.height(), " pixels; it must be twice as wide as high, as the photos are."));
-    }
-    MaskImage mask(picture.width(), picture.height());
-    for (int y = 0; y < mask.height(); ++y) {
-        for (int x = 0; x < mask.width(); ++x) {
-            *mask.at(x, y) = picture.at(x, y)[1] >= 128 ? 255 : 0;
-        }
-    }
-    return mask;
 }
 
 /// One run, step by step.
@@ -81,6 +60,9 @@ class AlignRun {
 
   private:
     void readPhotos() {
+        if (!m_options.isFree) {
+            refuseUnknownPlaces(m_store);
+        }
         m_photos = m_store.chosenPhotos();
         if (m_photos.empty()) {
             throw Error(ErrorKind::InvalidInput,
@@ -176,7 +158,13 @@ class AlignRun {
             positions.push_back(prior.positionM);
         }
         ProgressStep step(m_progress, 0.6, 0.76);
-        m_pairs = align::matchPairs(m_features.photos, align::neighbours(positions, m_effort.neighbours),
+        if (m_options.isFree) {
+            m_retrieval.threads = m_options.threads;
+            m_alike = align::likeness(m_features.photos, m_retrieval, step, m_stop);
+        }
+        m_pairs = align::matchPairs(m_features.photos,
+                                    m_options.isFree ? align::likelyPairs(*m_alike, m_retrieval)
+                                                     : align::neighbours(positions, m_effort.neighbours),
                                     m_effort.match, m_options.threads, step, m_stop);
         for (const align::Features& features : m_features.photos) {
             m_featureCounts.push_back(features.count());
@@ -213,7 +201,8 @@ class AlignRun {
             }
             const align::EffortOptions harder = align::optionsFor(effort);
             std::vector<std::pair<int, int>> apart =
-                align::neighboursApart(positions, m_estimates, harder.neighbours);
+                m_options.isFree ? align::likelyBridges(*m_alike, m_estimates, m_retrieval)
+                                 : align::neighboursApart(positions, m_estimates, harder.neighbours);
             std::erase_if(apart, [&](const auto& pair) {
                 return std::min(counts[static_cast<std::size_t>(pair.first)],
                                 counts[static_cast<std::size_t>(pair.second)]) <
@@ -284,6 +273,11 @@ class AlignRun {
 
     void solve() {
         const auto begin = SteadyClock::now();
+        if (m_options.isFree) {
+            solveFree();
+            m_report.solveSeconds = secondsSince(begin);
+            return;
+        }
         if (m_options.checksPositions) {
             m_progress.progress(0.86, "Checking the positions");
             m_report.tagFrame = align::tagFrame(m_priors, m_estimates);
@@ -302,13 +296,23 @@ class AlignRun {
         m_report.solveSeconds = secondsSince(begin);
     }
 
+    void solveFree() {
+        ProgressStep step(m_progress, 0.86, 0.9);
+        m_report.places = align::freePlaces(m_priors, m_pairs, m_estimates,
+                                            freeOptions(m_store, m_options, m_report.photos), step, m_stop);
+        usePlaces(*m_report.places, m_priors, m_estimates);
+        m_tagged = m_priors;
+        solvePoses(0.9, 0.98);
+        takePlaces(*m_report.places, m_report);
+    }
+
     void solvePoses(double begin, double end) {
         align::SolveOptions options;
         options.model = m_options.model;
         options.threads = m_options.threads;
         const bool isAnyFree = std::ranges::any_of(
             m_report.photos, [](const AlignedPhoto& photo) { return photo.freeSigmaM > 0; });
-        if (isAnyFree && options.model == align::Model::Auto) {
+        if ((isAnyFree || m_options.isFree) && options.model == align::Model::Auto) {
             options.model = align::Model::Position;
         }
         ProgressStep step(m_progress, begin, end);
@@ -367,7 +371,7 @@ class AlignRun {
             solved.push_back(pose.isSolved ? std::optional(pose.roomFromPhoto) : std::nullopt);
         }
         const std::vector<std::vector<bool>> fitting = align::fittingMatches(solved, m_pairs);
-        if (m_options.checksPositions) {
+        if (m_options.checksPositions && !m_options.isFree) {
             m_report.scale = align::scaleByFloor(solved, m_pairs, fitting);
         }
         for (const align::ChangedContent& changed : align::changedContent(solved, m_pairs, fitting)) {
@@ -392,27 +396,7 @@ class AlignRun {
 
     void record() {
         throwIfStopped(m_stop);
-        store::NewSolution solution;
-        solution.source = "align";
-        solution.model = align::name(m_report.alignment.model);
-        for (const AlignedPhoto& photo : m_report.photos) {
-            if (!photo.pose.isSolved || photo.quality == survey::Quality::Failed) {
-                continue;
-            }
-            store::SolvedPhoto solved;
-            solved.photo = photo.photo;
-            solved.roomFromPhoto = photo.pose.roomFromPhoto.rotation;
-            solved.positionM = photo.pose.roomFromPhoto.translation;
-            if (photo.pose.hasSigmas()) {
-                solved.sigmaYawRad = photo.pose.sigmaYaw.value();
-                solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
-                solved.sigmaRollRad = photo.pose.sigmaRoll.value();
-            }
-            solved.sigmaPositionM = photo.pose.sigmaPositionM;
-            solved.quality = photo.quality;
-            solved.flags = Json(photo.flags).dump();
-            solution.photos.push_back(std::move(solved));
-        }
+        store::NewSolution solution = recordOf(m_report);
         // A mirrored survey is recorded: nothing of it shall be exported at places that are wrong.
         if (solution.photos.empty() && !m_report.tagFrame.isMirrored) {
             m_progress.warning("No photo could be aligned, so no solution was recorded; see what is said of "
@@ -421,6 +405,9 @@ class AlignRun {
         }
         solution.report = toJson(m_report).dump();
         m_report.solution = m_store.addSolution(solution, m_options.isActivated);
+        if (m_options.isFree && m_options.isActivated) {
+            moveStations(m_store, m_report);
+        }
     }
 
     store::SurveyStore& m_store;
@@ -434,6 +421,8 @@ class AlignRun {
     std::vector<align::PhotoPrior> m_tagged; ///< with the places that fit
     align::FoundFeatures m_features;
     std::vector<int> m_featureCounts; ///< of all looks
+    align::RetrievalOptions m_retrieval;
+    std::optional<align::Likeness> m_alike; ///< Of photos whose places are not known.
     std::vector<align::PhotoPair> m_pairs;
     std::vector<align::PairEstimate> m_estimates; ///< one a pair
     AlignReport m_report;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 
@@ -91,6 +93,31 @@ void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report
     for (std::size_t i = 0; i < tagged.size(); ++i) {
         giveVerdict(report.alignment.photos[i], tagged[i], report.alignment.components, report.photos[i]);
     }
+}
+
+store::NewSolution recordOf(const AlignReport& report) {
+    store::NewSolution solution;
+    solution.source = "align";
+    solution.model = align::name(report.alignment.model);
+    for (const AlignedPhoto& photo : report.photos) {
+        if (!photo.pose.isSolved || photo.quality == survey::Quality::Failed) {
+            continue;
+        }
+        store::SolvedPhoto solved;
+        solved.photo = photo.photo;
+        solved.roomFromPhoto = photo.pose.roomFromPhoto.rotation;
+        solved.positionM = photo.pose.roomFromPhoto.translation;
+        if (photo.pose.hasSigmas()) {
+            solved.sigmaYawRad = photo.pose.sigmaYaw.value();
+            solved.sigmaPitchRad = photo.pose.sigmaPitch.value();
+            solved.sigmaRollRad = photo.pose.sigmaRoll.value();
+        }
+        solved.sigmaPositionM = photo.pose.sigmaPositionM;
+        solved.quality = photo.quality;
+        solved.flags = Json(photo.flags).dump();
+        solution.photos.push_back(std::move(solved));
+    }
+    return solution;
 }
 
 } // namespace spherewalk::jobs

@@ -12,6 +12,8 @@
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/jobs/solution_findings.h"
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
@@ -102,7 +104,12 @@ class Import {
         ProgressSink& m_sink;
     };
 
+    bool isPlaced() const { return !m_options.positions.empty(); }
+
     std::string place(const PhotoPosition& position) const {
+        if (!isPlaced()) {
+            return (m_options.photos / position.file).string();
+        }
         return text("line ", position.line, " of ", m_options.positions.string());
     }
 
@@ -110,7 +117,11 @@ class Import {
     void takeOne(const PhotoPosition& position) {
         try {
             Arrival arrival = arrivalOf(position);
-            if (const auto known = m_store.findPhoto(sha256Hex(arrival.jpeg))) {
+            if (const auto known = m_store.findPhoto(sha256Hex(arrival.jpeg)); known && !isPlaced()) {
+                ++m_report.alreadyThere;
+            } else if (!isPlaced()) {
+                takeUnplaced(std::move(arrival));
+            } else if (known) {
                 takeKnown(*known, position);
             } else {
                 takeNew(std::move(arrival), position);
@@ -129,7 +140,17 @@ class Import {
         arrival.positionM = position.positionM;
         arrival.cameraFileName = file.filename().string();
         arrival.roomFromPhoto = position.roomFromPhoto;
+        arrival.isPlaced = isPlaced();
         return arrival;
+    }
+
+    void takeUnplaced(Arrival arrival) {
+        arrival.station = m_store.addStation(arrival.positionM, text(kUnknownPlace, arrival.cameraFileName));
+        m_added.insert(arrival.station);
+        ++m_report.newStations;
+        ++m_report.unknownPlaces;
+        m_store.addPhoto(takeIn(m_store, arrival));
+        ++m_report.imported;
     }
 
     void takeNew(Arrival arrival, const PhotoPosition& position) {
@@ -198,6 +219,7 @@ class Import {
             if (m_store.photosAt(station).empty()) {
                 m_store.removeStation(station);
                 --m_report.newStations;
+                m_report.unknownPlaces -= isPlaced() ? 0 : 1;
             }
         }
     }
@@ -260,11 +282,44 @@ class Import {
     ImportReport m_report;
 };
 
+/// All JPEGs of the folder by name, side by side until their places are solved.
+std::vector<PhotoPosition> unplacedPhotos(const std::filesystem::path& folder, double lensHeightM) {
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+        std::string ending = entry->path().extension().string();
+        std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (ending == ".jpg" || ending == ".jpeg") {
+            names.push_back(entry->path().filename().string());
+        }
+    }
+    if (failure) {
+        throw Error(ErrorKind::NotFound, text("Could not list the photos in ", printable(folder.string()),
+                                              ": give --photos a folder that can be read."));
+    }
+    if (names.empty()) {
+        throw Error(ErrorKind::NotFound, text("There is no JPEG in ", printable(folder.string()),
+                                              ": give --photos the folder with the spherical photos."));
+    }
+    std::ranges::sort(names);
+    std::vector<PhotoPosition> photos;
+    for (const std::string& name : names) {
+        PhotoPosition photo;
+        photo.file = name;
+        photo.positionM = {static_cast<double>(photos.size()), 0, lensHeightM};
+        photos.push_back(std::move(photo));
+    }
+    return photos;
+}
+
 } // namespace
 
 ImportReport importPhotos(store::SurveyStore& store, const ImportOptions& options, ProgressSink& progress,
                           const std::stop_token& stop) {
-    const std::vector<PhotoPosition> positions = readPositions(options.positions);
+    const std::vector<PhotoPosition> positions =
+        options.positions.empty() ? unplacedPhotos(options.photos, store.planOptions().heightsM.front())
+                                  : readPositions(options.positions);
     Import import(store, options, progress);
     for (std::size_t i = 0; i < positions.size(); ++i) {
         throwIfStopped(stop);
@@ -289,6 +344,7 @@ Json toJson(const ImportReport& report) {
     return {{"imported", report.imported},
             {"already_there", report.alreadyThere},
             {"new_stations", report.newStations},
+            {"unknown_places", report.unknownPlaces},
             {"with_rotation", report.withRotation},
             {"outside_outline", report.outsideOutline},
             {"moved", report.moved},

@@ -6,6 +6,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -207,8 +208,9 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
     std::string turned;
     std::size_t turnedCount = 0;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
-        const std::string name = text(photo.fileName, " (", store.station(photo.station).name, ")");
-        if (!failed.contains(photo.id)) {
+        const std::string station = store.station(photo.station).name;
+        const std::string name = text(photo.fileName, " (", station, ")");
+        if (!failed.contains(photo.id) && !station.starts_with(kUnknownPlace)) {
             if (inDoubt.contains(photo.id)) {
                 turned += text(turnedCount++ == 0 ? "" : ", ", name);
             }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/align/foreign_check.h"
+#include "spherewalk/align/free_places.h"
 #include "spherewalk/align/match_pairs.h"
 #include "spherewalk/align/solve.h"
 #include "spherewalk/align/tag_check.h"
@@ -19,10 +20,18 @@
 #include <vector>
 
 namespace spherewalk::store {
+struct NewSolution;
 class SurveyStore;
-}
+} // namespace spherewalk::store
 
 namespace spherewalk::jobs {
+
+/// A distance that somebody measured between the lenses at two photos, which their file names stand for.
+struct MeasuredDistance {
+    std::string a;
+    std::string b;
+    double metres = 0;
+};
 
 struct AlignOptions {
     align::Effort effort = align::Effort::Normal;
@@ -35,6 +44,10 @@ struct AlignOptions {
     double positionSigmaM = 0.005;
     /// Whether to look for wrong position tags. The solution then uses the positions that fit.
     bool checksPositions = true;
+    /// Whether the places of all photos are solved from the pictures alone. What the survey says of them is
+    /// not used. If the solution becomes the active one, the photos' stations move to the solved places.
+    bool isFree = false;
+    std::optional<MeasuredDistance> distance; ///< Gives a free solution its scale in place of the floor.
     /// Folder that keeps features and matches for later runs. Empty means `align-cache` in the survey.
     std::filesystem::path cacheFolder;
     bool isRecorded = true;  ///< Whether the store gets the solution.
@@ -76,13 +89,14 @@ struct AlignReport {
     align::Effort effort = align::Effort::Normal;
     align::Alignment alignment; ///< Its photos have the order of `photos`.
     std::vector<AlignedPhoto> photos;
-    align::TagFrame tagFrame;             ///< Empty unless positions were checked, as the next two.
-    std::optional<align::Scale> scale;    ///< Length of the solved positions over their true length.
-    std::vector<std::string> tagWarnings; ///< Sentences on all tags at once; the alignment's warnings too.
-    std::size_t features = 0;             ///< Sum over all photos.
-    int fromCache = 0;                    ///< Number of photos whose features an earlier run has found.
-    std::size_t pairs = 0;                ///< Number of pairs that were compared.
-    std::size_t holdingPairs = 0;         ///< Number of pairs that constrain the solution.
+    std::optional<align::FreePlaces> places; ///< What a free solution found.
+    align::TagFrame tagFrame;                ///< Empty unless positions were checked, as the next two.
+    std::optional<align::Scale> scale;       ///< Length of the solved positions over their true length.
+    std::vector<std::string> tagWarnings;    ///< Sentences on all tags at once; the alignment's warnings too.
+    std::size_t features = 0;                ///< Sum over all photos.
+    int fromCache = 0;                       ///< Number of photos whose features an earlier run has found.
+    std::size_t pairs = 0;                   ///< Number of pairs that were compared.
+    std::size_t holdingPairs = 0;            ///< Number of pairs that constrain the solution.
     /// Number of comparisons with more effort than was asked for, because parts were not joined.
     std::size_t pairsTriedAgain = 0;
     /// Number of photos that were not searched for persons: their pose, or that of all photos near them, is
@@ -97,9 +111,10 @@ struct AlignReport {
 /// Solves the rotations of all chosen photos, and records them. The cache folder keeps features and matches:
 /// a run after a stop, or with another model, does not find them again.
 ///
-/// Errors: InvalidInput for a survey without photos; those of reading the mask. Photos that cannot be read
-/// fail by themselves, with a flag that names the file.
-/// Stop: Stopped, with the survey unchanged; the cache keeps what was found.
+/// Errors: InvalidInput for a survey without photos, or with photos of unknown places unless the solution is
+/// free; NotFound for a measured distance to a photo that the survey lacks; those of reading the mask. Photos
+/// that cannot be read fail by themselves, with a flag that names the file. Stop: Stopped, with the survey
+/// unchanged; the cache keeps what was found.
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
 
@@ -121,6 +136,31 @@ struct PhotoMove {
 /// The moved photos, in order. Shape: tagged has one entry a photo.
 std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
                                    const align::Alignment& alignment);
+
+/// A mask from a picture: white where photos are looked at; empty for an empty name. Errors: those of
+/// reading; InvalidInput for a picture that is not twice as wide as high.
+MaskImage readMask(const std::filesystem::path& file);
+
+/// The photos that have a pose, as the store keeps them.
+store::NewSolution recordOf(const AlignReport& report);
+
+/// Errors: InvalidInput, naming a photo, if nobody knows where photos were taken.
+void refuseUnknownPlaces(const store::SurveyStore& store);
+
+/// The options of a free solution for the survey's camera. Errors: NotFound for a photo of the distance.
+align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptions& options,
+                               std::span<const AlignedPhoto> photos);
+
+/// Makes the found places those that photos are aligned with. Pairs with a photo that has none hold nothing.
+void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> priors,
+               std::span<align::PairEstimate> estimates);
+
+/// Writes the found places into the report's alignment, with what makes them doubtful.
+void takePlaces(const align::FreePlaces& places, AlignReport& report);
+
+/// Gives each photo that has a place a station there. The station where it was before goes if nothing needs
+/// it. Errors: those of the store.
+void moveStations(store::SurveyStore& store, AlignReport& report);
 
 /// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
 /// standard deviations of all places.

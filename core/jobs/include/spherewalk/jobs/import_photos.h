@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::store {
@@ -16,8 +17,10 @@ class SurveyStore;
 namespace spherewalk::jobs {
 
 struct ImportOptions {
-    std::filesystem::path photos;    ///< Folder of the photos.
-    std::filesystem::path positions; ///< CSV file, see positions_csv.h.
+    std::filesystem::path photos; ///< Folder of the photos.
+    /// CSV file, see positions_csv.h. Without one, all JPEGs of the folder come in, in the order of their
+    /// names. Each gets a station of its own, whose place is not known.
+    std::filesystem::path positions;
     /// A photo belongs to a planned station within this distance. Otherwise it gets a station of its own.
     double stationToleranceM = 0.05;
     /// Photos that the survey has at another place move to the place in the file. Otherwise their lines are
@@ -32,11 +35,15 @@ struct RefusedLine {
     std::string sentence; ///< Says why, and names the line.
 };
 
+/// The name of a station begins so if nobody knows yet where its photo was taken.
+inline constexpr std::string_view kUnknownPlace = "unknown place of ";
+
 struct ImportReport {
     int imported = 0;
-    int alreadyThere = 0; ///< Number of photos that the survey had, with the same bytes.
-    int newStations = 0;  ///< Number of stations made for photos that no planned station is near to.
-    int withRotation = 0; ///< Number of listed photos whose rotation is given.
+    int alreadyThere = 0;  ///< Number of photos that the survey had, with the same bytes.
+    int newStations = 0;   ///< Number of stations made for photos that no planned station is near to.
+    int unknownPlaces = 0; ///< Number of those stations whose place is not known.
+    int withRotation = 0;  ///< Number of listed photos whose rotation is given.
     int outsideOutline = 0;
     int moved = 0; ///< Number of photos that the survey had, and that are at another place now.
     std::vector<RefusedLine> refused;

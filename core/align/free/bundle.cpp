@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "free/placing.h"
+#include "pairs/pair_geometry.h"
+#include "solve/match_selection.h"
+#include "solve/refinement.h"
+#include "solve/unknowns.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/statistics.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr int kMostPointsOfPhoto = 400;
+constexpr double kLeastPointParallax = 5;
+constexpr double kFirstReachRad = 0.06; ///< Rays that miss by more at the first poses are of something else.
+constexpr double kReachSigmas = 4;
+constexpr double kLargestScale = 8;
+
+/// What one photo gives to one thing.
+struct Sighting {
+    int feature = 0;
+    Ray ray;
+};
+
+/// The rays of a thing, without those of photos that would see two things in it.
+std::vector<Ray> raysOf(std::vector<Sighting> sightings) {
+    std::ranges::stable_sort(sightings, {},
+                             [](const Sighting& one) { return std::pair(one.ray.photo, one.feature); });
+    const auto isSame = [](const Sighting& one, const Sighting& other) {
+        return one.ray.photo == other.ray.photo && one.feature == other.feature;
+    };
+    sightings.erase(std::unique(sightings.begin(), sightings.end(), isSame), sightings.end());
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < sightings.size();) {
+        std::size_t next = i + 1;
+        while (next < sightings.size() && sightings[next].ray.photo == sightings[i].ray.photo) {
+            ++next;
+        }
+        if (next == i + 1) {
+            rays.push_back(sightings[i].ray);
+        }
+        i = next;
+    }
+    return rays;
+}
+
+} // namespace
+
+std::vector<SeenPoint> seenPoints(const Component& component, std::span<const int> placeOf,
+                                  std::span<const PhotoPair> pairs, std::span<const PairEstimate> estimates) {
+    std::vector<std::vector<bool>> isUsed;
+    for (const PhotoPair& pair : pairs) {
+        isUsed.emplace_back(pair.matches.size(), false);
+    }
+    for (const GraphEdge& edge : component.edges) {
+        const auto at = static_cast<std::size_t>(edge.pair);
+        isUsed[at] = estimates[at].isInlier;
+    }
+    const std::vector<std::vector<int>> trackOf = tracks(pairs, isUsed);
+    std::map<int, std::vector<Sighting>> byTrack;
+    for (const GraphEdge& edge : component.edges) {
+        const auto at = static_cast<std::size_t>(edge.pair);
+        const int a = placeOf[static_cast<std::size_t>(edge.a)];
+        const int b = placeOf[static_cast<std::size_t>(edge.b)];
+        for (std::size_t i = 0; a >= 0 && b >= 0 && i < trackOf[at].size(); ++i) {
+            const auto match = isUsed[at][i] ? unitMatch(pairs[at].matches[i]) : std::nullopt;
+            if (match) {
+                auto& sightings = byTrack[trackOf[at][i]];
+                sightings.push_back({pairs[at].matches[i].featureA, {a, match->inA, match->sigmaRad}});
+                sightings.push_back({pairs[at].matches[i].featureB, {b, match->inB, match->sigmaRad}});
+            }
+        }
+    }
+    std::vector<SeenPoint> points;
+    for (auto& [track, sightings] : byTrack) {
+        SeenPoint point;
+        point.rays = raysOf(std::move(sightings));
+        if (point.rays.size() >= 2) {
+            points.push_back(std::move(point));
+        }
+    }
+    std::ranges::stable_sort(points, std::greater<>(),
+                             [](const SeenPoint& point) { return point.rays.size(); });
+    return points;
+}
+
+namespace {
+
+/// The distance on the unit sphere between where a photo sees a point and where it should see it, in standard
+/// deviations. Parameters: the photo's turn from its reference, its position, the point.
+class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3> {
+  public:
+    RayBlock(const Eigen::Quaterniond& reference, const Ray& ray, double sigmaRad)
+        : m_reference(reference), m_bearing(ray.bearing), m_sigmaRad(sigmaRad) {}
+
+    bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+        const Eigen::Vector3d moved = Eigen::Map<const Eigen::Vector3d>(parameters[0]);
+        const Eigen::Matrix3d photoFromRoom = (turn(moved) * m_reference).conjugate().toRotationMatrix();
+        const Eigen::Vector3d apart = Eigen::Map<const Eigen::Vector3d>(parameters[2]) -
+                                      Eigen::Map<const Eigen::Vector3d>(parameters[1]);
+        const Eigen::Vector3d inPhoto = photoFromRoom * apart;
+        const double distance = std::max(inPhoto.norm(), 1e-9);
+        const Eigen::Vector3d unit = inPhoto / distance;
+        Eigen::Map<Eigen::Vector3d> off(residuals);
+        off = (unit - m_bearing) / m_sigmaRad;
+        if (jacobians == nullptr) {
+            return true;
+        }
+        using RowMajor = Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+        const Eigen::Matrix3d byInRoom =
+            (Eigen::Matrix3d::Identity() - unit * unit.transpose()) * photoFromRoom / (distance * m_sigmaRad);
+        if (jacobians[0] != nullptr) {
+            RowMajor rows(jacobians[0]);
+            rows = byInRoom * skew(apart) * leftJacobian(moved);
+        }
+        if (jacobians[1] != nullptr) {
+            RowMajor rows(jacobians[1]);
+            rows = -byInRoom;
+        }
+        if (jacobians[2] != nullptr) {
+            RowMajor rows(jacobians[2]);
+            rows = byInRoom;
+        }
+        return true;
+    }
+
+  private:
+    Eigen::Quaterniond m_reference;
+    Eigen::Vector3d m_bearing;
+    double m_sigmaRad;
+};
+
+Eigen::Vector3d inRoom(const Bundle& bundle, const Ray& ray) {
+    return bundle.photos[static_cast<std::size_t>(ray.photo)].roomFromPhoto * ray.bearing;
+}
+
+/// How far the ray misses the point, as an angle; pi where the point lies behind.
+double missRad(const Bundle& bundle, const Ray& ray, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d apart = point - bundle.photos[static_cast<std::size_t>(ray.photo)].positionM;
+    const Eigen::Vector3d seen = inRoom(bundle, ray);
+    return std::atan2(apart.cross(seen).norm(), apart.dot(seen));
+}
+
+/// Where the rays come nearest to each other: least squares of the distances.
+std::optional<Eigen::Vector3d> meetingPoint(const Bundle& bundle, std::span<const Ray> rays) {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    double parallax = 0;
+    for (const Ray& ray : rays) {
+        const Eigen::Vector3d seen = inRoom(bundle, ray);
+        const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - seen * seen.transpose();
+        matrix += across;
+        right += across * bundle.photos[static_cast<std::size_t>(ray.photo)].positionM;
+        parallax = std::max(parallax, inRoom(bundle, rays.front()).cross(seen).norm() / ray.sigmaRad);
+    }
+    if (parallax < kLeastPointParallax * bundle.scale) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d point = matrix.ldlt().solve(right);
+    return point.allFinite() ? std::optional(point) : std::nullopt;
+}
+
+double reachRad(const Bundle& bundle, const Ray& ray, bool isFirst) {
+    const double reach = kReachSigmas * bundle.scale * ray.sigmaRad;
+    return isFirst ? std::max(kFirstReachRad, reach) : reach;
+}
+
+/// Puts the points to where most of their rays meet, and leaves out the rays that miss. Returns all points.
+std::vector<SeenPoint> placed(const Bundle& bundle, std::span<const SeenPoint> all, bool isFirst) {
+    std::vector<SeenPoint> points(all.begin(), all.end());
+    for (SeenPoint& point : points) {
+        point.isPlaced = false;
+        while (point.rays.size() >= 2) {
+            const auto at = meetingPoint(bundle, point.rays);
+            if (!at) {
+                break;
+            }
+            point.at = *at;
+            const auto worst = std::ranges::max_element(point.rays, {}, [&](const Ray& ray) {
+                return missRad(bundle, ray, point.at) / reachRad(bundle, ray, isFirst);
+            });
+            if (missRad(bundle, *worst, point.at) < reachRad(bundle, *worst, isFirst)) {
+                point.isPlaced = true;
+                break;
+            }
+            point.rays.erase(worst);
+        }
+    }
+    return points;
+}
+
+double rayScale(const Bundle& bundle) {
+    std::vector<double> residuals;
+    for (const SeenPoint& point : bundle.points) {
+        for (const Ray& ray : point.rays) {
+            // Of an angle in two dimensions the root mean square along either axis.
+            residuals.push_back(missRad(bundle, ray, point.at) / ray.sigmaRad);
+        }
+    }
+    // Of such a length the median is 1.18 standard deviations along either axis. Each point takes a part.
+    return residuals.empty() ? 1 : std::clamp(median(std::move(residuals)) / 1.18, 0.5, kLargestScale);
+}
+
+class AdjustWatch : public ceres::IterationCallback {
+  public:
+    AdjustWatch(ProgressSink& progress, const std::stop_token& stop) : m_progress(progress), m_stop(stop) {}
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+        m_progress.progress(1 - 1 / (1 + 0.1 * summary.iteration), "Adjusting photos and points");
+        return m_stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+
+  private:
+    ProgressSink& m_progress;
+    const std::stop_token& m_stop;
+};
+
+/// One run of least squares on the present points and rays.
+class Adjustment {
+  public:
+    Adjustment(Bundle& bundle, std::span<const PhotoPrior> priors, double width)
+        : m_bundle(bundle), m_turns(bundle.photos.size(), {0, 0, 0}) {
+        for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
+            const UpPrior up = upPrior(priors[i]);
+            m_problem.AddParameterBlock(m_turns[i].data(), 3);
+            m_problem.AddParameterBlock(bundle.photos[i].positionM.data(), 3);
+            m_problem.AddResidualBlock(
+                new UprightBlock(bundle.photos[i].roomFromPhoto, up.upInPhoto, up.sigmaRad),
+                new ceres::HuberLoss(2), m_turns[i].data());
+        }
+        m_problem.SetParameterBlockConstant(bundle.photos.front().positionM.data());
+        for (SeenPoint& point : bundle.points) {
+            for (const Ray& ray : point.rays) {
+                const auto i = static_cast<std::size_t>(ray.photo);
+                m_problem.AddResidualBlock(
+                    new RayBlock(bundle.photos[i].roomFromPhoto, ray, bundle.scale * ray.sigmaRad),
+                    new ceres::CauchyLoss(width), m_turns[i].data(), bundle.photos[i].positionM.data(),
+                    point.at.data());
+            }
+        }
+    }
+
+    void solve(int iterations, ProgressSink& progress, const std::stop_token& stop) {
+        ceres::Solver::Options options;
+        constexpr std::size_t kMostDense = 80;
+        options.linear_solver_type = m_turns.size() > kMostDense ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
+        options.max_num_iterations = iterations;
+        options.function_tolerance = 1e-7;
+        options.num_threads = 1; // The sums, and so the result, would depend on their number.
+        options.logging_type = ceres::SILENT;
+        AdjustWatch watch(progress, stop);
+        options.callbacks.push_back(&watch);
+        ceres::Solver::Summary summary;
+        ceres::Solve(options, &m_problem, &summary);
+        throwIfStopped(stop);
+        if (!summary.IsSolutionUsable()) {
+            throw Error(ErrorKind::Internal,
+                        "The places of the photos could not be solved: what they share contradicts itself. "
+                        "Leave out the photos taken last, and try again.",
+                        summary.message);
+        }
+        for (std::size_t i = 0; i < m_turns.size(); ++i) {
+            Eigen::Quaterniond& rotation = m_bundle.photos[i].roomFromPhoto;
+            rotation = (turn(Eigen::Map<const Eigen::Vector3d>(m_turns[i].data())) * rotation).normalized();
+        }
+    }
+
+  private:
+    Bundle& m_bundle;
+    std::vector<std::array<double, 3>> m_turns;
+    ceres::Problem m_problem;
+};
+
+} // namespace
+
+namespace {
+
+/// So many points that each photo has enough.
+std::vector<SeenPoint> enoughPoints(std::vector<SeenPoint> points, std::size_t photos) {
+    std::vector<int> count(photos, 0);
+    std::erase_if(points, [&](const SeenPoint& point) {
+        const bool isWanted = std::ranges::any_of(point.rays, [&](const Ray& ray) {
+            return count[static_cast<std::size_t>(ray.photo)] < kMostPointsOfPhoto;
+        });
+        for (const Ray& ray : point.rays) {
+            count[static_cast<std::size_t>(ray.photo)] += isWanted ? 1 : 0;
+        }
+        return !isWanted;
+    });
+    return points;
+}
+
+} // namespace
+
+void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& progress,
+            const std::stop_token& stop) {
+    const std::vector<SeenPoint> every = std::move(bundle.points);
+    const std::vector<SeenPoint> all = enoughPoints(every, bundle.photos.size());
+    constexpr std::array kWidths{20.0, 5.0, 2.0, 2.0};
+    constexpr std::array kIterations{20, 15, 15, 25};
+    for (std::size_t round = 0; round < kWidths.size(); ++round) {
+        ProgressStep step(progress, static_cast<double>(round) / kWidths.size(),
+                          static_cast<double>(round + 1) / kWidths.size());
+        throwIfStopped(stop);
+        bundle.points = placed(bundle, all, round == 0);
+        std::erase_if(bundle.points, [](const SeenPoint& point) { return !point.isPlaced; });
+        bundle.scale = round == 0 ? 1 : rayScale(bundle);
+        Adjustment(bundle, priors, kWidths[round]).solve(kIterations[round], step, stop);
+        bundle.scale = rayScale(bundle);
+    }
+    std::erase_if(bundle.points, [&](SeenPoint& point) {
+        std::erase_if(point.rays, [&](const Ray& ray) {
+            return missRad(bundle, ray, point.at) > reachRad(bundle, ray, false);
+        });
+        return point.rays.size() < 2;
+    });
+    for (const SeenPoint& point : placed(bundle, every, false)) {
+        if (point.isPlaced) {
+            bundle.seen.push_back(point.at);
+        }
+    }
+}
+
+namespace {
+
+using Rows36 = Eigen::Matrix<double, 3, 6>;
+
+/// The derivatives of one ray, in standard deviations.
+struct RayRows {
+    Rows36 byPhoto; ///< Turn, then position.
+    Eigen::Matrix3d byPoint;
+};
+
+RayRows rowsOf(const Bundle& bundle, const Ray& ray, const Eigen::Vector3d& point) {
+    const PhotoState& photo = bundle.photos[static_cast<std::size_t>(ray.photo)];
+    const Eigen::Vector3d apart = point - photo.positionM;
+    const double distance = std::max(apart.norm(), 1e-9);
+    const Eigen::Vector3d unit = apart / distance;
+    RayRows rows;
+    rows.byPoint =
+        (Eigen::Matrix3d::Identity() - unit * unit.transpose()) / (distance * bundle.scale * ray.sigmaRad);
+    rows.byPhoto.leftCols<3>() = rows.byPoint * skew(apart);
+    rows.byPhoto.rightCols<3>() = -rows.byPoint;
+    return rows;
+}
+
+/// The normal matrix of the photos alone, with all points solved for.
+Eigen::MatrixXd photoNormal(const Bundle& bundle) {
+    const auto size = static_cast<Eigen::Index>(6 * bundle.photos.size());
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+    for (const SeenPoint& point : bundle.points) {
+        Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
+        std::vector<std::pair<Eigen::Index, Eigen::Matrix<double, 6, 3>>> mixed;
+        for (const Ray& ray : point.rays) {
+            const RayRows rows = rowsOf(bundle, ray, point.at);
+            const Eigen::Index at = 6 * ray.photo;
+            normal.block<6, 6>(at, at) += rows.byPhoto.transpose() * rows.byPhoto;
+            own += rows.byPoint.transpose() * rows.byPoint;
+            mixed.emplace_back(at, rows.byPhoto.transpose() * rows.byPoint);
+        }
+        const Eigen::Matrix3d inverse = own.inverse();
+        for (const auto& [i, ofI] : mixed) {
+            const Eigen::Matrix<double, 6, 3> left = ofI * inverse;
+            for (const auto& [j, ofJ] : mixed) {
+                normal.block<6, 6>(i, j) -= left * ofJ.transpose();
+            }
+        }
+    }
+    return normal;
+}
+
+/// Seven orthonormal motions that no picture tells: of all photos together.
+Eigen::MatrixXd commonMotions(const Bundle& bundle) {
+    const auto size = static_cast<Eigen::Index>(6 * bundle.photos.size());
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(size, 7);
+    for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(6 * i);
+        motions.block<3, 3>(at + 3, 0) = Eigen::Matrix3d::Identity();
+        motions.block<3, 3>(at, 3) = Eigen::Matrix3d::Identity();
+        motions.block<3, 3>(at + 3, 3) = -skew(bundle.photos[i].positionM);
+        motions.block<3, 1>(at + 3, 6) = bundle.photos[i].positionM;
+    }
+    return motions.householderQr().householderQ() * Eigen::MatrixXd::Identity(size, 7);
+}
+
+double largestSigma(const Eigen::Matrix3d& covariance) {
+    const double largest =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[2];
+    return std::sqrt(std::max(0., largest));
+}
+
+} // namespace
+
+std::vector<BundleSigma> bundleSigmas(const Bundle& bundle) {
+    Eigen::MatrixXd normal = photoNormal(bundle);
+    const Eigen::MatrixXd motions = commonMotions(bundle);
+    const double weight = normal.diagonal().mean();
+    normal += weight * motions * motions.transpose();
+    normal.diagonal().array() += 1e-12 * weight;
+    const Eigen::MatrixXd covariance =
+        normal.llt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())) -
+        motions * motions.transpose() / weight;
+    std::vector<BundleSigma> sigmas;
+    for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(6 * i);
+        sigmas.push_back({largestSigma(covariance.block<3, 3>(at, at)),
+                          largestSigma(covariance.block<3, 3>(at + 3, at + 3))});
+    }
+    return sigmas;
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/align/free_places.h"
+
+#include "features/option_check.h"
+#include "free/placing.h"
+#include "graph/pose_graph.h"
+#include "graph/room_orientation.h"
+#include "pairs/pair_geometry.h"
+#include "solve/unknowns.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace spherewalk::align {
+
+namespace {
+
+constexpr std::size_t kChecked = 3; ///< From so many photos on, a pair needs a third photo that confirms it.
+constexpr double kUnevenFloor =
+    0.004; ///< Of the lens's height: carpets, thresholds, and features above ground.
+constexpr int kLeastSharedPoints = 8;
+constexpr int kLeastPoints = 20;
+constexpr double kDoubtfulSigmaM = 0.015;
+constexpr double kDoubtfulSigmaRad = 0.006;
+constexpr double kUnknownScaleSigma = 0.3;
+
+void warn(FreePlaces& made, ProgressSink& progress, std::string sentence) {
+    progress.warning(sentence);
+    made.warnings.push_back(std::move(sentence));
+}
+
+std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> priors) {
+    constexpr std::size_t kNamed = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(photos.size(), kNamed); ++i) {
+        names += text(i == 0 ? "" : ", ", printable(priors[static_cast<std::size_t>(photos[i])].name, 40));
+    }
+    return photos.size() > kNamed ? text(names, " and ", photos.size() - kNamed, " more") : names;
+}
+
+/// The largest part, while it is placed.
+struct Part {
+    std::vector<int> photos; ///< Indices of the photos that are placed.
+    std::vector<PhotoPrior> priors;
+    Bundle bundle;
+};
+
+/// What is said of photos outside of the largest part.
+void nameParts(const PoseGraph& graph, std::span<const PhotoPrior> priors, FreePlaces& made,
+               ProgressSink& progress) {
+    made.parts = static_cast<int>(graph.components.size());
+    for (FreePlace& place : made.photos) {
+        place.part = -1;
+        place.why =
+            "No other photo shares enough with it that a third one confirms: it seems to be of another "
+            "place. Leave it out, or take photos between it and the others.";
+    }
+    for (std::size_t part = 0; part < graph.components.size(); ++part) {
+        for (const int photo : graph.components[part].photos) {
+            FreePlace& place = made.photos[static_cast<std::size_t>(photo)];
+            place.part = static_cast<int>(part);
+            place.why = text("It belongs to part ", part + 1, " of ", made.parts,
+                             ", which shares nothing with the largest part: take photos between the parts.");
+        }
+        if (part > 0) {
+            warn(made, progress,
+                 text("The photos fall into ", made.parts, " parts that share nothing; part ", part + 1,
+                      " is ", namesOf(graph.components[part].photos, priors),
+                      ". Only the largest part is placed: take photos between the parts."));
+        }
+    }
+}
+
+/// The first poses of the largest part, level by what the photos say.
+Part startOf(const Component& component, std::span<const PhotoPrior> priors, std::span<const PhotoPair> pairs,
+             std::span<const PairEstimate> estimates, FreePlaces& made) {
+    Part part;
+    const auto places =
+        averagedPlaces(legs(component, pairs, estimates), static_cast<int>(component.photos.size()));
+    // Without a pair there is no vote for a heading, and the photos are turned upright alone.
+    const Component unpaired{component.photos, {}, component.componentFromPhoto};
+    const Eigen::Quaterniond upright = orientations(unpaired, priors, estimates).front().roomFromComponent;
+    std::vector<int> placeOf(priors.size(), -1);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const int photo = component.photos[i];
+        FreePlace& place = made.photos[static_cast<std::size_t>(photo)];
+        if (!places[i]) {
+            place.why =
+                "How far it is from the others is not known: it shares too little with two of them at a "
+                "time. Take another photo near it.";
+            continue;
+        }
+        place.why.clear();
+        placeOf[static_cast<std::size_t>(photo)] = static_cast<int>(part.photos.size());
+        part.photos.push_back(photo);
+        part.priors.push_back(priors[static_cast<std::size_t>(photo)]);
+        part.bundle.photos.push_back(
+            {(upright * component.componentFromPhoto[i]).normalized(), upright * *places[i]});
+    }
+    part.bundle.points = seenPoints(component, placeOf, pairs, estimates);
+    return part;
+}
+
+/// How far what the photos say of up may err: nothing but a guess where hardly any says it.
+Radians mostLean(const Part& part) {
+    const auto said = std::ranges::count_if(
+        part.priors, [](const PhotoPrior& prior) { return prior.levelFromPhoto.has_value(); });
+    return 2 * static_cast<std::size_t>(said) >= part.priors.size() ? Degrees(3) : Degrees(15);
+}
+
+void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const Eigen::Vector3d& shift) {
+    for (PhotoState& photo : bundle.photos) {
+        photo.roomFromPhoto = (turned * photo.roomFromPhoto).normalized();
+        photo.positionM = scale * (turned * photo.positionM) + shift;
+    }
+    for (SeenPoint& point : bundle.points) {
+        point.at = scale * (turned * point.at) + shift;
+    }
+    for (Eigen::Vector3d& point : bundle.seen) {
+        point = scale * (turned * point) + shift;
+    }
+}
+
+std::vector<Eigen::Vector3d> positionsOf(const Bundle& bundle) {
+    std::vector<Eigen::Vector3d> positions;
+    for (const PhotoState& photo : bundle.photos) {
+        positions.push_back(photo.positionM);
+    }
+    return positions;
+}
+
+/// Turns the part by its floor where the photos say little of what is level.
+std::optional<FloorPlane> levelledFloor(Part& part, FreePlaces& made) {
+    const Radians lean = mostLean(part);
+    auto floor = floorBelow(positionsOf(part.bundle), part.bundle.seen, Eigen::Vector3d::UnitZ(), lean);
+    if (floor && lean > Radians(Degrees(10))) {
+        move(part.bundle, uprightFrom(floor->up), 1, Eigen::Vector3d::Zero());
+        floor->up = Eigen::Vector3d::UnitZ();
+        made.isLevelByFloor = true;
+    }
+    return floor;
+}
+
+/// Metres in the unit of the positions.
+double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, const FreeOptions& options,
+                     FreePlaces& made) {
+    if (options.distance) {
+        const auto placeOf = [&](int photo) {
+            return std::ranges::find(part.photos, photo) - part.photos.begin();
+        };
+        const auto a = static_cast<std::size_t>(placeOf(options.distance->a));
+        const auto b = static_cast<std::size_t>(placeOf(options.distance->b));
+        if (a < part.photos.size() && b < part.photos.size()) {
+            const double apart = (part.bundle.photos[a].positionM - part.bundle.photos[b].positionM).norm();
+            constexpr double kTapeM = 0.003;
+            made.scaleBy = ScaleBy::Distance;
+            made.scaleSigma = kTapeM / options.distance->metres;
+            return options.distance->metres / std::max(apart, 1e-9);
+        }
+    }
+    if (floor) {
+        made.scaleBy = ScaleBy::Floor;
+        made.scaleSigma = std::hypot(options.lensHeightSigmaM / options.lensHeightM,
+                                     floor->heightSigma / floor->lensHeight, kUnevenFloor);
+        return options.lensHeightM / floor->lensHeight;
+    }
+    made.scaleBy = ScaleBy::Nothing;
+    made.scaleSigma = kUnknownScaleSigma;
+    double lowest = 0;
+    for (const Eigen::Vector3d& point : part.bundle.seen) {
+        lowest = std::min(lowest, point.z() - part.bundle.photos.front().positionM.z());
+    }
+    return lowest < 0 ? options.lensHeightM / -lowest : 1;
+}
+
+/// Puts the part into the room: metres, the floor at zero, the first photo above the origin, walls along the
+/// axes.
+void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made, ProgressSink& progress) {
+    const std::optional<FloorPlane> floor = levelledFloor(part, made);
+    const double metres = metresPerUnit(part, floor, options, made);
+    move(part.bundle, Eigen::Quaterniond::Identity(), metres, Eigen::Vector3d::Zero());
+    move(part.bundle, yawRotation(wallHeading(part.bundle.seen)), 1, Eigen::Vector3d::Zero());
+    Eigen::Vector3d shift = -part.bundle.photos.front().positionM;
+    shift.z() = floor ? -metres * floor->at : options.lensHeightM - positionsOf(part.bundle).front().z();
+    move(part.bundle, Eigen::Quaterniond::Identity(), 1, shift);
+    if (made.scaleBy == ScaleBy::Nothing) {
+        warn(
+            made, progress,
+            "The scale is not known: the photos show too little of the floor below them, and no distance was "
+            "given. Give --distance with two photos and the metres between them.");
+    }
+}
+
+/// How many points each photo shares with each other one.
+std::vector<std::map<int, int>> sharedPoints(const Bundle& bundle) {
+    std::vector<std::map<int, int>> shared(bundle.photos.size());
+    for (const SeenPoint& point : bundle.points) {
+        for (const Ray& one : point.rays) {
+            for (const Ray& other : point.rays) {
+                ++shared[static_cast<std::size_t>(one.photo)][other.photo];
+            }
+        }
+    }
+    return shared;
+}
+
+std::string doubtOf(const FreePlace& place, int confirming, std::size_t photos) {
+    if (place.points < kLeastPoints || (photos >= kChecked && confirming < 2)) {
+        return text("Little confirms where it was taken: it shares ", place.points, " points with ",
+                    confirming, " other photos. Take another photo near it.");
+    }
+    if (place.sigmaM > kDoubtfulSigmaM || place.sigmaRad > kDoubtfulSigmaRad) {
+        return text("Where it was taken is known to ", fixed(100 * place.sigmaM, 1), " cm and ",
+                    fixed(Degrees(Radians(place.sigmaRad)).value(), 2),
+                    " deg only: take another photo near it.");
+    }
+    return {};
+}
+
+void report(const Part& part, FreePlaces& made) {
+    const std::vector<BundleSigma> sigmas = bundleSigmas(part.bundle);
+    const auto shared = sharedPoints(part.bundle);
+    for (std::size_t i = 0; i < part.photos.size(); ++i) {
+        FreePlace& place = made.photos[static_cast<std::size_t>(part.photos[i])];
+        const PhotoState& state = part.bundle.photos[i];
+        place.roomFromPhoto = Rigid3{state.roomFromPhoto, state.positionM};
+        place.sigmaM = sigmas[i].place;
+        place.sigmaRad = sigmas[i].turnRad;
+        int confirming = 0;
+        for (const auto& [other, points] : shared[i]) {
+            const bool isOwn = other == static_cast<int>(i);
+            place.points = isOwn ? points : place.points;
+            confirming += !isOwn && points >= kLeastSharedPoints ? 1 : 0;
+        }
+        place.doubt = doubtOf(place, confirming, part.photos.size());
+    }
+    made.pointsM = part.bundle.seen;
+    made.outline = wallsAround(positionsOf(part.bundle), made.pointsM);
+    made.ceilingM = ceilingAbove(positionsOf(part.bundle), made.pointsM);
+}
+
+} // namespace
+
+void FreeOptions::validate(int photos) const {
+    require(lensHeightM > 0.05 && lensHeightM <= 20, "free mode's", "lensHeightM",
+            "above 0.05 and at most 20");
+    require(lensHeightSigmaM >= 0 && lensHeightSigmaM <= 1, "free mode's", "lensHeightSigmaM", "from 0 to 1");
+    require(threads >= 0, "free mode's", "threads", "0 or above");
+    if (distance) {
+        require(distance->a >= 0 && distance->b >= 0 && distance->a < photos && distance->b < photos &&
+                    distance->a != distance->b && distance->metres > 0.01 && distance->metres < 1000,
+                "free mode's", "distance", "between two photos, from 0.01 to 1000 m");
+    }
+}
+
+FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoPair> pairs,
+                      std::span<const PairEstimate> estimates, const FreeOptions& options,
+                      ProgressSink& progress, const std::stop_token& stop) {
+    options.validate(static_cast<int>(photos.size()));
+    throwIfStopped(stop);
+    progress.progress(0, "Averaging rotations");
+    FreePlaces made;
+    made.photos.resize(photos.size());
+    const PoseGraph graph =
+        poseGraph(static_cast<int>(photos.size()), estimates, photos.size() >= kChecked ? 1 : 0);
+    nameParts(graph, photos, made, progress);
+    if (graph.components.empty()) {
+        return made;
+    }
+    Part part = startOf(graph.components.front(), photos, pairs, estimates, made);
+    if (part.photos.empty()) {
+        return made;
+    }
+    ProgressStep step(progress, 0.05, 0.95);
+    adjust(part.bundle, part.priors, step, stop);
+    placeInRoom(part, options, made, progress);
+    report(part, made);
+    progress.progress(1, "Placed");
+    return made;
+}
+
+} // namespace spherewalk::align

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "graph/pose_graph.h"
+#include "solve/pair_normal.h"
+
+#include "spherewalk/align/photo_pair.h"
+#include "spherewalk/base/progress.h"
+#include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/polygon.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+// The steps that place photos without positions: first places, adjustment, and the frame of the room.
+namespace spherewalk::align {
+
+/// How two photos of a component stand to each other. Frames: the component's.
+struct Leg {
+    int a = 0; ///< Place of the photo within the component, as b.
+    int b = 0;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< Unit vector from a to b; zero at one place.
+    double sigmaRad = 0;
+    std::optional<double> length; ///< In a unit that all legs share; 0 for photos of one place.
+    double lengthSigma = 0;       ///< Standard deviation of the length's logarithm.
+};
+
+/// The legs of a component's pairs. A thing that a photo shares with two others tells how long one leg is
+/// against the other. Legs that no chain of such things joins to most others have no length.
+std::vector<Leg> legs(const Component& component, std::span<const PhotoPair> pairs,
+                      std::span<const PairEstimate> estimates);
+
+/// Where the photos stand: least squares of directions and lengths, which ignores legs that contradict the
+/// others. Empty for photos that no leg with a length joins to most others.
+/// Source: Wilson and Snavely 2014 (directions); Cauchy's norm by reweighting.
+std::vector<std::optional<Eigen::Vector3d>> averagedPlaces(std::span<const Leg> legs, int photos);
+
+/// A thing as one photo sees it.
+struct Ray {
+    int photo = 0;                                      ///< Place of the photo within the component.
+    Eigen::Vector3d bearing = Eigen::Vector3d::UnitX(); ///< In the photo's frame.
+    double sigmaRad = 0;
+};
+
+/// A thing that several photos see.
+struct SeenPoint {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero(); ///< Frame and unit of the photos' positions.
+    std::vector<Ray> rays;
+    bool isPlaced = false;
+};
+
+/// The photos of a component and the points that they see.
+struct Bundle {
+    std::vector<PhotoState> photos;
+    std::vector<SeenPoint> points;
+    std::vector<Eigen::Vector3d> seen; ///< All points that rays of the adjusted photos meet at.
+    double scale = 1;                  ///< Of the residuals: 1 if the bearings' sigmas are right.
+};
+
+/// The things that the component's pairs join over its photos, those that most photos see first. A thing that
+/// would be two things of one photo is none of that photo. photoOf: places of the photos; -1 leaves one out.
+std::vector<SeenPoint> seenPoints(const Component& component, std::span<const int> placeOf,
+                                  std::span<const PhotoPair> pairs, std::span<const PairEstimate> estimates);
+
+/// Moves photos and points to where the rays meet best. Rays that miss by far are left out, and so are points
+/// without parallax, and points beyond some hundreds a photo. priors: one a photo of the bundle; they say
+/// what is level, and nothing else of them is used. The first photo stays where it is. Errors: Internal if
+/// Ceres gives up; Stopped. Source: Triggs et al., Bundle Adjustment: A Modern Synthesis, 2000.
+void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& progress,
+            const std::stop_token& stop);
+
+/// Standard deviations of one photo's pose against all others, when all are moved, turned and scaled
+/// together.
+struct BundleSigma {
+    double turnRad = 0; ///< About the worst axis.
+    double place = 0;   ///< Along the worst axis, in the unit of the positions.
+};
+
+std::vector<BundleSigma> bundleSigmas(const Bundle& bundle);
+
+/// A floor below the photos, in the unit of the positions.
+struct FloorPlane {
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); ///< Unit normal.
+    double at = 0;                                 ///< Height of the plane along `up`.
+    double lensHeight = 0;                         ///< Median height of the photos above it.
+    double heightSigma = 0;                        ///< Standard deviation of lensHeight.
+    double upSigmaRad = 0;                         ///< Standard deviation of `up`.
+    int points = 0;                                ///< Number of points that lie on it.
+};
+
+/// The lowest level plane that many points lie on. up: what is up, about; mostLean: how far it may err. Empty
+/// where the points show no floor. Reflections in a floor lie below it, but fewer of them.
+std::optional<FloorPlane> floorBelow(std::span<const Eigen::Vector3d> photos,
+                                     std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& up,
+                                     Radians mostLean);
+
+/// The heading of the walls: the turn about z, below a quarter, after which most points lie in upright planes
+/// along x and y. Frames: z is up. Zero for too few points.
+Radians wallHeading(std::span<const Eigen::Vector3d> pointsM);
+
+/// The walls around points and photos as a rectangle along x and y. It holds nearly all points and, with some
+/// clearance, all photos.
+Polygon wallsAround(std::span<const Eigen::Vector3d> photosM, std::span<const Eigen::Vector3d> pointsM);
+
+/// Height of the ceiling: nearly the highest point, and above all photos.
+double ceilingAbove(std::span<const Eigen::Vector3d> photosM, std::span<const Eigen::Vector3d> pointsM);
+
+} // namespace spherewalk::align

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+/// Two ways of solving may differ by this much: more names the photo.
+constexpr Radians kSameTurn = Degrees(0.3);
+/// How well a solved floor tells what is level: floors slope, and what lies on them stands out.
+constexpr Radians kFloorLean = Degrees(0.3);
+/// No place is known better, whatever the points say.
+constexpr double kLeastPlaceSigmaM = 0.0005;
+
+int photoNamed(const std::string& file, std::span<const AlignedPhoto> photos) {
+    const auto found = std::ranges::find(photos, file, &AlignedPhoto::file);
+    if (found == photos.end()) {
+        throw Error(ErrorKind::NotFound,
+                    text("The survey has no chosen photo ", printable(file),
+                         ", to which the distance was measured: give --distance with two "
+                         "of its photos."));
+    }
+    return static_cast<int>(found - photos.begin());
+}
+
+Eigen::Vector3d middleOf(const align::FreePlaces& places) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
+    for (const align::FreePlace& place : places.photos) {
+        sum += place.roomFromPhoto ? place.roomFromPhoto->translation : Eigen::Vector3d::Zero();
+        count += place.roomFromPhoto ? 1 : 0;
+    }
+    return sum / std::max(count, 1);
+}
+
+/// The standard deviation of the lean that all photos share. What they state of their tilt scatters about the
+/// solution, and its mean errs less by the root of their number.
+Radians commonLeanSigma(const align::FreePlaces& places, const AlignReport& report) {
+    double squares = 0;
+    int count = 0;
+    for (const align::SolvedPose& pose : report.alignment.photos) {
+        squares += pose.isSolved ? std::pow(pose.leanFromStated.value(), 2) : 0;
+        count += pose.isSolved ? 1 : 0;
+    }
+    return places.isLevelByFloor || count == 0 ? kFloorLean : Radians(std::sqrt(squares) / count);
+}
+
+/// The solver took the heights for known, which a free solution does not know better than its lean.
+void widen(Radians commonLean, AlignReport& report) {
+    report.alignment.sigmaCommonLean = commonLean;
+    for (align::SolvedPose& pose : report.alignment.photos) {
+        if (pose.hasSigmas()) {
+            pose.sigmaPitch = Radians(std::hypot(pose.sigmaPitch.value(), commonLean.value()));
+            pose.sigmaRoll = Radians(std::hypot(pose.sigmaRoll.value(), commonLean.value()));
+        }
+    }
+}
+
+std::string scaleText(const align::FreePlaces& places) {
+    const std::string sigma = text(fixed(100 * places.scaleSigma, 1), " % (one standard deviation)");
+    switch (places.scaleBy) {
+    case align::ScaleBy::Floor:
+        return text("The height of the lens over the solved floor gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Distance:
+        return text("The given distance gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Nothing:
+        break;
+    }
+    return "Nothing gives the scale.";
+}
+
+} // namespace
+
+void refuseUnknownPlaces(const store::SurveyStore& store) {
+    int unknown = 0;
+    std::string first;
+    for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+        if (store.station(photo.station).name.starts_with(kUnknownPlace)) {
+            first = unknown++ == 0 ? photo.fileName : first;
+        }
+    }
+    if (unknown > 0) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Nobody knows where ", counted(unknown, "photo was", "photos were"), " taken, ",
+                         first,
+                         " among them: align with --positions free, or import them with a positions file."));
+    }
+}
+
+align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptions& options,
+                               std::span<const AlignedPhoto> photos) {
+    align::FreeOptions made;
+    made.lensHeightM = store.planOptions().heightsM.front();
+    made.threads = options.threads;
+    if (options.distance) {
+        made.distance = {photoNamed(options.distance->a, photos), photoNamed(options.distance->b, photos),
+                         options.distance->metres};
+    }
+    return made;
+}
+
+void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> priors,
+               std::span<align::PairEstimate> estimates) {
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        const align::FreePlace& place = places.photos[i];
+        priors[i].placement = -1;
+        priors[i].positionM =
+            place.roomFromPhoto ? place.roomFromPhoto->translation : Eigen::Vector3d::Zero();
+        priors[i].positionSigmaM = std::clamp(place.sigmaM, kLeastPlaceSigmaM, 1.);
+        priors[i].heightSigmaM = priors[i].positionSigmaM;
+    }
+    for (align::PairEstimate& estimate : estimates) {
+        if (!places.photos[static_cast<std::size_t>(estimate.a)].roomFromPhoto ||
+            !places.photos[static_cast<std::size_t>(estimate.b)].roomFromPhoto) {
+            estimate.verdict = align::PairVerdict::NoAgreement;
+        }
+    }
+}
+
+void takePlaces(const align::FreePlaces& places, AlignReport& report) {
+    const Eigen::Vector3d middle = middleOf(places);
+    for (std::size_t i = 0; i < report.photos.size(); ++i) {
+        const align::FreePlace& place = places.photos[i];
+        align::SolvedPose& pose = report.alignment.photos[i];
+        if (!place.roomFromPhoto || !pose.isSolved) {
+            pose.isSolved = false;
+            pose.why = place.why.empty() ? pose.why : place.why;
+            continue;
+        }
+        const Radians apart = angleBetween(pose.roomFromPhoto.rotation, place.roomFromPhoto->rotation);
+        if (apart > kSameTurn) {
+            report.photos[i].flags.push_back(text("Two ways of solving turn it ",
+                                                  fixed(Degrees(apart).value(), 2),
+                                                  " deg apart: take another photo near it."));
+        }
+        if (!place.doubt.empty()) {
+            report.photos[i].flags.push_back(place.doubt);
+        }
+        pose.roomFromPhoto = *place.roomFromPhoto;
+        const double byScaleM = places.scaleSigma * (pose.roomFromPhoto.translation - middle).norm();
+        pose.sigmaOwnPositionM = std::max(place.sigmaM, kLeastPlaceSigmaM);
+        pose.sigmaPositionM = std::hypot(pose.sigmaOwnPositionM, byScaleM);
+    }
+    widen(commonLeanSigma(places, report), report);
+    report.alignment.reason = text("The places were solved from the pictures. ", scaleText(places));
+    for (const std::string& warning : places.warnings) {
+        report.alignment.warnings.push_back(warning);
+        if (places.scaleBy == align::ScaleBy::Nothing) {
+            report.tagWarnings.push_back(warning);
+        }
+    }
+}
+
+void moveStations(store::SurveyStore& store, AlignReport& report) {
+    std::vector<store::MovedPhoto> moved;
+    std::vector<std::int64_t> left;
+    for (AlignedPhoto& aligned : report.photos) {
+        const store::PhotoRecord photo = store.photo(aligned.photo);
+        const Eigen::Vector3d& positionM = aligned.pose.roomFromPhoto.translation;
+        if (!aligned.pose.isSolved || aligned.quality == survey::Quality::Failed) {
+            continue;
+        }
+        aligned.station = text("place of ", photo.cameraFileName);
+        const store::StationRecord before = store.station(photo.station);
+        moved.push_back({photo.id, store.addStation(positionM, aligned.station), positionM, photo.fileName,
+                         photo.fileSha256, photo.sizeBytes, true});
+        if (before.station.placement < 0 && !store.shotOf(photo.id)) {
+            left.push_back(before.id);
+        }
+    }
+    store.movePhotos(moved);
+    for (const std::int64_t station : left) {
+        if (store.photosAt(station).empty()) {
+            store.removeStation(station);
+        }
+    }
+}
+
+} // namespace spherewalk::jobs

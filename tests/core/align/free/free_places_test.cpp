@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made/synthetic_survey.h"
+#include "pairs/pair_geometry.h"
+
+#include "spherewalk/align/free_places.h"
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/fixed_random.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace spherewalk::align {
+
+using testing::HasSubstr;
+
+namespace {
+
+/// Photos half a metre apart, each turned and leaning by hand. Nothing says where they were taken.
+SyntheticSurveyOptions byHand(std::uint64_t seed) {
+    SyntheticSurveyOptions options;
+    options.seed = seed;
+    options.columns = 4;
+    options.rows = 3;
+    options.stepM = 0.5;
+    options.reachM = 1.2;
+    options.tiltSigma = Degrees(5);
+    options.positionSigmaM = 0.1;
+    options.heightSigmaM = 0.03;
+    options.points = 2000;
+    return options;
+}
+
+SyntheticSurvey withoutPlaces(SyntheticSurvey survey) {
+    for (PhotoPrior& photo : survey.photos) {
+        photo.positionM = Eigen::Vector3d::Zero();
+        photo.placement = -1;
+        photo.levelFromPhoto.reset();
+    }
+    return survey;
+}
+
+FreePlaces solved(const SyntheticSurvey& survey, const FreeOptions& options = {}) {
+    return freePlaces(survey.photos, survey.pairs, estimatePairs(survey.pairs), options, noProgress(), {});
+}
+
+/// The truth against the solution, the best common motion and scale taken off.
+struct Errors {
+    double placeRmsM = 0;
+    double turnWorstRad = 0;
+    double scale = 1; ///< True lengths over solved ones.
+    double leanRad = 0;
+};
+
+Errors errorsOf(const FreePlaces& places, const SyntheticSurvey& survey) {
+    std::vector<std::size_t> placed;
+    for (std::size_t i = 0; i < places.photos.size(); ++i) {
+        if (places.photos[i].roomFromPhoto) {
+            placed.push_back(i);
+        }
+    }
+    const auto count = static_cast<Eigen::Index>(placed.size());
+    Eigen::Matrix3Xd made(3, count);
+    Eigen::Matrix3Xd truth(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        made.col(i) = places.photos[placed[static_cast<std::size_t>(i)]].roomFromPhoto->translation;
+        truth.col(i) = survey.roomFromPhoto[placed[static_cast<std::size_t>(i)]].translation;
+    }
+    const Eigen::Matrix4d motion = Eigen::umeyama(made, truth, true);
+    Errors errors;
+    errors.scale = motion.block<3, 1>(0, 0).norm();
+    const Eigen::Matrix3d turned = motion.block<3, 3>(0, 0) / errors.scale;
+    errors.leanRad = std::acos(std::min(1.0, turned(2, 2)));
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const std::size_t photo = placed[static_cast<std::size_t>(i)];
+        const Eigen::Vector3d off =
+            motion.block<3, 3>(0, 0) * made.col(i) + motion.block<3, 1>(0, 3) - truth.col(i);
+        errors.placeRmsM += off.squaredNorm() / static_cast<double>(count);
+        const Eigen::Quaterniond turn = Eigen::Quaterniond(turned) *
+                                        places.photos[photo].roomFromPhoto->rotation *
+                                        survey.roomFromPhoto[photo].rotation.conjugate();
+        errors.turnWorstRad = std::max(errors.turnWorstRad, turnVector(turn).norm());
+    }
+    errors.placeRmsM = std::sqrt(errors.placeRmsM);
+    return errors;
+}
+
+} // namespace
+
+// No metadata, no positions: the pictures and the height of the lens say it all.
+TEST(FreePlaces, AreSolvedFromMatchesAloneAndMeasuredByTheFloor) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        SCOPED_TRACE(seed);
+        const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(seed)));
+        const FreePlaces places = solved(survey);
+        for (const FreePlace& place : places.photos) {
+            ASSERT_TRUE(place.roomFromPhoto.has_value()) << place.why;
+            EXPECT_EQ(place.doubt, "");
+            EXPECT_LT(place.sigmaM, 0.01);
+        }
+        const Errors errors = errorsOf(places, survey);
+        EXPECT_LT(errors.placeRmsM, 0.01);
+        EXPECT_LT(errors.turnWorstRad, 0.004);
+        EXPECT_EQ(places.scaleBy, ScaleBy::Floor);
+        EXPECT_NEAR(errors.scale, 1, 0.03);
+        EXPECT_LT(errors.leanRad, 0.01);
+        EXPECT_TRUE(places.isLevelByFloor);
+    }
+}
+
+TEST(FreePlaces, TakeTheirScaleFromAMeasuredDistance) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(4)));
+    FreeOptions options;
+    options.lensHeightM = 2.4; // wrong by half, and not asked
+    options.distance = {0, 11,
+                        (survey.roomFromPhoto[0].translation - survey.roomFromPhoto[11].translation).norm()};
+    const FreePlaces places = solved(survey, options);
+    EXPECT_EQ(places.scaleBy, ScaleBy::Distance);
+    EXPECT_NEAR(errorsOf(places, survey).scale, 1, 0.005);
+}
+
+// A photo of elsewhere matches only by chance.
+TEST(FreePlaces, NameAnUnrelatedPhotoAndLeaveItOut) {
+    SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(5)));
+    FixedRandom random(5);
+    for (PhotoPair& pair : survey.pairs) {
+        for (Correspondence& match : pair.matches) {
+            if (pair.a == 6 || pair.b == 6) {
+                match.inB =
+                    Eigen::Vector3d(random.sumNormal(), random.sumNormal(), random.sumNormal()).normalized();
+            }
+        }
+    }
+    const FreePlaces places = solved(survey);
+    EXPECT_FALSE(places.photos[6].roomFromPhoto.has_value());
+    EXPECT_THAT(places.photos[6].why, HasSubstr("another place"));
+    EXPECT_TRUE(places.photos[5].roomFromPhoto.has_value());
+}
+
+TEST(FreePlaces, TellPartsThatNothingConnects) {
+    const SyntheticSurvey survey =
+        withPairs(withoutPlaces(syntheticSurvey(byHand(6))),
+                  [](const PhotoPair& pair) { return (pair.a < 8) == (pair.b < 8); });
+    const FreePlaces places = solved(survey);
+    EXPECT_EQ(places.parts, 2);
+    EXPECT_THAT(places.photos[9].why, HasSubstr("part 2 of 2"));
+    ASSERT_EQ(places.warnings.size(), 1U);
+    EXPECT_THAT(places.warnings[0], HasSubstr("take photos between the parts"));
+}
+
+// Photos on one line: directions alone would leave open how far apart they are.
+TEST(FreePlaces, KnowHowFarPhotosOnALineAreApart) {
+    SyntheticSurveyOptions options = byHand(7);
+    options.columns = 6;
+    options.rows = 1;
+    options.positionSigmaM = 0.0005;
+    options.heightSigmaM = 0.0005;
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(options));
+    const FreePlaces places = solved(survey);
+    EXPECT_LT(errorsOf(places, survey).placeRmsM, 0.01);
+}
+
+TEST(FreePlaces, RefuseADistanceToAPhotoThatIsNotThere) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(8)));
+    FreeOptions options;
+    options.distance = {0, 99, 1.0};
+    EXPECT_THROW(solved(survey, options), Error);
+}
+
+// Votes as of photos along a corridor, the last of which looks like none.
+TEST(Retrieval, PairsPhotosThatLookAlikeAndJoinsWhatItCan) {
+    Likeness alike(30);
+    for (int a = 0; a < 29; ++a) {
+        for (int b = a + 1; b < 29; ++b) {
+            alike.set(a, b, std::max(0, 100 - 10 * (b - a)));
+        }
+    }
+    RetrievalOptions options;
+    options.partners = 4;
+    const auto pairs = likelyPairs(alike, options);
+    EXPECT_THAT(pairs, testing::Contains(std::pair(0, 1)));
+    EXPECT_THAT(pairs, testing::Not(testing::Contains(std::pair(0, 9))));
+    EXPECT_THAT(pairs, testing::Each(testing::Field(&std::pair<int, int>::second, testing::Lt(29))));
+    EXPECT_LE(pairs.size(), 29U * 4U);
+}
+
+} // namespace spherewalk::align

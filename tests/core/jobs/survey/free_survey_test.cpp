@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
+#include "temporary_folder.h"
+
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jobs/solution_findings.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/position_tag.h"
+#include "spherewalk/practice/practice_options.h"
+#include "spherewalk/practice/practice_room.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace spherewalk::jobs {
+
+using test::expectError;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+namespace {
+
+/// Photos of the practice room, taken by hand. Nobody wrote down where.
+class FreeSurvey : public testing::Test {
+  protected:
+    FreeSurvey() {
+        const practice::PracticeRoom room;
+        practice::PhotoErrors errors;
+        errors.seed = 5;
+        std::filesystem::create_directories(m_folder / "in");
+        for (int i = 0; i < 6; ++i) {
+            const Eigen::Vector3d nominal(1.8 + 0.35 * (i % 3), 1.5 + 0.35 * (i / 3), 1.2);
+            truth.push_back(errors.truePose(nominal, i + 1));
+            writeFile(m_folder / "in" / text("H", i, ".jpg"),
+                      jpeg::encode(room.spherical(truth.back(), {kWidth, kWidth / 2}), 95));
+        }
+    }
+
+    store::SurveyStore imported() {
+        survey::Room outline;
+        outline.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
+        outline.ceilingM = 2.6;
+        auto store = store::SurveyStore::create(m_folder / "s.spherewalk", "s", outline, {}, {});
+        report = importPhotos(store, {m_folder / "in", {}}, noProgress(), {});
+        return store;
+    }
+
+    test::TemporaryFolder m_folder;
+    std::vector<Rigid3> truth;
+    ImportReport report;
+
+  private:
+    static constexpr int kWidth = 1024;
+};
+
+} // namespace
+
+TEST_F(FreeSurvey, PhotosWithoutPositionsGetStationsWhosePlaceIsNotKnown) {
+    const store::SurveyStore store = imported();
+    EXPECT_EQ(report.imported, 6);
+    EXPECT_EQ(report.unknownPlaces, 6);
+    for (const store::PhotoRecord& photo : store.photos()) {
+        EXPECT_THAT(store.station(photo.station).name, StartsWith(std::string(kUnknownPlace)));
+        EXPECT_FALSE(photo::readPositionTag(readFile(store.photoFolder() / photo.fileName), photo.fileName));
+    }
+    EXPECT_TRUE(photosToExport(store).photos.empty());
+}
+
+TEST_F(FreeSurvey, ASecondImportAddsNothing) {
+    store::SurveyStore store = imported();
+    const ImportReport again = importPhotos(store, {m_folder / "in", {}}, noProgress(), {});
+    EXPECT_EQ(again.imported, 0);
+    EXPECT_EQ(again.alreadyThere, 6);
+    EXPECT_EQ(store.stations().size(), 6U);
+}
+
+TEST_F(FreeSurvey, APlainAlignmentRefusesUnknownPlaces) {
+    store::SurveyStore store = imported();
+    expectError(ErrorKind::InvalidInput, "--positions free",
+                [&] { alignSurvey(store, {}, noProgress(), {}); });
+}
+
+TEST_F(FreeSurvey, AnEmptyFolderIsRefused) {
+    store::SurveyStore store = imported();
+    std::filesystem::create_directories(m_folder / "nothing");
+    expectError(ErrorKind::NotFound, "There is no JPEG", [&] {
+        importPhotos(store, {m_folder / "nothing", {}}, noProgress(), {});
+    });
+}
+
+TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
+    store::SurveyStore store = imported();
+    AlignOptions options;
+    options.isFree = true;
+    options.distance = {"H0.jpg", "H5.jpg", (truth[0].translation - truth[5].translation).norm()};
+    const AlignReport aligned = alignSurvey(store, options, noProgress(), {});
+    for (const AlignedPhoto& photo : aligned.photos) {
+        ASSERT_TRUE(photo.pose.isSolved) << photo.pose.why;
+        const store::StationRecord station = store.station(store.photo(photo.photo).station);
+        EXPECT_EQ(station.station.positionM, photo.pose.roomFromPhoto.translation);
+        EXPECT_THAT(station.name, StartsWith("place of H"));
+    }
+    for (std::size_t i = 1; i < truth.size(); ++i) {
+        const double solvedM = (aligned.photos[i].pose.roomFromPhoto.translation -
+                                aligned.photos[0].pose.roomFromPhoto.translation)
+                                   .norm();
+        EXPECT_NEAR(solvedM, (truth[i].translation - truth[0].translation).norm(), 0.01);
+    }
+    EXPECT_EQ(store.stations().size(), 6U);
+    EXPECT_EQ(store.solvedPhotos(aligned.solution).size(), 6U);
+    EXPECT_EQ(photosToExport(store).photos.size(), 6U);
+    refuseUnknownPlaces(store); // throws nothing: it is a survey like any other now
+}
+
+} // namespace spherewalk::jobs
