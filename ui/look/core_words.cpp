@@ -134,12 +134,16 @@ struct Pattern {
     QRegularExpression expression;
 };
 
+const QRegularExpression& place() {
+    static const QRegularExpression expression("%[1-9]");
+    return expression;
+}
+
 /// Finds a sentence whose "%1" and so on stand for values in this order.
 QRegularExpression expressionOf(const QString& sentence) {
-    static const QRegularExpression place("%[1-9]");
     QString pattern;
     qsizetype at = 0;
-    for (auto found = place.globalMatch(sentence); found.hasNext();) {
+    for (auto found = place().globalMatch(sentence); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();
         pattern += QRegularExpression::escape(sentence.mid(at, match.capturedStart() - at)) + "(.+?)";
         at = match.capturedEnd();
@@ -176,11 +180,17 @@ QString translatedSentence(const QString& sentence) {
         if (!match.hasMatch()) {
             continue;
         }
-        QString result = QCoreApplication::translate(kContext, pattern.sentence);
-        for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
-            result.replace(QString("%%1").arg(i), localValue(match.captured(i)));
+        const QString words = QCoreApplication::translate(kContext, pattern.sentence);
+        QString result;
+        qsizetype at = 0;
+        // In one pass, since a value may contain what looks like a place itself.
+        for (auto found = place().globalMatch(words); found.hasNext();) {
+            const QRegularExpressionMatch value = found.next();
+            result += words.mid(at, value.capturedStart() - at);
+            result += localValue(match.captured(value.captured().back().digitValue()));
+            at = value.capturedEnd();
         }
-        return result;
+        return result + words.mid(at);
     }
     return sentence;
 }

@@ -53,4 +53,10 @@ TEST(RankCorrelation, IsUnknownOfListsOfDifferentLengths) {
     EXPECT_FALSE(rankCorrelation({}, {}));
 }
 
+TEST(RankCorrelation, OrdersByRankAloneHoweverFarValuesLieApart) {
+    const std::vector<double> far{-1e300, 0, 1e-300, 1e300};
+    EXPECT_NEAR(rankCorrelation(far, std::vector<double>{1, 2, 3, 4}).value(), 1, 1e-12);
+    EXPECT_NEAR(rankCorrelation(far, std::vector<double>{4, 3, 2, 1}).value(), -1, 1e-12);
+}
+
 } // namespace spherewalk::compare

@@ -66,6 +66,15 @@ TEST(RungWords, SayWhatLeavingTheChoiceToTheDatasetMeans) {
     EXPECT_EQ(autoSceneWords(&info, cameraWith(500)), "As measured: sphere, cheaper where enough");
 }
 
+TEST(RungWords, SayOfADatasetThatWasNotMeasuredWhatItHas) {
+    render::DatasetInfo info = measuredInfo();
+    info.choice.reset();
+    EXPECT_EQ(autoSceneWords(&info, cameraWith(500)), "Best there is: sphere");
+    EXPECT_EQ(autoSamplingWords(&info, cameraWith(500)), "As needed");
+    info.sphereRadiusM.reset();
+    EXPECT_EQ(autoSceneWords(&info, cameraWith(500)), "Best there is: none");
+}
+
 TEST_F(RungsTest, OfADatasetWithDepthStandBesideEachOther) {
     const test::PracticeDataset dataset(2);
     open(dataset);
