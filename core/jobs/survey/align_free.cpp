@@ -4,6 +4,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report) {
 }
 
 void moveStations(store::SurveyStore& store, AlignReport& report) {
-    std::vector<store::MovedPhoto> moved;
+    std::vector<PhotoPlace> moved;
     std::vector<std::int64_t> left;
     for (AlignedPhoto& aligned : report.photos) {
         const store::PhotoRecord photo = store.photo(aligned.photo);
@@ -171,13 +172,15 @@ void moveStations(store::SurveyStore& store, AlignReport& report) {
         }
         aligned.station = text("place of ", photo.cameraFileName);
         const store::StationRecord before = store.station(photo.station);
-        moved.push_back({photo.id, store.addStation(positionM, aligned.station), positionM, photo.fileName,
-                         photo.fileSha256, photo.sizeBytes, true});
+        moved.push_back({photo.id, store.addStation(positionM, aligned.station), positionM, true});
         if (before.station.placement < 0 && !store.shotOf(photo.id)) {
             left.push_back(before.id);
         }
     }
-    store.movePhotos(moved);
+    retagPhotos(store, moved, noProgress(), {});
+    for (AlignedPhoto& aligned : report.photos) {
+        aligned.file = store.photo(aligned.photo).fileName;
+    }
     for (const std::int64_t station : left) {
         if (store.photosAt(station).empty()) {
             store.removeStation(station);

@@ -5,6 +5,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset.h"
@@ -67,6 +68,9 @@ std::optional<std::string> findingOn(const store::SurveyStore& store, const stor
         return std::nullopt;
     }
     const auto tag = tagIn(*jpeg, photo.fileName);
+    if (!tag && store.station(photo.station).name.starts_with(kUnknownPlace)) {
+        return std::nullopt; // Nobody has said yet where it was taken.
+    }
     if (!tag || tag->surveyId != surveyId) {
         return text("The photo ", printable(photo.fileName),
                     tag ? " has the position tag of another survey." : " has no position tag.");

@@ -5,6 +5,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/jobs/check_places.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -68,6 +69,7 @@ TEST_F(FreeSurvey, PhotosWithoutPositionsGetStationsWhosePlaceIsNotKnown) {
         EXPECT_FALSE(photo::readPositionTag(readFile(store.photoFolder() / photo.fileName), photo.fileName));
     }
     EXPECT_TRUE(photosToExport(store).photos.empty());
+    EXPECT_TRUE(checkPlaces(store, noProgress(), {}).empty());
 }
 
 TEST_F(FreeSurvey, ASecondImportAddsNothing) {
@@ -103,6 +105,10 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
         const store::StationRecord station = store.station(store.photo(photo.photo).station);
         EXPECT_EQ(station.station.positionM, photo.pose.roomFromPhoto.translation);
         EXPECT_THAT(station.name, StartsWith("place of H"));
+        const std::filesystem::path file = store.photoFolder() / photo.file;
+        const auto tag = photo::readPositionTag(readFile(file), photo.file);
+        ASSERT_TRUE(tag) << photo.file;
+        EXPECT_EQ(tag->stationName, station.name);
     }
     for (std::size_t i = 1; i < truth.size(); ++i) {
         const double solvedM = (aligned.photos[i].pose.roomFromPhoto.translation -
@@ -113,6 +119,7 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
     EXPECT_EQ(store.stations().size(), 6U);
     EXPECT_EQ(store.solvedPhotos(aligned.solution).size(), 6U);
     EXPECT_EQ(photosToExport(store).photos.size(), 6U);
+    EXPECT_TRUE(checkPlaces(store, noProgress(), {}).empty());
     refuseUnknownPlaces(store); // throws nothing: it is a survey like any other now
 }
 
