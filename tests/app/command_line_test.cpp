@@ -93,9 +93,9 @@ TEST(CommandLine, PlansAFlatRoomByRoom) {
         [4.1,2.4],[4,2.4],[4,4],[0,4]],"ceiling_m":2.6,
         "rooms":[{"name":"kitchen","at":[2,2]},{"name":"bedroom","at":[6.1,2]}]})"));
     ASSERT_EQ(runCli({"new", survey, "--outline", outline, "--step", "0.5"}).status, 0);
-    const CliResult plan = runCli({"plan", survey, "--json"});
+    const Json plan = runCli({"plan", survey, "--json"}).json();
     std::vector<std::string> rooms;
-    for (const Json& rail : plan.json().at("rails")) {
+    for (const Json& rail : plan.at("rails")) {
         if (const std::string room = rail.at("room"); rooms.empty() || rooms.back() != room) {
             rooms.push_back(room);
         }
