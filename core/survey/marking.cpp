@@ -342,7 +342,8 @@ std::vector<RailMark> railMarks(const Room& room, const Plan& plan) {
         std::erase_if(left, [&](const TapeOrigin& end) {
             RailMark& mark = result[static_cast<std::size_t>(end.index)];
             const bool isLast = end.kind == TapeOrigin::Kind::LastStop;
-            return tapes.mark(placeOf(end, {}, room, plan), end, isLast ? mark.last : mark.first);
+            return tapes.mark(placeOf(end, Vector2d::Zero(), room, plan), end,
+                              isLast ? mark.last : mark.first);
         });
     }
     return result;
