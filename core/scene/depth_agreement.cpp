@@ -35,30 +35,14 @@ constexpr float kNearestM = 0.2F;
 constexpr float kFarthestM = 100;
 
 /// Marks in a row what the neighbour gives the same distance to.
-void markConfirmed(const PosedDepth& photo, const PosedDepth& neighbour, const PixelAngles& angles, int y,
+void markConfirmed(const Plane& inverseM, SeenByOther& seen, int y, const Plane& neighbourInverseM,
                    std::uint8_t* marks) {
-    const Plane& inverseM = photo.depth->inverseM;
-    const Plane& neighbourInverseM = neighbour.depth->inverseM;
-    const Rigid3 neighbourFromPhoto = neighbour.roomFromPhoto.inverse() * photo.roomFromPhoto;
-    const Eigen::Matrix3f turn = neighbourFromPhoto.rotation.toRotationMatrix().cast<float>();
-    const Eigen::Vector3f offset = neighbourFromPhoto.translation.cast<float>();
     const int width = inverseM.width();
     const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(width);
-    const float parallax = kPixels * pixelRad / std::max(offset.norm(), 1e-3F);
-    const auto row = static_cast<std::size_t>(y);
-    const Eigen::Vector3f forward = angles.cosElevation[row] * turn.col(0);
-    const Eigen::Vector3f left = angles.cosElevation[row] * turn.col(1);
-    const Eigen::Vector3f up = angles.sinElevation[row] * turn.col(2);
-    const Eigen::Vector3f ahead = static_cast<float>(photo.lenses.aheadM) * turn.col(0);
-    const auto neighbourAhead = static_cast<float>(neighbour.lenses.aheadM);
+    const float parallax = kPixels * pixelRad / std::max(seen.apartM(), 1e-3F);
+    seen.enter(y);
     for (int x = 0; x < width; ++x) {
-        const auto column = static_cast<std::size_t>(x);
-        const Eigen::Vector3f ray =
-            angles.cosAzimuth[column] * forward + angles.sinAzimuth[column] * left + up;
-        const Eigen::Vector3f lens =
-            angles.cosAzimuth[column] < 0 ? Eigen::Vector3f(offset - ahead) : Eigen::Vector3f(offset + ahead);
-        Eigen::Vector3f point = ray / *inverseM.at(x, y) + lens;
-        point.x() -= point.x() < 0 ? -neighbourAhead : neighbourAhead;
+        const Eigen::Vector3f point = seen.at(x, *inverseM.at(x, y));
         const float expected = 1 / std::max(1e-6F, point.norm());
         const FastPixel at = fastPixel(point.x(), point.y(), point.z(), static_cast<float>(width));
         const int atX = nearestInt(at.u) % width;
@@ -75,9 +59,11 @@ MaskImage confirmed(const PosedDepth& photo, std::span<const PosedDepth> neighbo
     const PixelAngles angles(inverseM.width());
     MaskImage result(inverseM.width(), inverseM.height());
     parallelFor(result.height(), 8, threads, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            for (const PosedDepth& neighbour : neighbours) {
-                markConfirmed(photo, neighbour, angles, y, result.at(0, y));
+        for (const PosedDepth& neighbour : neighbours) {
+            SeenByOther seen(neighbour.roomFromPhoto.inverse() * photo.roomFromPhoto, photo.lenses,
+                             neighbour.lenses, angles);
+            for (int y = begin; y < end; ++y) {
+                markConfirmed(inverseM, seen, y, neighbour.depth->inverseM, result.at(0, y));
             }
         }
     });

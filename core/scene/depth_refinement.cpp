@@ -39,27 +39,14 @@ void splat(const Eigen::Vector3f& point, Plane& plane) {
 Plane seenFromPhoto(const KnownPhoto& photo, const KnownPhoto& neighbour) {
     const PhotoDepth& depth = *neighbour.depth;
     Plane result(depth.inverseM.width(), depth.inverseM.height());
-    const Rigid3 photoFromNeighbour = photo.photo.roomFromPhoto.inverse() * neighbour.photo.roomFromPhoto;
-    const Eigen::Matrix3f turn = photoFromNeighbour.rotation.toRotationMatrix().cast<float>();
-    const Eigen::Vector3f offset = photoFromNeighbour.translation.cast<float>();
     const PixelAngles angles(result.width());
-    const auto ownAhead = static_cast<float>(photo.photo.lenses.aheadM);
+    SeenByOther seen(photo.photo.roomFromPhoto.inverse() * neighbour.photo.roomFromPhoto,
+                     neighbour.photo.lenses, photo.photo.lenses, angles);
     for (int y = 0; y < result.height(); ++y) {
-        const auto row = static_cast<std::size_t>(y);
-        const Eigen::Vector3f x = angles.cosElevation[row] * turn.col(0);
-        const Eigen::Vector3f left = angles.cosElevation[row] * turn.col(1);
-        const Eigen::Vector3f up = angles.sinElevation[row] * turn.col(2);
-        const Eigen::Vector3f ahead = static_cast<float>(neighbour.photo.lenses.aheadM) * turn.col(0);
-        for (int i = 0; i < result.width(); ++i) {
-            if (*depth.sure.at(i, y) != 0) {
-                const auto column = static_cast<std::size_t>(i);
-                const Eigen::Vector3f ray =
-                    angles.cosAzimuth[column] * x + angles.sinAzimuth[column] * left + up;
-                const Eigen::Vector3f lens = angles.cosAzimuth[column] < 0 ? Eigen::Vector3f(offset - ahead)
-                                                                           : Eigen::Vector3f(offset + ahead);
-                Eigen::Vector3f point = ray / *depth.inverseM.at(i, y) + lens;
-                point.x() -= point.x() < 0 ? -ownAhead : ownAhead;
-                splat(point, result);
+        seen.enter(y);
+        for (int x = 0; x < result.width(); ++x) {
+            if (*depth.sure.at(x, y) != 0) {
+                splat(seen.at(x, *depth.inverseM.at(x, y)), result);
             }
         }
     }

@@ -103,7 +103,7 @@ std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& 
         const Eigen::Vector3d inOther =
             otherFromPhoto.rotation * (way + inverse * photo.photo.lenses.place(way)) +
             inverse * otherFromPhoto.translation;
-        const Eigen::Vector3d seen = inOther - inverse * other.photo.lenses.place(inOther);
+        const Eigen::Vector3d seen = other.photo.lenses.directionTo(inOther, inverse);
         const double its = sureInverse(*other.depth, seen);
         // The other photo looks at the same place, and not at something before it.
         const double expected = inverse / seen.norm();

@@ -41,7 +41,7 @@ double inverseAt(const render::DepthMap& depth, const Eigen::Vector3d& way) {
 }
 
 /// Whether something that `there` sees stands before a place that lies this way and so far from it.
-bool isHidden(const PhotoPlace& there, const Eigen::Vector3d& way, double distanceM) {
+bool isHidden(const PhotoWithDepth& there, const Eigen::Vector3d& way, double distanceM) {
     if (there.depth == nullptr) {
         return false;
     }
@@ -51,7 +51,7 @@ bool isHidden(const PhotoPlace& there, const Eigen::Vector3d& way, double distan
 
 } // namespace
 
-RgbImage photoSeenFrom(const PhotoPlace& here, const RgbImage& picture, const PhotoPlace& there,
+RgbImage photoSeenFrom(const PhotoWithDepth& here, const RgbImage& picture, const PhotoWithDepth& there,
                        int threads) {
     const EquirectSize size{picture.width(), picture.height()};
     const Rigid3 thereFromHere = there.roomFromPhoto.inverse() * here.roomFromPhoto;

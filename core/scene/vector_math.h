@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/geometry/lens_pair.h"
+#include "spherewalk/geometry/rigid3.h"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -75,6 +78,51 @@ struct PixelAngles {
     std::vector<float> sinAzimuth;
     std::vector<float> cosElevation;
     std::vector<float> sinElevation;
+};
+
+/// Where another photo sees the things that a photo's pixels show. Owner: the angles must outlive it.
+class SeenByOther {
+  public:
+    SeenByOther(const Rigid3& otherFromPhoto, const LensPair& own, const LensPair& others,
+                const PixelAngles& angles)
+        : m_turn(otherFromPhoto.rotation.toRotationMatrix().cast<float>()),
+          m_offset(otherFromPhoto.translation.cast<float>()),
+          m_ahead(static_cast<float>(own.aheadM) * m_turn.col(0)),
+          m_othersAheadM(static_cast<float>(others.aheadM)),
+          m_angles(angles) {}
+
+    /// Goes to a row of pixels.
+    void enter(int y) {
+        const auto row = static_cast<std::size_t>(y);
+        m_forward = m_angles.cosElevation[row] * m_turn.col(0);
+        m_left = m_angles.cosElevation[row] * m_turn.col(1);
+        m_up = m_angles.sinElevation[row] * m_turn.col(2);
+    }
+
+    /// From the other photo's lens to what pixel x of the row shows so far away. Frames: the other photo's.
+    Eigen::Vector3f at(int x, float inverseM) const {
+        const auto column = static_cast<std::size_t>(x);
+        const float cosine = m_angles.cosAzimuth[column];
+        const Eigen::Vector3f ray = cosine * m_forward + m_angles.sinAzimuth[column] * m_left + m_up;
+        const Eigen::Vector3f lens =
+            cosine < 0 ? Eigen::Vector3f(m_offset - m_ahead) : Eigen::Vector3f(m_offset + m_ahead);
+        Eigen::Vector3f point = ray / inverseM + lens;
+        point.x() -= point.x() < 0 ? -m_othersAheadM : m_othersAheadM;
+        return point;
+    }
+
+    /// How far the photos stand apart.
+    float apartM() const { return m_offset.norm(); }
+
+  private:
+    Eigen::Matrix3f m_turn;
+    Eigen::Vector3f m_offset;
+    Eigen::Vector3f m_ahead;
+    float m_othersAheadM;
+    const PixelAngles& m_angles;
+    Eigen::Vector3f m_forward;
+    Eigen::Vector3f m_left;
+    Eigen::Vector3f m_up;
 };
 
 } // namespace spherewalk::scene

@@ -19,7 +19,8 @@ using survey::Station;
 namespace {
 
 constexpr int kMostRailStops = 1'000'000;
-constexpr const char* kSelectStation = "SELECT id, name, placement, stop, x_m, y_m, z_m FROM station ";
+constexpr const char* kSelectStation =
+    "SELECT id, name, placement, stop, x_m, y_m, z_m, is_place_known FROM station ";
 
 void insertPolygon(Database& database, int index, const Polygon& polygon) {
     Statement insert(database, "INSERT INTO corner VALUES (?, ?, ?, ?)");
@@ -60,6 +61,7 @@ StationRecord stationOf(const Statement& row) {
         row.isNull(2) ? -1 : static_cast<int>(row.integer(2, 1, survey::kMostStations)) - 1;
     record.station.stop = static_cast<int>(row.integer(3, 0, kMostRailStops));
     record.station.positionM = {row.real(4), row.real(5), row.real(6)};
+    record.isPlaceKnown = row.boolean(7);
     return record;
 }
 
@@ -252,7 +254,8 @@ std::vector<StationRecord> SurveyStore::stationsWithoutPhoto() const {
                                                 ") ORDER BY id")));
 }
 
-std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std::string& name) {
+std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std::string& name,
+                                     bool isPlaceKnown) {
     if (!positionM.allFinite()) {
         throw Error(ErrorKind::InvalidInput, "The station cannot be added: its position is not a number.");
     }
@@ -260,9 +263,10 @@ std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std
     const Plan single{.placements = {}, .stations = {{-1, 0, positionM}}};
     Database& database = m_parts->writable();
     Transaction transaction(database);
-    database.run("INSERT INTO station (placement, stop, x_m, y_m, z_m, name) VALUES (NULL, 0, ?, ?, ?, ?)",
+    database.run("INSERT INTO station (placement, stop, x_m, y_m, z_m, name, is_place_known) "
+                 "VALUES (NULL, 0, ?, ?, ?, ?, ?)",
                  positionM.x(), positionM.y(), positionM.z(),
-                 name.empty() ? survey::stationName(single, 0) : name);
+                 name.empty() ? survey::stationName(single, 0) : name, isPlaceKnown ? 1 : 0);
     const std::int64_t id = database.lastInsertId();
     transaction.commit();
     return id;

@@ -173,6 +173,7 @@ CREATE TABLE room_name (
     x_m REAL NOT NULL,
     y_m REAL NOT NULL
 ) STRICT;
+ALTER TABLE station ADD COLUMN is_place_known INTEGER NOT NULL DEFAULT 1 CHECK (is_place_known IN (0, 1));
 )sql";
 
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},

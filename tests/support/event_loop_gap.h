@@ -11,6 +11,10 @@
 
 namespace spherewalk::test {
 
+/// The longest gap that a test lets pass: twice what is wanted on a quiet machine. What is done for the first
+/// time loads fonts and pictures, so that it is done once before it is measured.
+inline constexpr double kMostHeldMs = 100;
+
 /// Measures how long the event loop of this thread is not served: the longest time between two beats of a
 /// timer that asks for one at every chance. The time for which the thread was ready and the processor gave it
 /// no turn is left out, as that is the machine's load and not the program's doing.

@@ -211,20 +211,6 @@ double rayScale(const Bundle& bundle) {
     return residuals.empty() ? 1 : std::clamp(median(std::move(residuals)) / 1.18, 0.5, kLargestScale);
 }
 
-class AdjustWatch : public ceres::IterationCallback {
-  public:
-    AdjustWatch(ProgressSink& progress, const std::stop_token& stop) : m_progress(progress), m_stop(stop) {}
-
-    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-        m_progress.progress(1 - 1 / (1 + 0.1 * summary.iteration), "Adjusting photos and points");
-        return m_stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-    }
-
-  private:
-    ProgressSink& m_progress;
-    const std::stop_token& m_stop;
-};
-
 /// One run of least squares on the present points and rays.
 class Adjustment {
   public:
@@ -258,7 +244,7 @@ class Adjustment {
         options.function_tolerance = 1e-7;
         options.num_threads = 1; // The sums, and so the result, would depend on their number.
         options.logging_type = ceres::SILENT;
-        AdjustWatch watch(progress, stop);
+        SolverWatch watch(progress, stop, iterations, "Adjusting photos and points");
         options.callbacks.push_back(&watch);
         ceres::Solver::Summary summary;
         ceres::Solve(options, &m_problem, &summary);
@@ -280,10 +266,6 @@ class Adjustment {
     std::vector<std::array<double, 3>> m_turns;
     ceres::Problem m_problem;
 };
-
-} // namespace
-
-namespace {
 
 /// So many points that each photo has enough.
 std::vector<SeenPoint> enoughPoints(std::vector<SeenPoint> points, std::size_t photos) {

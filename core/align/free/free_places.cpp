@@ -34,15 +34,6 @@ void warn(FreePlaces& made, ProgressSink& progress, std::string sentence) {
     made.warnings.push_back(std::move(sentence));
 }
 
-std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> priors) {
-    constexpr std::size_t kNamed = 5;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(photos.size(), kNamed); ++i) {
-        names += text(i == 0 ? "" : ", ", printable(priors[static_cast<std::size_t>(photos[i])].name, 40));
-    }
-    return photos.size() > kNamed ? text(names, " and ", photos.size() - kNamed, " more") : names;
-}
-
 /// The largest part, while it is placed.
 struct Part {
     std::vector<int> photos; ///< Indices of the photos that are placed.

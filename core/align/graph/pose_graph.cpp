@@ -198,4 +198,13 @@ std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d
     return apart;
 }
 
+std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> priors) {
+    constexpr std::size_t kNamed = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(photos.size(), kNamed); ++i) {
+        names += text(i == 0 ? "" : ", ", printable(priors[static_cast<std::size_t>(photos[i])].name, 40));
+    }
+    return photos.size() > kNamed ? text(names, " and ", photos.size() - kNamed, " more") : names;
+}
+
 } // namespace spherewalk::align

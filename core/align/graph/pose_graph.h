@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace spherewalk::align {
@@ -50,5 +51,8 @@ Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quate
 /// first the sum of angles, then a sum that ignores edges which disagree by degrees.
 /// Source: Chatterjee and Govindu, Efficient and Robust Large-Scale Rotation Averaging, 2013.
 std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf);
+
+/// The names of some photos for a sentence: five of them, and how many more there are.
+std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> priors);
 
 } // namespace spherewalk::align

@@ -179,22 +179,6 @@ namespace {
 // In standard deviations: beyond it a prior's pull grows no more, so that one wrong tag does not bend all.
 constexpr double kLargestPull = 4;
 
-class SolverWatch : public ceres::IterationCallback {
-  public:
-    SolverWatch(ProgressSink& progress, const std::stop_token& stop, int iterations)
-        : m_progress(progress), m_stop(stop), m_iterations(iterations) {}
-
-    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-        m_progress.progress(std::min(1.0, (summary.iteration + 1.0) / (m_iterations + 1)), "Solving");
-        return m_stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
-    }
-
-  private:
-    ProgressSink& m_progress;
-    const std::stop_token& m_stop;
-    int m_iterations;
-};
-
 /// Ceres 2.0 has another name for what keeps the tilt.
 void keepTilt(ceres::Problem& problem, double* turn) {
 #if CERES_VERSION_MAJOR == 2 && CERES_VERSION_MINOR == 0
@@ -251,6 +235,11 @@ ceres::Solver::Options solverOptions(const RefinementOptions& options) {
 
 } // namespace
 
+ceres::CallbackReturnType SolverWatch::operator()(const ceres::IterationSummary& summary) {
+    m_progress.progress(std::min(1.0, (summary.iteration + 1.0) / (m_iterations + 1)), m_what);
+    return m_stop.stop_requested() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+}
+
 double refine(Unknowns& unknowns, std::span<const PhotoPrior> priors, std::span<const UsedPair> pairs,
               const RefinementOptions& options, ProgressSink& progress, const std::stop_token& stop) {
     throwIfStopped(stop);
@@ -266,7 +255,7 @@ double refine(Unknowns& unknowns, std::span<const PhotoPrior> priors, std::span<
                                  PairBlock::parameters(unknowns, pairs[i], options.model));
     }
     ceres::Solver::Options solver = solverOptions(options);
-    SolverWatch watch(progress, stop, options.iterations);
+    SolverWatch watch(progress, stop, options.iterations, "Solving");
     solver.callbacks.push_back(&watch);
     solver.update_state_every_iteration = true;
     ceres::Solver::Summary summary;

@@ -8,10 +8,12 @@
 #include <Eigen/Geometry>
 #include <ceres/cost_function.h>
 #include <ceres/evaluation_callback.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/sized_cost_function.h>
 
 #include <span>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::align {
@@ -115,6 +117,21 @@ class PairBlock : public ceres::CostFunction {
     std::size_t m_a;
     std::size_t m_b;
     std::vector<Moved> m_moved;
+};
+
+/// Tells how far a solver is, and ends it when asked. Owner: what it is given must outlive it.
+class SolverWatch : public ceres::IterationCallback {
+  public:
+    SolverWatch(ProgressSink& progress, const std::stop_token& stop, int iterations, std::string_view what)
+        : m_progress(progress), m_stop(stop), m_iterations(iterations), m_what(what) {}
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
+
+  private:
+    ProgressSink& m_progress;
+    const std::stop_token& m_stop;
+    int m_iterations;
+    std::string_view m_what;
 };
 
 /// Moves the unknowns to the least squares of the matches and the priors, and returns the cost. Errors:

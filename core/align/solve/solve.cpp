@@ -238,17 +238,6 @@ SolveAttempt bestAttempt(const Component& component, const ComponentInput& input
     return std::move(*best);
 }
 
-std::string photosText(const Component& component, std::span<const PhotoPrior> priors) {
-    std::string names;
-    constexpr std::size_t kNamed = 5;
-    for (std::size_t i = 0; i < std::min(component.photos.size(), kNamed); ++i) {
-        names += text(i == 0 ? "" : ", ",
-                      printable(priors[static_cast<std::size_t>(component.photos[i])].name, 40));
-    }
-    return component.photos.size() > kNamed ? text(names, " and ", component.photos.size() - kNamed, " more")
-                                            : names;
-}
-
 void warn(Alignment& alignment, ProgressSink& progress, const std::string& sentence) {
     alignment.warnings.push_back(sentence);
     progress.warning(sentence);
@@ -259,14 +248,14 @@ void warnOfComponents(Alignment& alignment, const PoseGraph& graph, std::span<co
     for (std::size_t i = 1; i < graph.components.size(); ++i) {
         warn(alignment, progress,
              text("The survey falls into ", graph.components.size(), " parts that share no photo pair; part ",
-                  i + 1, " is ", photosText(graph.components[i], priors),
+                  i + 1, " is ", namesOf(graph.components[i].photos, priors),
                   ". Each part is aligned for itself, by its positions: take photos between them."));
     }
 }
 
 void warnOfQuality(Alignment& alignment, const Component& component, const SolveAttempt& made,
                    std::span<const PhotoPrior> priors, ProgressSink& progress) {
-    const std::string which = photosText(component, priors);
+    const std::string which = namesOf(component.photos, priors);
     if (!made.orientation.hasHeading) {
         warn(alignment, progress,
              text("Nothing fixes the common heading of ", which,
@@ -351,7 +340,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             report(input, made.choice.model, made.state, made.quality, made.orientation.hasHeading,
                    static_cast<int>(i), alignment, stop);
         for (const std::string& sentence :
-             leanWarnings(alignment, input, made.state, commonLeanRad, photosText(component, photos))) {
+             leanWarnings(alignment, input, made.state, commonLeanRad, namesOf(component.photos, photos))) {
             warn(alignment, progress, sentence);
         }
         doubtPhotos(input, made.state, made.sides, made.travel, alignment);

@@ -85,7 +85,7 @@ void refuseUnknownPlaces(const store::SurveyStore& store) {
     int unknown = 0;
     std::string first;
     for (const store::PhotoRecord& photo : store.chosenPhotos()) {
-        if (store.station(photo.station).name.starts_with(kUnknownPlace)) {
+        if (!store.station(photo.station).isPlaceKnown) {
             first = unknown++ == 0 ? photo.fileName : first;
         }
     }

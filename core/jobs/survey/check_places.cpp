@@ -5,7 +5,6 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset.h"
@@ -68,7 +67,7 @@ std::optional<std::string> findingOn(const store::SurveyStore& store, const stor
         return std::nullopt;
     }
     const auto tag = tagIn(*jpeg, photo.fileName);
-    if (!tag && store.station(photo.station).name.starts_with(kUnknownPlace)) {
+    if (!tag && !store.station(photo.station).isPlaceKnown) {
         return std::nullopt; // Nobody has said yet where it was taken.
     }
     if (!tag || tag->surveyId != surveyId) {

@@ -145,7 +145,8 @@ class Import {
     }
 
     void takeUnplaced(Arrival arrival) {
-        arrival.station = m_store.addStation(arrival.positionM, text(kUnknownPlace, arrival.cameraFileName));
+        arrival.station =
+            m_store.addStation(arrival.positionM, text("unknown place of ", arrival.cameraFileName), false);
         m_added.insert(arrival.station);
         ++m_report.newStations;
         ++m_report.unknownPlaces;

@@ -208,9 +208,9 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
     std::string turned;
     std::size_t turnedCount = 0;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
-        const std::string station = store.station(photo.station).name;
-        const std::string name = text(photo.fileName, " (", station, ")");
-        if (!failed.contains(photo.id) && !station.starts_with(kUnknownPlace)) {
+        const store::StationRecord station = store.station(photo.station);
+        const std::string name = text(photo.fileName, " (", station.name, ")");
+        if (!failed.contains(photo.id) && station.isPlaceKnown) {
             if (inDoubt.contains(photo.id)) {
                 turned += text(turnedCount++ == 0 ? "" : ", ", name);
             }

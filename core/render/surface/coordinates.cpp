@@ -300,7 +300,7 @@ std::optional<Eigen::Vector2d> exactCoordinates(const PixelRays& rays, const Rig
     const Vector3d fromMiddle = photo.roomFromPhoto.rotation.conjugate() *
                                 (roomFromCamera.rotation * step +
                                  inverse * (roomFromCamera.translation - photo.roomFromPhoto.translation));
-    const Vector3d inPhoto = fromMiddle - inverse * photo.lenses.place(fromMiddle);
+    const Vector3d inPhoto = photo.lenses.directionTo(fromMiddle, inverse);
     if (inPhoto.head<2>().norm() < 0.17 * inPhoto.norm()) {
         return std::nullopt;
     }

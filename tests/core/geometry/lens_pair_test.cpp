@@ -14,6 +14,7 @@ TEST(LensPair, ShowsAThingInTheDirectionFromItsLens) {
         const Eigen::Vector3d direction = random.direction();
         const Eigen::Vector3d thing = lenses.place(direction) + random.uniform(0.1, 50) * direction;
         EXPECT_LT((lenses.directionTo(thing).normalized() - direction).norm(), 1e-12);
+        EXPECT_LT((lenses.directionTo(0.2 * thing, 0.2) - 0.2 * lenses.directionTo(thing)).norm(), 1e-12);
     }
 }
 

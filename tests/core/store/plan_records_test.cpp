@@ -158,7 +158,8 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     {
         Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         database.execute(
-            "DROP TABLE room_name; DROP TABLE verdict; DROP TABLE capture_profile; PRAGMA user_version = 2");
+            "ALTER TABLE station DROP COLUMN is_place_known; DROP TABLE room_name; DROP TABLE verdict; "
+            "DROP TABLE capture_profile; PRAGMA user_version = 2");
     }
     EXPECT_EQ(SurveyStore::open(path, Access::Read).captureProfile(), std::nullopt);
 }

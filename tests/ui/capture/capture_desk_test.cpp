@@ -18,10 +18,6 @@ using State = CaptureDesk::State;
 
 namespace {
 
-// Waiting for a camera takes seconds. What is measured, 50 ms being wanted, is recorded: a busy machine adds
-// to it.
-constexpr double kHeldMs = 1000;
-
 /// Options of a camera that the desk does not own.
 practice::PracticeCameraOptions quickCamera() {
     practice::PracticeCameraOptions options;
@@ -30,21 +26,27 @@ practice::PracticeCameraOptions quickCamera() {
     return options;
 }
 
-} // namespace
+class CaptureDeskTest : public CaptureFixture {
+  protected:
+    /// Asks a practice camera that refuses for a picture.
+    void shootInVain() {
+        connectPractice();
+        desk().trigger();
+        waitFor(State::AtStation);
+        desk().practice()->camera().arm(
+            {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
+        desk().trigger();
+        waitFor(State::AskAgain);
+    }
+};
 
-using CaptureDeskTest = CaptureFixture;
+} // namespace
 
 TEST_F(CaptureDeskTest, TellsARefusalOfTheCameraInTheWindowsLanguage) {
     QTranslator german;
     ASSERT_TRUE(loadWords(german, QLocale("de")));
     QCoreApplication::installTranslator(&german);
-    connectPractice();
-    desk().trigger();
-    waitFor(State::AtStation);
-    desk().practice()->camera().arm(
-        {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
-    desk().trigger();
-    waitFor(State::AskAgain);
+    shootInVain();
     EXPECT_TRUE(desk().sentence().contains("warten Sie einen Augenblick")) << desk().sentence().toStdString();
     EXPECT_FALSE(desk().sentence().contains("refused"));
     QCoreApplication::removeTranslator(&german);
@@ -94,13 +96,7 @@ TEST_F(CaptureDeskTest, ResumesAtTheExactStation) {
 }
 
 TEST_F(CaptureDeskTest, TriesAgainWhenNoPictureWasTaken) {
-    connectPractice();
-    desk().trigger();
-    waitFor(State::AtStation);
-    desk().practice()->camera().arm(
-        {practice::FaultKind::ServiceUnavailable, "camera.takePicture", 0, 50, 0});
-    desk().trigger();
-    waitFor(State::AskAgain);
+    shootInVain();
     EXPECT_EQ(desk().verdict(), survey::Quality::Failed);
     EXPECT_FALSE(desk().sentence().isEmpty());
     desk().practice()->camera().arm({practice::FaultKind::ServiceUnavailable, "/nothing", 0, 1, 0});
@@ -295,7 +291,7 @@ TEST_F(CaptureDeskTest, AStalledCameraDoesNotHoldTheWindow) {
     const test::EventLoopGap gap;
     waitUntil([&] { return gap.beats() > 500; });
     EXPECT_EQ(desk().state(), State::Connecting); // it does hang
-    EXPECT_LT(gap.longestMs(), kHeldMs);
+    EXPECT_LT(gap.longestMs(), test::kMostHeldMs);
     RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
     desk().stop();
     waitFor(State::NoCamera);
@@ -303,11 +299,16 @@ TEST_F(CaptureDeskTest, AStalledCameraDoesNotHoldTheWindow) {
 
 TEST_F(CaptureDeskTest, AWholeRunDoesNotHoldTheWindow) {
     connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return desk().state() == State::AtStation && played.size() == 1; });
     desk().setAutomatic(true);
     const test::EventLoopGap gap;
     desk().trigger();
     waitUntil([&] { return desk().state() == State::Ready && desk().stationsLeft() == 0; });
-    EXPECT_LT(gap.longestMs(), kHeldMs);
+    EXPECT_GT(played.size(), 1U);
+    EXPECT_LT(gap.longestMs(), test::kMostHeldMs);
     RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
 }
 

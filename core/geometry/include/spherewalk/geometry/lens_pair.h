@@ -19,9 +19,12 @@ struct LensPair {
     /// Where the lens stands that sees this direction.
     Eigen::Vector3d place(const Eigen::Vector3d& direction) const { return {side(direction) * aheadM, 0, 0}; }
 
-    /// The direction in which the photo shows a point, not normalised. Between the two lenses, where neither
-    /// looks, it is off by less than their distance.
-    Eigen::Vector3d directionTo(const Eigen::Vector3d& pInPhoto) const { return pInPhoto - place(pInPhoto); }
+    /// The direction in which the photo shows a point, not normalised. The point is given times `inverse`, so
+    /// that it may be endlessly far. Between the two lenses, where neither looks, it is off by less than
+    /// their distance.
+    Eigen::Vector3d directionTo(const Eigen::Vector3d& pInPhoto, double inverse = 1) const {
+        return pInPhoto - inverse * place(pInPhoto);
+    }
 };
 
 } // namespace spherewalk

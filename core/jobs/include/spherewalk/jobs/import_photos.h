@@ -35,9 +35,6 @@ struct RefusedLine {
     std::string sentence; ///< Says why, and names the line.
 };
 
-/// The name of a station begins so if nobody knows yet where its photo was taken.
-inline constexpr std::string_view kUnknownPlace = "unknown place of ";
-
 struct ImportReport {
     int imported = 0;
     int alreadyThere = 0;  ///< Number of photos that the survey had, with the same bytes.

@@ -7,8 +7,8 @@
 
 namespace spherewalk::scene {
 
-/// The place of a photo, and how far away things are around it.
-struct PhotoPlace {
+/// Where a photo was taken, and how far away things are around it.
+struct PhotoWithDepth {
     Rigid3 roomFromPhoto;
     const render::DepthMap* depth = nullptr; ///< Owner: the caller. Null if nothing is known.
 };
@@ -18,7 +18,7 @@ struct PhotoPlace {
 /// here.depth says; without it things are endlessly far, and the photo is only turned. What something hides
 /// from `there`, as there.depth says, is half as bright. Frames: the result has that of the photo at `here`.
 /// Shape: the result has the picture's size. Cost: half a second for 5376 x 2688 pixels on two threads.
-RgbImage photoSeenFrom(const PhotoPlace& here, const RgbImage& picture, const PhotoPlace& there,
+RgbImage photoSeenFrom(const PhotoWithDepth& here, const RgbImage& picture, const PhotoWithDepth& there,
                        int threads = 0);
 
 } // namespace spherewalk::scene

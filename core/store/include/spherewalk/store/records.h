@@ -30,6 +30,7 @@ struct StationRecord {
     std::int64_t id = 0;
     std::string name; ///< Name that people read, "rail 3, stop 5" for example.
     survey::Station station;
+    bool isPlaceKnown = true; ///< If not, its position has no meaning: a photo came without one.
 };
 
 /// A photo that is to become part of the survey. Its file is already complete in the photo folder.

@@ -91,7 +91,8 @@ class SurveyStore {
     std::vector<StationRecord> stationsWithoutPhoto() const;
     /// Adds a station where photos were taken outside the plan. An empty name becomes
     /// "unplanned position (x, y)".
-    std::int64_t addStation(const Eigen::Vector3d& positionM, const std::string& name = {});
+    std::int64_t addStation(const Eigen::Vector3d& positionM, const std::string& name = {},
+                            bool isPlaceKnown = true);
     /// Removes a station that was added and is not used. Errors: NotFound; InvalidInput for a station of the
     /// plan, or with a photo or a shot.
     void removeStation(std::int64_t id);
