@@ -33,6 +33,7 @@ void declareCommands(Commands& commands) {
     addBench(commands);
     addCamera(commands);
     addPracticeCamera(commands);
+    addPracticePictures(commands);
     addDemo(commands);
 }
 

@@ -26,10 +26,15 @@ void RenderOptions::declare(const Command& command, const std::string& datasetHe
     command.flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");
 }
 
-void RenderOptions::declareFrame(const Command& command) {
-    command.option("--frame", m_frame, "Frame that the poses are of: optical (z forward) or body (x forward)")
+void declareFrame(const Command& command, std::string& frame) {
+    command.option("--frame", frame, "Frame that the poses are of: optical (z forward) or body (x forward)")
         .among({"optical", "body"})
         .showDefault();
+}
+
+Rigid3 opticalPose(const Rigid3& roomFromGiven, std::string_view frame) {
+    return frame == "body" ? roomFromGiven * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
+                           : roomFromGiven;
 }
 
 render::Renderer RenderOptions::renderer(const std::filesystem::path& dataset, ProgressSink& progress,
@@ -64,11 +69,6 @@ render::ViewOptions RenderOptions::pictureOptions(const render::DatasetInfo& dat
     return options;
 }
 
-Rigid3 RenderOptions::opticalPose(const Rigid3& roomFromGiven) const {
-    return m_frame == "body" ? roomFromGiven * Rigid3{bodyFromOptical(), Eigen::Vector3d::Zero()}
-                             : roomFromGiven;
-}
-
 void StreamOptions::declare(const Command& command) {
     command
         .option("--late", m_late,
@@ -79,10 +79,16 @@ void StreamOptions::declare(const Command& command) {
     command.option("--prefetch", m_prefetchS, "Seconds of the path's motion to decode ahead; 0: none")
         .range(0.0, 10.0)
         .showDefault();
+    command
+        .option(
+            "--passage", m_passageM,
+            "Metres of the way along which a view with depth passes from one photo to the next; 0: it jumps")
+        .range(0.0, 1.0)
+        .showDefault();
 }
 
 render::StreamOptions StreamOptions::options() const {
-    return {render::latePolicy(m_late), m_prefetchS};
+    return {render::latePolicy(m_late), m_prefetchS, m_passageM};
 }
 
 } // namespace spherewalk::program

@@ -9,8 +9,15 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 namespace spherewalk::program {
+
+/// Declares --frame, for commands that take poses from the user.
+void declareFrame(const Command& command, std::string& frame);
+
+/// The pose of the optical frame (z forward). roomFromGiven: the pose of the frame that --frame names.
+Rigid3 opticalPose(const Rigid3& roomFromGiven, std::string_view frame);
 
 /// The options of every command that renders: a dataset, a camera, the frame of given poses, and how views
 /// are made.
@@ -18,8 +25,9 @@ class RenderOptions {
   public:
     /// Declares the dataset, --camera, --scene, --sampling, --threads and --no-verify.
     void declare(const Command& command, const std::string& datasetHelp = "Folder of the dataset");
+
     /// Declares --frame, for commands that take poses from the user.
-    void declareFrame(const Command& command);
+    void declareFrame(const Command& command) { program::declareFrame(command, m_frame); }
 
     /// The dataset's folder, as the user gave it.
     const std::string& folder() const { return m_dataset; }
@@ -44,7 +52,9 @@ class RenderOptions {
                               const std::stop_token& stop) const;
 
     /// The pose of the optical frame (z forward). roomFromGiven: the pose of the frame that --frame names.
-    Rigid3 opticalPose(const Rigid3& roomFromGiven) const;
+    Rigid3 opticalPose(const Rigid3& roomFromGiven) const {
+        return program::opticalPose(roomFromGiven, m_frame);
+    }
 
   private:
     std::string m_dataset;
@@ -59,7 +69,7 @@ class RenderOptions {
 /// The options of commands whose camera moves.
 class StreamOptions {
   public:
-    /// Declares --late and --prefetch.
+    /// Declares --late, --prefetch and --passage.
     void declare(const Command& command);
 
     render::StreamOptions options() const;
@@ -67,6 +77,7 @@ class StreamOptions {
   private:
     std::string m_late = "wait";
     double m_prefetchS = render::StreamOptions().prefetchSeconds;
+    double m_passageM = render::StreamOptions().passageM;
 };
 
 } // namespace spherewalk::program

@@ -118,9 +118,9 @@ py::list renderMany(const OwnRenderer& self, const CameraModel& camera, const py
 }
 
 std::unique_ptr<OwnStream> makeStream(const OwnRenderer& renderer, const CameraModel& camera,
-                                      const std::string& late, double prefetchS) {
+                                      const std::string& late, double prefetchS, double passageM) {
     renderer.process.check();
-    const render::StreamOptions options{render::latePolicy(late), prefetchS};
+    const render::StreamOptions options{render::latePolicy(late), prefetchS, passageM};
     return std::unique_ptr<OwnStream>(new OwnStream{camera, ViewStream(renderer.renderer, camera, options)});
 }
 
@@ -173,9 +173,12 @@ void bindStream(py::module_& module) {
         "thread at a time; several streams of one renderer run beside each other.")
         .def(py::init(&makeStream), py::arg("renderer"), py::arg("camera"), py::kw_only(),
              py::arg("late") = "wait", py::arg("prefetch_s") = render::StreamOptions().prefetchSeconds,
+             py::arg("passage_m") = render::StreamOptions().passageM,
              "late: what a view is made from when its photo is not decoded yet, \"wait\" for it, \"coarse\" "
-             "(the "
-             "thumbnail), or \"previous\" (the photo before); prefetch_s: seconds of motion to decode ahead.")
+             "(the thumbnail), or \"previous\" (the photo before); prefetch_s: seconds of motion to decode "
+             "ahead; passage_m: the way along which a view with depth passes from one photo to the next, 0 "
+             "if it "
+             "jumps.")
         .def("next", &next, py::arg("pose"), py::arg("time_s"),
              py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
              py::arg("overlays") = py::tuple(), py::arg("frame") = "optical",

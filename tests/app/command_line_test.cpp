@@ -74,6 +74,11 @@ TEST(CommandLine, GoesFromAPlanToARobotsViewWithEveryStepAsJson) {
                                      "--frame", "body", "--out", path("w"), "--json"});
     ASSERT_EQ(walked.status, 0) << walked.errors;
     EXPECT_EQ(walked.json()["frames"], 2);
+    const CliResult drawn = runCli({"practice-pictures", path("drawn"), "--camera", path("c.yaml"), "--path",
+                                    path("p.tum"), "--frame", "body", "--json"});
+    ASSERT_EQ(drawn.status, 0) << drawn.errors;
+    EXPECT_EQ(drawn.json()["pictures"], 2);
+    EXPECT_EQ(photo::readPicture(path("drawn/000001.png")).width(), 64);
     // The body looks along x with z up; the same view as an optical pose.
     const CliResult viewed = runCli({"view", path("d"), "--camera", path("c.yaml"), "--pose",
                                      "2 2 1.3 -0.5 0.5 -0.5 0.5", "--out", path("v.png"), "--json"});

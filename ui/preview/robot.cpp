@@ -110,9 +110,8 @@ ViewMaker::Eye& ViewMaker::eye(std::size_t side, const CameraIntrinsics& camera)
     std::unique_ptr<Eye>& eye = m_eyes[side];
     if (!eye || !(eye->intrinsics == camera)) {
         const CameraModel model(camera);
-        eye = std::make_unique<Eye>(Eye{
-            camera, model,
-            render::ViewStream(m_renderer, model, render::StreamOptions{render::LatePolicy::Coarse, 0.4})});
+        const render::StreamOptions options{.late = render::LatePolicy::Coarse, .prefetchSeconds = 0.4};
+        eye = std::make_unique<Eye>(Eye{camera, model, render::ViewStream(m_renderer, model, options)});
     }
     return *eye;
 }

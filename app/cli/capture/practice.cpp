@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/command.h"
+#include "program/render_options.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/enum_names.h"
@@ -8,7 +9,9 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/demo.h"
 #include "spherewalk/jobs/positions_csv.h"
+#include "spherewalk/jobs/practice_pictures.h"
 #include "spherewalk/practice/practice_camera.h"
+#include "spherewalk/render/camera_info.h"
 
 #include <memory>
 
@@ -35,16 +38,29 @@ constexpr EnumNames<practice::CameraModel, 3> kModels{{{practice::CameraModel::T
                                                        {practice::CameraModel::ThetaS, "theta-s"},
                                                        {practice::CameraModel::LevelOne, "level-one"}}};
 
+practice::PracticeRoomOptions roomOptions(const std::string& name) {
+    practice::PracticeRoomOptions room;
+    room.style = valueOf(kRooms, "The practice room", name);
+    if (room.style == practice::RoomStyle::Flat) {
+        room.sizeM = {8, 6, 2.5};
+    }
+    return room;
+}
+
+void declareRoom(const program::Command& command, std::string& room) {
+    command
+        .option("--room", room,
+                "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
+        .showDefault();
+}
+
 practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
     practice::PracticeCameraOptions camera = options.camera;
     camera.seed = options.seed;
     camera.errors.seed = options.seed;
     camera.errors.tiltSigma = Degrees(options.tiltDeg);
     camera.model = valueOf(kModels, "The practice camera's model", options.model);
-    camera.room.style = valueOf(kRooms, "The practice room", options.room);
-    if (camera.room.style == practice::RoomStyle::Flat) {
-        camera.room.sizeM = {8, 6, 2.5};
-    }
+    camera.room = roomOptions(options.room);
     if (options.isReal) {
         camera.flaws = practice::PhotoFlaws::ofARealCamera(options.seed);
     }
@@ -71,6 +87,27 @@ Result servePractice(const PracticeArguments& options, Context& context) {
     const practice::PracticeCameraStats stats = camera.stats();
     return {{{"exposures", stats.exposures}, {"commands", stats.commands}},
             text("The practice camera took ", stats.exposures, " pictures.")};
+}
+
+struct PicturesArguments {
+    std::string out;
+    std::string camera;
+    std::string path;
+    std::string frame = "optical";
+    std::string room = "lively";
+};
+
+Result drawPictures(const PicturesArguments& options, Context& context) {
+    std::vector<TimedPose> path = readTum(options.path);
+    for (TimedPose& pose : path) {
+        pose.roomFromCamera = program::opticalPose(pose.roomFromCamera, options.frame);
+    }
+    const CameraModel camera(render::readCameraInfo(options.camera));
+    jobs::drawPracticePictures(practice::PracticeRoom(roomOptions(options.room)), camera, path, options.out,
+                         context.progress, context.stop);
+    return {{{"pictures", path.size()}, {"table", options.out + "/pictures.csv"}},
+            text("Drew ", path.size(), " pictures with their depths. Give ", options.out,
+                 "/pictures.csv to measure or compare as --pictures.")};
 }
 
 struct DemoArguments {
@@ -118,10 +155,7 @@ void addPracticeCamera(Commands& commands) {
         .showDefault();
     command.option("--width", camera.width, "Of the photos, pixels").showDefault();
     command.option("--seed", options->seed, "Of the errors in yaw, tilt, and position").showDefault();
-    command
-        .option("--room", options->room,
-                "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
-        .showDefault();
+    declareRoom(command, options->room);
     command
         .option("--model", options->model,
                 "What it speaks: theta-v (API level 2), theta-s (1, then 2), or level-one (sessions only)")
@@ -138,6 +172,18 @@ void addPracticeCamera(Commands& commands) {
     command.option("--photos", options->photos,
                    "Serve these photos, by position, in place of the practice room");
     command.option("--positions", options->positions, "CSV of their positions, as for import");
+}
+
+void addPracticePictures(Commands& commands) {
+    const auto options = std::make_shared<PicturesArguments>();
+    const program::Command command =
+        commands.add("practice-pictures", "Draw what a robot's camera really sees in a practice room",
+                     [options](Context& context) { return drawPictures(*options, context); });
+    command.option("out", options->out, "Folder to make").required();
+    command.option("--camera", options->camera, "Camera: a ROS camera-info YAML").required();
+    command.option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"").required();
+    program::declareFrame(command, options->frame);
+    declareRoom(command, options->room);
 }
 
 void addDemo(Commands& commands) {

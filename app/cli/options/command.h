@@ -95,6 +95,7 @@ void addCompare(Commands& commands);
 void addBench(Commands& commands);
 void addCamera(Commands& commands);
 void addPracticeCamera(Commands& commands);
+void addPracticePictures(Commands& commands);
 void addDemo(Commands& commands);
 
 } // namespace spherewalk::cli

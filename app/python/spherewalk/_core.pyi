@@ -214,6 +214,7 @@ class ViewStream:
         *,
         late: Literal["wait", "coarse", "previous"] = "wait",
         prefetch_s: float = 0.2,
+        passage_m: float = 0.04,
     ) -> None: ...
     def next(
         self,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
+#include "measure/border_jumps.h"
 #include "measure/measure_comparison.h"
 #include "measure/measure_summary.h"
 
@@ -288,13 +289,11 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
                              const MeasureOptions& options, ProgressSink& progress,
                              const std::stop_token& stop) {
     options.validate();
-    if (options.pictures.empty()) {
-        return Measurement(renderer, camera, options, true).run(progress, stop);
-    }
-    ProgressStep comparing(progress, 0, 0.4);
-    MeasureReport report = Measurement(renderer, camera, options, false).run(comparing, stop);
-    if (renderer.dataset().info().photos.size() > 1) {
-        ProgressStep leaving(progress, 0.4, 1);
+    const bool isLeaveOneOut = options.pictures.empty();
+    ProgressStep comparing(progress, 0, isLeaveOneOut ? 0.95 : 0.4);
+    MeasureReport report = Measurement(renderer, camera, options, isLeaveOneOut).run(comparing, stop);
+    if (!isLeaveOneOut && renderer.dataset().info().photos.size() > 1) {
+        ProgressStep leaving(progress, 0.4, 0.95);
         MeasureOptions leftOut = options;
         leftOut.worst = 0;
         auto foretold =
@@ -302,6 +301,9 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
         report.predictions = predictions(*foretold, report, camera);
         report.leaveOneOut = std::move(foretold);
     }
+    ProgressStep passing(progress, 0.95, 1);
+    report.borders = borderJumps(renderer, camera, options,
+                                 wantedScenes(options, renderer.dataset().info()), passing, stop);
     return report;
 }
 

@@ -76,6 +76,16 @@ Json passedOverJson(const PassedOver& passed) {
             {"false_edges_higher_by", json(passed.looks.falseEdges)}};
 }
 
+Json borderJson(const BorderJump& jump) {
+    return {{"scene", name(jump.scene)},
+            {"borders", jump.borders},
+            {"psnr_db", jump.psnrDb},
+            {"worst_psnr_db", jump.worstPsnrDb},
+            {"median_px", orNull(jump.medianPx)},
+            {"p95_px", orNull(jump.p95Px)},
+            {"missed_share", jump.missedShare}};
+}
+
 Json choiceJson(const MeasureReport& report, const Choice& choice) {
     Json passed = Json::array();
     for (const PassedOver& one : choice.passedOver) {
@@ -111,6 +121,10 @@ Json toJson(const MeasureReport& report) {
     for (const Choice& choice : report.choices) {
         choices.push_back(choiceJson(report, choice));
     }
+    Json borders = Json::array();
+    for (const BorderJump& jump : report.borders) {
+        borders.push_back(borderJson(jump));
+    }
     Json predictions = Json::array();
     for (const Prediction& prediction : report.predictions) {
         predictions.push_back({{"scene", name(prediction.scene)},
@@ -134,6 +148,7 @@ Json toJson(const MeasureReport& report) {
             {"rungs", rungs},
             {"choice", choiceJson(report, report.choice)},
             {"choices", choices},
+            {"borders", borders},
             {"left_out", report.leaveOneOut ? toJson(*report.leaveOneOut) : Json()},
             {"predictions", predictions},
             {"seconds", report.seconds}};

@@ -143,6 +143,23 @@ report::Table worstTable(const MeasureReport& report) {
     return table;
 }
 
+report::Table borderTable(const MeasureReport& report) {
+    report::Table table{{"at a border", "PSNR", "worst", "median px", "95 % px", "missed %"}, {}};
+    for (const BorderJump& jump : report.borders) {
+        table.rows.push_back({std::string(name(jump.scene)), fixed(jump.psnrDb, 1),
+                              fixed(jump.worstPsnrDb, 1), orDash(jump.medianPx), orDash(jump.p95Px),
+                              percent(jump.missedShare)});
+    }
+    return table;
+}
+
+std::string borderWords(const MeasureReport& report) {
+    return text(
+        "At ", report.borders.front().borders,
+        " borders, half way between two photos, what a view from the one shows beside a view from the "
+        "other. A stream with depth spreads that over some centimetres of the way.");
+}
+
 report::Table rungTable(const MeasureReport& report) {
     report::Table table{{"scene model", "sampling", "cost", "ms", "95 % px"}, {}, 2};
     for (const Rung& rung : report.rungs) {
@@ -282,6 +299,10 @@ void addMeasured(const ReportContents& contents, Document& document) {
     document.blocks.emplace_back(sceneTable(report));
     document.blocks.emplace_back(worstTable(report));
     document.blocks.emplace_back(Paragraph{kColumnWords});
+    if (!report.borders.empty()) {
+        document.blocks.emplace_back(Paragraph{borderWords(report)});
+        document.blocks.emplace_back(borderTable(report));
+    }
     if (const std::string words = betweenWords(report); !words.empty()) {
         document.blocks.emplace_back(Paragraph{words});
     }
@@ -357,6 +378,9 @@ std::string measureText(const MeasureReport& report) {
     std::string result =
         text(subjectWords(report), ":\n", sceneTable(report).text(), "\n", worstTable(report).text(), "\n",
              choicesText(report), "\n", report.choice.reason);
+    if (!report.borders.empty()) {
+        result += text("\n\n", borderWords(report), "\n", borderTable(report).text());
+    }
     if (const std::string words = betweenWords(report); !words.empty()) {
         result += "\n\n" + words;
     }

@@ -112,4 +112,24 @@ void writePng(const std::filesystem::path& file, const RgbImage& picture) {
     writeFile(file, png);
 }
 
+void writeDepthPng(const std::filesystem::path& file, const DepthImage& depthM) {
+    if (depthM.empty()) {
+        throw Error(ErrorKind::InvalidInput, text("Could not write ", file.string(), ": it has no pixels."));
+    }
+    const Bytes png = translated(text("write ", file.string()), [&] {
+        cv::Mat millimetres(depthM.height(), depthM.width(), CV_16UC1);
+        for (int y = 0; y < depthM.height(); ++y) {
+            for (int x = 0; x < depthM.width(); ++x) {
+                const float value = std::round(1000 * *depthM.at(x, y));
+                millimetres.at<std::uint16_t>(y, x) =
+                    value > 0 && value <= UINT16_MAX ? static_cast<std::uint16_t>(value) : 0;
+            }
+        }
+        Bytes encoded;
+        cv::imencode(".png", millimetres, encoded);
+        return encoded;
+    });
+    writeFile(file, png);
+}
+
 } // namespace spherewalk::photo

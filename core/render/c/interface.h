@@ -176,6 +176,7 @@ struct CStruct<spherewalk_stream_options> : detail::PlainCStruct<spherewalk_stre
     static spherewalk_stream_options defaults() {
         auto result = PlainCStruct::defaults();
         result.prefetch_seconds = StreamOptions{}.prefetchSeconds;
+        result.passage_m = StreamOptions{}.passageM;
         return result;
     }
 };

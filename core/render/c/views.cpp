@@ -19,7 +19,7 @@ RendererOptions rendererOptions(const spherewalk_renderer_options* given, bool i
 StreamOptions streamOptions(const spherewalk_stream_options* options) {
     const auto source = takenOrDefaults(options);
     checkReserved(source.reserved);
-    return {lateOf(source.late), source.prefetch_seconds};
+    return {lateOf(source.late), source.prefetch_seconds, source.passage_m};
 }
 
 /// The stream for this thread alone. Errors: Busy.

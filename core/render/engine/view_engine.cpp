@@ -50,6 +50,18 @@ std::optional<RoomShape> roomOf(const DatasetInfo& info) {
     return RoomShape{info.outline, 0, info.ceilingM};
 }
 
+/// Mixes a picture into one of the same size. share: what it counts for, 0 to 1.
+void mixIn(const RgbImage& other, double share, RgbImage& picture) {
+    const auto weight = static_cast<int>(std::lround(256 * share));
+    for (int y = 0; y < picture.height(); ++y) {
+        const std::uint8_t* from = other.at(0, y);
+        std::uint8_t* to = picture.at(0, y);
+        for (int i = 0; i < 3 * picture.width(); ++i) {
+            to[i] = static_cast<std::uint8_t>((weight * from[i] + (256 - weight) * to[i] + 128) / 256);
+        }
+    }
+}
+
 double elapsedMs(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -89,7 +101,12 @@ ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFro
                     text("The dataset ", m_dataset->folder().string(), " has no ", name(*options.scene),
                          " scene model; use another, or export it again with one."));
     }
-    return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options, {}};
+    return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options, {}, {}};
+}
+
+bool ViewEngine::passesSoftly(const ViewRequest& request, std::size_t formerPhoto) {
+    return plan(request, request.held.front()).surface == SceneKind::Depth &&
+           m_dataset->sees(formerPhoto, request.roomFromCamera.translation);
 }
 
 std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, int samplesPerAxis) {
@@ -242,7 +259,7 @@ void ViewEngine::makeFromSurfaces(const ViewRequest& request, const Plan& plan, 
     withTools(request.options.threads, [&](const Tools& tools) {
         SurfaceView& surfaces =
             plan.surface == SceneKind::Blend ? tools.memory.blendedView : tools.memory.surfaceView;
-        drawSurfaces(request, plan, photos, tools, surfaces, view);
+        makeSurfaceView(request, plan, photos, tools, surfaces, view);
     });
     view.report.renderMs = elapsedMs(begin) - view.report.decodeMs;
 }
@@ -251,11 +268,13 @@ Eigen::Vector3d ViewEngine::exposureGain(std::size_t photo) const {
     return m_dataset->info().photos[photo].exposureGain.value_or(Eigen::Vector3d::Ones());
 }
 
-void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
-                              const Tools& tools, SurfaceView& surfaceView, View& view) {
+/// Makes a picture from the surfaces of these photos, as bright as the first one.
+ViewEngine::DrawnSurfaces ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan,
+                                                   const std::vector<std::size_t>& chosen, const Tools& tools,
+                                                   SurfaceView& surfaceView, RgbImage& picture) {
     const auto rays = pixelRaysOf(request.camera, tools);
     std::vector<SurfacePhoto> photos;
-    for (const std::size_t photo : chosen.photos) {
+    for (const std::size_t photo : chosen) {
         const PhotoLevel level{photo, plan.level.denominator};
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});
@@ -265,34 +284,50 @@ void ViewEngine::drawSurfaces(const ViewRequest& request, const Plan& plan, cons
     const std::vector<TileSet> needs =
         surfaceView.prepare(*rays, request.roomFromCamera, photos, plan.radiusM, plan.rays->samplesPerAxis(),
                             tools.pool, tools.threads);
-    std::vector<TileLease> leases;
-    std::vector<PlaneView> planes;
+    DrawnSurfaces drawn;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const TileLease& lease =
+            drawn.leases.emplace_back(m_store.acquire({photos[i].photo, plan.level.denominator}, needs[i],
+                                                      TileStore::Missing::Decode, request.options.threads));
+        drawn.planes.push_back(lease.plane());
+        drawn.waitedMs += lease.waitedMs();
+        drawn.waitedTiles += lease.waitedTiles();
+    }
+    surfaceView.sample(*rays, drawn.planes, plan.sampling, tools.pool, tools.threads, picture);
+    return drawn;
+}
+
+void ViewEngine::makeSurfaceView(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
+                                 const Tools& tools, SurfaceView& surfaceView, View& view) {
     double waitedMs = 0;
     int waitedTiles = 0;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        leases.push_back(m_store.acquire({photos[i].photo, plan.level.denominator}, needs[i],
-                                         TileStore::Missing::Decode, request.options.threads));
-        planes.push_back(leases.back().plane());
-        waitedMs += leases.back().waitedMs();
-        waitedTiles += leases.back().waitedTiles();
+    if (request.former.share > 0) {
+        const DrawnSurfaces former =
+            drawSurfaces(request, plan, request.former.photos, tools, surfaceView, tools.memory.former);
+        waitedMs = former.waitedMs;
+        waitedTiles = former.waitedTiles;
     }
-    surfaceView.sample(*rays, planes, plan.sampling, tools.pool, tools.threads, view.picture);
+    DrawnSurfaces drawn = drawSurfaces(request, plan, chosen.photos, tools, surfaceView, view.picture);
+    if (request.former.share > 0) {
+        mixIn(tools.memory.former, request.former.share, view.picture);
+    }
     Served served;
-    served.isLate = waitedTiles > 0;
-    served.lease = std::move(leases.front());
+    served.isLate = waitedTiles + drawn.waitedTiles > 0;
+    served.lease = std::move(drawn.leases.front());
     report(request, plan, served, view.report);
-    view.report.decodeMs = waitedMs;
-    view.report.decodedTiles = waitedTiles;
+    view.report.decodeMs = waitedMs + drawn.waitedMs;
+    view.report.decodedTiles = waitedTiles + drawn.waitedTiles;
     view.report.filledShare = surfaceView.filledShare();
     ViewEvidence evidence = this->evidence(request, plan, chosen.photos);
     evidence.inverseM = [&surfaceView, isPinhole = request.camera.intrinsics().lens == LensModel::Pinhole](
                             int x, int y, const Eigen::Vector3d& ray) {
         return surfaceView.inverse(x, y) * (isPinhole ? ray.z() : 1);
     };
+    const auto rays = pixelRaysOf(request.camera, tools);
     const auto depthOfSurfaces = [&](DepthImage memory) {
         return surfaceView.depth(*rays, tools.pool, tools.threads, std::move(memory));
     };
-    addLayers(request, plan, planes.front(), tools, evidence, depthOfSurfaces, view);
+    addLayers(request, plan, drawn.planes.front(), tools, evidence, depthOfSurfaces, view);
 }
 
 void ViewEngine::report(const ViewRequest& request, const Plan& plan, const Served& served,

@@ -19,12 +19,20 @@
 
 namespace spherewalk::render {
 
+/// The photos that a moving camera's views were made from until now, and how much they still count.
+struct FormerPhotos {
+    std::vector<std::size_t> photos;
+    double share = 0; ///< Range: 0 to 1.
+};
+
 /// A camera, its pose and the options of its view. Owner: the camera must outlive the request.
 struct ViewRequest {
     const CameraModel& camera;
     Rigid3 roomFromCamera; ///< The pose of the optical frame; the rotation is a unit quaternion.
     ViewOptions options;
     std::vector<std::size_t> held; ///< PhotoQuery::held
+    /// What is still mixed into a view with depth; nothing if its share is 0.
+    FormerPhotos former = {};
 };
 
 /// Makes views: it chooses photos, gets their tiles and draws. The renderer and its streams share it with all
@@ -47,6 +55,10 @@ class ViewEngine {
 
     /// The photos that serve() would make the view from.
     std::vector<std::size_t> photosOf(const ViewRequest& request) { return choice(request).second.photos; }
+
+    /// Whether a view passes softly from one photo to another: only where the photos' depths tell where
+    /// things are. Two displaced pictures make edges that no camera sees.
+    bool passesSoftly(const ViewRequest& request, std::size_t formerPhoto);
 
     /// The chosen photo and the tiles of it that the view shows. reachPx: how many photo pixels beside
     /// count, too. The default is what the filters of all samplings need.
@@ -79,6 +91,7 @@ class ViewEngine {
         SurfaceView surfaceView;
         SurfaceView blendedView{true};
         DepthImage depth; ///< For overlays alone.
+        RgbImage former;  ///< The picture of former photos.
     };
 
     /// What one view is drawn with. threads: the most to use of the pool.
@@ -106,8 +119,20 @@ class ViewEngine {
     void draw(const ViewRequest& request, const Plan& plan, const PlaneView& photo, const Tools& tools,
               View& view);
     void makeFromSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& photos, View& view);
-    void drawSurfaces(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
-                      const Tools& tools, SurfaceView& surfaceView, View& view);
+
+    /// A picture from surfaces, and what it had to wait for.
+    struct DrawnSurfaces {
+        std::vector<TileLease> leases; ///< One a photo.
+        std::vector<PlaneView> planes; ///< The same photos.
+        double waitedMs = 0;
+        int waitedTiles = 0;
+    };
+
+    DrawnSurfaces drawSurfaces(const ViewRequest& request, const Plan& plan,
+                               const std::vector<std::size_t>& chosen, const Tools& tools,
+                               SurfaceView& surfaceView, RgbImage& picture);
+    void makeSurfaceView(const ViewRequest& request, const Plan& plan, const NearPhotos& chosen,
+                         const Tools& tools, SurfaceView& surfaceView, View& view);
     void report(const ViewRequest& request, const Plan& plan, const Served& served, ViewReport& report) const;
     ViewEvidence evidence(const ViewRequest& request, const Plan& plan,
                           const std::vector<std::size_t>& shown) const;

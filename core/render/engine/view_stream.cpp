@@ -39,6 +39,13 @@ struct ViewStream::State {
         double timeS = 0;
     };
 
+    /// The way from one photo to another.
+    struct Passage {
+        std::vector<std::size_t> from; ///< The photos before; empty while there is no passage.
+        Eigen::Vector3d pBefore = Eigen::Vector3d::Zero(); ///< The camera of the view before.
+        double wayM = 0; ///< How far the camera has come since it left them.
+    };
+
     State(std::shared_ptr<ViewEngine> sharedEngine, const CameraModel& model, const StreamOptions& wanted)
         : engine(std::move(sharedEngine)),
           camera(model),
@@ -48,6 +55,7 @@ struct ViewStream::State {
                      [this](const std::stop_token& stop) { return engine->verifyNext(stop); }) {}
 
     ViewRequest request(const Rigid3& roomFromCamera, const ViewOptions& view);
+    FormerPhotos pass(const ViewRequest& request, const std::vector<std::size_t>& shownBefore);
     void prefetch(const ViewRequest& request, double timeS);
 
     std::shared_ptr<ViewEngine> engine;
@@ -56,15 +64,37 @@ struct ViewStream::State {
     LateViews late;
     std::optional<Step> before;
     std::vector<std::size_t> held; ///< The photos of the view before.
-    Prefetcher prefetcher;         ///< The last member: its thread uses the others.
+    Passage passage;
+    Prefetcher prefetcher; ///< The last member: its thread uses the others.
 };
 
 /// The request for the next view, with the photos that it will be made from.
 ViewRequest ViewStream::State::request(const Rigid3& roomFromCamera, const ViewOptions& view) {
     ViewRequest request = engine->request(camera, roomFromCamera, view);
     request.held = held;
-    held = request.held = engine->photosOf(request);
+    request.held = engine->photosOf(request);
+    request.former = pass(request, held);
+    held = request.held;
     return request;
+}
+
+/// Goes on along the way from one photo to another, or begins it. Each photo counts by the way, not by the
+/// time, so that a camera that stands still has a picture that stands still.
+FormerPhotos ViewStream::State::pass(const ViewRequest& request,
+                                     const std::vector<std::size_t>& shownBefore) {
+    const Eigen::Vector3d& pInRoom = request.roomFromCamera.translation;
+    const double stepM = (pInRoom - std::exchange(passage.pBefore, pInRoom)).norm();
+    if (!shownBefore.empty() && shownBefore.front() != request.held.front()) {
+        passage.from = shownBefore;
+        passage.wayM = 0;
+    }
+    passage.wayM += stepM;
+    if (passage.from.empty() || !(passage.wayM < options.passageM) ||
+        !engine->passesSoftly(request, passage.from.front())) {
+        passage.from.clear();
+        return {};
+    }
+    return {passage.from, 1 - passage.wayM / options.passageM};
 }
 
 /// The view's own tiles come first: after LatePolicy::Coarse or Previous they are still wanted.
@@ -81,10 +111,10 @@ void ViewStream::State::prefetch(const ViewRequest& request, double timeS) {
     prefetcher.setPlan([this, motion, ahead, view, pose = request.roomFromCamera,
                         photos = request.held](const std::stop_token& stop) {
         const auto needAt = [&](const Rigid3& predicted) {
-            return engine->need({camera, predicted, view, photos}, kPredictionReachPx);
+            return engine->need({camera, predicted, view, photos, {}}, kPredictionReachPx);
         };
         std::vector<TileNeed> plan = prefetchPlan(pose, motion, ahead, stop, needAt);
-        plan.insert(plan.begin(), engine->need({camera, pose, view, photos}));
+        plan.insert(plan.begin(), engine->need({camera, pose, view, photos, {}}));
         return plan;
     });
     before = {request.roomFromCamera, timeS};
@@ -94,6 +124,10 @@ ViewStream::ViewStream(const Renderer& renderer, const CameraModel& camera, cons
     if (!(options.prefetchSeconds >= 0 && options.prefetchSeconds <= 10)) {
         throw Error(ErrorKind::InvalidInput, text("A stream cannot look ", options.prefetchSeconds,
                                                   " s ahead; give a time from 0 to 10 s."));
+    }
+    if (!(options.passageM >= 0 && options.passageM <= 1)) {
+        throw Error(ErrorKind::InvalidInput, text("A passage from photo to photo cannot take ",
+                                                  options.passageM, " m; give a way from 0 to 1 m."));
     }
     m_state = std::make_unique<State>(renderer.m_engine, camera, options);
 }

@@ -388,7 +388,7 @@ SPHEREWALK_API spherewalk_status spherewalk_renderer_get_counters(const spherewa
 
 // ---- Streams
 
-/// The views of one moving camera in turn. A thread of the stream decodes ahead for the predicted views.
+/// The views of one moving camera in turn. A thread of it decodes ahead for the predicted views.
 typedef struct spherewalk_stream spherewalk_stream;
 
 /// What a view is made from when its part of the nearest photo is not decoded.
@@ -403,8 +403,8 @@ typedef struct spherewalk_stream_options {
     int32_t late;            ///< Default: SPHEREWALK_LATE_WAIT.
     int32_t reserved;        ///< It must be 0.
     double prefetch_seconds; ///< How far ahead is decoded. Range: 0 (not at all) to 10. Default: 0.2.
+    double passage_m; ///< Metres along which a view with depth passes to the next photo. Default: 0.04.
 } spherewalk_stream_options;
-
 SPHEREWALK_API spherewalk_status spherewalk_stream_options_init(spherewalk_stream_options* options,
                                                                 size_t size);
 /// Makes a stream. options: may be NULL.

@@ -75,6 +75,21 @@ TEST(MeasureDataset, RanksTheSceneModels) {
     EXPECT_GT(report.rungs.back().bytes, report.rungs.front().bytes);
 }
 
+TEST(MeasureDataset, SaysHowMuchViewsChangeAtBorders) {
+    const MeasureReport report = measuredWith(quick());
+    ASSERT_EQ(report.borders.size(), 5U);
+    const BorderJump& sphere = report.borders[1];
+    const BorderJump& depth = report.borders[3];
+    const BorderJump& blend = report.borders[4];
+    EXPECT_GE(depth.borders, 2U);
+    EXPECT_GT(depth.psnrDb, sphere.psnrDb + 3);
+    EXPECT_GT(blend.psnrDb, depth.psnrDb + 3); // both photos count the same there
+    EXPECT_LE(depth.worstPsnrDb, depth.psnrDb);
+    EXPECT_LT(depth.medianPx.value(), sphere.medianPx.value());
+    EXPECT_THAT(measureText(report), HasSubstr("half way between two photos"));
+    EXPECT_EQ(toJson(report)["borders"].size(), 5U);
+}
+
 TEST(MeasureDataset, CountsFeaturesOrPixels) {
     const auto errorOf = [](const MeasureReport& report, SceneKind scene) {
         const auto rung = std::find_if(report.rungs.begin(), report.rungs.end(), [&](const Rung& one) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "expect_error.h"
 #include "random.h"
 #include "temporary_folder.h"
 #include "test_dataset.h"
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -52,16 +54,19 @@ class TwoRooms : public testing::Test {
                 writeDepth(photo);
             }
             if (!isWest(photo.roomFromPhoto.translation)) {
-                const Bytes green =
-                    jpeg::encode(test::panorama([](const Vector3d&) { return Vector3d(0, 200, 0); },
-                                                Eigen::Quaterniond::Identity(), 64),
-                                 95);
-                photo.sha256 = sha256Hex(green);
-                photo.sizeBytes = green.size();
-                writeFile(folder.path() / photo.file, green);
+                paint(photo, {0, 200, 0});
             }
         }
         test::rewriteInfo(folder.path(), info);
+    }
+
+    void paint(DatasetPhoto& photo, const Vector3d& colour) const {
+        const Bytes picture = jpeg::encode(test::panorama([&](const Vector3d& /*ray*/) { return colour; },
+                                                          Eigen::Quaterniond::Identity(), 64),
+                                           95);
+        photo.sha256 = sha256Hex(picture);
+        photo.sizeBytes = picture.size();
+        writeFile(folder.path() / photo.file, picture);
     }
 
     static bool isWest(const Vector3d& place) { return place.x() < kWall + 0.05; }
@@ -183,6 +188,78 @@ TEST_F(TwoRooms, AMillimetreOfJitterNeverChangesThePhotos) {
             }
             EXPECT_EQ(photos.size(), 1U) << name(scene) << " " << border.transpose();
         }
+    }
+}
+
+/// Two photos are 50 cm apart, and the eastern one of them is darker.
+class Passage : public TwoRooms {
+  protected:
+    Passage() {
+        write(Knows::Depth);
+        const auto darker =
+            std::find_if(info.photos.begin(), info.photos.end(), [](const DatasetPhoto& photo) {
+                return (photo.roomFromPhoto.translation - Vector3d(1.5, 1, 1.2)).norm() < 1e-6;
+            });
+        paint(*darker, {100, 0, 0});
+        test::rewriteInfo(folder.path(), info);
+    }
+
+    static Rigid3 at(double x) { return {bodyFromOptical(), {x, 1, 1.2}}; }
+
+    static int redOf(const View& view) { return view.picture.at(16, 12)[0]; }
+
+    /// The reds of a camera that goes from one to the other, 4 mm a view.
+    std::vector<int> redsAlong(SceneKind scene, double passageM) {
+        const Renderer renderer = this->renderer();
+        ViewStream stream(renderer, camera, {LatePolicy::Wait, 0, passageM});
+        std::vector<int> reds;
+        for (int i = 0; i < 40; ++i) {
+            reds.push_back(redOf(stream.next(at(1.2 + 0.004 * i), i, {.scene = scene})));
+        }
+        return reds;
+    }
+
+    static int largestStep(const std::vector<int>& values) {
+        int largest = 0;
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            largest = std::max(largest, std::abs(values[i] - values[i - 1]));
+        }
+        return largest;
+    }
+};
+
+TEST_F(Passage, IsSoftWithDepthAlone) {
+    const std::vector<int> reds = redsAlong(SceneKind::Depth, 0.04);
+    EXPECT_NEAR(reds.front(), 200, 2);
+    EXPECT_NEAR(reds.back(), 100, 2);
+    EXPECT_TRUE(std::is_sorted(reds.rbegin(), reds.rend()));
+    EXPECT_NEAR(largestStep(reds), 10, 3); // 4 mm of 40
+    EXPECT_NEAR(largestStep(redsAlong(SceneKind::Depth, 0)), 100, 3);
+    EXPECT_NEAR(largestStep(redsAlong(SceneKind::Sphere, 0.04)), 100, 3);
+}
+
+TEST_F(Passage, StandsStillWithTheCameraAndDoesNotDependOnWhatIsSkipped) {
+    const Renderer renderer = this->renderer();
+    const ViewOptions options{.scene = SceneKind::Depth};
+    ViewStream stream(renderer, camera, {LatePolicy::Wait, 0, 0.04});
+    ViewStream skipping(renderer, camera, {LatePolicy::Wait, 0, 0.04});
+    double x = 1.2;
+    for (int i = 0; i < 22; ++i, x += 0.004) {
+        stream.next(at(x), i, options);
+        skipping.pass(at(x), options);
+    }
+    const View view = stream.next(at(x), 22, options);
+    EXPECT_NEAR(redOf(view), 150, 25); // on the way
+    EXPECT_EQ(stream.next(at(x), 23, options).picture, view.picture);
+    EXPECT_EQ(skipping.next(at(x), 22, options).picture, view.picture);
+}
+
+TEST_F(Passage, RefusesAWayThatIsNone) {
+    const Renderer renderer = this->renderer();
+    for (const double passageM : {-0.01, 1.01, std::nan("")}) {
+        test::expectError(ErrorKind::InvalidInput, "from 0 to 1 m", [&] {
+            ViewStream(renderer, camera, {LatePolicy::Wait, 0, passageM});
+        });
     }
 }
 

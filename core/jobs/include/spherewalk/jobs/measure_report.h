@@ -144,6 +144,17 @@ struct Prediction {
     std::optional<double> factor; ///< Median of foretold / found; nothing where nothing was found to be off.
 };
 
+/// How much views of one place change where the camera passes from one photo's cell into another's.
+struct BorderJump {
+    render::SceneKind scene = render::SceneKind::None;
+    std::size_t borders = 0; ///< Number of borders that were compared.
+    double psnrDb = 0;       ///< Between what both sides show, the mean over borders. Range: at most 99.
+    double worstPsnrDb = 0;
+    std::optional<double> medianPx; ///< By how much features move, over all borders together.
+    std::optional<double> p95Px;    ///< Infinite if more than 5 of 100 features are not found again.
+    double missedShare = 0;         ///< Share of the features of one side that the other does not show.
+};
+
 /// A view that is among the farthest from the truth.
 struct ShownView {
     std::string subject;
@@ -173,6 +184,7 @@ struct MeasureReport {
     Choice choice;                     ///< For the tolerance that was asked for.
     std::vector<Choice> choices;       ///< For tolerances of 1, 2, 4 and 8 px.
     std::vector<ShownView> worst;
+    std::vector<BorderJump> borders; ///< One for each scene model; empty for a single photo.
     double seconds = 0;
     /// Only with a robot's pictures: the report of the photos that were left out.
     std::shared_ptr<const MeasureReport> leaveOneOut;

@@ -22,6 +22,11 @@ DepthImage readDepthPng(const std::filesystem::path& file);
 /// Full.
 void writePng(const std::filesystem::path& file, const RgbImage& picture);
 
+/// Writes distances in metres as a PNG that readDepthPng() reads, durably; a file of that name is replaced.
+/// Distances are rounded to the millimetre. What is not above 0, or farther than 65.535 m, becomes 0. Errors:
+/// as writePng().
+void writeDepthPng(const std::filesystem::path& file, const DepthImage& depthM);
+
 /// The picture at another size: each pixel is the average of the area that it covers; enlarging interpolates.
 /// Range: sizes of 1 to 65535. Errors: InvalidInput.
 RgbImage resized(const RgbImage& picture, int width, int height);

@@ -26,6 +26,9 @@ struct StreamOptions {
     LatePolicy late = LatePolicy::Wait;
     /// How far ahead of the camera's motion photos are decoded. Range: 0 (not at all) to 10.
     double prefetchSeconds = 0.2;
+    /// The way in metres along which a view with depth passes from one photo to the next, by mixing both. It
+    /// takes twice the time of a view there. Range: 0 (it jumps) to 1.
+    double passageM = 0.04;
 };
 
 /// The numbers of a stream's views since it was made.
@@ -38,10 +41,10 @@ struct StreamCounters {
 };
 
 /// The views of one moving camera in turn. A view keeps the photos of the view before until the camera is
-/// 2 cm beyond the border to others, so that a camera that trembles on a border does not flicker. The stream
-/// predicts the next poses from the last two, and a thread
-/// of its own decodes for them between the views. Threads: one at a time; several streams of one renderer run
-/// beside each other.
+/// 2 cm beyond the border to others, so that a camera that trembles on a border does not flicker. Then a view
+/// with depth passes softly to the other photo. Its report, depth and trust are the other photo's. The stream
+/// predicts the next poses from the last two, and a thread of its own decodes for them between the views.
+/// Threads: one at a time; several streams of one renderer run beside each other.
 class ViewStream {
   public:
     /// Owner: the stream shares what the renderer has, and may outlive it. Errors: InvalidInput for options
