@@ -73,12 +73,13 @@ Eigen::Quaterniond asNeighboursSay(const ComponentInput& input, std::span<const 
     return said.empty() ? states[photo].roomFromPhoto : said[best];
 }
 
-/// How the lenses stand, by what the matches miss if both stand in one place. Photos of a camera that joins
-/// its pictures as if they did give 0.
-LensPair fittedLenses(const ComponentState& state, const RefinementOptions& options) {
+/// Finds how the lenses stand, by what the matches miss if both stand in one place. Photos of a camera that
+/// joins its pictures as if they did give 0.
+void fitLenses(const RefinementOptions& options, ComponentState& state) {
     constexpr double kPriorM = 0.02;
     constexpr double kFarthestM = 0.05;
-    constexpr double kClearSigmas = 10; // Matches of one thing err together.
+    constexpr double kTogether = 10.0 / 3; // Matches of one thing err together.
+    constexpr double kClearSigmas = 3;
     std::vector<PhotoState> states = state.unknowns.states();
     LensPair lenses = state.unknowns.lenses;
     double weight = 0;
@@ -107,7 +108,9 @@ LensPair fittedLenses(const ComponentState& state, const RefinementOptions& opti
         }
         lenses.aheadM = std::clamp(lenses.aheadM - slope / weight, -kFarthestM, kFarthestM);
     }
-    return std::abs(lenses.aheadM) > kClearSigmas / std::sqrt(weight) ? lenses : LensPair{};
+    state.unknowns.lensSigmaM = kTogether / std::sqrt(weight);
+    const bool isClear = std::abs(lenses.aheadM) > kClearSigmas * state.unknowns.lensSigmaM;
+    state.unknowns.lenses = isClear ? lenses : LensPair{};
 }
 
 } // namespace
@@ -145,7 +148,7 @@ void solveModel(const ComponentInput& input, Model model, bool isWarm, Component
         options.tolerance = round == 0 ? 1e-5 : 1e-8;
         refineState(input, options, state, step, stop);
         if (solvesTilt(model)) {
-            state.unknowns.lenses = fittedLenses(state, options);
+            fitLenses(options, state);
         }
     }
     state.scale = residualScale(state.used, state.unknowns.states());

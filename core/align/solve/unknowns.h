@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Unknowns {
     std::vector<Block> offset;
     std::vector<Block> placement; ///< One a rail.
     LensPair lenses;              ///< Those of all photos.
+    double lensSigmaM = HUGE_VAL; ///< Standard deviation of how far they stand ahead.
 
     /// The pose of photo i, its position from the local origin.
     PhotoState state(std::size_t i) const;

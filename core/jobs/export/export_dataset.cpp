@@ -46,7 +46,7 @@ struct PhotoReport {
     Radians turn{HUGE_VAL};
     double positionM = HUGE_VAL;
     /// What the turns of pairs disagree by, about each axis. Noise of matches is not all of it: a camera of
-    /// two lenses has no single centre. It is 0 where the lenses were told apart.
+    /// two lenses has no single centre. It is 0 where the alignment knows how the lenses stand.
     Radians apart;
     LensPair lenses;
 };
@@ -71,7 +71,11 @@ std::map<std::int64_t, PhotoReport> photoReports(const store::SolutionRecord& so
             const JsonReader own = photo.member("sigma_own");
             said.turn = Degrees(own.number("turn_deg"));
             said.positionM = own.number("position_m");
-            said.apart = Degrees(said.lenses.aheadM != 0 ? 0 : aroundDeg / kPerTriangle);
+            constexpr double kKnownM = 0.001;
+            const bool areLensesKnown =
+                said.lenses.aheadM != 0 ||
+                (!photo.isAbsent("lens_ahead_sigma_m") && photo.number("lens_ahead_sigma_m") < kKnownM);
+            said.apart = Degrees(areLensesKnown ? 0 : aroundDeg / kPerTriangle);
         }
     }
     return result;

@@ -40,6 +40,8 @@ Json toJson(const AlignedPhoto& photo) {
                                                           {"position_m", photo.pose.sigmaOwnPositionM}}
                                                    : Json();
         json["lens_ahead_m"] = photo.pose.lenses.aheadM;
+        json["lens_ahead_sigma_m"] =
+            std::isfinite(photo.pose.lensSigmaM) ? Json(photo.pose.lensSigmaM) : Json();
         json["neighbours"] = photo.pose.constraints;
         json["residual_deg"] = Degrees(Radians(photo.pose.residualRad)).value();
     }

@@ -442,6 +442,8 @@ TEST(Solve, FindsHowFarTheLensesStandApart) {
         EXPECT_LT(errors.ratioYaw, 2);
         for (const SolvedPose& photo : alignment.photos) {
             EXPECT_NEAR(photo.lenses.aheadM, aheadM, 5e-4);
+            EXPECT_LT(photo.lensSigmaM, 1e-3); // known, also where the lenses are one
+            EXPECT_LT(std::abs(photo.lenses.aheadM - aheadM), 4 * photo.lensSigmaM);
         }
     }
 }

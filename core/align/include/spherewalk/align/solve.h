@@ -7,6 +7,7 @@
 #include "spherewalk/geometry/lens_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <cmath>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -66,6 +67,8 @@ struct SolvedPose {
     double sigmaOwnPositionM = 0;
     /// How the lenses of its camera stand, as far as the matches tell.
     LensPair lenses;
+    double lensSigmaM =
+        HUGE_VAL;            ///< Standard deviation of how far they stand ahead; infinite if nothing tells.
     int constraints = 0;     ///< Number of pairs that hold the photo.
     double residualRad = 0;  ///< Root mean square over the matches that hold the photo.
     double outlierShare = 0; ///< Share of its pairs' inliers that the solution contradicts; 1 if none counts.
