@@ -50,7 +50,7 @@ class Truth:
         for line in csv.DictReader(open(table)):
             pose = [float(line[name]) for name in ("x_m", "y_m", "z_m", "qx", "qy", "qz", "qw")]
             depth = np.array(Image.open(table.parent / line["depth"]), float) / 1000
-            self.pictures.append((pose, np.where(depth > 0, 1 / np.maximum(depth, 1e-3) / self.length, np.nan)))
+            self.pictures.append((spherewalk.pose_matrix(pose), np.where(depth > 0, 1 / np.maximum(depth, 1e-3) / self.length, np.nan)))
 
     def moved(self, matrix, shift):
         """By how many pixels things at a distance of 1 move with this shift in the room; first order."""
@@ -69,30 +69,32 @@ class Truth:
         return np.linalg.norm(moved + self.moved(matrix, (shown - things) * truth[..., None]), axis=-1)
 
 
-def together(poses, true_poses):
-    """The true poses, turned, moved and scaled by what the other poses are turned, moved and scaled by together."""
-    u, _, v = np.linalg.svd(sum(pose[:3, :3] @ truth[:3, :3].T for pose, truth in zip(poses, true_poses)))
-    turn = u @ v
-    places, true_places = (np.array([pose[:3, 3] for pose in all_poses]) for all_poses in (poses, true_poses))
-    spread = (true_places - true_places.mean(0)) @ turn.T
-    growth = np.sum(spread * (places - places.mean(0))) / np.sum(spread * spread)
-    result = []
-    for truth, place in zip(true_poses, places.mean(0) + growth * spread):
+class Together:
+    """What the poses are turned, moved and scaled by together, which no photo knows."""
+
+    def __init__(self, poses, true_poses):
+        u, _, v = np.linalg.svd(sum(pose[:3, :3] @ truth[:3, :3].T for pose, truth in zip(poses, true_poses)))
+        self.turn = u @ v
+        places, true_places = (np.array([pose[:3, 3] for pose in all_poses]) for all_poses in (poses, true_poses))
+        self.middle, self.true_middle = places.mean(0), true_places.mean(0)
+        spread = (true_places - self.true_middle) @ self.turn.T
+        self.growth = np.sum(spread * (places - self.middle)) / np.sum(spread * spread)
+
+    def __call__(self, true_pose):
         pose = np.eye(4)
-        pose[:3, :3] = turn @ truth[:3, :3]
-        pose[:3, 3] = place
-        result.append(pose)
-    return result
+        pose[:3, :3] = self.turn @ true_pose[:3, :3]
+        pose[:3, 3] = self.middle + self.growth * self.turn @ (true_pose[:3, 3] - self.true_middle)
+        return pose
 
 
-def line(renderer, poses, true_poses, truth, scene):
+def line(renderer, poses, true_poses, pictures, truth, scene):
     stated, found, flagged, inside, of_views, found_of_views = [], [], [], [], [], []
     options = spherewalk.ViewOptions(scene=scene, sampling="bilinear", depth=True, trust=True)
-    for pose, inverse_truth in truth.pictures:
+    for pose, inverse_truth in pictures:
         view = renderer.render(truth.camera, pose, options)
         inverse = 0 if view.depth is None else 1 / (view.depth.astype(float) * truth.length)
         photo = view.report.photo
-        off = truth.displacement(spherewalk.pose_matrix(pose), poses[photo], true_poses[photo], inverse, inverse_truth)
+        off = truth.displacement(pose, poses[photo], true_poses[photo], inverse, inverse_truth)
         known = np.isfinite(inverse_truth)
         stated.append(view.error_px[known])
         found.append(off[known])
@@ -127,15 +129,17 @@ def main():
         dataset = spherewalk.Dataset.open(folder)
         renderer = spherewalk.Renderer(dataset)
         poses = [photo.room_from_photo for photo in dataset.photos]
-        rows = {"": poses}
+        rows = {"": (poses, truth.pictures)}
         if arguments.photos:
-            rows[""] = poses_of(arguments.photos, dataset.photos)
-            rows[", together"] = together(poses, rows[""])
+            true_poses = poses_of(arguments.photos, dataset.photos)
+            moved = Together(poses, true_poses)
+            rows[""] = (true_poses, truth.pictures)
+            rows[", together"] = ([moved(pose) for pose in true_poses],
+                                  [(moved(pose), inverse / moved.growth) for pose, inverse in truth.pictures])
         for scene in dataset.scenes:
-            for what, true_poses in rows.items():
-                print(f"| {folder.stem} | {scene}{what} | "
-                      + " | ".join(f"{value:.2f}" for value in line(renderer, poses, true_poses, truth, scene)) + " |",
-                      flush=True)
+            for what, (true_poses, pictures) in rows.items():
+                row = line(renderer, poses, true_poses, pictures, truth, scene)
+                print(f"| {folder.stem} | {scene}{what} | " + " | ".join(f"{value:.2f}" for value in row) + " |", flush=True)
 
 
 if __name__ == "__main__":
