@@ -80,7 +80,10 @@ namespace {
 constexpr double kBinM = 0.02;
 constexpr double kPeakShare = 0.4;  ///< Share of the highest peak from which another one counts.
 constexpr double kNearPeakM = 0.05; ///< Points within this distance belong to the surface.
-constexpr double kReachM = 0.5;     ///< Largest way of a wall from where it was drawn.
+constexpr double kReachM = 0.5;     ///< Largest way of a wall, floor or ceiling from where it was drawn.
+constexpr double kHighestM = 3;     ///< A camera's height, at most.
+constexpr double kTallestM = 10;    ///< A ceiling's height above the camera, at most.
+constexpr double kFarM = 10;        ///< What is farther counts as if it were as near as that.
 constexpr double kOutsideM = 0.3;   ///< Points count up to this far beyond a wall's ends.
 constexpr std::size_t kFewestPoints = 200;
 
@@ -110,7 +113,7 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
                 const Vector3d ray = direction(size, Vector2d(x, y));
                 const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
                 points.push_back({posed.roomFromPhoto * (posed.lenses.place(ray) + distance * ray),
-                                  std::pow(side * distance, 2) * ray.head<2>().norm()});
+                                  std::pow(side * std::min(distance, kFarM), 2) * ray.head<2>().norm()});
             }
         }
     }
@@ -155,15 +158,35 @@ std::optional<double> firstPeak(const std::vector<Value>& values, int order) {
     return weight > 0 ? sum / weight : middle;
 }
 
-/// The height of the floor (order 1) or the ceiling (order -1), below or above the photos.
-std::optional<double> level(const std::vector<Seen>& points, double standM, int order) {
+/// The height at which points heap up, of those between two heights. A glossy floor shows a second room below
+/// it, and a window the sky. order: 1 for the lowest such height, -1 for the highest.
+std::optional<double> level(const std::vector<Seen>& points, double fromM, double toM, int order) {
     std::vector<Value> heights;
     for (const Seen& point : points) {
-        if (order * (standM - point.atM.z()) > 0.3) {
+        if (point.atM.z() > fromM && point.atM.z() < toM) {
             heights.push_back({point.atM.z(), point.areaM2});
         }
     }
     return firstPeak(heights, order);
+}
+
+/// The heights of floor and ceiling; nothing where too little is seen of them, and nothing is drawn.
+std::pair<std::optional<double>, std::optional<double>> levels(const std::vector<Seen>& points, double standM,
+                                                               const DrawnRoom& drawn) {
+    constexpr double kApartM = 0.3;
+    const bool isFloorDrawn = drawn.outline.size() >= 3;
+    const bool isCeilingDrawn = drawn.ceilingM > 0;
+    auto floorM = isFloorDrawn ? level(points, -kReachM, kReachM, 1)
+                               : level(points, standM - kHighestM, standM - kApartM, 1);
+    auto ceilingM = isCeilingDrawn ? level(points, drawn.ceilingM - kReachM, drawn.ceilingM + kReachM, -1)
+                                   : level(points, standM + kApartM, standM + kTallestM, -1);
+    if (isFloorDrawn) {
+        floorM = floorM.value_or(0);
+    }
+    if (isCeilingDrawn) {
+        ceilingM = ceilingM.value_or(drawn.ceilingM);
+    }
+    return {floorM, ceilingM};
 }
 
 /// How much the points of walls heap up along two directions at right angles.
@@ -265,24 +288,24 @@ std::optional<double> sphereRadius(std::span<const PosedDepth> depths) {
     return count == 0 ? std::nullopt : std::optional(static_cast<double>(count) / sum);
 }
 
-std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const Polygon& drawnOutline) {
+std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room) {
     const std::vector<Seen> points = pointsOf(depths);
     double standM = 0;
     for (const PosedDepth& posed : depths) {
         standM += posed.roomFromPhoto.translation.z() / static_cast<double>(depths.size());
     }
-    const auto floorM = level(points, standM, 1);
-    const auto ceilingM = level(points, standM, -1);
+    const auto [floorM, ceilingM] = levels(points, standM, room);
     std::vector<Seen> walls;
     if (floorM && ceilingM) {
-        std::copy_if(points.begin(), points.end(), std::back_inserter(walls), [&](const Seen& point) {
-            return point.atM.z() > *floorM + 0.3 && point.atM.z() < *ceilingM - 0.1;
-        });
+        std::copy_if(points.begin(), points.end(), std::back_inserter(walls),
+                     [from = *floorM + 0.3, to = *ceilingM - 0.1](const Seen& point) {
+                         return point.atM.z() > from && point.atM.z() < to;
+                     });
     }
     if (walls.size() < kFewestPoints) {
         return std::nullopt;
     }
-    const Polygon drawn = drawnOutline.size() < 3 ? rectangleAbout(walls) : drawnOutline;
+    const Polygon drawn = room.outline.size() < 3 ? rectangleAbout(walls) : room.outline;
     const double turn = signedArea(drawn) > 0 ? 1 : -1;
     Polygon moved;
     std::vector<Vector2d> directions;

@@ -340,7 +340,7 @@ class DepthJob {
             known.push_back(posed(photos[k], depths[k]));
         }
         result.radiusM = scene::sphereRadius(known);
-        result.room = scene::fittedRoom(known, m_options.drawnOutline);
+        result.room = scene::fittedRoom(known, m_options.drawn);
     }
 
     std::span<const DepthInput> m_photos;

@@ -191,7 +191,7 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
                           const DepthCache& cache) {
     DepthOptions depth = options.depth;
     depth.cacheFolder = cache.path();
-    depth.drawnOutline = store.room().outline;
+    depth.drawn = {store.room().outline, store.room().ceilingM};
     depth.onlyForScene = !render::usesDepths(options.scene);
     return depth;
 }

@@ -207,11 +207,11 @@ class Study {
         std::vector<DepthInput> inputs;
         for (const std::size_t photo : split.kept) {
             inputs.push_back({m_renderer.dataset().folder() / photos()[photo].file, photos()[photo].sha256,
-                              photos()[photo].roomFromPhoto});
+                              photos()[photo].roomFromPhoto, photos()[photo].lenses});
         }
         DepthOptions depth;
         depth.cacheFolder = m_options.cacheFolder.empty() ? m_ownFolder.path() : m_options.cacheFolder;
-        depth.drawnOutline = m_renderer.dataset().info().outline;
+        depth.drawn = {m_renderer.dataset().info().outline, m_renderer.dataset().info().ceilingM};
         depth.sweep.threads = m_options.threads;
         return surveyDepth(inputs, depth, progress, m_stop);
     }

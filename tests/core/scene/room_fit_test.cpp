@@ -53,7 +53,42 @@ TEST(RoomFit, FindsTheRoomWithoutADrawnOutline) {
 }
 
 TEST(RoomFit, MovesWallsThatWereDrawnAside) {
-    expectRoom(fittedRoom(Photos(kRoom).posed, {{0.1, -0.1}, {3.8, -0.1}, {3.8, 3.2}, {0.1, 3.2}}));
+    expectRoom(fittedRoom(Photos(kRoom).posed, {{{0.1, -0.1}, {3.8, -0.1}, {3.8, 3.2}, {0.1, 3.2}}}));
+}
+
+// A glossy floor shows another room below it, a mirror one beside, and a few depths are endlessly wrong.
+TEST(RoomFit, TakesNoMirrorImageForTheRoom) {
+    Photos photos(kRoom);
+    for (PhotoDepth& depth : photos.depths) {
+        const int height = depth.inverseM.height();
+        for (int y = 3 * height / 5; y < height; ++y) {
+            for (int x = 0; x < depth.inverseM.width(); ++x) {
+                float* inverse = depth.inverseM.at(x, y);
+                *inverse *= x % 2 == 0 ? 0.32F : 1; // the ceiling's mirror image
+                *inverse = x % 16 == 0 ? 0.015F : *inverse;
+            }
+        }
+    }
+    expectRoom(fittedRoom(photos.posed, {kRoom.outline, kRoom.ceilingM}));
+    const auto undrawn = fittedRoom(photos.posed, {});
+    ASSERT_TRUE(undrawn);
+    EXPECT_GT(undrawn->floorM, -2); // a camera stands at most 3 m above its floor
+}
+
+TEST(RoomFit, KeepsWhatWasDrawnWhereTooLittleIsSeen) {
+    Photos photos(kRoom);
+    for (PhotoDepth& depth : photos.depths) {
+        const int height = depth.sure.height();
+        for (int y = 0; y < height; ++y) {
+            if (y < 2 * height / 5 || y > 3 * height / 5) {
+                std::fill_n(depth.sure.at(0, y), depth.sure.width(), std::uint8_t{0});
+            }
+        }
+    }
+    const auto found = fittedRoom(photos.posed, {kRoom.outline, 2.6});
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->floorM, 0, 0.03);
+    EXPECT_EQ(found->ceilingM, 2.6);
 }
 
 TEST(RoomFit, FindsNothingWithoutSureDepths) {

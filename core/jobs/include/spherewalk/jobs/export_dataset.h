@@ -9,6 +9,7 @@
 #include "spherewalk/render/scene_depth.h"
 #include "spherewalk/scene/depth_sweep.h"
 #include "spherewalk/scene/exposure.h"
+#include "spherewalk/scene/room_fit.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -37,8 +38,8 @@ struct DepthOptions {
     /// checkExport() take kDepthCacheFolder in the survey's folder; surveyDepth() and depthForecast() need
     /// one.
     std::filesystem::path cacheFolder = {};
-    /// Outline of the room as a person drew it; may be empty. Exports take the survey's.
-    Polygon drawnOutline = {};
+    /// The room as a person drew it; may be empty. Exports take the survey's.
+    scene::DrawnRoom drawn = {};
     /// Estimates the depths of up to a dozen photos only, spread evenly. That is enough for the same radius
     /// and room. Exports set it unless the scene model is Depth.
     bool onlyForScene = false;

@@ -22,11 +22,19 @@ std::optional<double> sphereRadius(const survey::Room& room, const std::vector<E
 /// the mean of 1 / distance there. Units: metres. Empty without depths.
 std::optional<double> sphereRadius(std::span<const PosedDepth> depths);
 
+/// What was drawn of a room, with its floor at height 0.
+struct DrawnRoom {
+    Polygon outline = {};
+    double ceilingM = 0; ///< 0 if nobody said.
+};
+
 /// Walls, floor and ceiling from depths. Floor and ceiling lie at the lowest and the highest level where many
-/// points heap up. Each wall of the drawn outline is moved along its normal, by up to half a metre, to the
-/// outermost place where points heap up, since furniture stands before walls. Without a drawn outline the
-/// walls are those of a rectangle, turned as most upright surfaces are. Frames: the room frame; only points
-/// that are `sure` count. Empty if too little is seen of the floor, the ceiling, or all walls.
-std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const Polygon& drawnOutline);
+/// points heap up, within half a metre of where they were drawn. Each wall of the drawn outline is moved
+/// along its normal, by up to half a metre, to the outermost place where points heap up, since furniture
+/// stands before walls. What too little is seen of stays as it was drawn. Without a drawn outline the walls
+/// are those of a rectangle, turned as most upright surfaces are; the floor is sought to 3 m below the
+/// photos, and the ceiling to 10 m above them. Frames: the room frame; only points that are `sure` count.
+/// Empty if too little is seen of all walls, or of a floor or ceiling that was not drawn.
+std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room = {});
 
 } // namespace spherewalk::scene
