@@ -71,9 +71,10 @@ std::vector<Level> levelsOf(std::span<const NoiseSample> samples, int channel, d
             lights.push_back(spots[i].first);
             variances.push_back(spots[i].second);
         }
-        const double light = median(lights);
+        const double light = spherewalk::median(lights);
         levels.push_back(
-            {light, quantile(variances, kQuietShare) / kQuietVariance - roundingVariance(light), factor});
+            {light, spherewalk::quantile(variances, kQuietShare) / kQuietVariance - roundingVariance(light),
+             factor});
     }
     return levels;
 }
@@ -103,7 +104,7 @@ Vector3d brightness(std::span<const ColourSample> colours) {
         for (const ColourSample& sample : colours) {
             ratios.push_back(linearLight(sample.picture[c]) / std::max(linearLight(sample.view[c]), 1e-4));
         }
-        factors[c] = median(ratios);
+        factors[c] = spherewalk::median(ratios);
     }
     return factors;
 }

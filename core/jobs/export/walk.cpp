@@ -194,7 +194,7 @@ std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
     std::string key =
         text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
-                name(options.view.sampling), " ", name(options.stream.late));
+                name(options.view.sampling), " ", name(options.stream.late), " ", options.stream.passageM);
     if (options.ball) {
         const Eigen::Vector3d& at = options.ball->centreM;
         key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", options.ball->radiusM);

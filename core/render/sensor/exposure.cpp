@@ -92,7 +92,7 @@ std::pair<double, double> viewStep(const Sensor::PoseAt& poseAt, const CameraInt
     }
     const double lengthPx = kPieces * mostPx;
     // Up to two views more stand beyond the ends, where a step is no whole part of them.
-    const double steps = std::clamp(std::ceil(lengthPx), 1.0, std::max(1.0, shutter.mostViews - 3.0));
+    const double steps = std::clamp(std::ceil(lengthPx), 1.0, shutter.mostViews - 3.0);
     return {lengthS / steps, lengthPx / steps};
 }
 

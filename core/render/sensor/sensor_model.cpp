@@ -210,8 +210,8 @@ void SensorModel::validate() const {
             checkRange(number, value);
         }
     });
-    if (shutter.mostViews < 2 || shutter.mostViews > 1024) {
-        refuseSensor(text("shutter/most_views ", shutter.mostViews, "; it must be from 2 to 1024"));
+    if (shutter.mostViews < 4 || shutter.mostViews > 1024) {
+        refuseSensor(text("shutter/most_views ", shutter.mostViews, "; it must be from 4 to 1024"));
     }
     if (jpegQuality < 0 || jpegQuality > 100) {
         refuseSensor(text("jpeg/quality ", jpegQuality, "; it must be from 1 to 100, or 0 for none"));

@@ -159,8 +159,12 @@ TEST(Exposure, MakesNoMoreViewsThanAllowedAndSaysSo) {
     const SensorReport report = sensor.take(kHalves, turning(3), 0, 0, view);
     EXPECT_LE(report.views, 8);
     EXPECT_GT(report.stepPx, 1);
-    SensorModel least = linear(0.02, 1e-5, 2);
-    EXPECT_LE(Sensor(least, kCamera).times(turning(3), 0).size(), 5U);
+    for (const int most : {4, 5, 9, 30}) {
+        for (const double lineDelayS : {0.0, 1e-6, 1e-5, 2e-4}) {
+            const SensorModel model = linear(0.013, lineDelayS, most);
+            EXPECT_LE(Sensor(model, kCamera).times(turning(3), 0).size(), static_cast<std::size_t>(most));
+        }
+    }
 }
 
 TEST(Exposure, SharesOfARowSumUpAndLieAtItsTime) {

@@ -260,6 +260,28 @@ TEST(Sensor, JpegIsThatOfItsQuality) {
     EXPECT_EQ(taken(model, view).picture, jpeg::decode(jpeg::encode(view.picture, 30), "j"));
 }
 
+TEST(Sensor, HasOnePixelOrARow) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {7, 1}, {1, 5}}) {
+        SensorModel model = everything();
+        model.exposure.automatic.emplace();
+        model.whiteBalance.isAutomatic = true;
+        model.shutter.lineDelayS = 1e-4;
+        model.defocus.diameterPx = 30;
+        Sensor sensor(model, CameraModel(CameraIntrinsics::pinhole(width, height, 1)));
+        View view;
+        const auto grey = [&](const Rigid3&, double, bool, View& made) {
+            made.picture = RgbImage(width, height);
+            std::fill(made.picture.values().begin(), made.picture.values().end(), std::uint8_t{120});
+        };
+        for (std::uint64_t frame = 0; frame < 5; ++frame) {
+            sensor.take(
+                grey, [](double) { return Rigid3(); }, 0, frame, view);
+        }
+        EXPECT_EQ(view.picture.width(), width);
+        EXPECT_NEAR(view.picture.at(0, 0)[1], 140, 60) << width << " " << height;
+    }
+}
+
 TEST(Sensor, RefusesAViewOfAnotherSize) {
     Sensor sensor(everything(), CameraModel(CameraIntrinsics::pinhole(64, 48, 1)));
     View view = flat(3);

@@ -49,7 +49,7 @@ struct ExposureModel {
 struct ShutterModel {
     double lineDelayS = 0; ///< From a row to the next one; 0 for a global shutter. Range: 0 to 0.001.
     /// Views during one frame. They are as many as make steps of a pixel for things in the middle of the
-    /// picture a metre away, but not more than this. Range: 2 to 1024.
+    /// picture a metre away, but not more than this. Range: 4 to 1024.
     int mostViews = 64;
 
     bool operator==(const ShutterModel&) const = default;
