@@ -117,6 +117,7 @@ Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
                simulator::Refusals::Tell tell)
     : m_options(options),
       m_hasOverlay(cameraOptions.overlay.has_value()),
+      m_hasDepth(cameraOptions.wantsDepth),
       m_tree(options.frame),
       m_camera(
           renderer, camera, cameraOptions, [this](const simulator::Frame& frame) { publish(frame); },
@@ -130,6 +131,10 @@ Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
         return publisher;
     };
     m_imagePublisher = checked(m_node.Advertise<msgs::Image>(topics.image), topics.image);
+    if (m_hasDepth) {
+        m_depthPublisher = checked(m_node.Advertise<msgs::Image>(topics.beside("depth_image")),
+                                   topics.beside("depth_image"));
+    }
     m_infoPublisher = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
                               topics.beside("camera_info"));
     m_reportPublisher =
@@ -212,7 +217,7 @@ void Bridge::takePicture(OverlayPart part, const msgs::Image& message) {
 
 bool Bridge::hasListeners() const {
     return m_imagePublisher.HasConnections() || m_infoPublisher.HasConnections() ||
-           m_reportPublisher.HasConnections();
+           m_reportPublisher.HasConnections() || (m_hasDepth && m_depthPublisher.HasConnections());
 }
 
 /// The simulator renders no pictures of objects while nobody wants ours.
@@ -226,8 +231,8 @@ void Bridge::followListeners() {
 }
 
 void Bridge::publish(const simulator::Frame& frame) {
-    for (msgs::Header* header :
-         {m_image.mutable_header(), m_info.mutable_header(), m_report.mutable_header()}) {
+    for (msgs::Header* header : {m_image.mutable_header(), m_depth.mutable_header(), m_info.mutable_header(),
+                                 m_report.mutable_header()}) {
         setHeader(*header, frame.stamp, m_options.frameId, m_sequence);
     }
     ++m_sequence;
@@ -235,6 +240,10 @@ void Bridge::publish(const simulator::Frame& frame) {
     setImage(m_image, frame.view.picture);
     m_infoPublisher.Publish(m_info);
     m_imagePublisher.Publish(m_image);
+    if (m_hasDepth && !frame.view.depth.empty()) {
+        setDepth(m_depth, frame.view.depth);
+        m_depthPublisher.Publish(m_depth);
+    }
     const std::chrono::duration<double, std::milli> latency =
         std::chrono::steady_clock::now() - frame.poseTakenAt;
     m_latencies.add(latency);

@@ -16,7 +16,7 @@ namespace spherewalk::gazebo {
 
 struct Topics {
     std::vector<std::string> poses;
-    std::string image; ///< Topic of two levels or more; camera_info and report go beside it.
+    std::string image; ///< Topic of two levels or more; camera_info, depth_image and report go beside it.
     std::string overlayColour;
     std::string overlayDepth;
     std::string overlayLabels;
@@ -87,16 +87,19 @@ class Bridge {
 
     const BridgeOptions m_options;
     const bool m_hasOverlay;
+    const bool m_hasDepth;
     std::mutex m_mutex; ///< of what poses come to
     PoseTree m_tree;
     bool m_isRunning = true; ///< false: what still comes is not used
     std::uint64_t m_sequence = 0;
     Latencies m_latencies;
     msgs::Image m_image;
+    msgs::Image m_depth;
     msgs::CameraInfo m_info;
     msgs::Param m_report;
     bool m_isOverlaySubscribed = false;
     transport::Node::Publisher m_imagePublisher;
+    transport::Node::Publisher m_depthPublisher; ///< unless depth is not wanted
     transport::Node::Publisher m_infoPublisher;
     transport::Node::Publisher m_reportPublisher;
     simulator::SimulatedCamera m_camera;

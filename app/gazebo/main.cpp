@@ -40,6 +40,8 @@ class SimulatorOptions {
     std::vector<int> m_roomLabels = {1};
     double m_overlayWaitS = 0.5;
     std::string m_overlayCamera;
+    std::string m_sensor;
+    bool m_wantsDepth = false;
 };
 
 void SimulatorOptions::declare(const program::Command& command) {
@@ -85,6 +87,10 @@ void SimulatorOptions::declare(const program::Command& command) {
     command.option("--overlay-camera", m_overlayCamera,
                    "Camera that takes the pictures of the objects, if it is not the same: a ROS "
                    "camera-info YAML");
+    command.option("--sensor", m_sensor,
+                   "Sensor that is not perfect: a YAML with noise, exposure, shutter and other effects");
+    command.flag("--depth", m_wantsDepth,
+                 "Publish depth images, too, with the objects: beside the pictures, as depth_image");
 }
 
 simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& view, bool hasOverlay) const {
@@ -103,6 +109,10 @@ simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& vi
         if (!m_overlayCamera.empty()) {
             overlay.camera = render::readCameraInfo(m_overlayCamera);
         }
+    }
+    options.wantsDepth = m_wantsDepth;
+    if (!m_sensor.empty()) {
+        options.sensor = render::readSensor(m_sensor);
     }
     options.validate();
     return options;

@@ -142,6 +142,14 @@ void setImage(msgs::Image& message, const RgbImage& picture) {
     message.set_data(picture.values().data(), picture.values().size());
 }
 
+void setDepth(msgs::Image& message, const DepthImage& depth) {
+    message.set_width(static_cast<std::uint32_t>(depth.width()));
+    message.set_height(static_cast<std::uint32_t>(depth.height()));
+    message.set_step(static_cast<std::uint32_t>(sizeof(float)) * message.width());
+    message.set_pixel_format_type(msgs::R_FLOAT32);
+    message.set_data(depth.values().data(), depth.values().size_bytes());
+}
+
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration) {
     using Distortion = msgs::CameraInfo::Distortion;
     message.set_width(static_cast<std::uint32_t>(calibration.width));

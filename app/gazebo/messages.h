@@ -64,6 +64,8 @@ void setHeader(msgs::Header& header, simulator::Stamp stamp, const std::string& 
                std::uint64_t sequence);
 
 void setImage(msgs::Image& message, const RgbImage& picture);
+/// As Gazebo's depth cameras: single precision, metres along the optical axis.
+void setDepth(msgs::Image& message, const DepthImage& depth);
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 
 /// Fills the report on the picture of the same stamp: trust, late, outside, overlay, photo, origin, offset_m,

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings.h"
+#include "path_caster.h"
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 
+#include <filesystem>
 #include <mutex>
 #include <unistd.h>
 
@@ -57,6 +62,23 @@ struct OwnStream {
             throw Error(
                 ErrorKind::Busy,
                 "Another thread is using this stream; make one for each thread, they share a renderer.");
+        }
+        return lock;
+    }
+};
+
+/// A sensor, which one thread may use at a time.
+struct OwnSensor {
+    render::Sensor sensor;
+    std::mutex inUse = {};
+    OwnProcess process = {};
+
+    /// Errors: Busy.
+    std::unique_lock<std::mutex> lock() {
+        process.check();
+        std::unique_lock lock(inUse, std::try_to_lock);
+        if (!lock) {
+            throw Error(ErrorKind::Busy, "Another thread is using this sensor; make one for each thread.");
         }
         return lock;
     }
@@ -134,6 +156,70 @@ View next(OwnStream& self, const py::object& pose, double timeS, ViewOptions opt
     return self.stream.next(roomFromCamera, timeS, options);
 }
 
+std::unique_ptr<OwnSensor> makeSensor(const render::SensorModel& model, const CameraModel& camera) {
+    return std::unique_ptr<OwnSensor>(new OwnSensor{render::Sensor(model, camera)});
+}
+
+/// Errors: InvalidInput for other counts of times and poses, none, and times that do not ascend.
+std::vector<TimedPose> pathFrom(const py::object& times, const py::object& poses, const std::string& frame) {
+    const Numbers numbers = numbersFrom(times, "times");
+    const std::vector<Rigid3> at = opticalPoses(poses, frame);
+    if (numbers.ndim() != 1 || static_cast<std::size_t>(numbers.size()) != at.size() || at.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("A frame needs as many times as poses, and at least one; these are ", numbers.size(),
+                         " and ", at.size(), "."));
+    }
+    std::vector<TimedPose> path;
+    for (const Rigid3& pose : at) {
+        const double timeS = numbers.data()[path.size()];
+        if (!path.empty() && !(timeS > path.back().timeS)) {
+            throw Error(ErrorKind::InvalidInput, text("The times of poses must ascend, and ", timeS,
+                                                      " is not later than ", path.back().timeS, "."));
+        }
+        path.push_back({timeS, pose});
+    }
+    return path;
+}
+
+View take(OwnStream& self, OwnSensor& by, const py::object& times, const py::object& poses, double timeS,
+          std::uint64_t number, const ViewOptions& options, const std::string& frame) {
+    const std::vector<TimedPose> path = pathFrom(times, poses, frame);
+    const auto lock = self.lock();
+    const auto sensorLock = by.lock();
+    const py::gil_scoped_release unlocked;
+    View view;
+    by.sensor.take(
+        [&](const Rigid3& pose, double at, bool isMain, View& made) {
+            ViewOptions of = options;
+            of.wantsDepth = isMain && (options.wantsDepth || by.sensor.needsDepth());
+            of.wantsTrust = isMain && options.wantsTrust;
+            self.stream.next(pose, at, of, made);
+        },
+        [&path](double at) { return poseAt(path, at); }, timeS, number, view);
+    by.sensor.measureDepth(number, view.depth);
+    return view;
+}
+
+void bindSensor(py::module_& module) {
+    py::class_<OwnSensor>(module, "Sensor",
+                          "A sensor that is not perfect: noise, exposure, blur and other effects, for one "
+                          "camera. Where exposure or white balance is automatic, each frame depends on those "
+                          "before. One thread at a time.")
+        .def_static(
+            "read",
+            [](const std::filesystem::path& file, const CameraModel& camera) {
+                return makeSensor(render::readSensor(file), camera);
+            },
+            py::arg("file"), py::arg("camera"),
+            "The sensor of a YAML file, or of the entry sensor of a camera-info YAML.")
+        .def_static(
+            "parse",
+            [](const std::string& yaml, const CameraModel& camera) {
+                return makeSensor(render::parseSensor(yaml, "from memory"), camera);
+            },
+            py::arg("yaml"), py::arg("camera"), "The same from the YAML's text.");
+}
+
 void bindRenderer(py::module_& module) {
     py::class_<OwnRenderer>(
         module, "Renderer",
@@ -183,6 +269,15 @@ void bindStream(py::module_& module) {
              py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
              py::arg("overlays") = py::tuple(), py::arg("frame") = "optical",
              "The view at a time, on any clock; what is not later than the view before is a new start.")
+        .def("take", &take, py::arg("sensor"), py::arg("times"), py::arg("poses"), py::arg("time_s"),
+             py::arg("number"), py::arg_v("options", ViewOptions(), "ViewOptions()"), py::kw_only(),
+             py::arg("frame") = "optical",
+             "The frame that a sensor takes at a time. times: seconds, (n,), ascending; poses: of the camera "
+             "at "
+             "these times, (n, 4, 4) or (n, 7), between which it moves evenly, and goes on so before and "
+             "after; "
+             "time_s: the middle of the exposure of the first row; number: of the frame, which decides its "
+             "noise.")
         .def_property_readonly("counters",
                                [](OwnStream& self) {
                                    const auto lock = self.lock();
@@ -202,6 +297,7 @@ void bindStream(py::module_& module) {
 
 void bindRenderers(py::module_& module) {
     bindRenderer(module);
+    bindSensor(module);
     bindStream(module);
 }
 

@@ -6,9 +6,11 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/render/dataset_format.h"
+#include "spherewalk/render/sensor.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +44,30 @@ render::Overlay disc(const CameraIntrinsics& camera) {
     return overlay;
 }
 
+struct NamedSensor {
+    const char* name;
+    render::SensorModel model;
+};
+
+/// Each effect of a sensor alone, and all of them together.
+std::vector<NamedSensor> sensors() {
+    std::vector<NamedSensor> sensors;
+    const auto add = [&](const char* name) -> render::SensorModel& {
+        sensors.push_back({name, {}});
+        return sensors.back().model;
+    };
+    render::SensorModel all;
+    add("view.with_sensor.exposure").exposure.gainDb = all.exposure.gainDb = 3;
+    add("view.with_sensor.noise").noise = all.noise = {10000, 5};
+    add("view.with_sensor.vignetting").vignetting = all.vignetting = {1, {-0.1, 0, 0}};
+    add("view.with_sensor.defocus").defocus.diameterPx = all.defocus.diameterPx = 3;
+    add("view.with_sensor.jpeg").jpegQuality = all.jpegQuality = 80;
+    add("view.with_sensor.motion_blur").exposure.timeS = all.exposure.timeS = 0.01;
+    add("view.with_sensor.rolling_shutter").shutter.lineDelayS = all.shutter.lineDelayS = 3e-5;
+    add("view.with_sensor.all") = all;
+    return sensors;
+}
+
 CameraIntrinsics wideWithDistortion() {
     CameraIntrinsics camera = CameraIntrinsics::pinhole(640, 480, Radians(Degrees(110)).value());
     camera.lens = LensModel::PlumbBob;
@@ -64,10 +90,13 @@ class ExtrasBench {
         add(contest, kViewAlone, options);
         options.wantsTrust = true;
         add(contest, kTrust, options);
+        options.wantsTrust = false;
+        for (const NamedSensor& sensor : sensors()) {
+            addSensor(contest, sensor, options);
+        }
         if (!m_photo.radiusM()) {
             return;
         }
-        options.wantsTrust = false;
         options.wantsDepth = true;
         add(contest, kDepth, options);
         options.wantsDepth = false;
@@ -101,6 +130,34 @@ class ExtrasBench {
     void add(Contest& contest, const std::string& name, const render::ViewOptions& options) {
         m_names.push_back(name);
         contest.add(name, [this, options](int run) { render(run, options); });
+    }
+
+    /// Takes a frame while the camera turns by 60 degrees a second.
+    void take(render::Sensor& sensor, int run, const render::ViewOptions& options) {
+        constexpr double kDegreesPerS = 60;
+        sensor.take(
+            [&](const Rigid3& pose, double, bool, render::View& view) {
+                m_photo.renderer().render(m_camera, m_photo.roomFromCamera(pose), options, view);
+            },
+            [run](double timeS) { return lookingTo(7.3 * run + kDegreesPerS * timeS, 0); }, 0,
+            static_cast<std::uint64_t>(run), m_view);
+    }
+
+    void addSensor(Contest& contest, const NamedSensor& sensor, const render::ViewOptions& options) {
+        const auto one = std::make_shared<render::Sensor>(sensor.model, m_camera, 1);
+        render::Sensor two(sensor.model, m_camera, 2);
+        take(*one, 0, options);
+        const RgbImage picture = m_view.picture;
+        render(0, options);
+        const RgbImage alone = m_view.picture;
+        take(two, 0, options);
+        if (m_view.picture != picture || picture == alone) {
+            throw Error(ErrorKind::Internal, text("The sensor of ", sensor.name,
+                                                  " depends on threads, or does nothing; please report "
+                                                  "this."));
+        }
+        m_names.push_back(sensor.name);
+        contest.add(sensor.name, [this, one, options](int run) { take(*one, run, options); });
     }
 
     void requireSeen(const render::ViewOptions& options) {

@@ -63,7 +63,9 @@ std::vector<BenchRow> measureViews(const BenchPhoto& photo, const ViewSetting& s
 /// Times level views of 90 degrees, default sampling, one thread, with more than a picture: depth, trust, an
 /// object that covers a quarter of the picture, and the same object taken by a wider camera with distortion.
 /// The peer of these rows "view.with_..." is the view alone, so their ratios are below one. A dataset without
-/// a sphere has the row for trust only. Errors: Internal if the object is hidden.
+/// a sphere has no rows for depth and objects. Rows "view.with_sensor...." take frames by a sensor with one
+/// effect, or all, while the camera turns by 60 degrees a second. Errors: Internal if the object is hidden,
+/// and if a sensor changes nothing or depends on threads.
 std::vector<BenchRow> measureExtras(const BenchPhoto& photo, int rounds, ProgressSink& progress,
                                     const std::stop_token& stop);
 

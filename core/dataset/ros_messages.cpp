@@ -154,6 +154,20 @@ std::string fieldsOfRos1(const Part& part) {
     return fields;
 }
 
+/// Rows without padding.
+Bytes imageMessage(Ros ros, const RosHeader& header, int width, int height, std::string_view encoding,
+                   ByteView pixels) {
+    MessageWriter message(ros);
+    message.header(header);
+    message.number(static_cast<std::uint32_t>(height));
+    message.number(static_cast<std::uint32_t>(width));
+    message.string(encoding);
+    message.number(std::uint8_t{0}); // is_bigendian
+    message.number(static_cast<std::uint32_t>(pixels.size() / static_cast<std::size_t>(height)));
+    message.sequence(pixels);
+    return message.take();
+}
+
 } // namespace
 
 std::int64_t rosStampNs(double timeS) {
@@ -167,15 +181,17 @@ std::int64_t rosStampNs(double timeS) {
 }
 
 Bytes imageMessage(Ros ros, const RosHeader& header, const RgbImage& picture) {
-    MessageWriter message(ros);
-    message.header(header);
-    message.number(static_cast<std::uint32_t>(picture.height()));
-    message.number(static_cast<std::uint32_t>(picture.width()));
-    message.string("rgb8");
-    message.number(std::uint8_t{0}); // is_bigendian
-    message.number(static_cast<std::uint32_t>(RgbImage::kChannels * picture.width()));
-    message.sequence(picture.values());
-    return message.take();
+    return imageMessage(ros, header, picture.width(), picture.height(), "rgb8", picture.values());
+}
+
+Bytes depthMessage(Ros ros, const RosHeader& header, const Image<std::uint16_t, 1>& millimetres) {
+    Bytes little; // lowest bytes first
+    little.reserve(2 * millimetres.values().size());
+    for (const std::uint16_t value : millimetres.values()) {
+        little.push_back(static_cast<std::uint8_t>(value & 0xFF));
+        little.push_back(static_cast<std::uint8_t>(value >> 8));
+    }
+    return imageMessage(ros, header, millimetres.width(), millimetres.height(), "16UC1", little);
 }
 
 Bytes pngMessage(Ros ros, const RosHeader& header, ByteView png) {

@@ -6,6 +6,8 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace spherewalk {
@@ -71,6 +73,17 @@ std::vector<TimedPose> readTum(const std::filesystem::path& file) {
                     text("Could not read the path: ", file.string(), " holds no pose."));
     }
     return poses;
+}
+
+Rigid3 poseAt(const std::vector<TimedPose>& path, double timeS) {
+    if (path.size() == 1) {
+        return path.front().roomFromCamera;
+    }
+    const auto isBefore = [](double time, const TimedPose& pose) { return time < pose.timeS; };
+    const auto after = std::upper_bound(std::next(path.begin()), std::prev(path.end()), timeS, isBefore);
+    const auto before = std::prev(after);
+    const double share = (timeS - before->timeS) / (after->timeS - before->timeS);
+    return interpolated(before->roomFromCamera, after->roomFromCamera, share);
 }
 
 std::string tumText(const std::vector<TimedPose>& poses) {

@@ -83,6 +83,9 @@ void CameraOptions::validate() const {
     if (overlay) {
         overlay->validate();
     }
+    if (sensor) {
+        sensor->validate();
+    }
 }
 
 } // namespace spherewalk::simulator

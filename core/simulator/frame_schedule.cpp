@@ -48,8 +48,10 @@ void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
     if (m_newest == stamp) {
         return;
     }
+    const Pose pose{roomFromCamera, takenAt,
+                    m_newest ? std::optional(StampedPose{*m_newest, m_newestPose}) : std::nullopt};
     m_newest = stamp;
-    const Pose pose{roomFromCamera, takenAt};
+    m_newestPose = roomFromCamera;
     const std::int64_t slot = slotOf(stamp);
     if (!m_lastSlot || slot > *m_lastSlot) {
         m_due.emplace(slot, Slot{stamp, pose});
@@ -110,26 +112,27 @@ std::optional<FrameSchedule::Pose> FrameSchedule::poseAt(Stamp stamp) const {
     const double share = static_cast<double>((stamp - before->first).count()) /
                          static_cast<double>((after->first - before->first).count());
     return Pose{interpolated(before->second.roomFromCamera, after->second.roomFromCamera, share),
-                after->second.takenAt};
+                after->second.takenAt, StampedPose{before->first, before->second.roomFromCamera}};
 }
 
 std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
     const auto& [number, first] = slot;
     if (!m_options.overlay) {
-        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, {}};
+        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, first.pose.before, {}};
     }
     for (auto it = m_overlays.begin(); it != m_overlays.end(); ++it) {
         if (slotOf(it->first) != number || !it->second.isWhole(m_options.overlay->by)) {
             continue;
         }
         if (const std::optional<Pose> pose = poseAt(it->first)) {
-            DueFrame frame{it->first, pose->roomFromCamera, pose->takenAt, std::move(it->second)};
+            DueFrame frame{it->first, pose->roomFromCamera, pose->takenAt, pose->before,
+                           std::move(it->second)};
             m_overlays.erase(it);
             return frame;
         }
     }
     if (*m_newest - first.stamp >= m_options.overlay->wait) {
-        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, {}};
+        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, first.pose.before, {}};
     }
     return std::nullopt;
 }

@@ -8,11 +8,18 @@
 
 namespace spherewalk::simulator {
 
+/// A pose with its stamp.
+struct StampedPose {
+    Stamp stamp{};
+    Rigid3 roomFromCamera;
+};
+
 /// A frame that is due.
 struct DueFrame {
     Stamp stamp{};
     Rigid3 roomFromCamera;
     std::chrono::steady_clock::time_point takenAt;
+    std::optional<StampedPose> before;   ///< The pose before; nothing after a start.
     std::optional<OverlayParts> overlay; ///< Nothing if no overlay is wanted or none came.
 };
 
@@ -51,6 +58,7 @@ class FrameSchedule {
     struct Pose {
         Rigid3 roomFromCamera;
         std::chrono::steady_clock::time_point takenAt;
+        std::optional<StampedPose> before;
     };
 
     struct Slot {
@@ -68,6 +76,7 @@ class FrameSchedule {
 
     const CameraOptions& m_options;
     std::optional<Stamp> m_newest;
+    Rigid3 m_newestPose;                    ///< At m_newest.
     std::optional<std::int64_t> m_lastSlot; ///< The last slot that was due.
     Slots m_due;                            ///< Slots at their first poses.
     std::map<Stamp, Pose> m_recent;         ///< An overlay may still come for these poses.

@@ -52,11 +52,30 @@ struct FrameMaker {
             objects.emplace(*options.overlay, renderer.dataset().info(),
                             options.overlay->camera.value_or(model.intrinsics()), options.view.threads);
         }
+        if (options.sensor) {
+            sensor.emplace(*options.sensor, model, options.view.threads);
+        }
     }
 
     render::ViewStream stream;
     std::optional<ObjectOverlay> objects;
+    std::optional<render::Sensor> sensor;
 };
+
+double secondsOf(Stamp stamp) {
+    return std::chrono::duration<double>(stamp).count();
+}
+
+/// The camera's pose about a frame's time, counted from the frame's stamp. A jump is no motion.
+Rigid3 poseAbout(const DueFrame& due, double afterS) {
+    constexpr double kFastestMS = 100;
+    const double lengthS = due.before ? secondsOf(due.stamp - due.before->stamp) : 0;
+    if (!(lengthS > 0) || (due.roomFromCamera.translation - due.before->roomFromCamera.translation).norm() >
+                              kFastestMS * lengthS) {
+        return due.roomFromCamera;
+    }
+    return interpolated(due.before->roomFromCamera, due.roomFromCamera, 1 + afterS / lengthS);
+}
 
 struct SimulatedCamera::State {
     State(render::Renderer sharedRenderer, const CameraModel& model, const CameraOptions& wanted,
@@ -169,7 +188,21 @@ void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
     frame.overlay = !options.overlay        ? OverlayUse::NotWanted
                     : view.overlays.empty() ? OverlayUse::Missing
                                             : OverlayUse::Laid;
-    with.stream.next(due.roomFromCamera, std::chrono::duration<double>(due.stamp).count(), view, frame.view);
+    const double stampS = secondsOf(due.stamp);
+    const auto makeView = [&](const Rigid3& pose, double afterS, bool isMain, render::View& into) {
+        view.wantsDepth = isMain && (options.wantsDepth || (with.sensor && with.sensor->needsDepth()));
+        view.depthShowsOverlays = true;
+        view.wantsTrust = isMain && options.view.wantsTrust;
+        with.stream.next(pose, stampS + afterS, view, into);
+    };
+    if (!with.sensor) {
+        makeView(due.roomFromCamera, 0, true, frame.view);
+        return;
+    }
+    const auto number = static_cast<std::uint64_t>(due.stamp.count());
+    frame.sensor = with.sensor->take(
+        makeView, [&due](double afterS) { return poseAbout(due, afterS); }, 0, number, frame.view);
+    with.sensor->measureDepth(number, frame.view.depth);
 }
 
 void SimulatedCamera::State::countFrame() {

@@ -5,7 +5,8 @@
 
 Each border lies half way between two neighbouring photos. The camera stands up to 0.3 steps beside their line and looks in any
 direction. "motion" compares two views of one cell 4 mm apart. "border" compares what two single views show of one place, from
-the photo before the border and from the one beyond. "stream" does so where a stream changes, 2 cm beyond the border.
+the photo before the border and from the one beyond. "stream" is the first frame after a stream has changed its photo, 2 cm
+beyond the border and 4 mm after its last frame, beside what the photo before shows of the same place.
 """
 
 import pathlib
@@ -68,11 +69,14 @@ def borders_of(dataset):
     return [Border(*near[i], step, random) for i in chosen]
 
 
-def streamed(renderer, camera, border, options):
+def streamed(renderer, camera, border, scene):
+    """The frame in which the photo changes, and the same place as the photo before shows it."""
     stream = spherewalk.ViewStream(renderer, camera)
-    for time, beyond in enumerate((-0.05, -0.02, 0, 0.01, 0.019)):
-        view = stream.next(border.pose(beyond), time, options).picture.copy()
-    return view
+    options = spherewalk.ViewOptions(scene=scene, sampling="bilinear")
+    for time, beyond in enumerate((-0.05, -0.02, 0, 0.01, 0.015, 0.019, 0.023)):
+        view = stream.next(border.pose(beyond), time, options)
+    options = spherewalk.ViewOptions(scene=scene, sampling="bilinear", without=view.report.photo)
+    return view.picture, renderer.render(camera, border.pose(0.023), options).picture.copy()
 
 
 def main():
@@ -86,7 +90,7 @@ def main():
         single = lambda border, beyond: renderer.render(camera, border.pose(beyond), options).picture.copy()
         pairs = {"motion": lambda border: (single(border, -0.022), single(border, -0.018)),
                  "border": lambda border: (single(border, -1e-4), single(border, 1e-4)),
-                 "stream": lambda border: (streamed(renderer, camera, border, options), single(border, 0.019))}
+                 "stream": lambda border: streamed(renderer, camera, border, scene)}
         for what, views in pairs.items():
             likeness, moved = [], []
             for border in borders:

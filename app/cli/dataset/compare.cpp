@@ -2,6 +2,8 @@
 #include "options/command.h"
 #include "options/measured_dataset.h"
 
+#include "spherewalk/base/bytes.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/jobs/compare_robot.h"
 #include "spherewalk/jobs/measured_dataset.h"
@@ -19,6 +21,7 @@ struct CompareArguments {
     std::string pictures;
     std::string report;
     std::string poses;
+    std::string sensor;
     bool refinesPoses = false;
     bool fitsColour = false;
     bool stores = false;
@@ -26,7 +29,8 @@ struct CompareArguments {
 
 /// What was asked for and could not be had is a failure, though the report tells the rest.
 bool succeeded(const jobs::CompareReport& report, const CompareArguments& options) {
-    return (!options.refinesPoses || report.refined > 0) && (!options.fitsColour || report.fit->correction);
+    return (!options.refinesPoses || report.refined > 0) && (!options.fitsColour || report.fit->correction) &&
+           (!report.sensor || report.sensor->why.empty());
 }
 
 Result compareViews(const CompareArguments& options, Context& context) {
@@ -34,6 +38,7 @@ Result compareViews(const CompareArguments& options, Context& context) {
     wanted.pictures = robotPictures(options.dataset, options.pictures);
     wanted.refinesPoses = options.refinesPoses;
     wanted.fitsColour = options.fitsColour;
+    wanted.fitsSensor = !options.sensor.empty();
     wanted.view = options.dataset.viewOptions();
     wanted.shown = options.report.empty() ? 0 : kShown;
     const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
@@ -44,6 +49,9 @@ Result compareViews(const CompareArguments& options, Context& context) {
     }
     if (!options.poses.empty()) {
         writePoses(report, options.poses);
+    }
+    if (report.sensor) {
+        writeFile(options.sensor, bytesOf(render::sensorYaml(report.sensor->sensor)));
     }
     Result result{toJson(report), compareText(report), succeeded(report, options)};
     const bool isStored = options.stores && report.fit->correction;
@@ -75,6 +83,9 @@ void addCompare(Commands& commands) {
                      "Fit what makes the photos' colours those of the robot's camera");
     command.flag("--store", options->stores, "Keep the fitted correction in the dataset, for all views")
         .needs(fit);
+    command.option(
+        "--fit-sensor", options->sensor,
+        "YAML to write a sensor to whose frames are as bright, as warm and as noisy as the pictures");
     command.option("--poses", options->poses,
                    "CSV to write the refined poses to, in the form of --pictures, beside the pictures");
     command.option("--report", options->report,

@@ -8,6 +8,7 @@
 #include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/sensor.h"
 
 #include <memory>
 #include <string>
@@ -22,7 +23,11 @@ struct ViewArguments {
     std::string pose;
     std::string out;
     std::string ball;
+    std::string sensor;
 };
+
+constexpr const char* kSensorHelp = "Sensor: a YAML with noise, exposure, shutter and other effects; the "
+                                    "entry sensor of the camera's file, too";
 
 /// What a person must know before the picture is used, as sentences that go on.
 std::string doubtOf(const render::ViewReport& report) {
@@ -45,7 +50,16 @@ Result renderView(const ViewArguments& options, Context& context) {
         overlays.push_back(jobs::ballOverlay(jobs::parseBall(options.ball), camera, pose));
         viewOptions.overlays = overlays;
     }
-    const render::View view = renderer.render(camera, pose, viewOptions);
+    render::View view;
+    if (options.sensor.empty()) {
+        renderer.render(camera, pose, viewOptions, view);
+    } else {
+        render::Sensor sensor(render::readSensor(options.sensor), camera, viewOptions.threads);
+        viewOptions.wantsDepth = sensor.needsDepth();
+        viewOptions.depthShowsOverlays = true;
+        renderer.render(camera, pose, viewOptions, view);
+        sensor.take(0, view);
+    }
     photo::writePng(options.out, view.picture);
     Json json = jobs::toJson(view.report);
     json["out"] = options.out;
@@ -63,6 +77,8 @@ struct WalkArguments {
     std::string ball;
     std::vector<std::string> formats;
     std::string bagPictures = "raw";
+    std::string sensor;
+    bool writesDepth = false;
     std::string shard = "1/1";
 };
 
@@ -86,6 +102,10 @@ Result renderWalk(const WalkArguments& options, Context& context) {
             walkOptions.formats.push_back(dataset::poseFormat(format));
         }
     }
+    if (!options.sensor.empty()) {
+        walkOptions.sensor = render::readSensor(options.sensor);
+    }
+    walkOptions.writesDepth = options.writesDepth;
     walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
@@ -116,6 +136,7 @@ void addView(Commands& commands) {
     command.option("--out", options->out, "PNG file to write").required();
     command.option("--ball", options->ball,
                    "A ball to lay into the view, \"x y z radius\", metres, as an object of a simulator");
+    command.option("--sensor", options->sensor, kSensorHelp);
 }
 
 void addWalk(Commands& commands) {
@@ -145,6 +166,9 @@ void addWalk(Commands& commands) {
         .showDefault();
     command.option("--ball", options->ball,
                    "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");
+    command.option("--sensor", options->sensor, kSensorHelp);
+    command.flag("--depth", options->writesDepth,
+                 "Write depth frames, too: PNG of 16 bits in millimetres along the optical axis, 0 for none");
 }
 
 } // namespace spherewalk::cli

@@ -206,6 +206,12 @@ class StreamCounters:
     @property
     def previous(self) -> int: ...
 
+class Sensor:
+    @staticmethod
+    def read(file: _Path, camera: Camera) -> Sensor: ...
+    @staticmethod
+    def parse(yaml: str, camera: Camera) -> Sensor: ...
+
 class ViewStream:
     def __init__(
         self,
@@ -223,6 +229,17 @@ class ViewStream:
         options: ViewOptions = ...,
         *,
         overlays: Iterable[Overlay] = (),
+        frame: _Frame = "optical",
+    ) -> View: ...
+    def take(
+        self,
+        sensor: Sensor,
+        times: ArrayLike,
+        poses: ArrayLike,
+        time_s: float,
+        number: int,
+        options: ViewOptions = ...,
+        *,
         frame: _Frame = "optical",
     ) -> View: ...
     @property

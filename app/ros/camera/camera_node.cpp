@@ -159,10 +159,27 @@ struct CameraNode::State {
 
     void publish(const simulator::Frame& frame) {
         const RgbImage& picture = frame.view.picture;
-        giveFrame({frame.stamp, picture.width(), picture.height(), picture.values().data(),
+        giveFrame({frame.stamp,
+                   {picture.width(), picture.height(), "rgb8", 3, picture.values().data()},
+                   depthOf(frame.view.depth),
                    calibration(frame.camera)});
         const std::scoped_lock lock(mutex);
         diagnostics.add(frame);
+    }
+
+    PublishedPicture depthOf(const DepthImage& depth) {
+        if (depthKind == DepthEncoding::None || depth.empty()) {
+            return {};
+        }
+        const auto published = [&depth](const char* encoding, const auto& values) {
+            return PublishedPicture{depth.width(), depth.height(), encoding, sizeof(values[0]),
+                                    reinterpret_cast<const std::uint8_t*>(values.data())};
+        };
+        if (depthKind == DepthEncoding::Metres) {
+            return published("32FC1", depth.values());
+        }
+        millimetres = render::depthMillimetres(depth);
+        return published("16UC1", millimetres.values());
     }
 
     /// With the lock held.
@@ -174,8 +191,10 @@ struct CameraNode::State {
     }
 
     const NodeOptions options;
+    const DepthEncoding depthKind = depthEncoding(options.depth);
     GiveFrame giveFrame;
-    std::mutex mutex; ///< of what follows
+    Image<std::uint16_t, 1> millimetres; ///< of the rendering thread
+    std::mutex mutex;                    ///< of what follows
     TransformTree tree;
     std::optional<Stamp> lastPose;
     CameraDiagnostics diagnostics;
@@ -200,6 +219,18 @@ std::vector<OverlayTopic> CameraNode::overlayTopics() const {
         return {OverlayTopic::Colour, OverlayTopic::Depth, OverlayTopic::Labels};
     }
     return {OverlayTopic::Colour, OverlayTopic::Depth};
+}
+
+std::string CameraNode::depthTopic() const {
+    switch (m_state->depthKind) {
+    case DepthEncoding::Metres:
+        return "camera/depth/image";
+    case DepthEncoding::Millimetres:
+        return "camera/depth/image_raw";
+    case DepthEncoding::None:
+        break;
+    }
+    return "";
 }
 
 void CameraNode::takeTransform(const Transform& transform, bool isStatic) {

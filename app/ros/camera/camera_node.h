@@ -35,6 +35,8 @@ struct NodeOptions {
     double overlayWait = 0.5;             ///< Seconds that a frame waits for its overlay, [0, 10].
     int threads = 0;                      ///< Threads to render with; 0: all.
     int cacheMb = 512;                    ///< Megabytes of decoded photos.
+    std::string sensor;                   ///< YAML of the sensor; empty for one that is perfect.
+    std::string depth = "none";           ///< Encoding of a depth image: "none", "32FC1" or "16UC1".
 };
 
 /// A transform of a message, unchecked.
@@ -56,12 +58,21 @@ struct Picture {
     std::size_t sizeBytes = 0;
 };
 
-/// A frame to be published. Shape: width * height * 3 bytes, rgb8, rows without padding.
-struct PublishedFrame {
-    Stamp stamp{}; ///< Time of the pose that the frame shows.
+/// A picture to be published. Shape: width * height * pixelBytes bytes, rows without padding, numbers with
+/// their lowest byte first.
+struct PublishedPicture {
     int width = 0;
     int height = 0;
-    const std::uint8_t* rgb = nullptr;
+    const char* encoding = "";
+    int pixelBytes = 0;
+    const std::uint8_t* bytes = nullptr; ///< Null without a picture.
+};
+
+/// A frame to be published. Its messages have the same stamp.
+struct PublishedFrame {
+    Stamp stamp{};          ///< Time of the pose that the frame shows.
+    PublishedPicture image; ///< rgb8
+    PublishedPicture depth; ///< As REP 118 says; none without NodeOptions::depth.
     Calibration calibration;
 };
 
@@ -97,6 +108,9 @@ class CameraNode {
     const NodeOptions& options() const;
     /// The topics that the adapter subscribes for the overlay; empty without an overlay.
     std::vector<OverlayTopic> overlayTopics() const;
+    /// The topic of depth images, relative to the camera's name space: camera/depth/image for 32FC1 and
+    /// camera/depth/image_raw for 16UC1 (REP 118). Empty without depth images.
+    std::string depthTopic() const;
 
     /// isStatic: the transform came on /tf_static and holds at all times.
     void takeTransform(const Transform& transform, bool isStatic);

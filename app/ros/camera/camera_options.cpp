@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera_options.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
@@ -27,7 +28,14 @@ simulator::OverlayOptions overlayOptions(const NodeOptions& options) {
     return overlay;
 }
 
+constexpr EnumNames<DepthEncoding, 3> kDepthEncodings{
+    {{DepthEncoding::None, "none"}, {DepthEncoding::Metres, "32FC1"}, {DepthEncoding::Millimetres, "16UC1"}}};
+
 } // namespace
+
+DepthEncoding depthEncoding(std::string_view name) {
+    return valueOf(kDepthEncodings, "The encoding of depth images", name);
+}
 
 simulator::CameraOptions cameraOptions(const NodeOptions& options) {
     if (options.roomFrame.empty() || options.cameraFrame.empty() ||
@@ -50,6 +58,10 @@ simulator::CameraOptions cameraOptions(const NodeOptions& options) {
     camera.pace = simulator::pace(options.pace);
     if (options.overlay != "none") {
         camera.overlay = overlayOptions(options);
+    }
+    camera.wantsDepth = depthEncoding(options.depth) != DepthEncoding::None;
+    if (!options.sensor.empty()) {
+        camera.sensor = render::readSensor(options.sensor);
     }
     camera.validate();
     return camera;

@@ -63,12 +63,12 @@ void fillCalibration(Message& message, Coefficients& d, Square& k, Square& r, Pr
 
 /// Fills all of an Image but the header.
 template <class Message>
-void fillImage(Message& message, const PublishedFrame& frame) {
-    message.width = static_cast<std::uint32_t>(frame.width);
-    message.height = static_cast<std::uint32_t>(frame.height);
-    message.step = 3 * message.width;
-    message.encoding = "rgb8";
-    message.data.assign(frame.rgb, frame.rgb + std::size_t{message.step} * message.height);
+void fillImage(Message& message, const PublishedPicture& picture) {
+    message.width = static_cast<std::uint32_t>(picture.width);
+    message.height = static_cast<std::uint32_t>(picture.height);
+    message.step = static_cast<std::uint32_t>(picture.pixelBytes) * message.width;
+    message.encoding = picture.encoding;
+    message.data.assign(picture.bytes, picture.bytes + std::size_t{message.step} * message.height);
 }
 
 /// The DiagnosticStatus with these diagnostics. node: name of the node.

@@ -43,6 +43,10 @@ void visitParameters(NodeOptions& options, const Visit& visit) {
     visit("overlay_wait", "Seconds that a frame waits for its overlay", options.overlayWait);
     visit("threads", "Threads to render with; 0: all", options.threads);
     visit("cache_mb", "Megabytes of decoded photos", options.cacheMb);
+    visit("sensor", "YAML of a sensor that is not perfect: noise, exposure, shutter; empty: none",
+          options.sensor);
+    visit("depth", "Depth images beside the pictures: 32FC1 (metres), 16UC1 (millimetres), or none",
+          options.depth);
 }
 
 } // namespace spherewalk::ros

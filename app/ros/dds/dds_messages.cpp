@@ -47,16 +47,16 @@ Calibration calibrationOf(const CameraInfoMessage& message) {
     return calibration;
 }
 
-ImageMessage imageOf(const PublishedFrame& frame, const std::string& frameId) {
-    static const std::string encoding = "rgb8";
+ImageMessage imageOf(const PublishedFrame& frame, const PublishedPicture& picture,
+                     const std::string& frameId) {
     ImageMessage message{};
     message.header = {timeOf(frame.stamp), borrowed(frameId)};
-    message.width = static_cast<std::uint32_t>(frame.width);
-    message.height = static_cast<std::uint32_t>(frame.height);
-    message.step = 3 * message.width;
-    message.encoding = borrowed(encoding);
+    message.width = static_cast<std::uint32_t>(picture.width);
+    message.height = static_cast<std::uint32_t>(picture.height);
+    message.step = static_cast<std::uint32_t>(picture.pixelBytes) * message.width;
+    message.encoding = const_cast<char*>(picture.encoding);
     message.data._length = message.data._maximum = message.step * message.height;
-    message.data._buffer = const_cast<std::uint8_t*>(frame.rgb);
+    message.data._buffer = const_cast<std::uint8_t*>(picture.bytes);
     return message;
 }
 

@@ -24,8 +24,11 @@ Rigid3 poseOf(const PoseMessage& message);
 Transform transformOf(const TransformMessage& message);
 Calibration calibrationOf(const CameraInfoMessage& message);
 
-/// A message of the frame. Owner: the message refers to the frame and to frameId, which must outlive it.
-ImageMessage imageOf(const PublishedFrame& frame, const std::string& frameId);
+// Messages of a frame. Owner: they refer to the frame and to frameId, which must outlive them.
+
+/// picture: of the frame.
+ImageMessage imageOf(const PublishedFrame& frame, const PublishedPicture& picture,
+                     const std::string& frameId);
 CameraInfoMessage cameraInfoOf(const PublishedFrame& frame, const std::string& frameId);
 
 } // namespace spherewalk::ros

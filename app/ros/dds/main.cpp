@@ -7,6 +7,7 @@
 
 #include "spherewalk/base/error.h"
 
+#include <atomic>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -41,6 +42,7 @@ class DdsNode {
     void readCamera();
     void publish(const PublishedFrame& frame);
     void publishDiagnostics();
+    bool hasReaders() const;
     Stamp now() const;
 
     DdsOptions m_options;
@@ -48,6 +50,8 @@ class DdsNode {
     dds_entity_t m_images;
     dds_entity_t m_infos;
     dds_entity_t m_diagnostics;
+    std::atomic<dds_entity_t> m_depths = 0; ///< 0 without depth
+    std::atomic<dds_entity_t> m_depthInfos = 0;
     Stamp m_clock{};   ///< what /clock said last
     CameraNode m_node; ///< after what its thread writes to
 };
@@ -63,6 +67,11 @@ DdsNode::DdsNode(const DdsOptions& options)
       m_node(
           options.node, [this](const PublishedFrame& frame) { publish(frame); },
           [](const std::string& sentence) { program::printLine(stderr, sentence); }) {
+    if (const std::string depth = m_node.depthTopic(); !depth.empty()) {
+        m_depths = m_port.writer(topic(depth), sensor_msgs_msg_dds__Image__desc, Quality::Sensor);
+        m_depthInfos = m_port.writer(topic("camera/depth/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
+                                     Quality::Sensor);
+    }
     readPoses();
     readCamera();
     for (const OverlayTopic overlay : m_node.overlayTopics()) {
@@ -124,9 +133,14 @@ void DdsNode::readCamera() {
 void DdsNode::publish(const PublishedFrame& frame) {
     const std::string& frameId = m_node.options().cameraFrame;
     const CameraInfoMessage info = cameraInfoOf(frame, frameId);
-    const ImageMessage image = imageOf(frame, frameId);
+    const ImageMessage image = imageOf(frame, frame.image, frameId);
     DdsPort::write(m_infos, &info);
     DdsPort::write(m_images, &image);
+    if (m_depths != 0 && frame.depth.bytes != nullptr) {
+        const ImageMessage depth = imageOf(frame, frame.depth, frameId);
+        DdsPort::write(m_depthInfos, &info);
+        DdsPort::write(m_depths, &depth);
+    }
 }
 
 void DdsNode::publishDiagnostics() {
@@ -158,12 +172,17 @@ Stamp DdsNode::now() const {
                : std::chrono::duration_cast<Stamp>(std::chrono::system_clock::now().time_since_epoch());
 }
 
+bool DdsNode::hasReaders() const {
+    const auto is = [](dds_entity_t writer) { return writer != 0 && DdsPort::readersOf(writer) > 0; };
+    return is(m_images) || is(m_infos) || is(m_depths) || is(m_depthInfos);
+}
+
 void DdsNode::run(const std::stop_token& stop) {
     constexpr std::chrono::milliseconds kTurn(10);
     Clock::time_point diagnosed = Clock::now();
     while (!stop.stop_requested()) {
         m_port.spinFor(kTurn);
-        m_node.setListening(DdsPort::readersOf(m_images) > 0 || DdsPort::readersOf(m_infos) > 0);
+        m_node.setListening(hasReaders());
         m_node.takeTime(now());
         if (Clock::now() - diagnosed >= std::chrono::seconds(1)) {
             diagnosed = Clock::now();
@@ -214,6 +233,13 @@ void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOp
         .showDefault();
     command.option("--threads", node.threads, "Threads to render with; 0: all").showDefault();
     command.option("--cache-mb", node.cacheMb, "Of decoded photos").showDefault();
+    command.option("--sensor", node.sensor,
+                   "Sensor that is not perfect: a YAML with noise, exposure, shutter and other effects");
+    command
+        .option("--depth", node.depth,
+                "Depth images beside the pictures: 32FC1 (metres), 16UC1 (millimetres), or none")
+        .among({"none", "32FC1", "16UC1"})
+        .showDefault();
 }
 
 int run(const spherewalk::ros::DdsOptions& options) {

@@ -95,11 +95,14 @@ class RclcppNode : public rclcpp::Node {
     void subscribePoses();
     void subscribe(OverlayTopic topic);
     void publish(const PublishedFrame& frame);
+    bool hasListeners() const;
     void publishDiagnostics();
     void setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response);
 
     rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_images;
     rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_infos;
+    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_depths; ///< null unless depth is wanted
+    rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_depthInfos;
     rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr m_diagnostics;
     std::unique_ptr<CameraNode> m_node;
     std::vector<rclcpp::SubscriptionBase::SharedPtr>
@@ -120,6 +123,11 @@ RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
         [logger = get_logger()](const std::string& sentence) {
             RCLCPP_WARN(logger, "%s", sentence.c_str());
         });
+    if (const std::string depth = m_node->depthTopic(); !depth.empty()) {
+        m_depths = create_publisher<sensor_msgs::msg::Image>(depth, rclcpp::QoS(2));
+        m_depthInfos =
+            create_publisher<sensor_msgs::msg::CameraInfo>("camera/depth/camera_info", rclcpp::QoS(2));
+    }
     subscribePoses();
     for (const OverlayTopic topic : m_node->overlayTopics()) {
         subscribe(topic);
@@ -129,7 +137,7 @@ RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
         [this](const SetCameraInfo::Request::SharedPtr request,
                const SetCameraInfo::Response::SharedPtr response) { setCamera(*request, *response); });
     m_timers.push_back(create_wall_timer(std::chrono::milliseconds(10), [this] {
-        m_node->setListening(m_images->get_subscription_count() > 0 || m_infos->get_subscription_count() > 0);
+        m_node->setListening(hasListeners());
         m_node->takeTime(Stamp(get_clock()->now().nanoseconds()));
     }));
     m_timers.push_back(create_wall_timer(std::chrono::seconds(1), [this] { publishDiagnostics(); }));
@@ -175,6 +183,12 @@ void RclcppNode::subscribe(OverlayTopic topic) {
         }));
 }
 
+bool RclcppNode::hasListeners() const {
+    return m_images->get_subscription_count() > 0 || m_infos->get_subscription_count() > 0 ||
+           (m_depths &&
+            (m_depths->get_subscription_count() > 0 || m_depthInfos->get_subscription_count() > 0));
+}
+
 void RclcppNode::publish(const PublishedFrame& frame) {
     auto info = std::make_unique<sensor_msgs::msg::CameraInfo>();
     info->header.stamp = timeOf(frame.stamp);
@@ -182,7 +196,14 @@ void RclcppNode::publish(const PublishedFrame& frame) {
     fill(*info, frame.calibration);
     auto image = std::make_unique<sensor_msgs::msg::Image>();
     image->header = info->header;
-    fillImage(*image, frame);
+    fillImage(*image, frame.image);
+    if (m_depths && frame.depth.bytes != nullptr) {
+        auto depth = std::make_unique<sensor_msgs::msg::Image>();
+        depth->header = info->header;
+        fillImage(*depth, frame.depth);
+        m_depthInfos->publish(*info);
+        m_depths->publish(std::move(depth));
+    }
     m_infos->publish(std::move(info));
     m_images->publish(std::move(image));
 }

@@ -83,6 +83,7 @@ class Ros1Node {
     ::ros::NodeHandle m_handle;
     image_transport::ImageTransport m_transport;
     image_transport::CameraPublisher m_publisher;
+    image_transport::CameraPublisher m_depthPublisher; ///< unless no depth is wanted
     ::ros::Publisher m_diagnostics;
     sensor_msgs::Image m_image;     ///< of the rendering thread
     sensor_msgs::CameraInfo m_info; ///< of the rendering thread
@@ -126,6 +127,10 @@ Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
     const auto changed = [this](const auto&) { listen(); };
     m_publisher = m_transport.advertiseCamera("camera/image_raw", frameQueue(options), changed, changed,
                                               changed, changed);
+    if (const std::string depth = m_node.depthTopic(); !depth.empty()) {
+        m_depthPublisher =
+            m_transport.advertiseCamera(depth, frameQueue(options), changed, changed, changed, changed);
+    }
     m_diagnostics = m_handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
     m_service = m_handle.advertiseService("camera/set_camera_info", &Ros1Node::setCamera, this);
     m_subscribers.push_back(m_handle.subscribe<tf2_msgs::TFMessage>(
@@ -163,16 +168,21 @@ void Ros1Node::subscribe(OverlayTopic topic) {
 }
 
 void Ros1Node::listen() {
-    m_node.setListening(m_publisher.getNumSubscribers() > 0);
+    m_node.setListening(m_publisher.getNumSubscribers() > 0 ||
+                        (m_depthPublisher && m_depthPublisher.getNumSubscribers() > 0));
 }
 
 void Ros1Node::publish(const PublishedFrame& frame) {
     m_image.header.stamp = rosTime(frame.stamp);
     m_image.header.frame_id = m_node.options().cameraFrame;
-    fillImage(m_image, frame);
+    fillImage(m_image, frame.image);
     fill(m_info, frame.calibration);
     m_info.header = m_image.header;
     m_publisher.publish(m_image, m_info);
+    if (m_depthPublisher && frame.depth.bytes != nullptr) {
+        fillImage(m_image, frame.depth);
+        m_depthPublisher.publish(m_image, m_info);
+    }
 }
 
 void Ros1Node::publishDiagnostics() {

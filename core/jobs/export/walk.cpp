@@ -115,7 +115,7 @@ void requireRosTimes(const std::vector<TimedPose>& path) {
 
 void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
                   const std::vector<TimedPose>& path, const std::vector<std::filesystem::path>& frames,
-                  const std::filesystem::path& file) {
+                  const std::vector<std::filesystem::path>& depths, const std::filesystem::path& file) {
     using dataset::RosType;
     const dataset::Ros ros = messagesOf(format);
     const bool isRaw = pictures == BagPictures::Raw;
@@ -127,6 +127,10 @@ void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraI
     const std::size_t cameraInfo = bag->addTopic("/camera/camera_info", RosType::CameraInfo);
     const std::size_t pose = bag->addTopic("/camera/pose", RosType::PoseStamped);
     const std::size_t tf = bag->addTopic("/tf", RosType::TfMessage);
+    const bool hasDepth = !depths.empty();
+    const std::size_t depth = hasDepth ? bag->addTopic("/camera/depth/image_raw", RosType::Image) : 0;
+    const std::size_t depthInfo =
+        hasDepth ? bag->addTopic("/camera/depth/camera_info", RosType::CameraInfo) : 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const std::int64_t stampNs = dataset::rosStampNs(path[i].timeS);
         const dataset::RosHeader inCamera{static_cast<std::uint32_t>(i), stampNs, kCameraFrame};
@@ -138,6 +142,11 @@ void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraI
         bag->write(picture, stampNs,
                    isRaw ? imageMessage(ros, inCamera, photo::readPicture(frames[i]))
                          : pngMessage(ros, inCamera, readFile(frames[i])));
+        if (hasDepth) {
+            bag->write(depthInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
+            bag->write(depth, stampNs,
+                       depthMessage(ros, inCamera, render::depthMillimetres(photo::readDepthPng(depths[i]))));
+        }
     }
     bag->finish();
 }
@@ -145,6 +154,7 @@ void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraI
 constexpr std::size_t kSheetCells = 24;
 constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
+constexpr const char* kDepthFolder = "depth";
 constexpr int kWalkMethod = 3; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
@@ -164,12 +174,16 @@ constexpr std::string_view kColumns =
     "frame,time_s,x_m,y_m,z_m,qx,qy,qz,qw,photo,offset_m,scene,sampling,parallax_px,trust";
 constexpr std::string_view kTimeColumns = "frame,decode_ms,render_ms,origin,late";
 
-FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report) {
+constexpr std::string_view kSensorColumns = ",exposure_time_s,gain_db";
+
+FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report,
+                   const std::optional<render::SensorReport>& sensor) {
     const Eigen::Vector3d& t = pose.roomFromCamera.translation;
     const Eigen::Quaterniond& q = pose.roomFromCamera.rotation;
     return {text(pose.timeS, ",", t.x(), ",", t.y(), ",", t.z(), ",", q.x(), ",", q.y(), ",", q.z(), ",",
                  q.w(), ",", report.file, ",", report.offsetM, ",", name(report.scene), ",",
-                 name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4)),
+                 name(report.sampling), ",", fixed(report.parallaxPx, 3), ",", fixed(report.trust, 4),
+                 sensor ? text(",", sensor->exposureTimeS, ",", fixed(sensor->gainDb, 3)) : ""),
             text(fixed(report.decodeMs, 3), ",", fixed(report.renderMs, 3), ",", name(report.origin), ",",
                  report.isLate ? 1 : 0)};
 }
@@ -180,11 +194,13 @@ std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
     std::string key =
         text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
-                name(options.view.sampling), " ", name(options.stream.late));
+                name(options.view.sampling), " ", name(options.stream.late), " ", options.stream.passageM);
     if (options.ball) {
         const Eigen::Vector3d& at = options.ball->centreM;
         key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", options.ball->radiusM);
     }
+    key += options.sensor ? text(" ", sensorYaml(*options.sensor)) : "";
+    key += options.writesDepth ? " depth" : "";
     return sha256Hex(bytesOf(key + "\n" + tumText(path)));
 }
 
@@ -202,7 +218,7 @@ void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraMod
 /// What is written once all frames are there.
 void finish(const WalkJournal& journal, const CameraModel& camera, const std::vector<TimedPose>& path,
             const WalkOptions& options, const std::filesystem::path& folder) {
-    std::string index = text(kColumns, "\n");
+    std::string index = text(kColumns, options.sensor ? kSensorColumns : "", "\n");
     std::string times = text(kTimeColumns, "\n");
     for (const auto& [frame, lines] : journal.frames()) {
         index += text(frameName(frame), ",", lines.what, "\n");
@@ -213,6 +229,8 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
     writePoses(options.formats, camera, path, folder);
     for (const dataset::BagFormat format : options.bags) {
         writeWalkBag(format, options.bagPictures, camera.intrinsics(), path, frameFiles(path.size(), folder),
+                     options.writesDepth ? frameFiles(path.size(), folder / kDepthFolder)
+                                         : std::vector<std::filesystem::path>(),
                      folder / text("walk.", extension(format)));
     }
     const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
@@ -221,6 +239,99 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
         sheet.push_back(photo::readPicture(folder / frameName(i)));
     }
     photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
+}
+
+/// Makes a walk's frames in the order of the path.
+class WalkFrames {
+  public:
+    /// Owner: all arguments must outlive the frames.
+    WalkFrames(const render::Renderer& renderer, const CameraModel& camera,
+               const std::vector<TimedPose>& path, const WalkOptions& options);
+
+    /// The next frames are the same as if this one had been made.
+    void pass(std::size_t frame);
+    const render::View& make(std::size_t frame);
+
+    /// Of the frame that was made last.
+    const std::optional<render::SensorReport>& sensorReport() const { return m_sensorReport; }
+
+    const render::StreamCounters& counters() const { return m_stream.counters(); }
+
+  private:
+    void makeView(const Rigid3& roomFromCamera, double timeS, bool isMain, render::View& view);
+
+    const CameraModel& m_camera;
+    const std::vector<TimedPose>& m_path;
+    const WalkOptions& m_options;
+    render::ViewStream m_stream;
+    std::optional<render::Sensor> m_sensor;
+    std::optional<render::SensorReport> m_sensorReport;
+    std::vector<render::Overlay> m_overlays;
+    render::View m_view;
+};
+
+WalkFrames::WalkFrames(const render::Renderer& renderer, const CameraModel& camera,
+                       const std::vector<TimedPose>& path, const WalkOptions& options)
+    : m_camera(camera), m_path(path), m_options(options), m_stream(renderer, camera, options.stream) {
+    if (options.sensor) {
+        m_sensor.emplace(*options.sensor, camera, options.view.threads);
+    }
+}
+
+void WalkFrames::makeView(const Rigid3& roomFromCamera, double timeS, bool isMain, render::View& view) {
+    render::ViewOptions options = m_options.view;
+    options.wantsDepth = isMain && (m_options.writesDepth || (m_sensor && m_sensor->needsDepth()));
+    options.depthShowsOverlays = true;
+    if (m_options.ball) {
+        m_overlays = {ballOverlay(*m_options.ball, m_camera, roomFromCamera)};
+        options.overlays = m_overlays;
+    }
+    m_stream.next(roomFromCamera, timeS, options, view);
+    if (options.wantsDepth && view.depth.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "The scene model \"none\" knows no depth: choose sphere, room or "
+                    "depth by --scene, or export the dataset with one of them.");
+    }
+}
+
+void WalkFrames::pass(std::size_t frame) {
+    const TimedPose& pose = m_path[frame];
+    if (!m_sensor) {
+        m_stream.pass(pose.roomFromCamera, m_options.view);
+    } else if (m_sensor->isAutomatic()) {
+        make(frame);
+    } else {
+        const auto at = [this](double timeS) { return poseAt(m_path, timeS); };
+        for (const double timeS : m_sensor->times(at, pose.timeS)) {
+            m_stream.pass(at(timeS), m_options.view);
+        }
+    }
+}
+
+const render::View& WalkFrames::make(std::size_t frame) {
+    const TimedPose& pose = m_path[frame];
+    if (!m_sensor) {
+        makeView(pose.roomFromCamera, pose.timeS, true, m_view);
+        return m_view;
+    }
+    m_sensorReport =
+        m_sensor->take([this](const Rigid3& roomFromCamera, double timeS, bool isMain,
+                              render::View& view) { makeView(roomFromCamera, timeS, isMain, view); },
+                       [this](double timeS) { return poseAt(m_path, timeS); }, pose.timeS, frame, m_view);
+    m_sensor->measureDepth(frame, m_view.depth);
+    return m_view;
+}
+
+/// A sensor asks for poses between those of the path.
+void requireAscendingTimes(const std::vector<TimedPose>& path) {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        if (!(path[i - 1].timeS < path[i].timeS)) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("A sensor cannot take frames along this path: the time ", path[i].timeS,
+                             " of pose ", i + 1, " is not later than the one before, ", path[i - 1].timeS,
+                             "."));
+        }
+    }
 }
 
 } // namespace
@@ -235,14 +346,16 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     if (!options.bags.empty()) {
         requireRosTimes(path);
     }
-    ensureFolder(folder);
+    if (options.sensor) {
+        requireAscendingTimes(path);
+    }
+    ensureFolder(options.writesDepth ? folder / kDepthFolder : folder);
     WalkJournal journal(folder, walkKey(renderer.dataset().info(), camera, path, options), options.shard);
     const auto isThere = [&](std::size_t frame) {
-        return journal.frames().contains(frame) && std::filesystem::exists(folder / frameName(frame));
+        return journal.frames().contains(frame) && std::filesystem::exists(folder / frameName(frame)) &&
+               (!options.writesDepth || std::filesystem::exists(folder / kDepthFolder / frameName(frame)));
     };
-    render::ViewStream stream(renderer, camera, options.stream);
-    render::ViewOptions frame = options.view;
-    std::vector<render::Overlay> overlays; ///< that the frame's options point to
+    WalkFrames frames(renderer, camera, path, options);
     WalkReport report;
     std::set<std::size_t> photos;
     std::vector<double> renderMs;
@@ -255,16 +368,15 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
             i >= begin && renderer.dataset().isOutside(path[i].roomFromCamera.translation) ? 1 : 0;
         if (i < begin || isThere(i)) {
             report.reused += i < begin ? 0 : 1;
-            stream.pass(path[i].roomFromCamera, frame); // a frame has the same photos in any part
+            frames.pass(i); // a frame has the same photos in any part
             continue;
         }
-        if (options.ball) {
-            overlays = {ballOverlay(*options.ball, camera, path[i].roomFromCamera)};
-            frame.overlays = overlays;
-        }
-        const render::View view = stream.next(path[i].roomFromCamera, path[i].timeS, frame);
+        const render::View& view = frames.make(i);
         photo::writePng(folder / frameName(i), view.picture);
-        journal.add(i, linesOf(path[i], view.report));
+        if (options.writesDepth) {
+            photo::writeDepthPng(folder / kDepthFolder / frameName(i), view.depth);
+        }
+        journal.add(i, linesOf(path[i], view.report, frames.sensorReport()));
         photos.insert(view.report.photo);
         renderMs.push_back(view.report.renderMs);
         if (view.report.decodeMs > 0) {
@@ -284,63 +396,11 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         finish(journal, camera, path, options, folder);
     }
     report.photosUsed = photos.size();
-    report.stream = stream.counters();
+    report.stream = frames.counters();
     report.load = renderer.counters();
     report.medianRenderMs = median(renderMs);
     report.medianDecodeMs = median(decodeMs);
     return report;
-}
-
-Json toJson(const render::ViewReport& report) {
-    return {{"photo", report.file},
-            {"offset_m", report.offsetM},
-            {"scene", name(report.scene)},
-            {"sampling", name(report.sampling)},
-            {"origin", name(report.origin)},
-            {"late", report.isLate},
-            {"trust", report.trust},
-            {"outside", report.isOutside},
-            {"sees_place", report.seesPlace},
-            {"seen_share", report.seenShare},
-            {"filled_share", report.filledShare},
-            {"parallax_px", report.parallaxPx},
-            {"blur_px", report.blurPx},
-            {"decode_ms", report.decodeMs},
-            {"decoded_tiles", report.decodedTiles},
-            {"whole_decode", report.isWholeDecode},
-            {"verified", report.isVerified},
-            {"render_ms", report.renderMs}};
-}
-
-Json toJson(const render::LoadCounters& counters) {
-    return {{"hits", counters.hits},
-            {"late", counters.late},
-            {"waits", counters.waits},
-            {"decoded_tiles", counters.decodedTiles},
-            {"prefetched_tiles", counters.prefetchedTiles},
-            {"dropped_tiles", counters.droppedTiles},
-            {"whole_decodes", counters.wholeDecodes},
-            {"prefetch_errors", counters.prefetchErrors},
-            {"decode_ms", counters.decodeMs},
-            {"prefetch_ms", counters.prefetchMs},
-            {"resident_bytes", counters.residentBytes}};
-}
-
-Json toJson(const WalkReport& report) {
-    return {{"frames", report.frames},
-            {"reused_frames", report.reused},
-            {"complete", report.isComplete},
-            {"photos_used", report.photosUsed},
-            {"median_render_ms", report.medianRenderMs},
-            {"median_decode_ms", report.medianDecodeMs},
-            {"worst_offset_m", report.worstOffsetM},
-            {"least_trust", report.leastTrust},
-            {"outside", report.outside},
-            {"late", report.stream.late},
-            {"waited", report.stream.waited},
-            {"coarse", report.stream.coarse},
-            {"previous", report.stream.previous},
-            {"load", toJson(report.load)}};
 }
 
 } // namespace spherewalk::jobs

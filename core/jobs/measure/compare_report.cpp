@@ -138,6 +138,21 @@ Json fitJson(const CompareReport& report) {
             {"error_held_out", orNull(report.heldOutColourError)}};
 }
 
+Json sensorJson(const CompareReport& report) {
+    if (!report.sensor) {
+        return {};
+    }
+    const compare::SensorFit& fit = *report.sensor;
+    const render::SensorModel& sensor = fit.sensor;
+    return {{"gain_db", fit.hasExposure ? Json(sensor.exposure.gainDb) : Json()},
+            {"white_balance_gains", fit.hasExposure ? Json(sensor.whiteBalance.gains) : Json()},
+            {"full_well_e", fit.hasNoise ? Json(sensor.noise.fullWellE) : Json()},
+            {"read_e", fit.hasNoise ? Json(sensor.noise.readE) : Json()},
+            {"colour_spots", fit.colourSpots},
+            {"noise_spots", fit.noiseSpots},
+            {"why", fit.why}};
+}
+
 report::Table compareTable(const CompareReport& report) {
     report::Table table{kTitles, {}, 1};
     for (const ComparedPicture& picture : report.pictures) {
@@ -146,6 +161,23 @@ report::Table compareTable(const CompareReport& report) {
     }
     table.rows.push_back(joined({"mean", "", "", "", "", ""}, likenessCells(report.before, report.after)));
     return table;
+}
+
+void addSensorSentences(const compare::SensorFit& fit, std::vector<std::string>& sentences) {
+    const render::SensorModel& sensor = fit.sensor;
+    if (fit.hasExposure) {
+        const auto& gains = sensor.whiteBalance.gains;
+        sentences.push_back(text("The robot's camera is brighter than the views by ",
+                                 fixed(sensor.exposure.gainDb, 1), " dB; red is ", fixed(gains[0], 2),
+                                 " and blue ", fixed(gains[2], 2), " times as bright beside green (",
+                                 fit.colourSpots, " spots)."));
+    }
+    if (fit.hasNoise) {
+        sentences.push_back(text("Its noise is that of ", fixed(sensor.noise.fullWellE, 0),
+                                 " electrons at white, with a read noise of ", fixed(sensor.noise.readE, 1),
+                                 " (", fit.noiseSpots, " spots)."));
+    }
+    sentences.insert(sentences.end(), fit.why.begin(), fit.why.end());
 }
 
 std::vector<std::string> compareSentences(const CompareReport& report) {
@@ -172,6 +204,9 @@ std::vector<std::string> compareSentences(const CompareReport& report) {
                               ")."));
     } else if (report.fit) {
         result.push_back(report.fit->why);
+    }
+    if (report.sensor) {
+        addSensorSentences(*report.sensor, result);
     }
     return result;
 }
@@ -221,6 +256,7 @@ Json toJson(const CompareReport& report) {
             {"steadiness",
              {{"median_px", orNull(report.steadyMedianPx)}, {"p95_px", orNull(report.steadyP95Px)}}},
             {"colour_fit", fitJson(report)},
+            {"sensor_fit", sensorJson(report)},
             {"colour_correction", report.colour ? toJson(*report.colour) : Json()},
             {"seconds", report.seconds}};
 }

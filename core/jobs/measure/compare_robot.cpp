@@ -174,7 +174,11 @@ class RobotComparison {
                 compare::refinedPose(m_renderer, m_camera, taken, compared.given, refinement, stop);
             m_report.refined += compared.refined->isFitted ? 1 : 0;
         }
-        if (m_options.fitsColour) {
+        if (m_options.fitsSensor) {
+            const std::vector<compare::NoiseSample> noise = compare::noiseSamples(taken);
+            m_noise.insert(m_noise.end(), noise.begin(), noise.end());
+        }
+        if (m_options.fitsColour || m_options.fitsSensor) {
             if (compared.refined && compared.refined->isFitted) {
                 const render::View better = viewFrom(compared.used());
                 colours = compare::colourSamples(better.picture, better.trust, taken);
@@ -186,19 +190,26 @@ class RobotComparison {
         m_report.pictures.push_back(std::move(compared));
     }
 
+    /// Colours, and the sensor that takes views in these colours.
     void fitColour() {
         m_report.colour = m_renderer.dataset().info().colour;
+        compare::ColourSamples all;
+        for (const compare::ColourSamples& samples : m_colours) {
+            all.add(samples);
+        }
         if (m_options.fitsColour) {
-            compare::ColourSamples all;
-            for (const compare::ColourSamples& samples : m_colours) {
-                all.add(samples);
-            }
             m_report.fit = compare::fittedColour(all);
             m_report.colour = m_report.fit->correction;
             m_report.heldOutColourError = heldOutError(m_colours);
         }
         if (m_report.colour) {
             m_tables.emplace(*m_report.colour);
+            for (compare::ColourSample& sample : all.samples) {
+                sample.view = m_report.colour->corrected(sample.view);
+            }
+        }
+        if (m_options.fitsSensor) {
+            m_report.sensor = compare::fittedSensor(all.samples, m_noise);
         }
     }
 
@@ -253,6 +264,7 @@ class RobotComparison {
     WorkerPool m_pool;
     render::PixelRays m_rays;
     std::vector<compare::ColourSamples> m_colours; ///< of pictures whose pose is good
+    std::vector<compare::NoiseSample> m_noise;
     std::optional<render::ColourTables> m_tables;
     std::vector<LikenessAndErrors> m_before; ///< one a picture, as in the report
     std::vector<LikenessAndErrors> m_after;

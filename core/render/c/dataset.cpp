@@ -74,6 +74,16 @@ void fillSigmas(const DatasetPhoto& photo, spherewalk_photo& result) {
     }
 }
 
+/// what: that the text describes, for sentences. Errors: InvalidInput.
+std::string_view yamlOf(const char* yaml, std::uint64_t sizeBytes, const char* what) {
+    given(yaml, "yaml");
+    if (sizeBytes > kLargestYaml) {
+        throw Error(ErrorKind::InvalidInput, text("The text of the ", what, " has ", sizeBytes,
+                                                  " bytes, and at most ", kLargestYaml, " are read."));
+    }
+    return {yaml, static_cast<std::size_t>(sizeBytes)};
+}
+
 } // namespace
 
 CameraIntrinsics intrinsicsOf(const spherewalk_intrinsics* intrinsics) {
@@ -218,13 +228,27 @@ spherewalk_status spherewalk_camera_read(const char* file, spherewalk_camera** c
 spherewalk_status spherewalk_camera_parse(const char* yaml, uint64_t size_bytes, spherewalk_camera** camera) {
     return guarded([&] {
         given(camera, "camera") = nullptr;
-        given(yaml, "yaml");
-        if (size_bytes > kLargestYaml) {
-            throw Error(ErrorKind::InvalidInput, text("The text of the camera has ", size_bytes,
-                                                      " bytes, and at most ", kLargestYaml, " are read."));
-        }
-        const std::string_view content(yaml, static_cast<std::size_t>(size_bytes));
+        const std::string_view content = yamlOf(yaml, size_bytes, "camera");
         *camera = new spherewalk_camera{CameraModel(parseCameraInfo(content, "from memory"))};
+    });
+}
+
+spherewalk_status spherewalk_sensor_read(const char* file, const spherewalk_camera* camera,
+                                         spherewalk_sensor** sensor) {
+    return guarded([&] {
+        given(sensor, "sensor") = nullptr;
+        const CameraModel& model = given(camera, "camera").model;
+        *sensor = new spherewalk_sensor{Sensor(readSensor(&given(file, "file")), model)};
+    });
+}
+
+spherewalk_status spherewalk_sensor_parse(const char* yaml, uint64_t size_bytes,
+                                          const spherewalk_camera* camera, spherewalk_sensor** sensor) {
+    return guarded([&] {
+        given(sensor, "sensor") = nullptr;
+        const CameraModel& model = given(camera, "camera").model;
+        const std::string_view content = yamlOf(yaml, size_bytes, "sensor");
+        *sensor = new spherewalk_sensor{Sensor(parseSensor(content, "from memory"), model)};
     });
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
-#include "spherewalk/spherewalk.h"
+#include "spherewalk/sensor.h"
 
 #include <memory>
 #include <mutex>
@@ -58,6 +59,11 @@ struct spherewalk_renderer {
     spherewalk::render::Renderer renderer;
     mutable std::mutex inUse{}; ///< It guards `spare`.
     mutable spherewalk::render::ViewMemory spare{};
+};
+
+struct spherewalk_sensor {
+    spherewalk::render::Sensor sensor;
+    std::mutex inUse{};
 };
 
 struct spherewalk_stream {

@@ -3,7 +3,11 @@
 #include "c/handles.h"
 #include "c/interface.h"
 
+#include "spherewalk/geometry/trajectory.h"
+
 #include <cmath>
+#include <type_traits>
+#include <vector>
 
 namespace spherewalk::render {
 
@@ -22,13 +26,41 @@ StreamOptions streamOptions(const spherewalk_stream_options* options) {
     return {lateOf(source.late), source.prefetch_seconds, source.passage_m};
 }
 
-/// The stream for this thread alone. Errors: Busy.
-std::unique_lock<std::mutex> heldAlone(spherewalk_stream& stream) {
-    std::unique_lock lock(stream.inUse, std::try_to_lock);
+/// The stream or sensor for this thread alone. Errors: Busy.
+template <class Handle>
+std::unique_lock<std::mutex> heldAlone(Handle& handle) {
+    std::unique_lock lock(handle.inUse, std::try_to_lock);
     if (!lock) {
-        throw Error(ErrorKind::Busy, "The stream is in use by another thread; make one for each thread.");
+        throw Error(ErrorKind::Busy,
+                    std::is_same_v<Handle, spherewalk_stream>
+                        ? "The stream is in use by another thread; make one for each thread."
+                        : "The sensor is in use by another thread; make one for each thread.");
     }
     return lock;
+}
+
+void checkTime(double timeS) {
+    if (!std::isfinite(timeS)) {
+        throw Error(ErrorKind::InvalidInput, "The time of a view is not a number; give seconds.");
+    }
+}
+
+/// Errors: InvalidInput for no poses, and for times that do not ascend.
+std::vector<TimedPose> pathOf(const spherewalk_timed_pose* poses, std::uint64_t count) {
+    given(poses, "poses");
+    std::vector<TimedPose> path;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        checkTime(poses[i].time_s);
+        if (i > 0 && !(poses[i].time_s > poses[i - 1].time_s)) {
+            throw Error(ErrorKind::InvalidInput, text("The time ", poses[i].time_s, " of pose ", i,
+                                                      " is not later than the one before."));
+        }
+        path.push_back({poses[i].time_s, rigid3(poses[i].room_from_camera)});
+    }
+    if (path.empty()) {
+        throw Error(ErrorKind::InvalidInput, "A frame needs at least one pose of its camera.");
+    }
+    return path;
 }
 
 } // namespace
@@ -141,13 +173,43 @@ spherewalk_status spherewalk_stream_next(spherewalk_stream* stream, const sphere
         spherewalk_stream& from = given(stream, "stream");
         const auto lock = heldAlone(from);
         const Rigid3 pose = rigid3(given(room_from_camera, "room_from_camera"));
-        if (!std::isfinite(time_s)) {
-            throw Error(ErrorKind::InvalidInput, "The time of a view is not a number; give seconds.");
-        }
+        checkTime(time_s);
         const ViewTarget target(view, report, from.camera);
         ViewOptions wanted = viewOptions(options, from.camera, from.spare.overlays);
         target.want(wanted);
         from.stream.next(pose, time_s, wanted, from.spare.view);
+        target.fill(from.spare.view);
+    });
+}
+
+void spherewalk_sensor_destroy(spherewalk_sensor* sensor) {
+    delete sensor;
+}
+
+spherewalk_status spherewalk_stream_take(spherewalk_stream* stream, spherewalk_sensor* sensor,
+                                         const spherewalk_timed_pose* poses, uint64_t pose_count,
+                                         double time_s, uint64_t frame,
+                                         const spherewalk_view_options* options, const spherewalk_view* view,
+                                         spherewalk_report* report) {
+    return guarded([&] {
+        spherewalk_stream& from = given(stream, "stream");
+        spherewalk_sensor& by = given(sensor, "sensor");
+        const auto lock = heldAlone(from);
+        const auto sensorLock = heldAlone(by);
+        const std::vector<TimedPose> path = pathOf(poses, pose_count);
+        checkTime(time_s);
+        const ViewTarget target(view, report, from.camera);
+        ViewOptions wanted = viewOptions(options, from.camera, from.spare.overlays);
+        target.want(wanted);
+        const auto makeView = [&](const Rigid3& pose, double timeS, bool isMain, View& into) {
+            ViewOptions of = wanted;
+            of.wantsDepth = isMain && (wanted.wantsDepth || by.sensor.needsDepth());
+            of.wantsTrust = isMain && wanted.wantsTrust;
+            from.stream.next(pose, timeS, of, into);
+        };
+        by.sensor.take(
+            makeView, [&path](double timeS) { return poseAt(path, timeS); }, time_s, frame, from.spare.view);
+        by.sensor.measureDepth(frame, from.spare.view.depth);
         target.fill(from.spare.view);
     });
 }

@@ -415,6 +415,10 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
         const DepthImage none;
         m_composer.compose(options.overlays, request.camera, needDepth ? depth : none, compose, tools.pool,
                            view.picture, &view.overlaid);
+        if (options.wantsDepth && options.depthShowsOverlays) {
+            m_composer.layDepth(options.overlays, request.camera, view.overlaid, compose, tools.pool,
+                                view.depth);
+        }
     }
     if (options.wantsTrust) {
         TrustOptions trust;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -164,9 +165,35 @@ void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y
     }
 }
 
+/// The overlay's depth at the centre of the view's pixel, from its nearest pixel; 0 where it has none.
+float depthAt(const Overlay& overlay, const OverlayMap* map, int x, int y) {
+    if (map != nullptr) {
+        const OverlayMap::Position& position = map->at(x, y);
+        if (position.u == OverlayMap::kNowhere) {
+            return 0;
+        }
+        x = (position.u + OverlayMap::kOne / 2) >> 8;
+        y = (position.v + OverlayMap::kOne / 2) >> 8;
+    }
+    const bool isInside = x >= 0 && x < overlay.depth.width() && y >= 0 && y < overlay.depth.height();
+    return isInside && overlay.picture.at(x, y)[3] > 0 && isDepth(*overlay.depth.at(x, y))
+               ? *overlay.depth.at(x, y)
+               : 0;
+}
+
 } // namespace
 
 struct Composer::State {
+    /// Null if pixels are taken one for one.
+    std::shared_ptr<const OverlayMap> map(const Overlay& overlay, const CameraModel& camera,
+                                          const ComposeOptions& options, WorkerPool& pool) {
+        return overlay.camera == camera.intrinsics()
+                   ? nullptr
+                   : maps.get({camera.intrinsics(), overlay.camera}, [&] {
+                         return OverlayMap(camera, CameraModel(overlay.camera), pool, options.threads);
+                     });
+    }
+
     Layer layer(const Overlay& overlay, const CameraModel& camera, const DepthImage& viewDepth,
                 const ComposeOptions& options, WorkerPool& pool) {
         if (overlay.camera == camera.intrinsics()) {
@@ -174,9 +201,7 @@ struct Composer::State {
             return {OverlayLayer(overlay, room, OverlayLayer::Lookup::OneForOne, options, pool), nullptr};
         }
         return {OverlayLayer(overlay, overlay.roomDepth, OverlayLayer::Lookup::Between, options, pool),
-                maps.get({camera.intrinsics(), overlay.camera}, [&] {
-                    return OverlayMap(camera, CameraModel(overlay.camera), pool, options.threads);
-                })};
+                map(overlay, camera, options, pool)};
     }
 
     RecentlyUsed<std::pair<CameraIntrinsics, CameraIntrinsics>, OverlayMap> maps{kMapsKept};
@@ -213,6 +238,27 @@ void Composer::compose(std::span<const Overlay> overlays, const CameraModel& cam
     std::vector<RowSpace> spaces(static_cast<std::size_t>(pool.threads()));
     pool.run(picture.height(), options.threads, [&](int y, int worker) {
         layRow(layers, viewDepth, y, spaces[static_cast<std::size_t>(worker)], picture, shown);
+    });
+}
+
+void Composer::layDepth(std::span<const Overlay> overlays, const CameraModel& camera, const MaskImage& shown,
+                        const ComposeOptions& options, WorkerPool& pool, DepthImage& depth) {
+    constexpr std::uint8_t kHalf = 128;
+    std::vector<std::shared_ptr<const OverlayMap>> maps;
+    for (const Overlay& overlay : overlays) {
+        maps.push_back(m_state->map(overlay, camera, options, pool));
+    }
+    pool.run(depth.height(), options.threads, [&](int y, int) {
+        for (int x = 0; x < depth.width(); ++x) {
+            float nearest = std::numeric_limits<float>::infinity();
+            for (std::size_t i = 0; *shown.at(x, y) >= kHalf && i < overlays.size(); ++i) {
+                const float of = depthAt(overlays[i], maps[i].get(), x, y);
+                nearest = of > 0 ? std::min(nearest, of) : nearest;
+            }
+            if (std::isfinite(nearest)) {
+                *depth.at(x, y) = nearest;
+            }
+        }
     });
 }
 

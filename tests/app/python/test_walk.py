@@ -53,3 +53,27 @@ def test_a_second_thread_is_told_that_a_stream_is_busy(renderer, camera):
     assert seen.wait(120)
     for thread in threads:
         thread.join()
+
+
+def test_a_sensor_takes_frames(renderer, small):
+    yaml = "{exposure: {time_s: 0.01}, noise: {full_well_e: 3000}, depth: {most_m: 0.01}}"
+    times, poses = [1, 1.1], np.array([BODY_POSE, BODY_POSE], dtype=float)
+    poses[1][0] += 0.05
+    options = spherewalk.ViewOptions(scene="sphere", depth=True)
+
+    def frame(sensor, number):
+        return spherewalk.ViewStream(renderer, small).take(sensor, times, poses, 1.02, number, options, frame="body")
+
+    first = frame(spherewalk.Sensor.parse(yaml, small), 1)
+    assert np.array_equal(first.picture, frame(spherewalk.Sensor.parse(yaml, small), 1).picture)
+    assert not np.array_equal(first.picture, frame(spherewalk.Sensor.parse(yaml, small), 2).picture)
+    assert np.isinf(first.depth).all(), "beyond the range"
+    plain = spherewalk.ViewStream(renderer, small).take(
+        spherewalk.Sensor.parse("seed: 1", small), [1], [BODY_POSE], 1, 0, frame="body")
+    assert np.array_equal(plain.picture, renderer.render(small, BODY_POSE, frame="body").picture)
+    with pytest.raises(spherewalk.InvalidInputError, match="must ascend"):
+        spherewalk.ViewStream(renderer, small).take(spherewalk.Sensor.parse("seed: 1", small), [1, 1], poses, 1, 0)
+    with pytest.raises(spherewalk.InvalidInputError, match="as many times as poses"):
+        spherewalk.ViewStream(renderer, small).take(spherewalk.Sensor.parse("seed: 1", small), [1], poses, 1, 0)
+    with pytest.raises(spherewalk.InvalidInputError, match="unknown"):
+        spherewalk.Sensor.parse("nose: {}", small)

@@ -22,6 +22,10 @@ TEST(NodeOptions, BecomeThoseOfTheCamera) {
     EXPECT_EQ(camera.overlay->roomLabels, (std::vector<std::uint8_t>{0, 7}));
     EXPECT_EQ(camera.overlay->wait, std::chrono::milliseconds(250));
     EXPECT_FALSE(cameraOptions({}).overlay);
+    EXPECT_FALSE(cameraOptions({}).wantsDepth);
+    EXPECT_FALSE(cameraOptions({}).sensor);
+    options.depth = "16UC1";
+    EXPECT_TRUE(cameraOptions(options).wantsDepth);
 }
 
 TEST(NodeOptions, AreRefusedWhereTheyMeanNothing) {
@@ -37,6 +41,7 @@ TEST(NodeOptions, AreRefusedWhereTheyMeanNothing) {
     expectRefused("some", [](NodeOptions& o) { o.overlay = "some"; });
     expectRefused("label", [](NodeOptions& o) { o.overlay = "labels", o.roomLabels = {256}; });
     expectRefused("wait", [](NodeOptions& o) { o.overlay = "alone", o.overlayWait = -1; });
+    expectRefused("none, 32FC1 and 16UC1", [](NodeOptions& o) { o.depth = "mono16"; });
     expectRefused("frames a second", [](NodeOptions& o) { o.rate = -1; });
     expectRefused("need names", [](NodeOptions& o) { o.roomFrame = ""; });
     expectRefused("need names", [](NodeOptions& o) { o.cameraFrame = o.roomFrame; });

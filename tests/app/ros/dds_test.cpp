@@ -8,6 +8,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/renderer.h"
+#include "spherewalk/render/sensor.h"
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,51 @@ TEST_F(DdsTest, ShowsTransformsWithTheirStampsAsTheRenderLibraryDoes) {
     EXPECT_TRUE(infos.contains(images.back().stamp) || infos.contains(images[images.size() - 2].stamp));
     node->signal(SIGINT);
     EXPECT_EQ(node->wait(), 0) << node->errors();
+}
+
+TEST_F(DdsTest, GivesDepthImagesOfTheSameStampsAsRep118Says) {
+    for (const std::string encoding : {"32FC1", "16UC1"}) {
+        const bool isMetres = encoding == "32FC1";
+        std::vector<Image> depths;
+        std::map<Stamp, Calibration> depthInfos;
+        DdsPort listener(domain);
+        listener.read<ImageMessage>(isMetres ? "/robot/camera/depth/image" : "/robot/camera/depth/image_raw",
+                                    sensor_msgs_msg_dds__Image__desc, Quality::Sensor,
+                                    [&](const ImageMessage& message) {
+                                        takeImage(message);
+                                        depths.push_back(images.back());
+                                    });
+        listener.read<CameraInfoMessage>(
+            "/robot/camera/depth/camera_info", sensor_msgs_msg_dds__CameraInfo__desc, Quality::Sensor,
+            [&](const CameraInfoMessage& message) {
+                depthInfos[stampOf(message.header.stamp)] = calibrationOf(message);
+            });
+        startNode({"--depth", encoding, "--scene", "sphere"});
+        moveUntil("a depth image", [&] {
+            listener.spinFor(20ms);
+            return depths.size() > 3 && depthInfos.size() > 3;
+        });
+        const render::Renderer renderer(
+            std::make_shared<const render::Dataset>(render::Dataset::open(kDataset)));
+        render::ViewOptions options;
+        options.scene = render::SceneKind::Sphere;
+        options.wantsDepth = true;
+        const CameraModel camera(render::readCameraInfo(kCamera));
+        for (const Image& depth : depths) {
+            const DepthImage expected =
+                renderer.render(camera, baseAt(depth.stamp) * kBaseFromCamera, options).depth;
+            EXPECT_EQ(depth.encoding, encoding);
+            EXPECT_EQ(depth.frame, "camera_optical");
+            const auto millimetres = render::depthMillimetres(expected);
+            const auto* bytes = isMetres ? reinterpret_cast<const std::uint8_t*>(expected.values().data())
+                                         : reinterpret_cast<const std::uint8_t*>(millimetres.values().data());
+            ASSERT_EQ(depth.data.size(), expected.values().size() * (isMetres ? 4 : 2));
+            EXPECT_TRUE(std::equal(depth.data.begin(), depth.data.end(), bytes));
+        }
+        EXPECT_EQ(depthInfos.begin()->second.k, calibration(camera.intrinsics()).k);
+        node->signal(SIGINT);
+        EXPECT_EQ(node->wait(), 0) << node->errors();
+    }
 }
 
 TEST_F(DdsTest, TakesGarbageWithoutHarmAndReportsIt) {

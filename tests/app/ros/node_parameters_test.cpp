@@ -51,7 +51,7 @@ TEST(NodeParameters, HaveNamesAndDescriptionsOfTheirOwn) {
         EXPECT_TRUE(descriptions.insert(description).second) << description;
         EXPECT_GT(description.size(), 10U);
     });
-    EXPECT_EQ(names.size(), 14U);
+    EXPECT_EQ(names.size(), 16U);
 }
 
 TEST(NodeParameters, ThatAreMissingAreNamed) {

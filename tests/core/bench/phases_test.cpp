@@ -69,16 +69,25 @@ TEST_F(Phases, ViewsNeedNeitherPeersNorASphereNorASecondPhoto) {
 
 TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
     const std::vector<BenchRow> rows = measureExtras(BenchPhoto(dataset), 2, noProgress(), {});
-    EXPECT_EQ(namesOf(rows), (std::set<std::string>{"view.with_depth", "view.with_trust", "view.with_overlay",
-                                                    "view.with_overlay.other_lens"}));
-    for (const BenchRow& row : rows) {
-        EXPECT_EQ(row.peer->name, kViewAlone);
-    }
+    std::set<std::string> expected{"view.with_trust",
+                                   "view.with_sensor.all",
+                                   "view.with_sensor.defocus",
+                                   "view.with_sensor.exposure",
+                                   "view.with_sensor.jpeg",
+                                   "view.with_sensor.motion_blur",
+                                   "view.with_sensor.noise",
+                                   "view.with_sensor.rolling_shutter",
+                                   "view.with_sensor.vignetting"};
     const test::TemporaryFolder other;
     test::MadeDataset made;
     made.hasSphere = false;
     const BenchPhoto without(test::openMadeDataset(other.path(), made));
-    EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), std::set<std::string>{"view.with_trust"});
+    EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), expected);
+    expected.insert({"view.with_depth", "view.with_overlay", "view.with_overlay.other_lens"});
+    EXPECT_EQ(namesOf(rows), expected);
+    for (const BenchRow& row : rows) {
+        EXPECT_EQ(row.peer->name, kViewAlone);
+    }
 }
 
 TEST_F(Phases, ScenesWithSurfacesAreComparedWithTheSphere) {

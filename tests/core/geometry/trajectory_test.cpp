@@ -39,6 +39,25 @@ TEST(Trajectory, ComesBackFromItsFile) {
     }
 }
 
+TEST(Trajectory, HasAPoseAtEachTimeAndGoesOnBeyondItsEnds) {
+    const auto turned = [](double yaw) { return yawRotation(Radians(yaw)); };
+    const std::vector<TimedPose> path{
+        {1, {turned(0), {0, 0, 0}}}, {2, {turned(0.4), {1, 0, 0}}}, {4, {turned(0.2), {1, 4, 0}}}};
+    const auto expectPose = [&](double timeS, double yaw, const Eigen::Vector3d& at) {
+        const Rigid3 pose = poseAt(path, timeS);
+        EXPECT_LT(angleBetween(pose.rotation, turned(yaw)).value(), 1e-9) << timeS;
+        EXPECT_LT((pose.translation - at).norm(), 1e-12) << timeS;
+    };
+    expectPose(1, 0, {0, 0, 0});
+    expectPose(1.25, 0.1, {0.25, 0, 0});
+    expectPose(2, 0.4, {1, 0, 0});
+    expectPose(3, 0.3, {1, 2, 0});
+    expectPose(4, 0.2, {1, 4, 0});
+    expectPose(0.5, -0.2, {-0.5, 0, 0});
+    expectPose(4.5, 0.15, {1, 5, 0});
+    EXPECT_EQ(poseAt({{7, {turned(1), {1, 2, 3}}}}, 100).translation, Eigen::Vector3d(1, 2, 3));
+}
+
 TEST(Trajectory, NamesTheLineThatIsNoPose) {
     const test::TemporaryFolder folder;
     writeFile(folder / "p", bytesOf("# comment\n0 1 2 3 0 0 0 1\n0 1 2\n"));

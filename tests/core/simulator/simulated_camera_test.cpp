@@ -275,6 +275,77 @@ TEST_F(WithObjects, PicturesThatDoNotFitAreRefused) {
     EXPECT_THAT(told[0], HasSubstr("63 x 48"));
 }
 
+TEST_F(InTheSimulator, FramesAreTakenByTheSensor) {
+    options.sensor.emplace();
+    options.sensor->noise = {3000, 4};
+    options.sensor->exposure.timeS = 0.01;
+    options.sensor->shutter.lineDelayS = 2e-4;
+    const auto simulated = make();
+    render::Sensor sensor(*options.sensor, CameraModel(camera));
+    for (int i = 0; i < 3; ++i) { // a tenth of a second between poses
+        simulated->takePose(i * 100ms, at(0.2 + 0.02 * i, 0.2 * i));
+    }
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 3U);
+    render::View expected;
+    const auto makeView = [&](const Rigid3& pose, double, bool, render::View& view) {
+        view = renderer->render(CameraModel(camera), optical(pose));
+    };
+    const auto moving = [](double afterS) { return at(0.24 + 0.2 * afterS, 0.4 + 2 * afterS); };
+    const render::SensorReport report = sensor.take(makeView, moving, 0, 200'000'000, expected);
+    EXPECT_GE(report.views, 5);
+    ASSERT_TRUE(frames[2].sensor);
+    EXPECT_EQ(frames[2].sensor->views, report.views);
+    EXPECT_EQ(frames[2].stamp, 200ms);
+    // Poses that were interpolated otherwise differ in their last bits, which may change a grey level.
+    int most = 0;
+    for (std::size_t i = 0; i < expected.picture.values().size(); ++i) {
+        most = std::max(most, std::abs(expected.picture.values()[i] - frames[2].view.picture.values()[i]));
+    }
+    EXPECT_LE(most, 1);
+    EXPECT_LT(frames[0].sensor->views, 5) << "the first pose tells no motion";
+}
+
+TEST_F(WithObjects, DepthShowsRoomAndObjectsAtTheFramesStamp) {
+    options.wantsDepth = true;
+    options.view.scene = render::SceneKind::Sphere;
+    const auto simulated = make();
+    simulated->takePose(1s, at(0.5));
+    giveOverlay(*simulated, 1s);
+    simulated->takePose(2s, at(0.5));
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    render::ViewOptions room;
+    room.scene = render::SceneKind::Sphere;
+    room.wantsDepth = true;
+    const DepthImage alone = renderer->render(CameraModel(camera), optical(at(0.5)), room).depth;
+    ASSERT_EQ(frames[0].view.depth.width(), 64);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            ASSERT_EQ(*frames[0].view.depth.at(x, y), isObject(x, y) ? 0.2F : *alone.at(x, y))
+                << x << " " << y;
+        }
+    }
+}
+
+TEST_F(InTheSimulator, DepthHasTheErrorsOfTheSensorAndIsEmptyWithoutADepth) {
+    options.wantsDepth = true;
+    options.sensor.emplace().depth = {0.1, 1, 0, 0};
+    options.view.scene = render::SceneKind::Sphere;
+    const auto simulated = make();
+    simulated->takePose(1s, at(0.5));
+    simulated->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(*frames[0].view.depth.at(32, 24), std::numeric_limits<float>::infinity()) << "2 m is too far";
+    options.view.scene = render::SceneKind::None;
+    frames.clear();
+    const auto without = make();
+    without->takePose(1s, at(0.5));
+    without->waitUntilIdle();
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_TRUE(frames[0].view.depth.empty());
+}
+
 TEST_F(InTheSimulator, RefusesOptionsOutOfRange) {
     options.rateHz = 1001;
     test::expectError(ErrorKind::InvalidInput, "0 to 1000", [this] { make(); });
@@ -282,6 +353,9 @@ TEST_F(InTheSimulator, RefusesOptionsOutOfRange) {
     options.overlay.emplace().wait = 11s;
     test::expectError(ErrorKind::InvalidInput, "0 to 10 s", [this] { make(); });
     options.overlay.reset();
+    options.sensor.emplace().jpegQuality = 101;
+    test::expectError(ErrorKind::InvalidInput, "jpeg/quality", [this] { make(); });
+    options.sensor.reset();
     options.mounting.roomFromWorld.rotation = Quaterniond(0, 0, 0, 0);
     test::expectError(ErrorKind::InvalidInput, "unit quaternions", [this] { make(); });
 }

@@ -17,6 +17,8 @@ ARGUMENTS = (
     ("camera_frame", "camera_frame", str, "camera_optical", "Optical frame of the camera"),
     ("rate", "rate", float, "30", "Frames a second; 0: one for each transform"),
     ("overlay", "overlay", str, "none", "none, labels, depth or alone"),
+    ("sensor", "sensor", str, "", "YAML of a sensor that is not perfect"),
+    ("depth", "depth", str, "none", "Depth images: none, 32FC1 or 16UC1"),
     ("use_sim_time", "use_sim_time", bool, "false", "Time is what /clock says"),
 )
 

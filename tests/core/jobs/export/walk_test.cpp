@@ -9,7 +9,10 @@
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/picture_file.h"
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace spherewalk::jobs {
@@ -214,6 +217,66 @@ TEST_F(WalkTest, NamesTheKindsOfABagsPictures) {
     EXPECT_EQ(bagPictures("raw"), BagPictures::Raw);
     EXPECT_EQ(bagPictures("png"), BagPictures::Png);
     expectError(ErrorKind::InvalidInput, "raw", [] { bagPictures("jpeg"); });
+}
+
+TEST_F(WalkTest, WithASensorIsTheSameInOnePieceAndInParts) {
+    for (const bool isAutomatic : {false, true}) {
+        WalkOptions options;
+        options.sensor.emplace();
+        options.sensor->noise = {2000, 5};
+        options.sensor->exposure.timeS = 0.02;
+        options.sensor->shutter.lineDelayS = 1e-4;
+        if (isAutomatic) {
+            options.sensor->exposure.automatic.emplace();
+            options.sensor->whiteBalance.isAutomatic = true;
+        }
+        const std::string name = isAutomatic ? "automatic" : "fixed";
+        EXPECT_TRUE(run(name, options).isComplete);
+        options.shard = Shard::parse("2/2");
+        run(name + "-parts", options);
+        options.shard = Shard::parse("1/2");
+        EXPECT_TRUE(run(name + "-parts", options).isComplete);
+        EXPECT_EQ(filesOf(name + "-parts"), filesOf(name));
+    }
+    EXPECT_NE(filesOf("fixed").at("000001.png"), filesOf("automatic").at("000001.png"));
+    EXPECT_THAT(filesOf("fixed").at("index.csv"), testing::HasSubstr("trust,exposure_time_s,gain_db\n"));
+    EXPECT_THAT(filesOf("fixed").at("index.csv"), testing::HasSubstr(",0.02,0.000\n"));
+}
+
+TEST_F(WalkTest, WithAnotherSensorIsAnotherWalk) {
+    WalkOptions options;
+    options.sensor.emplace().noise.fullWellE = 500;
+    run("w", options);
+    options.sensor->seed = 2;
+    EXPECT_EQ(run("w", options).reused, 0U);
+    EXPECT_EQ(run("w", options).reused, 5U);
+    options.sensor.reset();
+    EXPECT_EQ(run("w", options).reused, 0U);
+}
+
+TEST_F(WalkTest, WithASensorNeedsTimesThatAscend) {
+    path[3].timeS = path[2].timeS;
+    WalkOptions options;
+    options.sensor.emplace();
+    expectError(ErrorKind::InvalidInput, "pose 4 is not later", [&] { run("w", options); });
+}
+
+TEST_F(WalkTest, WritesDepthInMillimetresWithWhatIsLaidIn) {
+    WalkOptions options;
+    options.writesDepth = true;
+    expectError(ErrorKind::InvalidInput, "knows no depth", [&] { run("none", options); });
+    render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    info.sphereRadiusM = 2;
+    writeFile(folder / "d" / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
+    options.view.scene = render::SceneKind::Sphere;
+    options.ball = Ball{{1, 0, 0.8}, 0.2}; // in the last pose's axis
+    EXPECT_TRUE(run("w", options).isComplete);
+    const DepthImage last = photo::readDepthPng(folder / "w/depth/000004.png");
+    EXPECT_NEAR(*last.at(16, 12), 0.6, 0.003);
+    EXPECT_NEAR(*last.at(1, 12), 2 * std::cos(std::atan(14.5 / 29.29)), 0.01) << "of the sphere";
+    std::filesystem::remove(folder / "w/depth/000002.png");
+    EXPECT_EQ(run("w", options).reused, 4U);
+    EXPECT_TRUE(std::filesystem::exists(folder / "w/depth/000002.png"));
 }
 
 TEST_F(WalkTest, KeepsTheFramesSoFarWhenStopped) {

@@ -15,6 +15,8 @@
 #include <iomanip>
 #include <iostream>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 namespace spherewalk {
 namespace {
@@ -144,7 +146,76 @@ class MeasuredTrust : public testing::TestWithParam<practice::RoomStyle> {
         return result;
     }
 
+    /// Of stereo pairs, 12 cm apart: the differences of the disparities that their pictures show and those
+    /// that the left view's depth says, where the picture has something to compare. Units: pixels.
+    std::vector<double> disparityErrors(render::SceneKind scene) {
+        const render::Renderer renderer(
+            std::make_shared<const render::Dataset>(render::Dataset::open(m_folder.path())));
+        const CameraModel camera(CameraIntrinsics::pinhole(320, 240, 1.0));
+        constexpr double kBaselineM = 0.12;
+        test::Random random(94);
+        std::vector<double> errors;
+        for (int i = 0; i < 12; ++i) {
+            const Rigid3 left{rotation({Radians(random.uniform(-3, 3)), Radians(0), Radians(0)}) *
+                                  bodyFromOptical(),
+                              Vector3d(m_corner.x() + random.uniform(0, 2 * kStepM),
+                                       m_corner.y() + random.uniform(0, 2 * kStepM), 1.2)};
+            const Rigid3 right = left * Rigid3{Eigen::Quaterniond::Identity(), {kBaselineM, 0, 0}};
+            render::ViewOptions options;
+            options.scene = scene;
+            options.wantsDepth = true;
+            const render::View seenLeft = renderer.render(camera, left, options);
+            const render::View seenRight = renderer.render(camera, right, options);
+            for (int y = 10; y < camera.height() - 10; y += 5) {
+                for (int x = 60; x < camera.width() - 20; x += 5) {
+                    const double said =
+                        camera.intrinsics().fx * kBaselineM / static_cast<double>(*seenLeft.depth.at(x, y));
+                    if (const auto shown = shownDisparity(seenLeft.picture, seenRight.picture, x, y, said)) {
+                        errors.push_back(std::abs(*shown - said));
+                    }
+                }
+            }
+        }
+        return errors;
+    }
+
   private:
+    /// The disparity with the least squared difference of patches, within 8 pixels of a guess and finer than
+    /// a pixel. Nothing where the left picture has no edge across the row, or no minimum is found.
+    static std::optional<double> shownDisparity(const RgbImage& left, const RgbImage& right, int x, int y,
+                                                double guess) {
+        constexpr int kPatch = 4;
+        constexpr int kReach = 8;
+        const auto difference = [&](const RgbImage& other, int shift) {
+            double sum = 0;
+            for (int v = y - kPatch; v <= y + kPatch; ++v) {
+                for (int u = x - kPatch; u <= x + kPatch; ++u) {
+                    const double of = other.at(u - shift, v)[1] - left.at(u, v)[1];
+                    sum += of * of;
+                }
+            }
+            return sum;
+        };
+        constexpr double kEdge = 40 * (2 * kPatch + 1) * (2 * kPatch + 1); // 6 grey levels a pixel
+        const int first = static_cast<int>(std::lround(guess)) - kReach;
+        if (x - kPatch - first - 2 * kReach < 0 || x + kPatch - first >= left.width() ||
+            difference(left, 1) < kEdge) {
+            return std::nullopt;
+        }
+        std::vector<double> differences;
+        for (int shift = first; shift <= first + 2 * kReach; ++shift) {
+            differences.push_back(difference(right, shift));
+        }
+        const auto least = std::min_element(differences.begin(), differences.end());
+        if (least == differences.begin() || std::next(least) == differences.end()) {
+            return std::nullopt;
+        }
+        const double before = *std::prev(least);
+        const double after = *std::next(least);
+        const double part = 0.5 * (before - after) / std::max(before + after - 2 * *least, 1e-9);
+        return first + static_cast<double>(std::distance(differences.begin(), least)) + part;
+    }
+
     void write() {
         std::vector<Rigid3> poses;
         std::vector<RgbImage> pictures;
@@ -265,6 +336,18 @@ TEST_P(MeasuredTrust, IsWhatTheViewIsOff) {
         EXPECT_GT(all.ratio(), 0.65) << name(scene);
         EXPECT_LT(all.ratio(), isRoom ? 2.5 : 1.5) << name(scene);
         EXPECT_GT(all.flaggedOfBad(), 0.85) << name(scene);
+    }
+}
+
+TEST_P(MeasuredTrust, DepthAgreesWithTheDisparityOfAStereoPair) {
+    std::cout << "room scene pixels median p90\n";
+    for (const render::SceneKind scene : {render::SceneKind::Depth, render::SceneKind::Blend}) {
+        std::vector<double> errors = disparityErrors(scene);
+        ASSERT_GT(errors.size(), 1000U) << name(scene);
+        std::sort(errors.begin(), errors.end());
+        std::cout << nameOf(GetParam()) << ' ' << name(scene) << ' ' << errors.size() << ' ' << median(errors)
+                  << ' ' << errors[errors.size() * 9 / 10] << '\n';
+        EXPECT_LT(median(errors), 0.5) << name(scene);
     }
 }
 

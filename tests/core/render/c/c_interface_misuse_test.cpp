@@ -31,6 +31,9 @@ TEST_F(CMisuse, NullIsAnswered) {
     spherewalk_camera* madeCamera = nullptr;
     spherewalk_renderer* madeRenderer = nullptr;
     spherewalk_stream* madeStream = nullptr;
+    spherewalk_sensor* madeSensor = nullptr;
+    const auto sensor = this->sensor("seed: 1");
+    const spherewalk_timed_pose timed{0, pose};
     auto all = ready(spherewalk_dataset_info_init);
     auto photo = ready(spherewalk_photo_init);
     auto intrinsics = ready(spherewalk_intrinsics_init);
@@ -69,6 +72,16 @@ TEST_F(CMisuse, NullIsAnswered) {
         spherewalk_stream_next(nullptr, &pose, 0, nullptr, &into, nullptr),
         spherewalk_stream_next(s, nullptr, 0, nullptr, &into, nullptr),
         spherewalk_stream_next(s, &pose, 0, nullptr, nullptr, nullptr),
+        spherewalk_sensor_read(nullptr, c, &madeSensor),
+        spherewalk_sensor_read("x", nullptr, &madeSensor),
+        spherewalk_sensor_read("x", c, nullptr),
+        spherewalk_sensor_parse(nullptr, 0, c, &madeSensor),
+        spherewalk_sensor_parse("x", 1, nullptr, &madeSensor),
+        spherewalk_sensor_parse("x", 1, c, nullptr),
+        spherewalk_stream_take(nullptr, sensor.get(), &timed, 1, 0, 0, nullptr, &into, nullptr),
+        spherewalk_stream_take(s, nullptr, &timed, 1, 0, 0, nullptr, &into, nullptr),
+        spherewalk_stream_take(s, sensor.get(), &timed, 1, 0, 0, nullptr, nullptr, nullptr),
+        spherewalk_stream_take(s, sensor.get(), nullptr, 1, 0, 0, nullptr, &into, nullptr),
         spherewalk_stream_wait_for_prefetch(nullptr),
         spherewalk_stream_get_counters(nullptr, &counters),
         spherewalk_stream_get_counters(s, nullptr),
@@ -81,6 +94,7 @@ TEST_F(CMisuse, NullIsAnswered) {
     spherewalk_camera_destroy(nullptr);
     spherewalk_renderer_destroy(nullptr);
     spherewalk_stream_destroy(nullptr);
+    spherewalk_sensor_destroy(nullptr);
 }
 
 TEST_F(CMisuse, FoldersThatAreNoDatasetAreRefused) {

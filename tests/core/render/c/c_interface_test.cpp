@@ -5,7 +5,9 @@
 #include "c/enums.h"
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/sensor.h"
 
 #include <thread>
 
@@ -327,6 +329,57 @@ TEST_F(CInterface, ServesManyThreadsAtOnce) {
     ASSERT_EQ(spherewalk_renderer_get_counters(renderer.get(), &counters), SPHEREWALK_OK);
     EXPECT_EQ(counters.hits + counters.late, 81U);
     EXPECT_GT(counters.resident_bytes, 0U);
+}
+
+TEST_F(CInterface, TakesFramesAsTheLibrary) {
+    const std::string yaml = "{exposure: {time_s: 0.02}, shutter: {line_delay_s: 2e-4}, "
+                             "noise: {full_well_e: 2000, read_e: 5}, depth: {most_m: 1.9}}";
+    const auto by = sensor(yaml);
+    const auto stream = this->stream();
+    std::vector<spherewalk_timed_pose> route{{1, kHere}, {1.1, kHere}};
+    route[1].room_from_camera.x += 0.2;
+    std::vector<float> depths(pixels.size() / 3);
+    spherewalk_view into = view();
+    into.depth = {depths.data(), 4 * depths.size(), 4 * static_cast<std::uint64_t>(kWidth)};
+    ASSERT_EQ(
+        spherewalk_stream_take(stream.get(), by.get(), route.data(), 2, 1.05, 3, nullptr, &into, nullptr),
+        SPHEREWALK_OK)
+        << spherewalk_last_error();
+    const CameraModel model(CameraIntrinsics::pinhole(kWidth, kHeight, 1.2));
+    const Renderer reference(std::make_shared<const Dataset>(Dataset::open(folder.path())));
+    ViewStream expected(reference, model);
+    Sensor same(parseSensor(yaml, "y"), model);
+    const auto rigid = [](const spherewalk_pose& p) {
+        return Rigid3{Eigen::Quaterniond(p.qw, p.qx, p.qy, p.qz), {p.x, p.y, p.z}};
+    };
+    const std::vector<TimedPose> path{{1, rigid(route[0].room_from_camera)},
+                                      {1.1, rigid(route[1].room_from_camera)}};
+    View frame;
+    same.take(
+        [&](const Rigid3& pose, double timeS, bool isMain, View& made) {
+            ViewOptions options;
+            options.wantsDepth = isMain;
+            expected.next(pose, timeS, options, made);
+        },
+        [&](double timeS) { return poseAt(path, timeS); }, 1.05, 3, frame);
+    same.measureDepth(3, frame.depth);
+    EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), frame.picture.values().begin()));
+    EXPECT_TRUE(std::equal(depths.begin(), depths.end(), frame.depth.values().begin()));
+    EXPECT_GT(std::count(depths.begin(), depths.end(), std::numeric_limits<float>::infinity()), 0);
+
+    const auto fails = [&](std::uint64_t count, double timeS, const std::string& part) {
+        expectStatus(spherewalk_stream_take(stream.get(), by.get(), route.data(), count, timeS, 3, nullptr,
+                                            &into, nullptr),
+                     SPHEREWALK_INVALID_INPUT, part);
+    };
+    fails(0, 1, "at least one pose");
+    fails(2, test::kNan, "not a number");
+    route[1].time_s = 1;
+    fails(2, 1, "not later");
+    spherewalk_sensor* none = nullptr;
+    expectStatus(spherewalk_sensor_parse("x: 1", 4, camera.get(), &none), SPHEREWALK_INVALID_INPUT,
+                 "x is unknown");
+    EXPECT_EQ(none, nullptr);
 }
 
 TEST_F(CInterface, StreamsOutliveWhatTheyWereMadeFrom) {

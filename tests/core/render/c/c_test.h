@@ -6,7 +6,7 @@
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/spherewalk.h"
+#include "spherewalk/sensor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,6 +33,7 @@ using Owned = std::unique_ptr<Handle, Destroy<Handle, destroy>>;
 using DatasetHandle = Owned<spherewalk_dataset, spherewalk_dataset_destroy>;
 using CameraHandle = Owned<spherewalk_camera, spherewalk_camera_destroy>;
 using RendererHandle = Owned<spherewalk_renderer, spherewalk_renderer_destroy>;
+using SensorHandle = Owned<spherewalk_sensor, spherewalk_sensor_destroy>;
 using StreamHandle = Owned<spherewalk_stream, spherewalk_stream_destroy>;
 
 /// A struct of the C interface, made ready.
@@ -68,6 +69,13 @@ class CInterface : public testing::Test {
         EXPECT_EQ(spherewalk_intrinsics_pinhole(kWidth, kHeight, 1.2, &intrinsics), SPHEREWALK_OK);
         camera = make(intrinsics);
         pixels.assign(static_cast<std::size_t>(3 * kWidth) * kHeight, 7);
+    }
+
+    SensorHandle sensor(const std::string& yaml) {
+        spherewalk_sensor* made = nullptr;
+        EXPECT_EQ(spherewalk_sensor_parse(yaml.data(), yaml.size(), camera.get(), &made), SPHEREWALK_OK)
+            << spherewalk_last_error();
+        return SensorHandle(made);
     }
 
     void reopen() {

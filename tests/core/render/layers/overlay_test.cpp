@@ -482,6 +482,47 @@ TEST(Overlay, OfOnePixelIsLaidIn) {
     }
 }
 
+TEST(Overlay, LaysItsDepthWhereItCoversHalfAPixel) {
+    const CameraIntrinsics wider = CameraIntrinsics::pinhole(40, 30, 1);
+    CameraIntrinsics view = wider; // shifted by whole pixels
+    view.width = 30;
+    view.height = 20;
+    view.cx -= 6;
+    view.cy -= 4;
+    std::vector<Overlay> overlays{plain(wider, {9, 9, 9, 255}, 2), plain(wider, {7, 7, 7, 255}, 1.5F)};
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+            *overlays[0].depth.at(x, y) = x < 20 ? 2 + 0.01F * static_cast<float>(x) : kInfinity;
+            *overlays[1].depth.at(x, y) = y < 10 ? 1.5F : kNan;
+        }
+    }
+    MaskImage shown(30, 20);
+    std::fill(shown.values().begin(), shown.values().end(), std::uint8_t{255});
+    *shown.at(5, 1) = 128;
+    *shown.at(6, 1) = 127;
+    WorkerPool pool(2);
+    for (const CameraIntrinsics& camera : {view, wider}) {
+        const bool isOther = camera.width == 30;
+        MaskImage covered = isOther ? shown : MaskImage(40, 30);
+        if (!isOther) {
+            std::fill(covered.values().begin(), covered.values().end(), std::uint8_t{255});
+        }
+        DepthImage depth = depthOf(camera.width, camera.height, 3);
+        Composer().layDepth(overlays, CameraModel(camera), covered, {}, pool, depth);
+        for (int y = 0; y < camera.height; ++y) {
+            for (int x = 0; x < camera.width; ++x) {
+                const int u = isOther ? x + 6 : x;
+                const int v = isOther ? y + 4 : y;
+                const float expected = isOther && x == 6 && y == 1 ? 3
+                                       : v < 10                    ? 1.5F
+                                       : u < 20                    ? 2 + 0.01F * static_cast<float>(u)
+                                                                   : 3;
+                ASSERT_EQ(*depth.at(x, y), expected) << x << ", " << y;
+            }
+        }
+    }
+}
+
 TEST(Overlay, RefusesWhatDoesNotFitAndLeavesTheViewAlone) {
     WorkerPool pool(1);
     Composer composer;

@@ -5,6 +5,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/compare/colour_fit.h"
 #include "spherewalk/compare/pose_fit.h"
+#include "spherewalk/compare/sensor_fit.h"
 #include "spherewalk/compare/steadiness.h"
 #include "spherewalk/jobs/looks.h"
 #include "spherewalk/jobs/positions_csv.h"
@@ -26,6 +27,7 @@ struct CompareOptions {
     std::vector<RobotPicture> pictures; ///< Their poses may be approximate.
     bool refinesPoses = false;
     bool fitsColour = false;
+    bool fitsSensor = false;
     render::ViewOptions view; ///< Scene model, sampling and threads of the views.
     std::size_t shown = 0;    ///< Number of pictures that the report keeps, spread evenly.
 };
@@ -86,6 +88,8 @@ struct CompareReport {
     /// Error of the fit on pictures that it was not made from: each half of the pictures by the other half.
     /// Nothing below four pictures.
     std::optional<double> heldOutColourError;
+    /// Nothing unless a sensor is fitted. It takes views in corrected colours, if `colour` has a correction.
+    std::optional<compare::SensorFit> sensor;
     std::optional<render::ColourCorrection> colour; ///< Correction of `after`: fitted, or the dataset's own.
     std::vector<ShownPicture> shown;
     double seconds = 0;

@@ -8,6 +8,7 @@
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/ball_overlay.h"
 #include "spherewalk/jobs/shard.h"
+#include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
@@ -36,6 +37,10 @@ struct WalkOptions {
     std::vector<dataset::BagFormat> bags = {};     ///< Bags to write besides: walk.bag, walk.mcap.
     BagPictures bagPictures = BagPictures::Raw;
     Shard shard = {}; ///< The part of the frames to render.
+    /// The sensor that takes the frames: without it, frames are the views. Frames before a part are rendered,
+    /// too, where exposure or white balance is automatic.
+    std::optional<render::SensorModel> sensor = {};
+    bool writesDepth = false; ///< Whether depth/000000.png ... are written, with what is laid in.
 };
 
 /// Counts and times are those of this part, and of the frames that were not there before.
@@ -61,13 +66,19 @@ struct WalkReport {
 /// the pose files, for which the room is the world. Files of these names are replaced. With LatePolicy::Wait
 /// all files but times.csv are the same in every run, whatever the parts.
 ///
+/// With WalkOptions::writesDepth, depth/000000.png, ... hold millimetres along the optical axis in 16 bits, 0
+/// for none (REP 118), and a bag has them as /camera/depth/image_raw. With a sensor, index.csv has the
+/// columns exposure_time_s and gain_db. The path between the poses is straight, and turns evenly; see
+/// poseAt().
+///
 /// A bag holds the picture and /camera/camera_info in the frame camera_optical, and the true pose of
 /// camera_optical in the frame map, which is the room: /camera/pose (geometry_msgs/PoseStamped) and /tf. The
 /// four messages of a frame have its time.
 ///
 /// Frames: the poses are those of the optical frame.
 /// Errors: those of rendering and writing; InvalidInput before anything is rendered, if a bag is wanted and
-/// ROS cannot hold a pose's time.
+/// ROS cannot hold a pose's time, or a sensor is given and the path's times do not ascend. InvalidInput for
+/// depth, where the scene model knows none.
 /// Stop: Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,

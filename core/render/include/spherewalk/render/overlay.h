@@ -70,6 +70,12 @@ class Composer {
                  const ComposeOptions& options, WorkerPool& pool, RgbImage& picture,
                  MaskImage* shown = nullptr);
 
+    /// Gives pixels of which overlays cover at least half the depth of the nearest overlay there. shown,
+    /// depth: those of compose(), with the same overlays and camera. A pixel at whose centre no overlay has a
+    /// depth, as at rims, keeps its own.
+    void layDepth(std::span<const Overlay> overlays, const CameraModel& camera, const MaskImage& shown,
+                  const ComposeOptions& options, WorkerPool& pool, DepthImage& depth);
+
   private:
     struct State;
     std::unique_ptr<State> m_state;

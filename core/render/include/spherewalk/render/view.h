@@ -25,6 +25,8 @@ struct ViewOptions {
     bool exact = false;
     bool wantsDepth = false; ///< Whether View::depth is made.
     bool wantsTrust = false; ///< Whether View::trust is made.
+    /// Whether View::depth shows overlays, too, where they cover at least half of a pixel.
+    bool depthShowsOverlays = false;
     /// A photo that this view must not use, to compare it with. It is ignored if there is no other photo.
     std::optional<std::size_t> without = {};
     /// Objects to be laid into the picture. Owner: they must live until the view is made.
@@ -108,8 +110,9 @@ constexpr float trust(float errorPx) {
 /// A finished view. Parts that were not asked for are empty.
 struct View {
     RgbImage picture; ///< It is black where the lens sees nothing.
-    /// The depth of the scene model without overlays: z along the optical axis, in metres. It is +infinity
-    /// where the lens sees nothing or 90 degrees or more off the axis. SceneKind::None gives none.
+    /// The depth of the scene model: z along the optical axis, in metres. It is without overlays but for
+    /// ViewOptions::depthShowsOverlays. It is +infinity where the lens sees nothing or 90 degrees or more off
+    /// the axis. SceneKind::None gives none.
     DepthImage depth;
     PixelTrust trust;
     MaskImage overlaid; ///< How much of each pixel overlays cover: 255 for all. It is empty without overlays.

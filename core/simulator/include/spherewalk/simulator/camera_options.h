@@ -4,6 +4,7 @@
 #include "spherewalk/base/image.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 #include "spherewalk/simulator/frame.h"
 
@@ -96,7 +97,7 @@ std::string_view name(Pace pace);
 Pace pace(std::string_view name);
 
 struct CameraOptions {
-    render::ViewOptions view; ///< Its overlays are not used.
+    render::ViewOptions view; ///< Its overlays and its wish for depth are not used.
     render::StreamOptions stream;
     Mounting mounting;
     /// Frames a second of simulation time. A frame is taken at the first pose at or after each multiple of
@@ -105,6 +106,13 @@ struct CameraOptions {
     double rateHz = 30;
     Pace pace = Pace::Newest;
     std::optional<OverlayOptions> overlay; ///< Without it, frames show the photos alone.
+    /// The sensor that takes the frames; without it, frames are the views. During a frame's exposure the
+    /// camera goes on as between the frame's pose and the one before. Laid-in objects are not blurred by
+    /// motion: their pictures are of one pose.
+    std::optional<render::SensorModel> sensor;
+    /// Whether View::depth is made, with the laid-in objects and the errors of the sensor: the depth image of
+    /// an RGB-D camera, at the frame's stamp. View::depth is empty where the scene model knows none.
+    bool wantsDepth = false;
 
     /// Errors: InvalidInput.
     void validate() const;

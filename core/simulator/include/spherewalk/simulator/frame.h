@@ -3,9 +3,11 @@
 
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view.h"
 
 #include <chrono>
+#include <optional>
 
 namespace spherewalk::simulator {
 
@@ -25,6 +27,7 @@ struct Frame {
     Rigid3 roomFromCamera; ///< Pose of the optical frame.
     CameraIntrinsics camera;
     render::View view;
+    std::optional<render::SensorReport> sensor; ///< How the sensor took it; nothing without one.
     OverlayUse overlay = OverlayUse::NotWanted;
     std::chrono::steady_clock::time_point poseTakenAt; ///< When the pose was handed over.
 };
