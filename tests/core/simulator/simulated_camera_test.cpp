@@ -293,7 +293,7 @@ TEST_F(InTheSimulator, FramesAreTakenByTheSensor) {
     };
     const auto moving = [](double afterS) { return at(0.24 + 0.2 * afterS, 0.4 + 2 * afterS); };
     const render::SensorReport report = sensor.take(makeView, moving, 0, 200'000'000, expected);
-    EXPECT_GE(report.views, 5);
+    EXPECT_GT(report.views, 1); // rows were exposed one after the other
     ASSERT_TRUE(frames[2].sensor);
     EXPECT_EQ(frames[2].sensor->views, report.views);
     EXPECT_EQ(frames[2].stamp, 200ms);
