@@ -25,8 +25,8 @@ Rigid3 parsePose(std::string_view text);
 std::vector<TimedPose> readTum(const std::filesystem::path& file);
 
 /// The pose on a path at a time: between the two poses about it, as interpolated() says. Before the first and
-/// after the last pose, the camera goes on as between the two poses there. Range: at least one pose, ascending
-/// times.
+/// after the last pose, the camera goes on as between the two poses there. Range: at least one pose,
+/// ascending times.
 Rigid3 poseAt(const std::vector<TimedPose>& path, double timeS);
 
 /// The poses as the lines of a TUM file.
