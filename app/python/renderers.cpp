@@ -47,10 +47,9 @@ struct OwnRenderer {
     OwnProcess process = {};
 };
 
-/// A stream, which one thread may use at a time.
-struct OwnStream {
-    CameraModel camera;
-    ViewStream stream;
+/// What one thread may use at a time. what: "stream", for sentences.
+struct OneAtATime {
+    const char* what;
     std::mutex inUse = {};
     OwnProcess process = {};
 
@@ -59,29 +58,25 @@ struct OwnStream {
         process.check();
         std::unique_lock lock(inUse, std::try_to_lock);
         if (!lock) {
-            throw Error(
-                ErrorKind::Busy,
-                "Another thread is using this stream; make one for each thread, they share a renderer.");
+            throw Error(ErrorKind::Busy,
+                        text("Another thread is using this ", what, "; make one for each thread."));
         }
         return lock;
     }
 };
 
-/// A sensor, which one thread may use at a time.
-struct OwnSensor {
-    render::Sensor sensor;
-    std::mutex inUse = {};
-    OwnProcess process = {};
+struct OwnStream : OneAtATime {
+    OwnStream(const CameraModel& model, ViewStream made)
+        : OneAtATime{"stream"}, camera(model), stream(std::move(made)) {}
 
-    /// Errors: Busy.
-    std::unique_lock<std::mutex> lock() {
-        process.check();
-        std::unique_lock lock(inUse, std::try_to_lock);
-        if (!lock) {
-            throw Error(ErrorKind::Busy, "Another thread is using this sensor; make one for each thread.");
-        }
-        return lock;
-    }
+    CameraModel camera;
+    ViewStream stream;
+};
+
+struct OwnSensor : OneAtATime {
+    explicit OwnSensor(render::Sensor made) : OneAtATime{"sensor"}, sensor(std::move(made)) {}
+
+    render::Sensor sensor;
 };
 
 OwnRenderer makeRenderer(const OpenDataset& dataset, std::uint64_t cacheBytes,
@@ -143,7 +138,7 @@ std::unique_ptr<OwnStream> makeStream(const OwnRenderer& renderer, const CameraM
                                       const std::string& late, double prefetchS, double passageM) {
     renderer.process.check();
     const render::StreamOptions options{render::latePolicy(late), prefetchS, passageM};
-    return std::unique_ptr<OwnStream>(new OwnStream{camera, ViewStream(renderer.renderer, camera, options)});
+    return std::make_unique<OwnStream>(camera, ViewStream(renderer.renderer, camera, options));
 }
 
 View next(OwnStream& self, const py::object& pose, double timeS, ViewOptions options,
@@ -157,7 +152,7 @@ View next(OwnStream& self, const py::object& pose, double timeS, ViewOptions opt
 }
 
 std::unique_ptr<OwnSensor> makeSensor(const render::SensorModel& model, const CameraModel& camera) {
-    return std::unique_ptr<OwnSensor>(new OwnSensor{render::Sensor(model, camera)});
+    return std::make_unique<OwnSensor>(render::Sensor(model, camera));
 }
 
 /// Errors: InvalidInput for other counts of times and poses, none, and times that do not ascend.

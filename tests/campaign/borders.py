@@ -6,7 +6,8 @@
 Each border lies half way between two neighbouring photos. The camera stands up to 0.3 steps beside their line and looks in any
 direction. "motion" compares two views of one cell 4 mm apart. "border" compares what two single views show of one place, from
 the photo before the border and from the one beyond. "stream" is the first frame after a stream has changed its photo, 2 cm
-beyond the border and 4 mm after its last frame, beside what the photo before shows of the same place.
+beyond the border and 4 mm after its last frame, beside what the photo before shows of the same place. `blend` mixes both photos
+there, so that there is no such row.
 """
 
 import pathlib
@@ -91,6 +92,8 @@ def main():
         pairs = {"motion": lambda border: (single(border, -0.022), single(border, -0.018)),
                  "border": lambda border: (single(border, -1e-4), single(border, 1e-4)),
                  "stream": lambda border: streamed(renderer, camera, border, scene)}
+        if scene == "blend":
+            del pairs["stream"]
         for what, views in pairs.items():
             likeness, moved = [], []
             for border in borders:

@@ -104,7 +104,7 @@ Result drawPictures(const PicturesArguments& options, Context& context) {
     }
     const CameraModel camera(render::readCameraInfo(options.camera));
     jobs::drawPracticePictures(practice::PracticeRoom(roomOptions(options.room)), camera, path, options.out,
-                         context.progress, context.stop);
+                               context.progress, context.stop);
     return {{{"pictures", path.size()}, {"table", options.out + "/pictures.csv"}},
             text("Drew ", path.size(), " pictures with their depths. Give ", options.out,
                  "/pictures.csv to measure or compare as --pictures.")};

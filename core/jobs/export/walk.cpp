@@ -374,7 +374,7 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         const render::View& view = frames.make(i);
         photo::writePng(folder / frameName(i), view.picture);
         if (options.writesDepth) {
-            photo::writeDepthPng(folder / kDepthFolder / frameName(i), view.depth);
+            photo::writeDepthPng(folder / kDepthFolder / frameName(i), render::depthMillimetres(view.depth));
         }
         journal.add(i, linesOf(path[i], view.report, frames.sensorReport()));
         photos.insert(view.report.photo);

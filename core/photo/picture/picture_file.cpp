@@ -11,7 +11,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace spherewalk::photo {
 
@@ -97,39 +99,38 @@ RgbImage readPicture(const std::filesystem::path& file) {
     throw Error(ErrorKind::Unsupported, text("Could not read ", name, ": it is neither a PNG nor a JPEG."));
 }
 
-void writePng(const std::filesystem::path& file, const RgbImage& picture) {
-    if (picture.empty()) {
+namespace {
+
+/// pixels: as OpenCV stores them.
+void writePngOf(const std::filesystem::path& file, bool isEmpty, const std::function<cv::Mat()>& pixels) {
+    if (isEmpty) {
         throw Error(ErrorKind::InvalidInput,
                     text("Could not write ", file.string(), ": the picture is empty."));
     }
     const Bytes png = translated(text("write ", file.string()), [&] {
-        cv::Mat bgr;
-        cv::cvtColor(matOver(picture), bgr, cv::COLOR_RGB2BGR);
         Bytes encoded;
-        cv::imencode(".png", bgr, encoded);
+        cv::imencode(".png", pixels(), encoded);
         return encoded;
     });
     writeFile(file, png);
 }
 
-void writeDepthPng(const std::filesystem::path& file, const DepthImage& depthM) {
-    if (depthM.empty()) {
-        throw Error(ErrorKind::InvalidInput, text("Could not write ", file.string(), ": it has no pixels."));
-    }
-    const Bytes png = translated(text("write ", file.string()), [&] {
-        cv::Mat millimetres(depthM.height(), depthM.width(), CV_16UC1);
-        for (int y = 0; y < depthM.height(); ++y) {
-            for (int x = 0; x < depthM.width(); ++x) {
-                const float value = std::round(1000 * *depthM.at(x, y));
-                millimetres.at<std::uint16_t>(y, x) =
-                    value > 0 && value <= UINT16_MAX ? static_cast<std::uint16_t>(value) : 0;
-            }
-        }
-        Bytes encoded;
-        cv::imencode(".png", millimetres, encoded);
-        return encoded;
+} // namespace
+
+void writePng(const std::filesystem::path& file, const RgbImage& picture) {
+    writePngOf(file, picture.empty(), [&] {
+        cv::Mat bgr;
+        cv::cvtColor(matOver(picture), bgr, cv::COLOR_RGB2BGR);
+        return bgr;
     });
-    writeFile(file, png);
+}
+
+void writeDepthPng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& millimetres) {
+    writePngOf(file, millimetres.empty(), [&] {
+        cv::Mat pixels(millimetres.height(), millimetres.width(), CV_16UC1);
+        std::copy(millimetres.values().begin(), millimetres.values().end(), pixels.begin<std::uint16_t>());
+        return pixels;
+    });
 }
 
 } // namespace spherewalk::photo

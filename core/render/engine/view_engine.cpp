@@ -104,9 +104,13 @@ ViewRequest ViewEngine::request(const CameraModel& camera, const Rigid3& roomFro
     return {camera, {roomFromCamera.rotation.normalized(), roomFromCamera.translation}, options, {}, {}};
 }
 
-bool ViewEngine::passesSoftly(const ViewRequest& request, std::size_t formerPhoto) {
+bool ViewEngine::passesSoftly(const ViewRequest& request, const std::vector<std::size_t>& former) {
     return plan(request, request.held.front()).surface == SceneKind::Depth &&
-           m_dataset->sees(formerPhoto, request.roomFromCamera.translation);
+           std::all_of(former.begin(), former.end(),
+                       [&](std::size_t photo) {
+                           return photo != request.options.without && m_surfaces.has(SceneKind::Depth, photo);
+                       }) &&
+           m_dataset->sees(former.front(), request.roomFromCamera.translation);
 }
 
 std::shared_ptr<const RayTable> ViewEngine::raysOf(const CameraModel& camera, int samplesPerAxis) {

@@ -56,9 +56,10 @@ class ViewEngine {
     /// The photos that serve() would make the view from.
     std::vector<std::size_t> photosOf(const ViewRequest& request) { return choice(request).second.photos; }
 
-    /// Whether a view passes softly from one photo to another: only where the photos' depths tell where
-    /// things are. Two displaced pictures make edges that no camera sees.
-    bool passesSoftly(const ViewRequest& request, std::size_t formerPhoto);
+    /// Whether a view passes softly from other photos to its own: only where all photos' depths tell where
+    /// things are, since two displaced pictures make edges that no camera sees, and only if the first of them
+    /// sees the camera's place.
+    bool passesSoftly(const ViewRequest& request, const std::vector<std::size_t>& former);
 
     /// The chosen photo and the tiles of it that the view shows. reachPx: how many photo pixels beside
     /// count, too. The default is what the filters of all samplings need.

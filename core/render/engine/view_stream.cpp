@@ -90,7 +90,7 @@ FormerPhotos ViewStream::State::pass(const ViewRequest& request,
     }
     passage.wayM += stepM;
     if (passage.from.empty() || !(passage.wayM < options.passageM) ||
-        !engine->passesSoftly(request, passage.from.front())) {
+        !engine->passesSoftly(request, passage.from)) {
         passage.from.clear();
         return {};
     }

@@ -128,7 +128,7 @@ MaskImage Defocus::classes(const LightImage& light, const DepthImage& depth) con
     return classes;
 }
 
-void Defocus::apply(LightImage& light, const DepthImage& depth, WorkerPool& pool, int threads) {
+void Defocus::apply(LightImage& light, const DepthImage& depth, WorkerPool& pool, int threads) const {
     const MaskImage classes = this->classes(light, depth);
     std::array<bool, 256> isUsed{};
     for (const std::uint8_t value : classes.values()) {

@@ -99,14 +99,13 @@ class Defocus {
 
     bool isOn() const { return m_model != DefocusModel(); }
 
-    void apply(LightImage& light, const DepthImage& depth, WorkerPool& pool, int threads);
+    void apply(LightImage& light, const DepthImage& depth, WorkerPool& pool, int threads) const;
 
   private:
     MaskImage classes(const LightImage& light, const DepthImage& depth) const;
 
     DefocusModel m_model;
     double m_focalPx;
-    LightImage m_sharp;
 };
 
 /// The least and the most exposure in steps of 1/16 stop, from the reference time and a gain of 0 dB.

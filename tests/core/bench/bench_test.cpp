@@ -4,6 +4,7 @@
 #include "made_dataset.h"
 #include "markup.h"
 #include "measurements.h"
+#include "sensor_rows.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/base/json.h"
@@ -48,27 +49,12 @@ BenchOptions withCopies(int gridPhotos) {
 }
 
 std::set<std::string> namesOfAllRows() {
-    std::set<std::string> names{"view.with_depth",
-                                "view.with_trust",
-                                "view.with_overlay",
-                                "view.with_overlay.other_lens",
-                                "decode.whole",
-                                "decode.region",
-                                "decode.reduced",
-                                "decode.thumbnail",
-                                "decode.whole.planes",
-                                "decode.region.planes",
-                                "cold_cell",
-                                "cold_cell.unverified",
-                                "cold_cell.disk",
-                                "view.with_sensor.all",
-                                "view.with_sensor.defocus",
-                                "view.with_sensor.exposure",
-                                "view.with_sensor.jpeg",
-                                "view.with_sensor.motion_blur",
-                                "view.with_sensor.noise",
-                                "view.with_sensor.rolling_shutter",
-                                "view.with_sensor.vignetting"};
+    std::set<std::string> names{
+        "view.with_depth",     "view.with_trust",      "view.with_overlay", "view.with_overlay.other_lens",
+        "decode.whole",        "decode.region",        "decode.reduced",    "decode.thumbnail",
+        "decode.whole.planes", "decode.region.planes", "cold_cell",         "cold_cell.unverified",
+        "cold_cell.disk"};
+    names.merge(test::sensorRows());
     for (const render::Sampling rung : kRungs) {
         for (const ViewSetting& setting :
              {ViewSetting{90, 0}, ViewSetting{90, 80}, ViewSetting{57, 0}, ViewSetting{57, 80}}) {

@@ -3,6 +3,7 @@
 #include "made_dataset.h"
 #include "measurements.h"
 #include "random.h"
+#include "sensor_rows.h"
 #include "sphere/exact_view.h"
 #include "temporary_folder.h"
 #include "walk_path.h"
@@ -69,15 +70,8 @@ TEST_F(Phases, ViewsNeedNeitherPeersNorASphereNorASecondPhoto) {
 
 TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
     const std::vector<BenchRow> rows = measureExtras(BenchPhoto(dataset), 2, noProgress(), {});
-    std::set<std::string> expected{"view.with_trust",
-                                   "view.with_sensor.all",
-                                   "view.with_sensor.defocus",
-                                   "view.with_sensor.exposure",
-                                   "view.with_sensor.jpeg",
-                                   "view.with_sensor.motion_blur",
-                                   "view.with_sensor.noise",
-                                   "view.with_sensor.rolling_shutter",
-                                   "view.with_sensor.vignetting"};
+    std::set<std::string> expected = test::sensorRows();
+    expected.insert("view.with_trust");
     const test::TemporaryFolder other;
     test::MadeDataset made;
     made.hasSphere = false;

@@ -8,8 +8,6 @@
 #include "spherewalk/jobs/practice_pictures.h"
 #include "spherewalk/photo/picture_file.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace spherewalk::jobs {
@@ -59,22 +57,6 @@ TEST(PracticePictures, RefuseAnEmptyPathAndAFolderWithFiles) {
     test::expectError(ErrorKind::Exists, "give a new one",
                       [&] { drawPracticePictures(room, camera(), path(), folder.path(), noProgress(), {}); });
     EXPECT_EQ(readTextFile(folder / "mine.txt"), "kept");
-}
-
-TEST(DepthPng, KeepsMillimetresAndNothingElse) {
-    const test::TemporaryFolder folder;
-    DepthImage depth(6, 1);
-    const std::array values{1.2344F, 65.535F, 70.0F, HUGE_VALF, std::nanf(""), -1.0F};
-    std::copy(values.begin(), values.end(), depth.values().begin());
-    photo::writeDepthPng(folder / "depth.png", depth);
-    const DepthImage read = photo::readDepthPng(folder / "depth.png");
-    EXPECT_FLOAT_EQ(*read.at(0, 0), 1.234F);
-    EXPECT_FLOAT_EQ(*read.at(1, 0), 65.535F);
-    for (int x = 2; x < 6; ++x) {
-        EXPECT_EQ(*read.at(x, 0), HUGE_VALF) << x;
-    }
-    test::expectError(ErrorKind::InvalidInput, "no pixels",
-                      [&] { photo::writeDepthPng(folder / "none.png", DepthImage()); });
 }
 
 } // namespace spherewalk::jobs

@@ -196,15 +196,19 @@ class Passage : public TwoRooms {
   protected:
     Passage() {
         write(Knows::Depth);
-        const auto darker =
-            std::find_if(info.photos.begin(), info.photos.end(), [](const DatasetPhoto& photo) {
-                return (photo.roomFromPhoto.translation - Vector3d(1.5, 1, 1.2)).norm() < 1e-6;
-            });
-        paint(*darker, {100, 0, 0});
+        paint(info.photos[photoAt(1.5)], {100, 0, 0});
         test::rewriteInfo(folder.path(), info);
     }
 
     static Rigid3 at(double x) { return {bodyFromOptical(), {x, 1, 1.2}}; }
+
+    std::size_t photoAt(double x) const {
+        const auto found =
+            std::find_if(info.photos.begin(), info.photos.end(), [x](const DatasetPhoto& photo) {
+                return (photo.roomFromPhoto.translation - Vector3d(x, 1, 1.2)).norm() < 1e-6;
+            });
+        return static_cast<std::size_t>(found - info.photos.begin());
+    }
 
     static int redOf(const View& view) { return view.picture.at(16, 12)[0]; }
 
@@ -252,6 +256,22 @@ TEST_F(Passage, StandsStillWithTheCameraAndDoesNotDependOnWhatIsSkipped) {
     EXPECT_NEAR(redOf(view), 150, 25); // on the way
     EXPECT_EQ(stream.next(at(x), 23, options).picture, view.picture);
     EXPECT_EQ(skipping.next(at(x), 22, options).picture, view.picture);
+}
+
+TEST_F(Passage, ComesFromNoPhotoThatHasNoDepthOrIsLeftOut) {
+    const std::size_t bare = photoAt(1.0);
+    info.photos[bare].depth.clear();
+    test::rewriteInfo(folder.path(), info);
+    const Renderer renderer = this->renderer();
+    ViewStream stream(renderer, camera, {LatePolicy::Wait, 0, 0.04});
+    ASSERT_EQ(stream.next(at(1.0), 0, {.scene = SceneKind::Sphere}).report.photo, bare);
+    const ViewOptions depth{.scene = SceneKind::Depth};
+    EXPECT_EQ(stream.next(at(1.001), 1, depth).picture, renderer.render(camera, at(1.001), depth).picture);
+
+    ASSERT_EQ(stream.next(at(1.49), 2, depth).report.photo, photoAt(1.5));
+    const ViewOptions without{.scene = SceneKind::Depth, .without = photoAt(1.5)};
+    EXPECT_EQ(stream.next(at(1.491), 3, without).picture,
+              renderer.render(camera, at(1.491), without).picture);
 }
 
 TEST_F(Passage, RefusesAWayThatIsNone) {

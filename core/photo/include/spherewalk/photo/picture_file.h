@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/image.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,10 +23,9 @@ DepthImage readDepthPng(const std::filesystem::path& file);
 /// Full.
 void writePng(const std::filesystem::path& file, const RgbImage& picture);
 
-/// Writes distances in metres as a PNG that readDepthPng() reads, durably; a file of that name is replaced.
-/// Distances are rounded to the millimetre. What is not above 0, or farther than 65.535 m, becomes 0. Errors:
-/// as writePng().
-void writeDepthPng(const std::filesystem::path& file, const DepthImage& depthM);
+/// Writes distances as a PNG of 16 bits that readDepthPng() reads, durably; a file of that name is replaced.
+/// Errors: as writePng().
+void writeDepthPng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& millimetres);
 
 /// The picture at another size: each pixel is the average of the area that it covers; enlarging interpolates.
 /// Range: sizes of 1 to 65535. Errors: InvalidInput.
