@@ -167,10 +167,11 @@ void addSensorSentences(const compare::SensorFit& fit, std::vector<std::string>&
     const render::SensorModel& sensor = fit.sensor;
     if (fit.hasExposure) {
         const auto& gains = sensor.whiteBalance.gains;
-        sentences.push_back(text("The robot's camera is brighter than the views by ",
-                                 fixed(sensor.exposure.gainDb, 1), " dB; red is ", fixed(gains[0], 2),
-                                 " and blue ", fixed(gains[2], 2), " times as bright beside green (",
-                                 fit.colourSpots, " spots)."));
+        sentences.push_back(text("The robot's camera is ", fixed(std::abs(sensor.exposure.gainDb), 1), " dB ",
+                                 sensor.exposure.gainDb < 0 ? "darker" : "brighter",
+                                 " than the views; red is ", fixed(gains[0], 2), " and blue ",
+                                 fixed(gains[2], 2), " times as bright beside green (", fit.colourSpots,
+                                 " spots)."));
     }
     if (fit.hasNoise) {
         sentences.push_back(text("Its noise is that of ", fixed(sensor.noise.fullWellE, 0),
