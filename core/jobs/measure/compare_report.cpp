@@ -9,6 +9,8 @@
 #include "spherewalk/jobs/compare_robot.h"
 #include "spherewalk/report/document.h"
 
+#include <cmath>
+
 namespace spherewalk::jobs {
 
 using report::Document;

@@ -302,8 +302,8 @@ MeasureReport measureDataset(const render::Renderer& renderer, const CameraModel
         report.leaveOneOut = std::move(foretold);
     }
     ProgressStep passing(progress, 0.95, 1);
-    report.borders = borderJumps(renderer, camera, options,
-                                 wantedScenes(options, renderer.dataset().info()), passing, stop);
+    report.borders = borderJumps(renderer, camera, options, wantedScenes(options, renderer.dataset().info()),
+                                 passing, stop);
     return report;
 }
 

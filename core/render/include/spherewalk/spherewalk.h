@@ -182,8 +182,7 @@ SPHEREWALK_API spherewalk_status spherewalk_camera_create(const spherewalk_intri
                                                           spherewalk_camera** camera);
 /// Makes the camera of a ROS camera-info YAML file.
 SPHEREWALK_API spherewalk_status spherewalk_camera_read(const char* file, spherewalk_camera** camera);
-/// The same from the YAML's text, at most a megabyte. size_bytes: the length without a NUL, which need not be
-/// there.
+/// The same from the YAML's text, at most a megabyte. size_bytes: the length without a NUL.
 SPHEREWALK_API spherewalk_status spherewalk_camera_parse(const char* yaml, uint64_t size_bytes,
                                                          spherewalk_camera** camera);
 SPHEREWALK_API void spherewalk_camera_destroy(spherewalk_camera* camera);
@@ -405,6 +404,7 @@ typedef struct spherewalk_stream_options {
     double prefetch_seconds; ///< How far ahead is decoded. Range: 0 (not at all) to 10. Default: 0.2.
     double passage_m; ///< Metres along which a view with depth passes to the next photo. Default: 0.04.
 } spherewalk_stream_options;
+
 SPHEREWALK_API spherewalk_status spherewalk_stream_options_init(spherewalk_stream_options* options,
                                                                 size_t size);
 /// Makes a stream. options: may be NULL.
