@@ -5,6 +5,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/practice/practice_room.h"
 #include "spherewalk/render/sensor.h"
 
 #include <iomanip>

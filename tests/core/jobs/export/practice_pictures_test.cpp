@@ -7,6 +7,7 @@
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/jobs/practice_pictures.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/practice/practice_room.h"
 
 #include <cmath>
 

@@ -4,11 +4,14 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/practice/practice_room.h"
 
 #include <filesystem>
 #include <span>
 #include <stop_token>
+
+namespace spherewalk::practice {
+class PracticeRoom;
+} // namespace spherewalk::practice
 
 namespace spherewalk::jobs {
 
