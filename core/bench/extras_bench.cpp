@@ -156,7 +156,7 @@ class ExtrasBench {
                                                   " depends on threads, or does nothing; please report "
                                                   "this."));
         }
-        m_names.push_back(sensor.name);
+        m_names.emplace_back(sensor.name);
         contest.add(sensor.name, [this, one, options](int run) { take(*one, run, options); });
     }
 
