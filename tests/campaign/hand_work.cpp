@@ -167,6 +167,11 @@ void HandWork::retag(const fs::path& survey) {
     if (const auto found = truth.find(photo.cameraSha256); found != truth.end()) {
         noteWrongPlace(station.station.positionM, found->second.nominalPositionM);
     }
+    retagTo(survey, photo, station);
+}
+
+void HandWork::retagTo(const fs::path& survey, const store::PhotoRecord& photo,
+                       const store::StationRecord& station) {
     const Answer answer =
         run({"retag", survey.string(), "--photo", photo.fileName, "--station", station.name});
     if (answer.status != 0) {
@@ -247,7 +252,7 @@ void HandWork::correct(const fs::path& survey) {
         }
         ++m_counts["corrections"];
         if (const auto station = stationAt(stations, truth.nominalPositionM)) {
-            run({"retag", survey.string(), "--photo", photo.fileName, "--station", station->name});
+            retagTo(survey, photo, *station);
         } else if (fs::exists(m_stick / nameOnStick(truth))) {
             importLines(survey, {{nameOnStick(truth), truth.nominalPositionM, *truth.roomFromPhoto}}, false,
                         true);

@@ -67,6 +67,8 @@ class HandWork {
     std::filesystem::path writeLines(const std::vector<Line>& lines, bool withRotations);
     void importLines(const std::filesystem::path& survey, const std::vector<Line>& lines, bool withRotations,
                      bool move);
+    void retagTo(const std::filesystem::path& survey, const store::PhotoRecord& photo,
+                 const store::StationRecord& station);
     Eigen::Vector3d somePlace(const std::vector<store::StationRecord>& stations);
     bool isOfStation(const survey::Shot& shot, const Eigen::Vector3d& placeM) const;
     void giveUp(const std::filesystem::path& survey, const survey::Shot& shot, const std::string& station,

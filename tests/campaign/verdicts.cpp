@@ -51,6 +51,10 @@ struct Known {
     int exposures = 0;
 };
 
+std::string inWords(const Eigen::Vector3d& p) {
+    return text("(", fixed(p.x(), 3), ", ", fixed(p.y(), 3), ", ", fixed(p.z(), 3), ")");
+}
+
 /// Photos at wrong places, or exposed otherwise than the profile says.
 void examinePhotos(const store::SurveyStore& store, const Evidence& evidence, Findings& findings) {
     const auto truths = evidence.cameras.truth();
@@ -68,7 +72,9 @@ void examinePhotos(const store::SurveyStore& store, const Evidence& evidence, Fi
         }
         if ((photo.positionM - found->second.nominalPositionM).norm() > kTaggedPlaceM) {
             findings.violations.push_back(text("the photo ", photo.fileName, " of ", station,
-                                               " was taken elsewhere, and nobody could put it right"));
+                                               " was taken at ", inWords(found->second.nominalPositionM),
+                                               ", not at ", inWords(photo.positionM),
+                                               ", and nobody could put it right"));
         }
     }
 }
@@ -102,10 +108,6 @@ std::map<std::int64_t, Known> knownOf(const store::SurveyStore& store, const Evi
         here.told += found == givenUp.end() ? 0 : found->second;
     }
     return known;
-}
-
-std::string inWords(const Eigen::Vector3d& p) {
-    return text("(", fixed(p.x(), 3), ", ", fixed(p.y(), 3), ", ", fixed(p.z(), 3), ")");
 }
 
 } // namespace
