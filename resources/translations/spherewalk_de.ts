@@ -944,6 +944,10 @@
         <translation>Es sieht nicht aus wie seine Nachbarn, wie immer man es dreht; prüfen Sie, dass die Kamera an diesem Standort stand.</translation>
     </message>
     <message>
+        <source>It shows the same as %1, from the same place: the camera was not moved in between; retake the one whose station is wrong.</source>
+        <translation>Es zeigt dasselbe wie %1, vom selben Ort: Die Kamera wurde dazwischen nicht bewegt; nehmen Sie das neu auf, dessen Standort falsch ist.</translation>
+    </message>
+    <message>
         <source>It seems to stand %1 cm from where it is tagged, farther off than the others: correct its position, or retake it at its station.</source>
         <translation>Es scheint %1 cm von dem Ort zu stehen, der bei ihm steht, weiter als die anderen: berichtigen Sie seine Position, oder nehmen Sie es an seinem Standort neu auf.</translation>
     </message>
@@ -1955,6 +1959,10 @@
     <message>
         <source>elsewhere</source>
         <translation>anderer Ort</translation>
+    </message>
+    <message>
+        <source>not moved</source>
+        <translation>nicht bewegt</translation>
     </message>
 </context>
 <context>

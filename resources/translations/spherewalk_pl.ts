@@ -954,6 +954,10 @@
         <translation>Nie jest podobne do sąsiadów, jakkolwiek je obrócić; sprawdź, czy kamera stała na tym stanowisku.</translation>
     </message>
     <message>
+        <source>It shows the same as %1, from the same place: the camera was not moved in between; retake the one whose station is wrong.</source>
+        <translation>Pokazuje to samo co %1, z tego samego miejsca: kamery w międzyczasie nie przesunięto; powtórz to, którego stanowisko się nie zgadza.</translation>
+    </message>
+    <message>
         <source>It seems to stand %1 cm from where it is tagged, farther off than the others: correct its position, or retake it at its station.</source>
         <translation>Zdaje się stać %1 cm od podanego miejsca, dalej niż inne: popraw jego pozycję albo zrób je jeszcze raz na jego stanowisku.</translation>
     </message>
@@ -1969,6 +1973,10 @@
     <message>
         <source>elsewhere</source>
         <translation>gdzie indziej</translation>
+    </message>
+    <message>
+        <source>not moved</source>
+        <translation>nie przesunięto</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,9 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It does not look like its neighbours, however it is "
                                                    "turned; check that the camera stood at this station."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It shows the same as %1, from the same place: the camera was not moved in between; "
+                      "retake the one whose station is wrong."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "It seems to stand %1 cm from where it is tagged, farther off than the others: correct "
                       "its position, or retake it at its station."),
     QT_TRANSLATE_NOOP(

@@ -60,6 +60,8 @@ QString shortText(const photo::Finding& finding) {
         return FindingWords::tr("turned");
     case Flaw::Elsewhere:
         return FindingWords::tr("elsewhere");
+    case Flaw::Unmoved:
+        return FindingWords::tr("not moved");
     }
     return {};
 }

@@ -8,6 +8,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace spherewalk::jobs {
 
@@ -89,6 +90,38 @@ std::shared_ptr<const photo::Sketch> PhotoJudge::sketchOf(const store::PhotoReco
     }
 }
 
+std::optional<PhotoJudge::Standing> PhotoJudge::standingOf(const store::PhotoRecord& photo) const {
+    try {
+        return Standing{photo, photo::viewBand(readFile(m_folder / photo.fileName), photo.fileName)};
+    } catch (const Error&) { // as in sketchOf()
+        return std::nullopt;
+    }
+}
+
+void PhotoJudge::tellIfUnmoved(const store::PhotoRecord& photo, photo::Verdict& verdict) {
+    constexpr double kStepM = 0.05;
+    std::optional<store::PhotoRecord> last;
+    for (store::PhotoRecord& other :
+         m_store.use([](const store::SurveyStore& store) { return store.photos(); })) {
+        if (other.id < photo.id && (!last || other.id > last->id)) {
+            last = std::move(other);
+        }
+    }
+    if (last && (!m_latest || m_latest->photo.id != last->id)) {
+        m_latest = standingOf(*last);
+    }
+    const std::optional<Standing> before = std::exchange(m_latest, standingOf(photo));
+    const bool isElsewhere = last && before && before->photo.station != photo.station &&
+                             (before->photo.positionM - photo.positionM).norm() > kStepM;
+    if (isElsewhere && m_latest && photo::isSameView(m_latest->band, before->band).value_or(false)) {
+        verdict.findings.push_back({photo::Flaw::Unmoved, survey::Quality::Doubtful,
+                                    text("It shows the same as ", before->photo.fileName,
+                                         ", from the same place: the camera was not moved in between; retake "
+                                         "the one whose station is "
+                                         "wrong.")});
+    }
+}
+
 photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
                                       std::span<const photo::Neighbour> near) const {
     try {
@@ -118,6 +151,7 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
     photo::JudgedPhoto result = judged(record, near);
     if (result.sketch) {
         keep(id, std::move(*result.sketch));
+        tellIfUnmoved(record, result.verdict);
     }
     m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(id, result.verdict)); });
     return result.verdict;

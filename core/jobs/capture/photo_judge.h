@@ -4,12 +4,14 @@
 #include "capture/store_journal.h"
 
 #include "spherewalk/photo/verdict.h"
+#include "spherewalk/photo/view_band.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -35,13 +37,25 @@ class PhotoJudge {
     /// Null for a photo that cannot be read.
     std::shared_ptr<const photo::Sketch> sketchOf(const store::PhotoRecord& photo);
     std::shared_ptr<const photo::Sketch> keep(std::int64_t photo, photo::Sketch sketch);
+    /// Adds a finding if the camera had not moved since the photo before, which belongs to another station.
+    void tellIfUnmoved(const store::PhotoRecord& photo, photo::Verdict& verdict);
     photo::JudgedPhoto judged(const store::PhotoRecord& photo, std::span<const photo::Neighbour> near) const;
+
+    /// What a photo shows of the place where it was taken.
+    struct Standing {
+        store::PhotoRecord photo;
+        photo::ViewBand band;
+    };
+
+    /// Nothing for a photo that cannot be read.
+    std::optional<Standing> standingOf(const store::PhotoRecord& photo) const;
 
     SharedStore& m_store;
     std::mutex m_mutex;
     photo::ExpectedSettings m_expected;
     std::filesystem::path m_folder;
     std::map<std::int64_t, std::shared_ptr<const photo::Sketch>> m_sketches;
+    std::optional<Standing> m_latest;
 };
 
 /// The verdict as the store keeps it.

@@ -21,7 +21,7 @@ namespace spherewalk::photo {
 
 namespace {
 
-constexpr EnumNames<Flaw, 13> kFlaws{{{Flaw::Damaged, "damaged"},
+constexpr EnumNames<Flaw, 14> kFlaws{{{Flaw::Damaged, "damaged"},
                                       {Flaw::Size, "size"},
                                       {Flaw::Kind, "kind"},
                                       {Flaw::Settings, "settings"},
@@ -33,7 +33,8 @@ constexpr EnumNames<Flaw, 13> kFlaws{{{Flaw::Damaged, "damaged"},
                                       {Flaw::Foreign, "foreign"},
                                       {Flaw::UpsideDown, "upside-down"},
                                       {Flaw::Turned, "turned"},
-                                      {Flaw::Elsewhere, "elsewhere"}}};
+                                      {Flaw::Elsewhere, "elsewhere"},
+                                      {Flaw::Unmoved, "unmoved"}}};
 
 std::vector<MatchedSketch> matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
     std::vector<Neighbour> near(neighbours.begin(), neighbours.end());

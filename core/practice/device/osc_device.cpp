@@ -239,6 +239,7 @@ std::uint64_t OscDevice::remainingPictures() const {
 
 void OscDevice::setPosition(const Eigen::Vector3d& positionM) {
     const std::scoped_lock lock(m_mutex);
+    m_standing = positionM == m_position ? m_standing : 0;
     m_position = positionM;
 }
 
@@ -331,7 +332,7 @@ void OscDevice::takeExtraPhoto() {
     ExposureSettings settings;
     {
         const std::scoped_lock lock(m_mutex);
-        settings = settingsNow(m_storage.takeShotNumber());
+        settings = settingsOfNewShot();
     }
     ExposedPhoto photo = m_exposer.expose(settings, m_stop.get_token());
     photo.truth.byButton = true;

@@ -150,6 +150,7 @@ class OscDevice {
     void shoot(const std::stop_token& stop, const std::string& id, const ExposureSettings& settings,
                double busyS);
     void finish(const std::string& id, Outcome outcome, OscCode code, const std::string& failure);
+    ExposureSettings settingsOfNewShot();
     ExposureSettings settingsNow(int shot) const;
     double busySeconds(const ExposureSettings& settings) const;
     ZonedTime now() const;
@@ -171,6 +172,7 @@ class OscDevice {
     std::filesystem::path m_truthFile;
     CameraOptions m_settings;
     Eigen::Vector3d m_position;
+    int m_standing = 0; ///< The first shot since the camera was moved; 0 before that shot.
     std::chrono::system_clock::duration m_clockOffset{0};
     std::chrono::minutes m_zone{0};
     std::vector<Capture> m_captures; ///< Oldest first.

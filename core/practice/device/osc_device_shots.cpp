@@ -28,7 +28,8 @@ Json inProgress(std::string_view id) {
 
 /// Whether both settings give the same picture.
 bool showTheSame(const ExposureSettings& a, const ExposureSettings& b) {
-    return a.shot == b.shot && a.levelled == b.levelled && a.nominalPositionM == b.nominalPositionM;
+    return a.shot == b.shot && a.standing == b.standing && a.levelled == b.levelled &&
+           a.nominalPositionM == b.nominalPositionM;
 }
 
 PhotoDefect defectOf(const std::optional<Fault>& fault) {
@@ -103,7 +104,7 @@ OscReply OscDevice::takePicture() {
     if (m_stop.stop_requested()) {
         throw OscError(OscCode::ServiceUnavailable);
     }
-    ExposureSettings settings = settingsNow(m_storage.takeShotNumber());
+    ExposureSettings settings = settingsOfNewShot();
     settings.defect = defectOf(m_faults.take(
         {FaultKind::EmptyPhoto, FaultKind::SmallPhoto, FaultKind::NoMakerNote, FaultKind::HostileMakerNote},
         "camera.takePicture"));
@@ -124,9 +125,16 @@ OscReply OscDevice::takePicture() {
     return {200, inProgress(id)};
 }
 
+ExposureSettings OscDevice::settingsOfNewShot() {
+    ExposureSettings settings = settingsNow(m_storage.takeShotNumber());
+    m_standing = settings.standing;
+    return settings;
+}
+
 ExposureSettings OscDevice::settingsNow(int shot) const {
     ExposureSettings settings;
     settings.shot = shot;
+    settings.standing = m_standing == 0 ? shot : m_standing;
     settings.nominalPositionM = m_position;
     settings.time = now();
     settings.levelled = m_settings.value("_topBottomCorrection") != "Disapply";

@@ -120,7 +120,7 @@ ExposedPhoto Exposer::expose(const ExposureSettings& settings, const std::stop_t
 
 /// How the picture is turned: by the zenith correction, if that is on.
 Rigid3 Exposer::poseOf(const ExposureSettings& settings) const {
-    Rigid3 pose = m_options.errors.truePose(settings.nominalPositionM, settings.shot);
+    Rigid3 pose = m_options.errors.truePose(settings.nominalPositionM, settings.standing);
     if (settings.levelled) {
         pose.rotation = yawRotation(yawPitchRoll(pose.rotation).yaw);
     }
@@ -178,7 +178,7 @@ Bytes Exposer::preview(const ExposureSettings& settings, const EquirectSize& siz
 
 ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_token& stop) const {
     const YawPitchRoll bodyAngles =
-        yawPitchRoll(m_options.errors.truePose(settings.nominalPositionM, settings.shot).rotation);
+        yawPitchRoll(m_options.errors.truePose(settings.nominalPositionM, settings.standing).rotation);
     const Rigid3 pose = poseOf(settings);
     ThetaTags tags;
     FixedRandom random(m_options.errors.seed ^ 0x6a09e667f3bcc908ULL,

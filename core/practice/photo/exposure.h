@@ -18,6 +18,7 @@ enum class PhotoDefect { None, Empty, Small, NoMakerNote, HostileMakerNote };
 /// The settings of the camera at the release of the shutter.
 struct ExposureSettings {
     int shot = 0;
+    int standing = 0; ///< The first shot since the camera was moved: all since then have its pose.
     Eigen::Vector3d nominalPositionM = Eigen::Vector3d::Zero();
     ZonedTime time;
     bool levelled = false;

@@ -80,7 +80,9 @@ class Cart : public Operator {
         if (onMove) {
             onMove(stop);
         }
-        m_cart.moveTo(station, stop);
+        if (!stays || !stays(station)) {
+            m_cart.moveTo(station, stop);
+        }
     }
 
     bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
@@ -106,6 +108,7 @@ class Cart : public Operator {
     }
 
     std::function<void(const std::stop_token&)> onMove;
+    std::function<bool(const store::StationRecord&)> stays; ///< Somebody forgets to move on.
     int exposures = 0;
     int verdicts = 0;
 

@@ -22,6 +22,21 @@ TEST_F(CapturePipeline, EveryPhotoComesInWithItsVerdict) {
     expectAllPhotosAreWhereTheyBelong();
 }
 
+TEST_F(CapturePipeline, ACameraThatWasNotMovedIsNamedAtOnce) {
+    Cart cart(endpoint());
+    cart.stays = [&](const store::StationRecord& station) { return station.id == m_stations[2].id; };
+    const CaptureSurveyReport report = capture(cart);
+    std::vector<std::string> unmoved;
+    for (const FlawedPhoto& photo : report.flawed) {
+        const std::string sentence = photo.verdict.sentence();
+        if (sentence.find("the camera was not moved in between") != std::string::npos) {
+            unmoved.push_back(photo.station);
+            EXPECT_THAT(sentence, testing::HasSubstr(m_store->chosenPhoto(m_stations[1].id)->fileName));
+        }
+    }
+    EXPECT_EQ(unmoved, std::vector{m_stations[2].name});
+}
+
 TEST_F(CapturePipeline, PhotosComeInWhileTheCartIsOnItsWay) {
     Cart cart(endpoint());
     int moves = 0;

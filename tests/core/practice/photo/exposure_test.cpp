@@ -34,6 +34,7 @@ PracticeCameraOptions smallCamera(bool isPlain = true) {
 ExposureSettings settingsOf(int shot) {
     ExposureSettings settings;
     settings.shot = shot;
+    settings.standing = shot;
     settings.nominalPositionM = {2.1, 1.8, 1.2};
     settings.time = {std::chrono::sys_days(std::chrono::year(2026) / 2 / 28) + 23h, 90min};
     return settings;

@@ -28,6 +28,7 @@ enum class Flaw {
     UpsideDown, ///< The photo is upside down, or the camera leaned.
     Turned,     ///< The camera was turned against its neighbours, which all look one way.
     Elsewhere,  ///< The photo looks like none of its neighbours.
+    Unmoved,    ///< The camera still stood where the photo before was taken, at another station.
 };
 
 /// "damaged", "upside-down", ..., as reports and the survey spell the flaw.

@@ -24,8 +24,8 @@ struct PhotoErrors {
     /// Errors: InvalidInput for sigmas below 0, above 30 degrees or 1 m, or not finite.
     void validate() const;
 
-    /// The true roomFromPhoto of the shot. nominalPositionM: the place that the operator aimed at, room
-    /// frame, metres.
+    /// The true roomFromPhoto of a shot, and of all after it until the camera is moved. nominalPositionM: the
+    /// place that the operator aimed at, room frame, metres.
     Rigid3 truePose(const Eigen::Vector3d& nominalPositionM, int shot) const;
 };
 
