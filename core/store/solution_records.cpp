@@ -124,16 +124,6 @@ std::int64_t SurveyStore::addSolution(const NewSolution& solution, bool isActive
     return id;
 }
 
-void SurveyStore::activateSolution(std::int64_t solution) {
-    Database& database = m_parts->writable();
-    Transaction transaction(database);
-    if (!database.query("SELECT 1 FROM solution WHERE id = ?", solution).step()) {
-        m_parts->failNotFound("solution", solution);
-    }
-    activate(database, solution);
-    transaction.commit();
-}
-
 std::vector<SolutionRecord> SurveyStore::solutions() const {
     std::vector<SolutionRecord> result;
     Statement rows = m_parts->db().query(text(kSelectSolution, "ORDER BY id DESC"));

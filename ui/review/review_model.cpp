@@ -130,7 +130,6 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             found.emplace(finding.photo, &finding);
         }
     }
-    const bool isAligned = findings && findings->solution.source == "align"; // an import grades nothing
     const std::map<std::int64_t, Standing> standing = standings(store, findings);
     std::vector<ReviewRow> rows;
     for (const store::StationRecord& station : store.stations()) {
@@ -153,8 +152,9 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
             if (finding != found.end()) {
                 fill(row, *finding->second);
             }
-            row.isChecked = verdict != verdicts.end() ||
-                            (isAligned && finding != found.end() && finding->second->quality);
+            row.isChecked =
+                verdict != verdicts.end() ||
+                (finding != found.end() && finding->second->quality && !finding->second->isImported);
         }
         rows.push_back(std::move(row));
     }

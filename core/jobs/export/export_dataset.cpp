@@ -2,6 +2,7 @@
 #include "spherewalk/jobs/export_dataset.h"
 
 #include "export/cleared_photos.h"
+#include "parts/imported_poses.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/digest.h"
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <optional>
 #include <unistd.h>
 
 namespace spherewalk::jobs {
@@ -34,11 +35,6 @@ std::vector<render::SuggestedCamera> usualCameras() {
             name, CameraIntrinsics::pinhole(width, height, Radians(Degrees(fovDeg)).value())};
     };
     return {camera("vga-57", 640, 480, 57), camera("vga-90", 640, 480, 90), camera("hd-69", 1280, 720, 69)};
-}
-
-/// How a solution of the store is called in a dataset.
-std::string rotationSource(const store::SolutionRecord& solution) {
-    return solution.source == "align" ? "aligned" : solution.source;
 }
 
 /// What a solution's report says of a photo. Sigmas are those among the other photos.
@@ -86,7 +82,7 @@ class Poses {
   public:
     explicit Poses(const store::SurveyStore& store) : m_folder(store.photoFolder()) {
         if (const auto solution = store.activeSolution()) {
-            m_source = rotationSource(*solution);
+            m_imported.emplace(*solution);
             m_reports = photoReports(*solution);
             for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
                 m_solved.emplace(photo.photo, photo);
@@ -103,7 +99,7 @@ class Poses {
         }
         const store::SolvedPhoto& solved = found->second;
         entry.roomFromPhoto = {solved.roomFromPhoto, solved.positionM};
-        entry.rotationSource = m_source;
+        entry.rotationSource = m_imported->has(photo.id) ? "imported" : "aligned";
         const auto reported = m_reports.find(photo.id);
         const PhotoReport most = reported != m_reports.end() ? reported->second : PhotoReport();
         entry.lenses = most.lenses;
@@ -130,7 +126,7 @@ class Poses {
     }
 
     std::filesystem::path m_folder;
-    std::string m_source;
+    std::optional<ImportedPoses> m_imported;
     std::map<std::int64_t, store::SolvedPhoto> m_solved;
     std::map<std::int64_t, PhotoReport> m_reports;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/import_photos.h"
 
+#include "parts/imported_poses.h"
 #include "parts/photo_intake.h"
 
 #include "spherewalk/base/digest.h"
@@ -249,13 +250,13 @@ class Import {
         m_solution.source = "imported";
         m_solution.model = "given";
         if (const auto active = m_store.activeSolution()) {
-            takeOver(*active);
+            addOthers(*active);
         }
         m_store.addSolution(m_solution, true);
     }
 
     /// What is known of other photos stays known.
-    void takeOver(const store::SolutionRecord& active) {
+    void addOthers(const store::SolutionRecord& active) {
         std::set<std::int64_t> given;
         for (const store::SolvedPhoto& solved : m_solution.photos) {
             given.insert(solved.photo);
@@ -265,8 +266,8 @@ class Import {
                 m_solution.photos.push_back(std::move(solved));
             }
         }
-        if (m_solution.photos.size() > given.size()) {
-            m_solution.model = active.model;
+        if (active.source == "align") {
+            takeOver(active, given, m_solution);
         }
     }
 

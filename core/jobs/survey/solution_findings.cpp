@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/solution_findings.h"
 
+#include "parts/imported_poses.h"
+
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -45,7 +47,7 @@ survey::Quality qualityIn(const JsonReader& reported) {
 /// Joins what the store and the report know of the photos.
 class Reading {
   public:
-    Reading(const store::SurveyStore& store, store::SolutionRecord solution) {
+    Reading(const store::SurveyStore& store, store::SolutionRecord solution) : m_imported(solution) {
         m_findings.solution = std::move(solution);
         for (const store::StationRecord& station : store.stations()) {
             m_stationNames[station.id] = station.name;
@@ -64,6 +66,7 @@ class Reading {
             }
             PhotoFinding& photo = m_findings.photos[found->second];
             photo.quality = solved.quality;
+            photo.isImported = m_imported.has(solved.photo);
             photo.roomFromPhoto = Rigid3{solved.roomFromPhoto, solved.positionM};
             if (solved.sigmaYawRad) {
                 photo.sigmaYaw = Radians(*solved.sigmaYawRad);
@@ -142,6 +145,7 @@ class Reading {
         }
     }
 
+    ImportedPoses m_imported;
     SolutionFindings m_findings;
     std::map<std::int64_t, std::string> m_stationNames;
     std::map<std::string, std::int64_t> m_stations;
@@ -173,34 +177,17 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
     return reading.done();
 }
 
-namespace {
-
-/// Of an alignment: photos with a rotation whose deviation is not known, as another one may be right.
-std::set<std::int64_t> turnedInDoubt(const store::SurveyStore& store) {
-    std::set<std::int64_t> photos;
-    const auto solution = store.activeSolution();
-    if (!solution || solution->source != "align") {
-        return photos;
-    }
-    for (const store::SolvedPhoto& photo : store.solvedPhotos(solution->id)) {
-        if (!photo.sigmaYawRad) {
-            photos.insert(photo.photo);
-        }
-    }
-    return photos;
-}
-
-} // namespace
-
 PhotosToExport photosToExport(const store::SurveyStore& store) {
     PhotosToExport made;
     std::set<std::int64_t> failed;
-    const std::set<std::int64_t> inDoubt = turnedInDoubt(store);
+    std::set<std::int64_t> inDoubt; // another rotation may be right
     if (const auto findings = activeFindings(store)) {
         made.doubts = findings->tagWarnings;
         for (const PhotoFinding& photo : findings->photos) {
             if (photo.quality == survey::Quality::Failed) {
                 failed.insert(photo.photo);
+            } else if (photo.roomFromPhoto && !photo.sigmaYaw && !photo.isImported) {
+                inDoubt.insert(photo.photo);
             }
         }
     }

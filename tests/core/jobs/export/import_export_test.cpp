@@ -220,6 +220,53 @@ TEST_F(ImportExportTest, ARotationThatIsImportedLeavesTheOthersKnown) {
     EXPECT_EQ(exportDataset(store, folder / "d", {}, noProgress(), {}).withoutRotation, 0);
 }
 
+TEST_F(ImportExportTest, ARotationThatIsImportedKeepsWhatTheAlignmentSaid) {
+    auto store = newSurvey();
+    writeFile(folder / "in/d.JPG", jpeg::encode(noise(), 90));
+    import(store, "a.JPG,1,1,1.2,,,,\nb.JPG,2,1,1.2,,,,\nc.JPG,1,2,1.2,,,,\n");
+    store::NewSolution solution;
+    solution.source = "align";
+    solution.model = "position";
+    Json photos = Json::array();
+    for (const store::PhotoRecord& photo : store.photos()) {
+        const bool isFailed = photo.fileName == "b.JPG";
+        photos.push_back({{"photo", photo.id},
+                          {"status", isFailed ? "failed" : "good"},
+                          {"flags", Json::array()},
+                          {"lens_ahead_m", 0.011}});
+        store::SolvedPhoto solved;
+        solved.photo = photo.id;
+        solved.positionM = photo.positionM;
+        if (photo.fileName == "a.JPG") {
+            solved.sigmaYawRad = solved.sigmaPitchRad = solved.sigmaRollRad = 0.01;
+        }
+        if (!isFailed) {
+            solution.photos.push_back(solved);
+        }
+    }
+    solution.report = Json{{"photos", photos}, {"tag_warnings", {"The scale is wrong."}}}.dump();
+    store.addSolution(solution, true);
+    for (const bool isGivenToo : {false, true}) { // b, in a second import
+        import(store, isGivenToo ? "b.JPG,2,1,1.2,0,0,0,1\n" : "d.JPG,2,2,1.2,0,0,0,1\n");
+        const PhotosToExport made = photosToExport(store);
+        EXPECT_EQ(made.failed.size(), isGivenToo ? 0U : 1U);
+        ASSERT_EQ(made.doubts.size(), isGivenToo ? 2U : 3U);
+        EXPECT_EQ(made.doubts[0], "The scale is wrong.");
+        EXPECT_TRUE(made.doubts[1].starts_with("How 1 photo is turned is not known: c.JPG"))
+            << made.doubts[1];
+    }
+    exportDataset(store, folder / "d", {}, noProgress(), {});
+    const render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    ASSERT_EQ(info.photos.size(), 4U);
+    for (const render::DatasetPhoto& photo : info.photos) {
+        const bool isGiven = photo.file == "photos/b.jpg" || photo.file == "photos/d.jpg";
+        EXPECT_EQ(photo.rotationSource, isGiven ? "imported" : "aligned") << photo.file;
+        EXPECT_EQ(photo.lenses.aheadM, isGiven ? 0 : 0.011) << photo.file;
+        EXPECT_EQ(std::abs(photo.roomFromPhoto.rotation.z()), isGiven ? 1 : 0) << photo.file;
+        EXPECT_EQ(photo.rotationSigma.has_value(), photo.file == "photos/a.jpg");
+    }
+}
+
 TEST_F(ImportExportTest, ACorrectedPlaceIsRefusedUnlessItIsAMove) {
     auto store = newSurvey();
     import(store, "a.JPG,1,1,1.2,1,0,0,0\nb.JPG,2,1,1.2,1,0,0,0\n");

@@ -48,8 +48,9 @@ struct ImportReport {
 };
 
 /// Takes photos from elsewhere into the survey. Only their position tag changes. Rotations that the file
-/// gives become a solution named "imported", and the active one. It takes over what the solution that was
-/// active before has on other photos. A line whose photo cannot be taken in is refused, with a warning, and
+/// gives become a solution, the active one. It takes over what the solution that was active before says of
+/// other photos, and is that alignment with some poses imported if there was one; else it is called
+/// "imported". A line whose photo cannot be taken in is refused, with a warning, and
 /// the others are taken in. A run after a stop goes on where it was.
 ///
 /// Errors: those of readPositions(); if every line is refused, the error of the first one.

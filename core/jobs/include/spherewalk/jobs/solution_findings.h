@@ -41,6 +41,7 @@ struct PhotoFinding {
     std::string file;         ///< Present name of the file.
     std::string stationName;
     std::optional<survey::Quality> quality; ///< Nothing for a photo that the solution lacks.
+    bool isImported = false;                ///< The pose was given with the photo, and nothing graded it.
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
     std::optional<Radians> sigmaTilt; ///< The larger one of pitch and roll.

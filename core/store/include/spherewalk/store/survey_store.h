@@ -172,7 +172,6 @@ class SurveyStore {
     /// solution is active in any case. Errors: NotFound for an unknown photo; InvalidInput for numbers that
     /// are not finite, an invalid rotation, or a photo that is solved twice.
     std::int64_t addSolution(const NewSolution& solution, bool isActive);
-    void activateSolution(std::int64_t solution);
     /// All solutions, newest first.
     std::vector<SolutionRecord> solutions() const;
     std::optional<SolutionRecord> activeSolution() const;
