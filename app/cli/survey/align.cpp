@@ -121,9 +121,8 @@ Result align(const AlignArguments& options, Context& context) {
     const jobs::TruePoses truth =
         options.truth.empty() ? jobs::TruePoses() : jobs::readTruePoses(store, options.truth);
     const jobs::AlignReport report = jobs::alignSurvey(store, alignOptions, context.progress, context.stop);
-    const bool isAnySolved = std::ranges::any_of(
-        report.photos, [](const jobs::AlignedPhoto& photo) { return photo.pose.isSolved; });
-    Result result{jobs::toJson(report), jobs::alignText(report), isAnySolved};
+    const bool isAnyKnown = std::ranges::any_of(report.photos, &jobs::AlignedPhoto::isHandedOn);
+    Result result{jobs::toJson(report), jobs::alignText(report), isAnyKnown};
     if (!options.outline.empty()) {
         writeOutline(options.outline, report, result);
     }

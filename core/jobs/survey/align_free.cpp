@@ -167,7 +167,7 @@ void moveStations(store::SurveyStore& store, AlignReport& report) {
     for (AlignedPhoto& aligned : report.photos) {
         const store::PhotoRecord photo = store.photo(aligned.photo);
         const Eigen::Vector3d& positionM = aligned.pose.roomFromPhoto.translation;
-        if (!aligned.pose.isSolved || aligned.quality == survey::Quality::Failed) {
+        if (!aligned.isHandedOn()) {
             continue;
         }
         aligned.station = text("place of ", photo.cameraFileName);

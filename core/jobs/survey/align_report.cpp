@@ -66,11 +66,11 @@ std::ptrdiff_t countOf(survey::Quality quality, const AlignReport& report) {
     return std::ranges::count(report.photos, quality, &AlignedPhoto::quality);
 }
 
-/// Of the photos that have one; nothing if none has.
+/// Of the photos that are handed on with one; nothing if none is.
 std::optional<Radians> worstSigma(const AlignReport& report) {
     std::optional<Radians> worst;
     for (const AlignedPhoto& photo : report.photos) {
-        if (photo.pose.hasSigmas()) {
+        if (photo.isHandedOn() && photo.pose.hasSigmas()) {
             worst = std::max(worst.value_or(Radians(0)), photo.pose.sigmaYaw);
         }
     }

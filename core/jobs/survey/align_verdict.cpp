@@ -100,7 +100,7 @@ store::NewSolution recordOf(const AlignReport& report) {
     solution.source = "align";
     solution.model = align::name(report.alignment.model);
     for (const AlignedPhoto& photo : report.photos) {
-        if (!photo.pose.isSolved || photo.quality == survey::Quality::Failed) {
+        if (!photo.isHandedOn()) {
             continue;
         }
         store::SolvedPhoto solved;

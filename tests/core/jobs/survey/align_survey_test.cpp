@@ -9,6 +9,7 @@
 #include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/practice/practice_room.h"
@@ -280,6 +281,31 @@ TEST_F(AlignSurvey, HandsOnNoPoseThatContradictsThePhotosOwnTilt) {
     EXPECT_THAT(photo.flags, testing::Contains(HasSubstr("what its camera states of its tilt")));
     EXPECT_TRUE(toJson(report)["photos"][4]["sigma_deg"].is_null());
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 5U);
+}
+
+TEST_F(AlignSurvey, HandsOnNothingOfMirroredTags) {
+    photograph();
+    for (Eigen::Vector3d& place : places) {
+        place.y() = 3.4 - place.y(); // the two rows are exchanged
+    }
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    EXPECT_TRUE(report.tagFrame.isMirrored);
+    for (const AlignedPhoto& photo : report.photos) {
+        EXPECT_EQ(photo.quality, survey::Quality::Failed) << photo.file;
+        EXPECT_EQ(photo.fits, "") << photo.file; // nobody shall swap them
+        EXPECT_FALSE(photo.isHandedOn()) << photo.file;
+    }
+    ASSERT_EQ(report.tagWarnings.size(), 1U);
+    EXPECT_THAT(report.tagWarnings[0], HasSubstr("mirrored"));
+    const std::string words = alignText(report);
+    EXPECT_THAT(words, HasSubstr("How the photos are turned is not known."));
+    EXPECT_THAT(words, testing::Not(HasSubstr("known to")));
+    EXPECT_TRUE(toJson(report)["sigma_common_yaw_deg"].is_null());
+    EXPECT_TRUE(store.solvedPhotos(store.activeSolution()->id).empty());
+    EXPECT_TRUE(activeFindings(store)->retags().empty());
+    expectError(ErrorKind::InvalidInput, "mirrored",
+                [&] { exportDataset(store, folder / "d", {}, noProgress(), {}); });
 }
 
 TEST_F(AlignSurvey, NamesAPhotoThatItMovedFarFromItsTag) {

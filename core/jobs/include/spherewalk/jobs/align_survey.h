@@ -82,6 +82,9 @@ struct AlignedPhoto {
     /// Standard deviation that the place of a photo with a wrong tag is solved with, about where its
     /// neighbours see it; 0 if the tag holds.
     double freeSigmaM = 0;
+
+    /// Whether its pose is recorded, so that others get it.
+    bool isHandedOn() const { return pose.isSolved && quality != survey::Quality::Failed; }
 };
 
 struct AlignReport {
