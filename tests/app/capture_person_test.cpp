@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_run.h"
 #include "keyboard.h"
+#include "photographed_survey.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/practice/practice_camera.h"
@@ -138,6 +139,23 @@ TEST(ShotsCommand, IsNamedByCaptureAsLongAsAPersonHasToDecide) {
     EXPECT_THAT(runCli(capture).output, HasSubstr("1 shot needs a person's decision; shots lists"));
     EXPECT_EQ(runCli({"shots", survey, "--give-up", "all"}).status, 0);
     EXPECT_THAT(runCli(capture).output, testing::Not(HasSubstr("decision")));
+}
+
+TEST(StatusCommand, TellsAPictureThatNobodyWaitsForFromAnInterruptedShot) {
+    const test::PhotographedSurvey survey(1);
+    {
+        auto store = store::SurveyStore::open(survey.path(), store::Access::Write);
+        const std::vector<store::StationRecord> stations = store.stations();
+        store.markTaken(store.beginShot(stations[0].id, "YN1", {}).id, "http://192.168.1.1/files/R1.JPG");
+        store.beginShot(stations[1].id, "YN1", {});
+    }
+    const CliResult result = runCli({"status", survey.path().string()});
+    EXPECT_THAT(result.output, HasSubstr("1 shot was interrupted; capture settles it first"));
+    EXPECT_THAT(result.output, HasSubstr("1 picture was never fetched, and its station has another photo: "
+                                         "shots lists it, and closes it with --give-up."));
+    const Json json = runCli({"status", survey.path().string(), "--json"}).json();
+    EXPECT_EQ(json["open_shots"], 2);
+    EXPECT_EQ(json["pictures_not_needed"], 1);
 }
 
 } // namespace spherewalk

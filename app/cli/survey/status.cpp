@@ -7,11 +7,20 @@
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace spherewalk::cli {
 
 namespace {
+
+/// Taken pictures that are not in the survey, of stations that have another photo.
+std::size_t picturesNotNeeded(const store::SurveyStore& store) {
+    const std::vector<survey::Shot> shots = store.openShots();
+    return static_cast<std::size_t>(std::ranges::count_if(shots, [&](const survey::Shot& shot) {
+        return shot.step == survey::ShotStep::Taken && store.chosenPhoto(shot.station);
+    }));
+}
 
 Result status(const std::string& survey) {
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
@@ -24,10 +33,20 @@ Result status(const std::string& survey) {
     words += counts.rejectedPhotos == 0
                  ? ""
                  : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
-    words += counts.openShots == 0
-                 ? ""
-                 : text("\n", counts.openShots,
-                        " shots were interrupted; capture settles them first, and shots lists them.");
+    const std::size_t notNeeded = picturesNotNeeded(store);
+    if (const auto interrupted = static_cast<std::size_t>(counts.openShots) - notNeeded; interrupted > 0) {
+        words += text(
+            "\n", counted(interrupted, "shot was interrupted; capture settles it first, and shots lists it.",
+                          "shots were interrupted; capture settles them first, and shots lists them."));
+    }
+    if (notNeeded > 0) {
+        words += text(
+            "\n", counted(notNeeded,
+                          "picture was never fetched, and its station has another photo: shots lists it, "
+                          "and closes it with --give-up.",
+                          "pictures were never fetched, and their stations have other photos: shots lists "
+                          "them, and closes them with --give-up."));
+    }
     words += counts.unclearShots == 0
                  ? ""
                  : text("\n", counts.unclearShots, " shots need a person's decision, which shots takes:");
@@ -50,6 +69,7 @@ Result status(const std::string& survey) {
              {"rejected_photos", counts.rejectedPhotos},
              {"next", missing.empty() ? Json() : Json(missing.front().name)},
              {"open_shots", counts.openShots},
+             {"pictures_not_needed", notNeeded},
              {"unclear_shots", unclear},
              {"solution", solution ? Json(solution->source) : Json()}},
             words};

@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/camera/photo_download.h"
 
 #include <array>
@@ -197,6 +198,13 @@ TEST_F(PhotoDownloadTest, RefusesPicturesThatAreNotSpherical) {
 TEST_F(PhotoDownloadTest, RefusesWhatTheCheckRefuses) {
     download.check = [](const auto&) -> PhotoFacts { throw Error(ErrorKind::Corrupt, "does not decode"); };
     expectRefused(ErrorKind::Corrupt, "does not decode");
+}
+
+TEST_F(PhotoDownloadTest, NamesThePhotoAndNoFileOfThisComputer) {
+    download.check = [](const std::filesystem::path& file) -> PhotoFacts {
+        throw Error(ErrorKind::Corrupt, text("The photo ", file.string(), " does not decode."));
+    };
+    expectRefused(ErrorKind::Corrupt, "The photo R0010049.JPG does not decode.");
 }
 
 TEST_F(PhotoDownloadTest, WaitsForAFileThatIsAnnouncedButNotYetWritten) {
