@@ -102,11 +102,13 @@ bool hasWriteAheadLog(const fs::path& folder) {
     return header[18] == 2 || header[19] == 2;
 }
 
-/// A folder that cannot be written holds no lock files for SQLite either.
+/// A folder that cannot be written holds no lock files for SQLite either, but for those of a writer that has
+/// the survey open.
 bool isUnchanging(const fs::path& folder) {
     std::error_code none;
     const auto journal = fs::file_size(folder / text(kDatabaseName, "-wal"), none);
-    return ::access(folder.c_str(), W_OK) != 0 && (none || journal == 0) && hasWriteAheadLog(folder);
+    return ::access(folder.c_str(), W_OK) != 0 && (none || journal == 0) &&
+           !fs::exists(folder / text(kDatabaseName, "-shm")) && hasWriteAheadLog(folder);
 }
 
 Database openForReading(const fs::path& folder, const StoreOptions& options) {

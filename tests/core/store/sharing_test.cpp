@@ -2,6 +2,9 @@
 #include "database.h"
 #include "survey_fixture.h"
 
+#include <array>
+#include <cstdio>
+#include <filesystem>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,6 +59,58 @@ TEST_F(Sharing, ShowsReadersWhatIsWrittenMeanwhile) {
         m_store.addPhoto(photoOf(stationAt(0), text("p", i)));
         ASSERT_EQ(reader.counts().photos, i + 1);
         ASSERT_EQ(reader.chosenPhoto(stationAt(0))->fileName, text("p", i, ".JPG"));
+    }
+}
+
+TEST_F(Sharing, AReaderWithoutRightsSeesWhatTheOwnerWritesLater) {
+    namespace fs = std::filesystem;
+    Database(m_path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1))
+        .execute("PRAGMA wal_checkpoint(TRUNCATE)");
+    ASSERT_EQ(fs::file_size(m_path / "survey.sqlite-wal"), 0U);
+    fs::permissions(m_path.parent_path(), fs::perms(0755));
+    for (const auto& entry : fs::directory_iterator(m_path)) {
+        fs::permissions(entry.path(), entry.is_directory() ? fs::perms(0755) : fs::perms(0644));
+    }
+    fs::permissions(m_path, fs::perms(0755));
+    std::array<int, 2> toChild{};
+    std::array<int, 2> toOwner{};
+    ASSERT_EQ(::pipe(toChild.data()) | ::pipe(toOwner.data()), 0);
+    constexpr int kPhotos = 5;
+    // Permissions do not hold for root, so the reader gives up that right.
+    const pid_t reader = ::fork();
+    if (reader == 0) {
+        if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) {
+            ::_exit(10);
+        }
+        try {
+            const SurveyStore store = SurveyStore::open(m_path, Access::Read);
+            char word = 'r';
+            for (int photos = 1; photos <= kPhotos; ++photos) {
+                if (::write(toOwner[1], &word, 1) != 1 || ::read(toChild[0], &word, 1) != 1) {
+                    ::_exit(11);
+                }
+                if (store.counts().photos != photos) {
+                    ::_exit(12);
+                }
+            }
+            ::_exit(0);
+        } catch (const Error& error) {
+            std::fprintf(stderr, "%s\n", error.what());
+            ::_exit(13);
+        }
+    }
+    ::close(toOwner[1]);
+    for (char word = 0; ::read(toOwner[0], &word, 1) == 1;) {
+        m_store.addPhoto(photoOf(stationAt(0), text("p", m_store.counts().photos)));
+        ASSERT_EQ(::write(toChild[1], &word, 1), 1);
+    }
+    int status = -1;
+    ASSERT_EQ(::waitpid(reader, &status, 0), reader);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_EQ(m_store.counts().photos, kPhotos);
+    for (const int end : {toChild[0], toChild[1], toOwner[0]}) {
+        ::close(end);
     }
 }
 
