@@ -22,17 +22,19 @@ namespace spherewalk::test {
 /// blue upwards.
 class PhotographedSurvey {
   public:
-    explicit PhotographedSurvey(int photos = 4, int width = 512) : m_path(m_folder / "room.spherewalk") {
+    /// stations: the plan has at least so many.
+    explicit PhotographedSurvey(int photos = 4, int width = 512, int stations = 0)
+        : m_path(m_folder / "room.spherewalk") {
         survey::Room room;
         room.outline = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
         room.ceilingM = 2.5;
         survey::PlanOptions options;
         options.stepM = 1;
-        while (static_cast<int>(survey::plan(room, options).stations.size()) < photos) {
+        while (static_cast<int>(survey::plan(room, options).stations.size()) < std::max(photos, stations)) {
             options.stepM *= 0.8;
         }
         auto store = store::SurveyStore::create(m_path, "room", room, options, survey::plan(room, options));
-        const std::vector<store::StationRecord> stations = store.stations();
+        const std::vector<store::StationRecord> planned = store.stations();
         std::filesystem::create_directories(m_folder / "in");
         std::string csv = "file,x_m,y_m,z_m,yaw_deg\n";
         std::vector<RgbImage> shades;
@@ -41,7 +43,7 @@ class PhotographedSurvey {
         }
         for (int i = 0; i < photos; ++i) {
             const std::string name = text("R", 1001 + i, ".JPG");
-            const Eigen::Vector3d& at = stations.at(static_cast<std::size_t>(i)).station.positionM;
+            const Eigen::Vector3d& at = planned.at(static_cast<std::size_t>(i)).station.positionM;
             writeFile(m_folder / "in" / name,
                       jpeg::encode(shades[static_cast<std::size_t>(i % kShades)], 90 - i / kShades));
             csv += text(name, ",", fixed(at.x(), 4), ",", fixed(at.y(), 4), ",", fixed(at.z(), 4), ",0\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "event_loop_gap.h"
 #include "qt_application.h"
 #include "ui/capture/capture_mode.h"
 #include "ui/plan/plan_mode.h"
@@ -127,6 +128,11 @@ class Person {
     void waitUntil(const std::function<bool()>& holds) {
         constexpr int kMostMs = 60'000;
         ASSERT_TRUE(QTest::qWaitFor(holds, kMostMs)) << page<CaptureMode>().desk().sentence().toStdString();
+    }
+
+    /// Lets the window work for so many beats of the gap's timer, so that what it does is measured.
+    void rest(const test::EventLoopGap& gap, int beats = 20) {
+        waitUntil([&, until = gap.beats() + beats] { return gap.beats() > until; });
     }
 
     void waitFor(CaptureDesk::State state) {

@@ -28,11 +28,6 @@ QString pathOf(const test::PhotographedSurvey& survey) {
     return QString::fromStdString(survey.path().string());
 }
 
-/// Lets the window work, so that what it does is measured.
-void rest(Person& person, const test::EventLoopGap& gap, int beats = 20) {
-    person.waitUntil([&, until = gap.beats() + beats] { return gap.beats() > until; });
-}
-
 /// Goes through the list, looks around in each photo, and compares it with its neighbour.
 void lookAtPhotos(Person& person, const test::EventLoopGap& gap, int photos) {
     auto& list = person.widget<QListView>("stations");
@@ -42,12 +37,12 @@ void lookAtPhotos(Person& person, const test::EventLoopGap& gap, int photos) {
         person.waitUntil([&] { return view.presenter().remark().isEmpty(); }); // it is decoded
         for (int turn = 0; turn < 10; ++turn) {
             QTest::keyClick(&view, Qt::Key_Left);
-            rest(person, gap, 2);
+            person.rest(gap, 2);
         }
         QTest::keyClick(&list, Qt::Key_C);
-        rest(person, gap);
+        person.rest(gap);
         QTest::keyClick(&list, Qt::Key_J);
-        rest(person, gap);
+        person.rest(gap);
     }
 }
 
@@ -61,9 +56,9 @@ TEST(Responsiveness, AStalledCameraHoldsNeitherCapturingNorReviewing) {
     person.choose("Capture");
     CaptureDesk& desk = person.page<CaptureMode>().desk();
     desk.connectTo(server.address());
-    rest(person, test::EventLoopGap(), 50);
+    person.rest(test::EventLoopGap(), 50);
     const test::EventLoopGap capturing;
-    rest(person, capturing, 300);
+    person.rest(capturing, 300);
     EXPECT_EQ(desk.state(), CaptureDesk::State::Connecting); // it does stall
     RecordProperty("capturing_longest_gap_ms", std::to_string(capturing.longestMs()));
     person.choose("Review");
@@ -86,7 +81,7 @@ TEST(Responsiveness, DecidingHoldsNobody) {
         QTest::keyClick(&list, Qt::Key_Home);
         for (int i = 0; i < 8; ++i) {
             QTest::keyClick(&list, i % 2 == 0 ? Qt::Key_A : Qt::Key_R);
-            rest(person, gap);
+            person.rest(gap);
         }
     };
     decideOnAll(test::EventLoopGap());
