@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "byte_writer.h"
-
+#include "spherewalk/base/byte_writer.h"
 #include "spherewalk/dataset/bag.h"
 
 #include <algorithm>

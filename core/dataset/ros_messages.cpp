@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/dataset/ros_messages.h"
 
-#include "byte_writer.h"
-
+#include "spherewalk/base/byte_writer.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 

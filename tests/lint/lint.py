@@ -26,7 +26,7 @@ PRODUCT = ("core", "ui", "app")
 THIRD_PARTIES = {
     "OpenSSL::Crypto": "OpenSSL", "nlohmann_json::nlohmann_json": "nlohmann-json", "Eigen3::Eigen": "Eigen",
     "JPEG::JPEG": "libjpeg-turbo", "yaml-cpp": "yaml-cpp", "hwy::hwy": "Highway", "exiv2lib": "exiv2",
-    "Ceres::ceres": "Ceres", "SQLite::SQLite3": "SQLite", "ZLIB::ZLIB": "zlib", "CURL::libcurl": "libcurl",
+    "Ceres::ceres": "Ceres", "meshoptimizer::meshoptimizer": "meshoptimizer", "SQLite::SQLite3": "SQLite", "ZLIB::ZLIB": "zlib", "CURL::libcurl": "libcurl",
     "spherewalk_avahi": "Avahi", "spherewalk_httplib": "cpp-httplib", "spherewalk_cairo": "cairo",
     "spherewalk_rsvg": "librsvg", "pybind11::module": "pybind11", "mujoco::mujoco": "MuJoCo", "OpenGL::EGL": "MuJoCo",
 }

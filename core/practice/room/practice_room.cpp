@@ -101,6 +101,10 @@ Sample PracticeRoom::cast(const Eigen::Vector3d& originM, const Eigen::Vector3d&
     return {{colour[0], colour[1], colour[2]}, hit.distance};
 }
 
+double PracticeRoom::surfaceDistanceM(const Eigen::Vector3d& pInRoom) const {
+    return m_state->scene.surfaceDistance(pInRoom - m_state->options.originM);
+}
+
 RgbImage PracticeRoom::spherical(const Rigid3& roomFromPhoto, const EquirectSize& size,
                                  const PictureOptions& options, ProgressSink& progress,
                                  const std::stop_token& stop) const {

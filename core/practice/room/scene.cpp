@@ -148,6 +148,14 @@ Hit Scene::hit(const Vector3d& eye, const Vector3d& direction, std::span<const C
     return nearest;
 }
 
+double Scene::surfaceDistance(const Eigen::Vector3d& point) const {
+    double nearest = std::min(point.cwiseAbs().minCoeff(), (m_size - point).cwiseAbs().minCoeff());
+    for (const std::uint16_t i : m_all) {
+        nearest = std::min(nearest, practice::surfaceDistance(m_furniture.shapes[i], point));
+    }
+    return nearest;
+}
+
 Rgb Scene::colour(const Hit& hit, const Vector3d& eye, const Vector3d& direction, float footprint) const {
     if (hit.id < 0) {
         return Rgb::Zero();

@@ -41,6 +41,9 @@ class Scene {
     Hit hit(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction,
             std::span<const Candidate> candidates, bool withWalls) const;
 
+    /// Distance from a point inside of the room to the nearest wall, floor, ceiling or piece of furniture.
+    double surfaceDistance(const Eigen::Vector3d& point) const;
+
     /// The colour at the hit as pictures store it, [0, 255]. footprint: angle of the sample, radians.
     Rgb colour(const Hit& hit, const Eigen::Vector3d& eye, const Eigen::Vector3d& direction,
                float footprint) const;

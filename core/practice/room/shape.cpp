@@ -152,6 +152,20 @@ double distanceTo(const Shape& shape, const Eigen::Vector3d& origin, const Eigen
     return kNothing;
 }
 
+double surfaceDistance(const Shape& shape, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d local = shape.toLocal(point - shape.centre);
+    if (shape.kind == Shape::Kind::Sphere) {
+        return std::abs(local.norm() - shape.half.x());
+    }
+    const double acrossM = local.head<2>().norm();
+    const Eigen::Vector3d beyond =
+        shape.kind == Shape::Kind::Box
+            ? Eigen::Vector3d(local.cwiseAbs() - shape.half)
+            : Eigen::Vector3d(acrossM - shape.half.x(), -kNothing, std::abs(local.z()) - shape.half.z());
+    const double inside = beyond.maxCoeff();
+    return inside <= 0 ? -inside : beyond.cwiseMax(0).norm();
+}
+
 SurfacePoint surfaceAt(const Shape& shape, const Eigen::Vector3d& point) {
     const Eigen::Vector3d local = shape.toLocal(point - shape.centre);
     SurfacePoint surface =

@@ -106,6 +106,9 @@ struct Shape {
 /// length.
 double distanceTo(const Shape& shape, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
+/// Distance from a point, inside or outside, to the shape's surface.
+double surfaceDistance(const Shape& shape, const Eigen::Vector3d& point);
+
 /// The surface at a point found by distanceTo.
 SurfacePoint surfaceAt(const Shape& shape, const Eigen::Vector3d& point);
 

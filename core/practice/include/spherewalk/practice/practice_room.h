@@ -102,6 +102,10 @@ class PracticeRoom {
     Sample cast(const Eigen::Vector3d& originM, const Eigen::Vector3d& direction, double footprint,
                 Content content = Content::RoomAndObjects) const;
 
+    /// Distance from a point to the nearest wall, floor, ceiling or piece of furniture, in metres. Frames:
+    /// room. Range: a point inside of the room, or near it.
+    double surfaceDistanceM(const Eigen::Vector3d& pInRoom) const;
+
     /// The equirectangular picture of a camera with this pose. Range: size.width and height in [1, 32768].
     RgbImage spherical(const Rigid3& roomFromPhoto, const EquirectSize& size,
                        const PictureOptions& options = {}, ProgressSink& progress = noProgress(),

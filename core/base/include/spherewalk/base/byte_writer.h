@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include "spherewalk/base/bytes.h"
@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace spherewalk::dataset {
+namespace spherewalk {
 
 /// Collects bytes one after the other. Numbers are little-endian.
 class ByteWriter {
@@ -23,6 +23,14 @@ class ByteWriter {
             std::reverse(bytes.begin(), bytes.end());
         }
         put(bytes);
+    }
+
+    /// Puts the numbers of a range, one after the other.
+    template <class Range>
+    void numbers(const Range& values) {
+        for (const auto value : values) {
+            number(value);
+        }
     }
 
     void put(ByteView bytes) { m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end()); }
@@ -42,4 +50,4 @@ class ByteWriter {
     Bytes m_bytes;
 };
 
-} // namespace spherewalk::dataset
+} // namespace spherewalk

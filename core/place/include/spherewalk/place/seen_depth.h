@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spherewalk/base/image.h"
+#include "spherewalk/geometry/lens_pair.h"
+#include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/scene_depth.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace spherewalk::place {
+
+/// What a photo says about a point.
+struct Sight {
+    float pointM = 0;    ///< Distance from the lens to the point.
+    float rangeM = 0;    ///< Distance to what the photo shows in the point's direction; 0 if it is not known.
+    bool isSure = false; ///< Whether the range was measured; if not, it continues what lies beside.
+};
+
+/// The distances that a photo shows. They take two bytes a pixel. Threads: const functions may run on
+/// any number at a time.
+class SeenDepth {
+  public:
+    /// baselineM: how far the photos stand from which the depth was estimated, see baselinesM(); +infinity
+    /// for a depth without noise.
+    SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto, const LensPair& lenses,
+              double baselineM);
+
+    int width() const { return m_steps.width(); }
+
+    int height() const { return m_steps.height(); }
+
+    const Rigid3& roomFromPhoto() const { return m_roomFromPhoto; }
+
+    /// The direction in which the photo shows a point. Frames: the result is the photo's, not normalised.
+    Eigen::Vector3d directionTo(const Eigen::Vector3d& pInRoom) const;
+
+    /// What the photo says about a point. Between four pixels 1 / distance is interpolated. The range is not
+    /// known where they differ by more than 8 %, and not sure where one of them is not.
+    Sight sight(const Eigen::Vector3d& pInRoom) const;
+
+    /// The range of a pixel in metres; 0 if it is not sure. Range: 0 <= x < width, 0 <= y < height.
+    float rangeM(int x, int y) const;
+
+    /// The point that a pixel shows at this range. Frames: room.
+    Eigen::Vector3d point(int x, int y, double rangeM) const;
+
+    /// The standard deviation of a range: half a pixel of parallax, and the steps of the file.
+    float sigmaM(float rangeM) const { return kLeastSigmaM + m_sigmaPerM * rangeM * rangeM; }
+
+  private:
+    static constexpr float kLeastSigmaM = 0.004F;
+    static constexpr std::uint16_t kSure = 0x8000;
+    static_assert(render::DepthMap::kSteps < kSure);
+
+    /// 1 / distance in steps of DepthMap::kStepPerM, and kSure where it was measured.
+    Image<std::uint16_t, 1> m_steps;
+    Rigid3 m_roomFromPhoto;
+    Rigid3 m_photoFromRoom;
+    LensPair m_lenses;
+    float m_sigmaPerM;
+};
+
+/// For each photo the mean distance of the six nearest others that stand at least 5 cm away, in metres: those
+/// that depth is estimated from. It is 0 for a photo without such a neighbour.
+std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos);
+
+} // namespace spherewalk::place

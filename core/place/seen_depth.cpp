@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/place/seen_depth.h"
+
+#include "spherewalk/geometry/equirect.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace spherewalk::place {
+
+namespace {
+
+constexpr float kNoisePx = 0.5F;   ///< of parallax, standard deviation
+constexpr float kMostJump = 1.08F; ///< of 1 / distance within one surface, as views take it
+constexpr double kLeastBaselineM = 0.05;
+constexpr std::size_t kNeighbours = 6;
+constexpr float kPi = std::numbers::pi_v<float>;
+
+} // namespace
+
+SeenDepth::SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto, const LensPair& lenses,
+                     double baselineM)
+    : m_steps(depth.width(), depth.height()),
+      m_roomFromPhoto(roomFromPhoto),
+      m_photoFromRoom(roomFromPhoto.inverse()),
+      m_lenses(lenses),
+      m_sigmaPerM(kNoisePx * 2 * kPi / static_cast<float>(depth.width()) / static_cast<float>(baselineM) +
+                  static_cast<float>(render::DepthMap::kStepPerM / std::sqrt(12.0))) {
+    const std::span<const float> inverse = depth.inverseM().values();
+    const std::span<const std::uint8_t> sure = depth.sure().values();
+    for (std::size_t i = 0; i < inverse.size(); ++i) {
+        const auto steps = std::lround(static_cast<double>(inverse[i]) / render::DepthMap::kStepPerM);
+        m_steps.values()[i] = static_cast<std::uint16_t>(steps | (sure[i] != 0 ? kSure : 0));
+    }
+}
+
+Eigen::Vector3d SeenDepth::directionTo(const Eigen::Vector3d& pInRoom) const {
+    return m_lenses.directionTo(m_photoFromRoom * pInRoom);
+}
+
+Sight SeenDepth::sight(const Eigen::Vector3d& pInRoom) const {
+    const Eigen::Vector3f d = directionTo(pInRoom).cast<float>();
+    const float u = (kPi - std::atan2(d.y(), d.x())) * static_cast<float>(width()) / (2 * kPi) - 0.5F;
+    const float v =
+        (kPi / 2 - std::atan2(d.z(), d.head<2>().norm())) * static_cast<float>(height()) / kPi - 0.5F;
+    const float left = std::floor(u);
+    const float top = std::clamp(std::floor(v), 0.0F, static_cast<float>(height() - 2));
+    const float x = u - left;
+    const float y = std::clamp(v - top, 0.0F, 1.0F);
+    const int x0 = (static_cast<int>(left) + width()) % width();
+    const int x1 = (x0 + 1) % width();
+    const int y0 = static_cast<int>(top);
+    const std::array pixels = {*m_steps.at(x0, y0), *m_steps.at(x1, y0), *m_steps.at(x0, y0 + 1),
+                               *m_steps.at(x1, y0 + 1)};
+    const auto steps = [&](std::size_t i) { return static_cast<float>(pixels[i] & ~kSure); };
+    const auto [least, most] = std::minmax({steps(0), steps(1), steps(2), steps(3)});
+    Sight sight{d.norm(), 0, (pixels[0] & pixels[1] & pixels[2] & pixels[3] & kSure) != 0};
+    if (most <= kMostJump * least) {
+        const float inverse =
+            (steps(0) * (1 - x) + steps(1) * x) * (1 - y) + (steps(2) * (1 - x) + steps(3) * x) * y;
+        sight.rangeM = 1 / (inverse * static_cast<float>(render::DepthMap::kStepPerM));
+    }
+    return sight;
+}
+
+float SeenDepth::rangeM(int x, int y) const {
+    const std::uint16_t steps = *m_steps.at(x, y);
+    return (steps & kSure) == 0
+               ? 0
+               : 1 / (static_cast<float>(steps & ~kSure) * static_cast<float>(render::DepthMap::kStepPerM));
+}
+
+Eigen::Vector3d SeenDepth::point(int x, int y, double rangeM) const {
+    const Eigen::Vector3d ray = direction(EquirectSize{width(), height()}, Eigen::Vector2d(x, y));
+    return m_roomFromPhoto * (m_lenses.place(ray) + rangeM * ray);
+}
+
+std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos) {
+    std::vector<double> result;
+    for (const Rigid3& photo : roomFromPhotos) {
+        std::vector<double> distances;
+        for (const Rigid3& other : roomFromPhotos) {
+            const double distance = (other.translation - photo.translation).norm();
+            if (distance >= kLeastBaselineM) {
+                distances.push_back(distance);
+            }
+        }
+        const std::size_t count = std::min(kNeighbours, distances.size());
+        std::partial_sort(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(count),
+                          distances.end());
+        double sum = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            sum += distances[i];
+        }
+        result.push_back(count > 0 ? sum / static_cast<double>(count) : 0);
+    }
+    return result;
+}
+
+} // namespace spherewalk::place
