@@ -110,7 +110,11 @@ std::string roomModel(const WorldRoom& room) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         surfaces += wall(room, outline, i);
     }
-    for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
+    if (!room.furniture.empty()) {
+        surfaces +=
+            surface("furniture", pose(0, 0, 0), tag("geometry", tag("mesh", tag("uri", room.furniture))));
+    }
+    for (std::size_t i = 0; i < room.obstacles.size() && room.furniture.empty(); ++i) {
         surfaces += surface(text("obstacle_", i), pose(0, 0, room.floorM),
                             prism(room.obstacles[i].outline, room.obstacles[i].heightM));
     }

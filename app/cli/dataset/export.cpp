@@ -4,10 +4,13 @@
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/folder.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_foreign.h"
+#include "spherewalk/jobs/export_place.h"
 #include "spherewalk/jobs/measured_dataset.h"
+#include "spherewalk/place/surface_files.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -29,6 +32,7 @@ struct ExportArguments {
     double obstacleHeightM = jobs::kObstacleHeightM;
     bool withFaces = false;
     bool isCheck = false;
+    jobs::PlaceOptions place;
 
     bool isChosen() const { return scene == "auto"; }
 };
@@ -108,21 +112,56 @@ Result exportForeign(const ExportArguments& options, const store::SurveyStore& s
 }
 
 /// Of a VGA camera, if none is named.
-Result exportWorld(const ExportArguments& options) {
+Result exportWorld(const ExportArguments& options, Context& context) {
     const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
                                                            : render::readCameraInfo(options.camera);
-    const dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
-    jobs::exportWorld(room, camera, options.dataset);
-    return {
-        {{"folder", options.dataset}, {"walls", room.outline.size()}, {"obstacles", room.obstacles.size()}},
-        text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
-             " walls and ", counted(room.obstacles.size(), "obstacle", "obstacles"),
-             " with a robot in it, and camera.yaml.")};
+    dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
+    place::Surface furniture;
+    room.validate();
+    if (jobs::hasDepths(options.survey)) {
+        requireAbsent(options.dataset, "the world");
+        furniture = jobs::furnitureOf(options.survey, {room.outline, room.floorM, room.ceilingM},
+                                      options.place, context.progress, context.stop);
+        room.furniture = furniture.triangles.empty() ? "" : "furniture.obj";
+    }
+    jobs::exportWorld(room, camera, options.dataset, place::objFile(furniture));
+    const std::string things = room.furniture.empty()
+                                   ? counted(room.obstacles.size(), "obstacle", "obstacles")
+                                   : text("furniture of ", furniture.triangles.size(), " triangles");
+    return {{{"folder", options.dataset},
+             {"walls", room.outline.size()},
+             {"obstacles", room.furniture.empty() ? room.obstacles.size() : 0},
+             {"furniture_triangles", furniture.triangles.size()}},
+            text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
+                 " walls and ", things, " with a robot in it, and camera.yaml.")};
+}
+
+Result exportPlace(const ExportArguments& options, jobs::PlaceFormat format, Context& context) {
+    jobs::PlaceOptions place = options.place;
+    place.formats = {format};
+    const jobs::PlaceReport report =
+        jobs::exportPlace(options.survey, options.dataset, place, context.progress, context.stop);
+    Json json = jobs::toJson(report);
+    json["folder"] = options.dataset;
+    const std::string map = format == jobs::PlaceFormat::Occupancy
+                                ? text("\nOf the map ", fixed(report.freeM2, 1), " m2 are free and ",
+                                       fixed(report.occupiedM2, 1), " m2 occupied.")
+                                : "";
+    return {json, text("Wrote the surfaces that ", counted(report.photos, "photo sees", "photos see"), " to ",
+                       options.dataset, ": ", fixed(report.areaM2, 1), " m2 in ", report.vertices,
+                       " vertices and ", report.triangles, " triangles, in ",
+                       humanDuration(std::chrono::duration<double>(report.depthSeconds + report.seconds)),
+                       ".\nSeen from the photos there is a surface in ", fixed(100 * report.seenShare, 1),
+                       " % of all directions; the rest are holes. Two photos or more show ",
+                       fixed(100 * report.seenTwiceShare, 1), " % of the vertices.", map)};
 }
 
 Result exportSurvey(const ExportArguments& options, Context& context) {
     if (options.format == "sdf") {
-        return exportWorld(options);
+        return exportWorld(options, context);
+    }
+    if (const auto format = jobs::placeFormat(options.format)) {
+        return exportPlace(options, *format, context);
     }
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     if (options.format != "spherewalk") {
@@ -144,7 +183,9 @@ void addExport(Commands& commands) {
         commands.add("export", "Export a survey as a dataset for simulators", [options](Context& context) {
             return options->isCheck ? checkedExport(*options, context) : exportSurvey(*options, context);
         });
-    command.option("survey", options->survey, "Folder of the survey; with --format sdf, or of a dataset")
+    command
+        .option("survey", options->survey,
+                "Folder of the survey; with sdf, ply, gltf, obj or occupancy, or of a dataset")
         .required();
     command.option("dataset", options->dataset, "Folder to make").required();
     command
@@ -157,13 +198,44 @@ void addExport(Commands& commands) {
         .option(
             "--format", options->format,
             "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
-            "euroc read them, or the room as a world for Gazebo (sdf)")
-        .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf"})
+            "euroc read them, the room as a world for Gazebo (sdf), the surfaces that were seen (ply, gltf, "
+            "obj), or a map of where a robot can drive (occupancy)")
+        .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf", "ply", "gltf", "obj",
+                "occupancy"})
         .showDefault();
     command
         .option("--obstacle-height", options->obstacleHeightM,
                 "With sdf, height of the plan's obstacles, metres")
         .range(0.01, 10.0)
+        .showDefault();
+    command
+        .option("--voxel", options->place.fusion.voxelM,
+                "With sdf, ply, gltf, obj or occupancy, edge of the voxels that depths are fused in, metres")
+        .range(0.005, 0.2)
+        .showDefault();
+    command
+        .option("--simplify", options->place.simplifyM,
+                "With ply, gltf or obj, error by which triangles may be joined, metres; 0 keeps all")
+        .range(0.0, 1.0)
+        .showDefault();
+    command
+        .option("--cell", options->place.occupancy.cellM, "With occupancy, edge of the map's cells, metres")
+        .range(0.01, 1.0)
+        .showDefault();
+    command
+        .option("--lowest", options->place.occupancy.leastHeightM,
+                "With occupancy, height above the floor from which on things are obstacles, metres")
+        .range(0.0, 10.0)
+        .showDefault();
+    command
+        .option("--highest", options->place.occupancy.mostHeightM,
+                "With occupancy, height above the floor up to which things are obstacles, metres")
+        .range(0.0, 10.0)
+        .showDefault();
+    command
+        .option("--least-photos", options->place.leastPhotos,
+                "With sdf, ply, gltf, obj or occupancy, leave out surfaces that fewer photos show")
+        .range(1, 255)
         .showDefault();
     command.flag("--faces", options->withFaces,
                  "With another format, the six faces of a cube instead of each photo");

@@ -236,10 +236,13 @@ dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obsta
 }
 
 void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
-                 const std::filesystem::path& folder) {
+                 const std::filesystem::path& folder, std::string_view furniture) {
     const std::string world = dataset::sdfWorld(room, camera);
     makeFolder(folder, "the world", [&](const std::filesystem::path& unfinished) {
         writeFile(unfinished / "world.sdf", bytesOf(world));
+        if (!room.furniture.empty()) {
+            writeFile(unfinished / room.furniture, bytesOf(furniture));
+        }
         writeFile(unfinished / "camera.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
     });
 }

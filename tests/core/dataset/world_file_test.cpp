@@ -205,6 +205,33 @@ TEST_F(FurnishedWorldFile, HasItsObstaclesForRobotsLasersAndLabelsButNotForTheCa
     }
 }
 
+/// The same with a mesh of what stands there.
+class MeshedWorldFile : public WorldFile {
+  protected:
+    MeshedWorldFile() : WorldFile(meshed()) {}
+
+    static WorldRoom meshed() {
+        WorldRoom room = roomWithACorner();
+        room.obstacles = {{{{3, 0.5}, {4, 0.5}, {4, 1.5}, {3, 1.5}}, 0.75}};
+        room.furniture = "furniture.obj";
+        return room;
+    }
+};
+
+TEST_F(MeshedWorldFile, HasTheMeshInPlaceOfItsObstacles) {
+    const sdf::Collision* collision = surfaces()->CollisionByName("furniture");
+    const sdf::Visual* visual = surfaces()->VisualByName("furniture");
+    ASSERT_TRUE(collision != nullptr && visual != nullptr);
+    EXPECT_EQ(visual->VisibilityFlags(), kHiddenFromCamera);
+    for (const sdf::Geometry* geometry : {collision->Geom(), visual->Geom()}) {
+        ASSERT_NE(geometry->MeshShape(), nullptr);
+        EXPECT_EQ(geometry->MeshShape()->Uri(), "furniture.obj");
+    }
+    EXPECT_EQ(collision->RawPose(), im::Pose3d::Zero) << "the mesh is in the room's frame";
+    EXPECT_EQ(surfaces()->CollisionByName("obstacle_0"), nullptr);
+    EXPECT_EQ(surfaces()->CollisionCount(), room.outline.size() + 3);
+}
+
 TEST(WorldFileErrors, RefusesRoomsAndCamerasThatCannotBe) {
     WorldRoom room = roomWithACorner();
     CameraIntrinsics camera = vga();

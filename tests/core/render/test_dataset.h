@@ -8,6 +8,7 @@
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/restart.h"
 #include "spherewalk/render/dataset_format.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <cmath>
 #include <filesystem>
@@ -68,6 +69,25 @@ inline render::DatasetInfo writeTestDataset(const std::filesystem::path& folder,
         photo.rotationSource = "imported";
         writeFile(folder / photo.file, jpeg);
         info.photos.push_back(photo);
+    }
+    rewriteInfo(folder, info);
+    return info;
+}
+
+/// Writes a dataset of an empty room of 3 x 2 x 2.5 m that four photos see, with exact depths.
+inline render::DatasetInfo writeEmptyRoom(const std::filesystem::path& folder) {
+    constexpr int kWidth = 256;
+    std::vector<Rigid3> poses;
+    for (const auto& [x, y] : {std::pair{1.0, 0.8}, {2.0, 0.8}, {1.0, 1.3}, {2.0, 1.3}}) {
+        poses.push_back({Eigen::Quaterniond::Identity(), {x, y, 1.2}});
+    }
+    render::DatasetInfo info = writeTestDataset(folder, poses, smoothWorld, kWidth);
+    info.roomShape = render::RoomShape{{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, 0, 2.5};
+    std::filesystem::create_directories(folder / "depth");
+    for (render::DatasetPhoto& photo : info.photos) {
+        photo.depth = "depth/" + std::filesystem::path(photo.file).stem().string() + ".pgm";
+        writeFile(folder / photo.depth,
+                  render::roomDepth(*info.roomShape, photo.roomFromPhoto, kWidth).serialised());
     }
     rewriteInfo(folder, info);
     return info;

@@ -223,6 +223,15 @@ TEST(ExportWorld, WritesTheWorldAndTheCameraThatItIsFor) {
     EXPECT_EQ(render::readCameraInfo(folder / "world/camera.yaml"), camera);
 }
 
+TEST(ExportWorld, WritesItsFurnitureBesideIt) {
+    const test::TemporaryFolder folder;
+    dataset::WorldRoom room = smallRoom();
+    room.furniture = "furniture.obj";
+    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), folder / "world", "v 0 0 0\n");
+    EXPECT_EQ(readTextFile(folder / "world/furniture.obj"), "v 0 0 0\n");
+    EXPECT_THAT(readTextFile(folder / "world/world.sdf"), HasSubstr("<uri>furniture.obj</uri>"));
+}
+
 TEST(ExportWorld, ReplacesNothing) {
     const test::TemporaryFolder folder;
     writeFile(folder / "world", bytesOf("mine"));

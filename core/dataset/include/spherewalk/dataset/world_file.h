@@ -32,6 +32,9 @@ struct WorldRoom {
     Eigen::Vector3d cameraAt =
         Eigen::Vector3d::Zero(); ///< First place of the robot's camera, which looks along x.
     std::vector<WorldObstacle> obstacles;
+    /// File of a mesh with all that stands in the room, relative to the world's file. It takes the place of
+    /// the obstacles, which still say where the robot cannot begin. It may be empty.
+    std::string furniture = {};
 
     /// Errors: InvalidInput for a defect of an outline, a ceiling that is not above the floor, an obstacle
     /// without height, and a camera that is not inside of the room.

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <stop_token>
+#include <string_view>
 
 namespace spherewalk::store {
 class SurveyStore;
@@ -51,9 +52,10 @@ inline constexpr double kObstacleHeightM = 0.75;
 dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder,
                                double obstacleHeightM = kObstacleHeightM);
 
-/// Writes world.sdf, and camera.yaml for the camera in it, into a new folder.
+/// Writes world.sdf, and camera.yaml for the camera in it, into a new folder. furniture: what the file
+/// WorldRoom::furniture is to hold, an OBJ.
 /// Errors: Exists, Full, Io; those of dataset::sdfWorld(). After an error nothing is left.
 void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
-                 const std::filesystem::path& folder);
+                 const std::filesystem::path& folder, std::string_view furniture = {});
 
 } // namespace spherewalk::jobs
