@@ -2598,6 +2598,76 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PlacePanel</name>
+    <message>
+        <source>The place for other programs</source>
+        <translation>Der Ort für andere Programme</translation>
+    </message>
+    <message>
+        <source>Points (PLY)</source>
+        <translation>Punkte (PLY)</translation>
+    </message>
+    <message>
+        <source>Every vertex with colour, normal, and how many photos show it</source>
+        <translation>Jeder Punkt mit Farbe, Normale und der Zahl der Fotos, die ihn zeigen</translation>
+    </message>
+    <message>
+        <source>Mesh (glTF)</source>
+        <translation>Netz (glTF)</translation>
+    </message>
+    <message>
+        <source>One file that viewers and game engines open</source>
+        <translation>Eine Datei, die Betrachter und Spiele-Engines öffnen</translation>
+    </message>
+    <message>
+        <source>Mesh (OBJ)</source>
+        <translation>Netz (OBJ)</translation>
+    </message>
+    <message>
+        <source>The same as text</source>
+        <translation>Dasselbe als Text</translation>
+    </message>
+    <message>
+        <source>Map for robots</source>
+        <translation>Karte für Roboter</translation>
+    </message>
+    <message>
+        <source>Where a robot can drive, as Nav2 and map_server read it</source>
+        <translation>Wo ein Roboter fahren kann, wie Nav2 und map_server es lesen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Anhalten; dann wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Open its folder</source>
+        <translation>Seinen Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>A dataset with the depths of two photos or more is needed: export one with depth as its scene model.</source>
+        <translation>Nötig ist ein Datensatz mit Tiefen von mindestens zwei Fotos: exportieren Sie einen mit Tiefe als Szenenmodell.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlacePresenter</name>
+    <message>
+        <source>Writing the place of %1</source>
+        <translation>Der Ort von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1: %2 m² of surfaces. From the photos there is a surface in %3 % of all directions; the rest are holes. Two photos or more show %4 % of it.</source>
+        <translation>%1: %2 m² Oberflächen. Von den Fotos aus liegt in %3 % aller Richtungen eine Oberfläche; der Rest sind Löcher. Zwei oder mehr Fotos zeigen %4 % davon.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Angehalten; es wurde nichts geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PlanCanvas</name>
     <message>
         <source>%1 cm</source>

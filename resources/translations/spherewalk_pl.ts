@@ -2621,6 +2621,76 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PlacePanel</name>
+    <message>
+        <source>The place for other programs</source>
+        <translation>Miejsce dla innych programów</translation>
+    </message>
+    <message>
+        <source>Points (PLY)</source>
+        <translation>Punkty (PLY)</translation>
+    </message>
+    <message>
+        <source>Every vertex with colour, normal, and how many photos show it</source>
+        <translation>Każdy punkt z kolorem, normalną i liczbą zdjęć, które go pokazują</translation>
+    </message>
+    <message>
+        <source>Mesh (glTF)</source>
+        <translation>Siatka (glTF)</translation>
+    </message>
+    <message>
+        <source>One file that viewers and game engines open</source>
+        <translation>Jeden plik, który otwierają przeglądarki i silniki gier</translation>
+    </message>
+    <message>
+        <source>Mesh (OBJ)</source>
+        <translation>Siatka (OBJ)</translation>
+    </message>
+    <message>
+        <source>The same as text</source>
+        <translation>To samo jako tekst</translation>
+    </message>
+    <message>
+        <source>Map for robots</source>
+        <translation>Mapa dla robotów</translation>
+    </message>
+    <message>
+        <source>Where a robot can drive, as Nav2 and map_server read it</source>
+        <translation>Gdzie robot może jechać, tak jak czytają to Nav2 i map_server</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Zapisz</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Zatrzymaj; nic wtedy nie zostanie zapisane</translation>
+    </message>
+    <message>
+        <source>Open its folder</source>
+        <translation>Otwórz jego folder</translation>
+    </message>
+    <message>
+        <source>A dataset with the depths of two photos or more is needed: export one with depth as its scene model.</source>
+        <translation>Potrzebny jest zbiór danych z głębią co najmniej dwóch zdjęć: wyeksportuj go z głębią jako modelem sceny.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PlacePresenter</name>
+    <message>
+        <source>Writing the place of %1</source>
+        <translation>Zapisywanie miejsca z %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 m² of surfaces. From the photos there is a surface in %3 % of all directions; the rest are holes. Two photos or more show %4 % of it.</source>
+        <translation>%1: %2 m² powierzchni. Ze zdjęć widać powierzchnię w %3 % wszystkich kierunków; reszta to dziury. Co najmniej dwa zdjęcia pokazują %4 % z niej.</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Zatrzymano; nic nie zapisano.</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PlanCanvas</name>
     <message>
         <source>%1 cm</source>

@@ -3,6 +3,7 @@
 
 #include "ui/export/export_presenter.h"
 #include "ui/export/measure_panel.h"
+#include "ui/export/place_panel.h"
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
 #include "ui/look/core_words.h"
@@ -57,6 +58,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     : Mode("export", tr("Export"), tr("Make a dataset for simulators"), parent),
       m_presenter(new ExportPresenter(tasks, this)),
       m_measure(new MeasurePresenter(tasks, this)),
+      m_place(new PlacePresenter(tasks, this)),
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
@@ -69,6 +71,9 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     connect(measure, &MeasurePanel::message, this, &Mode::message);
     connect(measure, &MeasurePanel::openRequested, this, &ExportMode::open);
     column->addWidget(measure);
+    auto* place = new PlacePanel(*m_place, page);
+    connect(place, &PlacePanel::openRequested, this, &ExportMode::open);
+    column->addWidget(place);
     column->addStretch(1);
     auto* layout = new QHBoxLayout(this);
     layout->addWidget(page, 1);
@@ -256,6 +261,7 @@ void ExportMode::showAll() {
     showFound();
     showTask();
     m_measure->setDataset(m_presenter->dataset());
+    m_place->setDataset(m_presenter->dataset());
     const QString exported = m_presenter->exported();
     m_openButton->setVisible(!exported.isEmpty());
     m_result->setVisible(!exported.isEmpty());

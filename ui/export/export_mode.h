@@ -17,6 +17,7 @@ namespace spherewalk::ui {
 class CameraBox;
 class ExportPresenter;
 class MeasurePresenter;
+class PlacePresenter;
 class TaskBar;
 class TaskList;
 class ToleranceBox;
@@ -52,6 +53,7 @@ class ExportMode : public Mode {
 
     ExportPresenter* m_presenter;
     MeasurePresenter* m_measure;
+    PlacePresenter* m_place;
     std::function<bool(const QUrl&)> m_open;
     QLineEdit* m_folder = nullptr;
     QComboBox* m_scene = nullptr;
