@@ -40,7 +40,7 @@ class Survey:
         self.truth = {pathlib.Path(photo["file"]).name: photo for photo in photos}
         self.files = sorted(self.truth)
         self.tags = {name: list(photo["nominal_position"]) for name, photo in self.truth.items()}
-        self.wrong = set()
+        self.wrong, self.blurred = set(), set()
         # Every second survey has no plan that fits: no station lies where a wrong photo was taken.
         self.rect, self.step = ([-0.3, -0.3, 1.1, 1.1], 0.2) if seed % 2 else ([5, 5, 7, 7], 0.5)
         (folder / "in").mkdir()
@@ -177,7 +177,8 @@ def own_errors(places):
 class Outcome:
     """What align and export said and wrote of a survey."""
 
-    def __init__(self, survey, cli):
+    def __init__(self, survey, cli, features):
+        """features: a folder that keeps the features of photos which several surveys have."""
         self.survey, folder = survey, survey.folder
         rows = "".join(f"{name},{x:.4f},{y:.4f},{z:.4f}\n" for name, (x, y, z) in sorted(survey.tags.items()))
         (folder / "places.csv").write_text("file,x_m,y_m,z_m\n" + rows)
@@ -187,6 +188,7 @@ class Outcome:
         if survey.kind != "bytes":
             self.expect(imported)
         self.import_words = imported[2]
+        (where / "align-cache").symlink_to(features)
         _, out, words = run(cli, "align", where, "--json")
         self.align = json.loads(out)
         self.align_words = " ".join(word for word in words.splitlines() if "%" not in word[-20:])
@@ -214,8 +216,8 @@ class Outcome:
 
     def judge(self):
         """Of each photo that is off: how far, and whether a sentence or its own deviation says so."""
-        self.errors, self.z_place, self.z_yaw, self.off = {}, [], [], []
-        yaws, places = {}, []
+        self.errors, self.z_place, self.z_yaw = {}, {}, {}
+        yaws, places = {}, {}
         for name, photo in self.exported():
             truth = self.survey.truth[name]
             place = photo["position_m"]
@@ -223,7 +225,7 @@ class Outcome:
             sigma = (photo.get("position_sigma_m") or [0])[0]
             self.errors[name] = (error, sigma)
             if sigma:
-                places.append((complex(*place[:2]), complex(*truth["position"][:2]), sigma))
+                places[name] = (complex(*place[:2]), complex(*truth["position"][:2]), sigma)
             rotation = photo.get("rotation_sigma_deg")
             if rotation and photo["rotation_source"] == "aligned":
                 q = photo["room_from_photo"] if "room_from_photo" in photo else photo["rotation"]
@@ -231,9 +233,9 @@ class Outcome:
                 yaws[name] = (yaw_error_deg(q, truth["quaternion_wxyz"]), rotation["yaw"])
         if yaws:
             common = sorted(error for error, _ in yaws.values())[len(yaws) // 2]
-            self.z_yaw = [(error - common) / sigma for error, sigma in yaws.values()]
-        if self.survey.kind not in OF_THE_WHOLE:
-            self.z_place = own_errors(places) if len(places) > 2 else []
+            self.z_yaw = {name: (error - common) / sigma for name, (error, sigma) in yaws.items()}
+        if self.survey.kind not in OF_THE_WHOLE and len(places) > 2:
+            self.z_place = dict(zip(places, own_errors(list(places.values()))))
         return self
 
     def told(self, name):
@@ -263,8 +265,45 @@ class Outcome:
     def accused(self):
         """Photos that are right, and are called wrong."""
         right = set(self.survey.files) - self.survey.wrong - getattr(self.survey, "pair", set())
-        right -= getattr(self.survey, "blurred", set())
+        right -= self.survey.blurred
         return [name for name in right if self.flags().get(name)]
+
+
+class Totals:
+    """What became of all surveys: a row a kind, and how far poses are off in their own deviations."""
+
+    COLUMNS = ("surveys", "wrong photos", "missed", "silently wrong", "right but named")
+
+    def __init__(self):
+        self.rows = {}
+        self.z = {(what, is_blurred): [] for what in ("yaw", "place") for is_blurred in (False, True)}
+
+    def add(self, survey, outcome):
+        row = self.rows.setdefault(survey.kind, [0] * len(self.COLUMNS))
+        counted = (1, len(survey.wrong), len(outcome.missed()), len(outcome.silent()), len(outcome.accused()))
+        self.rows[survey.kind] = [a + b for a, b in zip(row, counted)]
+        for what, zs in (("yaw", outcome.z_yaw), ("place", outcome.z_place)):
+            for name, z in zs.items():
+                self.z[what, name in survey.blurred].append(z)
+
+    def tell(self):
+        print("| kind | " + " | ".join(self.COLUMNS) + " |")
+        print("|---" * (1 + len(self.COLUMNS)) + "|")
+        whole = [sum(column) for column in zip(*self.rows.values())]
+        for kind, row in [*sorted(self.rows.items()), ("all", whole)]:
+            print(f"| {kind} | " + " | ".join(map(str, row)) + " |")
+        for what in ("yaw", "place"):
+            sharp, blurred = self.z[what, False], self.z[what, True]
+            for which, zs in (("all", sharp + blurred), ("sharp", sharp), ("blurred", blurred)):
+                if zs:
+                    share = sum(abs(z) <= 3 for z in zs) / len(zs)
+                    mean = math.sqrt(sum(z * z for z in zs) / len(zs))
+                    print(f"z of {what}, {which}: {100 * share:.1f} % of {len(zs)} within 3, "
+                          f"worst {max(map(abs, zs)):.1f}, RMS {mean:.2f}")
+
+
+def worst(zs):
+    return f"{max(map(abs, zs.values()), default=0):.1f}"
 
 
 def main():
@@ -276,20 +315,18 @@ def main():
     parser.add_argument("--kind", choices=KINDS)
     parser.add_argument("--words", action="store_true", help="print what align and export said")
     options = parser.parse_args()
-    z_place, z_yaw, bad = [], [], 0
+    totals = Totals()
+    features = tempfile.TemporaryDirectory()
     for seed in range(options.first, options.first + options.surveys):
         kind = options.kind or KINDS[seed % len(KINDS)]
         with tempfile.TemporaryDirectory() as folder:
             survey = Survey(options.data, seed, kind, pathlib.Path(folder))
-            outcome = Outcome(survey, options.cli.resolve()).judge()
+            outcome = Outcome(survey, options.cli.resolve(), features.name).judge()
         places = [error for error, _ in outcome.errors.values()]
-        z_place += outcome.z_place
-        z_yaw += outcome.z_yaw
-        missed, silent, accused = outcome.missed(), outcome.silent(), outcome.accused()
-        bad += 1 if missed or silent else 0
+        totals.add(survey, outcome)
         print(f"{seed} {kind}: {len(places)} exported, worst {1000 * max(places, default=0):.0f} mm, "
-              f"worst z {max(map(abs, outcome.z_yaw), default=0):.1f} yaw {max(outcome.z_place, default=0):.1f} place, "
-              f"missed {missed}, silent {silent}, accused {accused}", flush=True)
+              f"worst z {worst(outcome.z_yaw)} yaw {worst(outcome.z_place)} place, "
+              f"missed {outcome.missed()}, silent {outcome.silent()}, accused {outcome.accused()}", flush=True)
         if options.words:
             print("  wrong:", {name: [round(v, 3) for v in survey.tags[name]] for name in sorted(survey.wrong)[:4]})
             for name, (error, sigma) in sorted(outcome.errors.items()):
@@ -299,11 +336,7 @@ def main():
                 print("".join(f"  {name}: {flag}\n" for flag in flags), end="")
             print("".join(f"  align: {sentence}\n" for sentence in outcome.align["warnings"]), end="")
             print("".join(f"  export: {line}\n" for line in outcome.export_words.splitlines() if "%" not in line[:6]), end="")
-    print(f"{options.surveys} surveys, {bad} with something missed or silent")
-    for what, zs in (("yaw", z_yaw), ("place", z_place)):
-        share = sum(abs(z) <= 3 for z in zs) / max(1, len(zs))
-        mean = math.sqrt(sum(z * z for z in zs) / max(1, len(zs)))
-        print(f"z of {what} within 3: {100 * share:.1f} % of {len(zs)}, worst {max(map(abs, zs), default=0):.1f}, RMS {mean:.2f}")
+    totals.tell()
 
 
 if __name__ == "__main__":
