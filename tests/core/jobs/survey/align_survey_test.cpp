@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "temporary_folder.h"
+#include "survey/room_photos.h"
+#include "warnings.h"
 
-#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/align_trade.h"
 #include "spherewalk/jobs/export_dataset.h"
-#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
-#include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/practice/practice_room.h"
-#include "spherewalk/practice/theta_jpeg.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -21,103 +17,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 
 namespace spherewalk::jobs {
 
-namespace fs = std::filesystem;
 using test::expectError;
 using testing::HasSubstr;
 
 namespace {
 
-constexpr int kWidth = 768;
-
-/// Six photos of the practice room, 20 cm apart, each turned by any yaw and tilted.
-class AlignSurvey : public testing::Test {
-  protected:
-    void photograph(const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
-        practice::PracticeRoomOptions options;
-        options.originM = origin;
-        const practice::PracticeRoom room(options);
-        practice::PhotoErrors errors;
-        errors.seed = 5;
-        for (int i = 0; i < 6; ++i) {
-            const Eigen::Vector3d nominal =
-                origin + Eigen::Vector3d(2.0 + 0.2 * (i % 3), 1.6 + 0.2 * (i / 3), 1.2);
-            truth.push_back(errors.truePose(nominal, i + 1));
-            places.push_back(nominal);
-            pictures.push_back(room.spherical(truth.back(), {kWidth, kWidth / 2}));
-        }
-    }
-
-    /// Photos at these places of the practice flat: two rooms above a corridor, with a doorway each.
-    void photographFlat(const std::vector<Eigen::Vector2d>& nominals) {
-        practice::PracticeRoomOptions options;
-        options.sizeM = {8, 6, 2.6};
-        options.style = practice::RoomStyle::Flat;
-        const practice::PracticeRoom flat(options);
-        size = options.sizeM.head<2>();
-        practice::PhotoErrors errors;
-        errors.seed = 7;
-        for (const Eigen::Vector2d& nominal : nominals) {
-            places.emplace_back(nominal.x(), nominal.y(), 1.2);
-            truth.push_back(errors.truePose(places.back(), static_cast<int>(places.size())));
-            pictures.push_back(flat.spherical(truth.back(), {kWidth, kWidth / 2}));
-        }
-    }
-
-    store::SurveyStore newSurvey(const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
-        survey::Room room;
-        const Eigen::Vector2d corner = origin.head<2>();
-        for (const Eigen::Vector2d& at : {Eigen::Vector2d(0, 0), {size.x(), 0}, size, {0, size.y()}}) {
-            room.outline.emplace_back(corner + at);
-        }
-        room.ceilingM = 2.6;
-        survey::PlanOptions options;
-        options.stepM = 1;
-        auto store = store::SurveyStore::create(folder / "s.spherewalk", "s", room, options,
-                                                survey::plan(room, options));
-        fs::create_directories(folder / "in");
-        std::string csv = "file,x_m,y_m,z_m\n";
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            const std::string name = text("R", i, ".JPG");
-            practice::ThetaTags tags; // which say how the camera leaned, to a tenth of a degree
-            if (i < truth.size()) {
-                const YawPitchRoll angles = yawPitchRoll(truth[i].rotation);
-                tags.posePitchDeg = -Degrees(angles.pitch).value() + (i == liar ? 40 : 0);
-                tags.poseRollDeg = Degrees(angles.roll).value();
-            }
-            writeFile(folder / "in" / name, practice::thetaJpeg(pictures[i], tags));
-            csv += text(name, ",", fixed(places[i].x(), 3), ",", fixed(places[i].y(), 3), ",",
-                        fixed(places[i].z(), 3), "\n");
-        }
-        writeFile(folder / "p.csv", bytesOf(csv));
-        importPhotos(store, {folder / "in", folder / "p.csv"}, noProgress(), {});
-        return store;
-    }
-
-    TruePoses truePoses(const store::SurveyStore& store) const {
-        TruePoses poses;
-        for (const store::PhotoRecord& photo : store.photos()) {
-            poses.emplace(photo.id, truth.at(std::stoul(photo.cameraFileName.substr(1))));
-        }
-        return poses;
-    }
-
-    static const AlignedPhoto& photoOf(const AlignReport& report, std::string_view file) {
-        return *std::find_if(report.photos.begin(), report.photos.end(),
-                             [&](const AlignedPhoto& photo) { return photo.file == file; });
-    }
-
-    test::TemporaryFolder folder;
-    Eigen::Vector2d size{5, 4}; ///< of the floor
-    std::vector<Rigid3> truth;
-    std::vector<Eigen::Vector3d> places;
-    std::vector<RgbImage> pictures;
-    std::optional<std::size_t> liar; ///< photo whose metadata state a pitch that is 40 degrees off
-};
+class AlignSurvey : public RoomPhotos {}; // of six photos, unless a test takes others
 
 /// Asks to stop when so much is done.
 class StopAt : public ProgressSink {
@@ -136,16 +45,6 @@ class StopAt : public ProgressSink {
 
   private:
     double m_fraction;
-};
-
-/// Keeps what it is warned of.
-class Warnings : public ProgressSink {
-  public:
-    void progress(double /*fraction*/, std::string_view /*activity*/) override {}
-
-    void warning(std::string_view sentence) override { sentences.emplace_back(sentence); }
-
-    std::vector<std::string> sentences;
 };
 
 } // namespace
@@ -196,7 +95,7 @@ TEST_F(AlignSurvey, NamesPhotosThatShowNothingOrAreMirrored) {
     }
     EXPECT_EQ(store.solvedPhotos(report.solution).size(), 4U);
     EXPECT_LT(alignmentError(report, truePoses(store)).yawRmsDeg, 0.2);
-    Warnings said;
+    test::Warnings said;
     const ExportReport exported = exportDataset(store, folder / "d", {}, said, {});
     EXPECT_EQ(exported.failed, 2);
     EXPECT_EQ(exported.written.photos, 4U);
@@ -245,9 +144,9 @@ TEST_F(AlignSurvey, GoesOnWhereItWasStopped) {
 }
 
 TEST_F(AlignSurvey, WorksAThousandKilometresFromTheOrigin) {
-    const Eigen::Vector3d far(1e6, -1e6, 0);
-    photograph(far);
-    auto store = newSurvey(far);
+    originM = {1e6, -1e6, 0};
+    photograph();
+    auto store = newSurvey();
     const AlignReport report = alignSurvey(store, {}, noProgress(), {});
     EXPECT_LT(alignmentError(report, truePoses(store)).yawRmsDeg, 0.1);
 }

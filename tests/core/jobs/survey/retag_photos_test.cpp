@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 #include "photographed_survey.h"
+#include "warnings.h"
 
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/solution_findings.h"
@@ -50,16 +51,7 @@ TEST_F(RetagPhotos, SwapPlacesInTheSurveyAndInTheFiles) {
 }
 
 TEST_F(RetagPhotos, TakesMovedPhotosOutOfTheAlignmentAndSaysSo) {
-    class Warnings : public ProgressSink {
-      public:
-        void progress(double /*fraction*/, std::string_view /*activity*/) override {}
-
-        void warning(std::string_view sentence) override { sentences.emplace_back(sentence); }
-
-        std::vector<std::string> sentences;
-    };
-
-    Warnings warnings;
+    test::Warnings warnings;
     retagPhotos(store, {{a, stations[1].id}, {b, stations[0].id}}, warnings, {});
     ASSERT_EQ(warnings.sentences.size(), 1U);
     EXPECT_EQ(warnings.sentences[0].find("2 photos have left the alignment"), 0U) << warnings.sentences[0];
