@@ -63,6 +63,7 @@ TEST_F(AlignSurvey, FindsHowEveryPhotoIsTurnedAndTellsTheDataset) {
         EXPECT_EQ(photo.quality, survey::Quality::Good)
             << photo.file << ": " << testing::PrintToString(photo.flags);
     }
+    EXPECT_THAT(report.tagWarnings, testing::IsEmpty());
     ASSERT_TRUE(store.activeSolution());
     EXPECT_EQ(store.activeSolution()->source, "align");
     exportDataset(store, folder / "d", {}, noProgress(), {});
