@@ -9,7 +9,9 @@
 #include "spherewalk/render/dataset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace spherewalk::jobs {
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
@@ -63,6 +66,13 @@ class AlignFaults : public RoomPhotos {
             ASSERT_TRUE(exported.at(i).positionSigmaM) << photo.file;
             EXPECT_GE(exported.at(i).positionSigmaM->x(), kLeast * wrongByM) << photo.file;
         }
+    }
+
+    /// How far a photo's solved place is off along the floor.
+    double offM(const AlignedPhoto& photo) const {
+        return (photo.pose.roomFromPhoto.translation - truth.at(numberOf(photo.file)).translation)
+            .head<2>()
+            .norm();
     }
 
     /// The photos of a dataset by their numbers.
@@ -122,6 +132,59 @@ TEST_F(AlignFaults, SaysThatTheScaleOfTheTagsDiffersAlongTheAxes) {
     expectWarning(
         AllOf(HasSubstr("The scale of the tags differs along the axes"), HasSubstr(fixed(yOverX, 2))),
         report);
+}
+
+// What resources/docs/testing.md counts as solved and as wrong, in metres.
+constexpr double kSolvedM = 0.015;
+constexpr double kWrongM = 0.030;
+
+TEST_F(AlignFaults, SolvesOrLeavesOutFourWrongTagsOfTwentyFive) {
+    photograph(5, 5);
+    test::Random random(11);
+    const std::vector<std::size_t> wrong{3, 7, 16, 21};
+    for (const std::size_t i : wrong) {
+        const double towards = random.uniform(-std::numbers::pi, std::numbers::pi);
+        places[i] += 0.15 * Eigen::Vector3d(std::cos(towards), std::sin(towards), 0);
+    }
+    folder.leaveUnchecked(); // its photos keep their wrong tags
+    auto store = newSurvey();
+    AlignOptions draft; // which is enough, and takes less time
+    draft.effort = align::Effort::Draft;
+    const AlignReport report = alignSurvey(store, draft, noProgress(), {});
+    test::Warnings said;
+    exportDataset(store, folder / "d", {}, said, {});
+    const auto exported = photosOf(render::Dataset::open(folder / "d"));
+    for (const auto& [i, photo] : exported) {
+        EXPECT_LT((photo.roomFromPhoto.translation - truth[i].translation).head<2>().norm(), kWrongM) << i;
+    }
+    for (const std::size_t i : wrong) {
+        const AlignedPhoto& photo = photoOf(report, fileOf(i));
+        EXPECT_THAT(photo.flags, Not(testing::IsEmpty())) << photo.file;
+        if (photo.quality == survey::Quality::Failed) {
+            EXPECT_FALSE(exported.contains(i));
+            EXPECT_THAT(said.sentences, Contains(AllOf(HasSubstr(photo.file), HasSubstr("left out"))));
+        } else {
+            EXPECT_LT(offM(photo), kSolvedM) << photo.file;
+        }
+    }
+    EXPECT_GE(exported.size(), 21U); // whose tags are right
+}
+
+TEST_F(AlignFaults, LeavesOutAPhotoOfAnotherRoom) {
+    photograph();
+    pictures[4] = practice::PracticeRoom(flatOptions())
+                      .spherical({truth[4].rotation, {3.2, 4.2, 1.2}}, {kWidth, kWidth / 2});
+    auto store = newSurvey();
+    const AlignReport report = alignSurvey(store, {}, noProgress(), {});
+    for (const AlignedPhoto& photo : report.photos) {
+        const bool isElsewhere = photo.file == "R4.JPG";
+        EXPECT_EQ(photo.quality == survey::Quality::Failed, isElsewhere) << photo.file;
+        EXPECT_EQ(photo.flags.empty(), !isElsewhere) << photo.file;
+    }
+    test::Warnings said;
+    const ExportReport exported = exportDataset(store, folder / "d", {}, said, {});
+    EXPECT_EQ(exported.written.photos, 5U);
+    EXPECT_THAT(said.sentences, Contains(AllOf(HasSubstr("R4.JPG"), HasSubstr("left out"))));
 }
 
 } // namespace spherewalk::jobs
