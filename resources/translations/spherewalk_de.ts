@@ -956,6 +956,10 @@
         <translation>Seine Drehung gegen seine Nachbarn ist nur auf %1 Grad bekannt: es hat zu wenig mit ihnen gemeinsam; nehmen Sie es mit mehr Licht neu auf, oder mit mehr zu sehen.</translation>
     </message>
     <message>
+        <source>The model yaw does not solve its tilt, so its rotation against its neighbours is known to %1 deg only: take more photos near it.</source>
+        <translation>Das Modell yaw bestimmt seine Neigung nicht, darum ist seine Drehung gegen seine Nachbarn nur auf %1 Grad bekannt: nehmen Sie in seiner Nähe mehr Fotos auf.</translation>
+    </message>
+    <message>
         <source>Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if it is not of this place.</source>
         <translation>Seine Nachbarn widersprechen %1 % dessen, was es zeigt; sehen Sie das Bild an, und nehmen Sie es neu auf, wenn es nicht von diesem Ort ist.</translation>
     </message>

@@ -966,6 +966,10 @@
         <translation>Jego obrót względem sąsiadów jest znany tylko do %1 stopnia: ma z nimi za mało wspólnego; zrób je jeszcze raz przy lepszym świetle albo tam, gdzie więcej widać.</translation>
     </message>
     <message>
+        <source>The model yaw does not solve its tilt, so its rotation against its neighbours is known to %1 deg only: take more photos near it.</source>
+        <translation>Model yaw nie oblicza jego pochylenia, więc jego obrót względem sąsiadów jest znany tylko do %1 stopnia: zrób więcej zdjęć w jego pobliżu.</translation>
+    </message>
+    <message>
         <source>Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if it is not of this place.</source>
         <translation>Sąsiedzi zaprzeczają %1 % tego, co pokazuje; obejrzyj zdjęcie i zrób je jeszcze raz, jeśli nie jest z tego miejsca.</translation>
     </message>

@@ -76,6 +76,10 @@ constexpr const char* kSentences[] = {
         "them; retake it with more light, or with more to see."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
+        "The model yaw does not solve its tilt, so its rotation against its neighbours is known "
+        "to %1 deg only: take more photos near it."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
         "Its neighbours contradict %1 % of what it shows; look at the picture, and retake it if "
         "it is not of this place."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",

@@ -38,9 +38,24 @@ void tellMoved(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
     }
 }
 
+/// Says that a photo's own turn against the others is not well known, and what helps.
+void tellTurn(Radians sigma, align::Model model, AlignedPhoto& photo) {
+    const std::string knownDeg = fixed(Degrees(sigma).value(), 3);
+    if (model == align::Model::Yaw) { // Then no photo's tilt was solved, however much it shares.
+        photo.flags.push_back(text("The model yaw does not solve its tilt, so its rotation against its "
+                                   "neighbours is known to ",
+                                   knownDeg, " deg only: take more photos near it."));
+        return;
+    }
+    propose(Cure::Retake, photo);
+    photo.flags.push_back(text("Its rotation against its neighbours is known to ", knownDeg,
+                               " deg only: it shares too little with them; retake it with more light, or "
+                               "with more to see."));
+}
+
 /// Fills in the pose, the status, and the flags for what the pose itself makes doubtful.
-void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, int components,
-                 AlignedPhoto& photo) {
+void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior,
+                 const align::Alignment& alignment, AlignedPhoto& photo) {
     photo.pose = pose;
     if (!pose.isSolved) {
         photo.quality = survey::Quality::Failed;
@@ -51,11 +66,7 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
     if (!pose.doubt.empty()) {
         photo.flags.push_back(pose.doubt);
     } else if (pose.sigmaOwn > kDoubtfulSigma) {
-        propose(Cure::Retake, photo);
-        photo.flags.push_back(text("Its rotation against its neighbours is known to ",
-                                   fixed(Degrees(pose.sigmaOwn).value(), 3),
-                                   " deg only: it shares too little with them; retake it with more light, or "
-                                   "with more to see."));
+        tellTurn(pose.sigmaOwn, alignment.model, photo);
     }
     if (pose.outlierShare > kMostOutliers) {
         propose(Cure::Mask, photo);
@@ -65,7 +76,7 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
     }
     if (pose.component > 0) {
         photo.flags.push_back(text("It belongs to a part of the survey that nothing connects with the rest (",
-                                   components,
+                                   alignment.components,
                                    " parts): headings are right within the part, and the part's own rests on "
                                    "its positions alone; take photos between the parts."));
     }
@@ -91,7 +102,7 @@ void giveVerdict(const align::SolvedPose& pose, const align::PhotoPrior& prior, 
 void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
     tellMoved(tagged, report);
     for (std::size_t i = 0; i < tagged.size(); ++i) {
-        giveVerdict(report.alignment.photos[i], tagged[i], report.alignment.components, report.photos[i]);
+        giveVerdict(report.alignment.photos[i], tagged[i], report.alignment, report.photos[i]);
     }
 }
 

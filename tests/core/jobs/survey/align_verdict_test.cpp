@@ -10,7 +10,9 @@
 
 namespace spherewalk::jobs {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 namespace {
@@ -92,6 +94,24 @@ TEST_F(AlignVerdicts, DoubtAPhotoWhoseNeighboursContradictMuchOfIt) {
     EXPECT_EQ(verdict().quality, survey::Quality::Doubtful);
     EXPECT_EQ(report.photos[4].cure, Cure::Mask);
     EXPECT_TRUE(isRecorded());
+}
+
+TEST_F(AlignVerdicts, BlameNoPhotoWhoseTiltWasNotSolved) {
+    report.alignment.photos[4].sigmaOwn = Degrees(0.7);
+    report.alignment.model = align::Model::Yaw;
+    EXPECT_EQ(verdict().quality, survey::Quality::Doubtful);
+    EXPECT_THAT(report.photos[4].flags, ElementsAre(AllOf(HasSubstr("does not solve its tilt"),
+                                                          HasSubstr("is known to 0.700 deg only"))));
+    EXPECT_EQ(report.photos[4].cure, Cure::None);
+}
+
+TEST_F(AlignVerdicts, BlameAPhotoThatSharesTooLittleOfWhatWasSolved) {
+    report.alignment.photos[4].sigmaOwn = Degrees(0.7);
+    report.alignment.model = align::Model::Position;
+    EXPECT_EQ(verdict().quality, survey::Quality::Doubtful);
+    EXPECT_THAT(report.photos[4].flags,
+                ElementsAre(AllOf(HasSubstr("shares too little"), HasSubstr("is known to 0.700 deg only"))));
+    EXPECT_EQ(report.photos[4].cure, Cure::Retake);
 }
 
 } // namespace spherewalk::jobs
