@@ -264,7 +264,7 @@ class Run {
             std::this_thread::sleep_for(kCarried);
         }
         m_cameras.atHand().befall({practice::FaultKind::ExtraPhoto, "", 0, 1, 0, 0});
-        ++m_report.faults["button between programs"];
+        ++m_report.faults[isInDoubt ? kButtonInDoubt : "button between programs"];
     }
 
     /// Whether a picture may be taken for that of a shot.

@@ -10,6 +10,10 @@
 
 namespace spherewalk::campaign {
 
+/// The fault that a person carries the cart on and presses the button while nobody knows whether a shot was
+/// taken.
+constexpr const char* kButtonInDoubt = "button while a shot is in doubt";
+
 struct RunOptions {
     std::string cli;
     std::filesystem::path templateSurvey; ///< copied for each run
