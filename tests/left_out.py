@@ -19,6 +19,6 @@ def left_out(results):
 
 if __name__ == "__main__":
     found = left_out(sys.argv[1])
-    print(f"{len(found)} tests were left out" + (":" if found else "."))
+    print(("1 test was" if len(found) == 1 else f"{len(found)} tests were") + " left out" + (":" if found else "."))
     for name, why in found:
         print(f"  {name}: {why}")
