@@ -146,7 +146,7 @@ std::vector<NamedLens> lenses() {
                            lens(LensModel::Equidistant, focal, distortion)});
         }
     }
-    for (const double fieldDeg : {57.0, 120.0, 150.0, 160.0, 170.0}) {
+    for (const double fieldDeg : {57.0, 120.0, 150.0, 160.0, 170.0, 175.0}) {
         all.push_back({"pinhole of " + std::to_string(fieldDeg), pinhole(fieldDeg)});
     }
     all.push_back({"tilted", lens(LensModel::RationalPolynomial, 340,
