@@ -3,11 +3,11 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/practice/http_message.h"
 
 #include <atomic>
 #include <chrono>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,35 +17,6 @@
 #include <vector>
 
 namespace spherewalk::practice {
-
-/// The order of header names, which do not distinguish capital letters.
-struct HeaderOrder {
-    bool operator()(const std::string& a, const std::string& b) const;
-};
-
-struct HttpRequest {
-    std::string method; ///< In capital letters, as the client sent it.
-    std::string target; ///< Path and query, as the client sent them.
-    std::string path;   ///< Without the query; %41 stands for its byte.
-    std::map<std::string, std::string> query;
-    std::map<std::string, std::string, HeaderOrder> headers; ///< The first value counts.
-    std::string body;
-    bool keepsAlive = true; ///< The client expects to send another request.
-
-    /// The value of the header; "" if the request has none.
-    std::string header(const std::string& name) const;
-};
-
-/// The request that starts with these lines, without its body. head: ends before the empty line. Returns
-/// nothing for text that is no HTTP/1.0 or HTTP/1.1 request. Source: RFC 9112, sections 3 and 5.
-std::optional<HttpRequest> parseRequestHead(std::string_view head);
-
-struct HttpAnswer {
-    int status = 200;
-    std::string type; ///< Content-Type; empty for none.
-    std::string body;
-    std::vector<std::pair<std::string, std::string>> headers = {};
-};
 
 /// One connected socket. Threads: the one that serves it. Stop: each function returns within 20 ms after the
 /// server falls silent. From then on the connection is closed.
