@@ -495,10 +495,6 @@
         <translation>&amp;Verbinden</translation>
     </message>
     <message>
-        <source>PRACTICE: photos of a room that exists only in the program</source>
-        <translation>ÜBUNG: Fotos eines Raums, den es nur im Programm gibt</translation>
-    </message>
-    <message>
         <source>Shoot by &amp;itself</source>
         <translation>Von &amp;selbst auslösen</translation>
     </message>
@@ -657,6 +653,18 @@
         <source>normal</source>
         <translation>normal</translation>
     </message>
+    <message>
+        <source>A phone or tablet on the cart shows the next station, shoots, and shows the last photo.</source>
+        <translation>Ein Telefon oder Tablet auf dem Wagen zeigt den nächsten Standort, löst aus und zeigt das letzte Foto.</translation>
+    </message>
+    <message>
+        <source>Phone as remote: on...</source>
+        <translation>Fernbedienung: an...</translation>
+    </message>
+    <message>
+        <source>Phone as remote...</source>
+        <translation>Telefon als Fernbedienung...</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CaptureDesk</name>
@@ -732,6 +740,78 @@
         <translation>Setzt den im Plan gewählten Standort auf die Liste oder nimmt ihn herunter.</translation>
     </message>
     <message>
+        <source>PRACTICE. %1</source>
+        <translation>ÜBUNG. %1</translation>
+    </message>
+    <message>
+        <source>%1 taken, %2 doubtful, %3 failed</source>
+        <translation>%1 aufgenommen, %2 zweifelhaft, %3 fehlgeschlagen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Look at %n in Review (R)</source>
+        <translation>
+            <numerusform>%n in Sichten ansehen (R)</numerusform>
+            <numerusform>%n in Sichten ansehen (R)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n again (T)</source>
+        <translation>
+            <numerusform>%n neu aufnehmen (T)</numerusform>
+            <numerusform>%n neu aufnehmen (T)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Look at the doubtful photos while the rail is still here.</source>
+        <translation>Sehen Sie die zweifelhaften Fotos an, solange die Schiene noch da ist.</translation>
+    </message>
+    <message>
+        <source>Next: solve how each photo is turned.</source>
+        <translation>Als Nächstes: berechnen, wie jedes Foto gedreht ist.</translation>
+    </message>
+    <message>
+        <source>Space, Return, Page Down</source>
+        <translation>Leertaste, Eingabe, Bild ab</translation>
+    </message>
+    <message>
+        <source>Start, shoot, try again, or end the countdown</source>
+        <translation>Beginnen, auslösen, noch einmal oder Herunterzählen beenden</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Stop capturing</source>
+        <translation>Aufnahme anhalten</translation>
+    </message>
+    <message>
+        <source>At the end: review, take again, align</source>
+        <translation>Am Ende: sichten, neu aufnehmen, ausrichten</translation>
+    </message>
+    <message>
+        <source>Do not take it again</source>
+        <translation>Nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected station again</source>
+        <translation>Den gewählten Standort neu aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CapturePlanView</name>
+    <message>
+        <source>to be taken again</source>
+        <translation>wird neu aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CaptureWords</name>
+    <message>
+        <source>Every station has its photo.</source>
+        <translation>Jeder Standort hat sein Foto.</translation>
+    </message>
+    <message>
         <source>Connect a camera, or try the practice camera.</source>
         <translation>Verbinden Sie eine Kamera, oder probieren Sie die Übungskamera.</translation>
     </message>
@@ -788,73 +868,12 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>PRACTICE. %1</source>
-        <translation>ÜBUNG. %1</translation>
-    </message>
-    <message>
-        <source>%1 taken, %2 doubtful, %3 failed</source>
-        <translation>%1 aufgenommen, %2 zweifelhaft, %3 fehlgeschlagen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Look at %n in Review (R)</source>
-        <translation>
-            <numerusform>%n in Sichten ansehen (R)</numerusform>
-            <numerusform>%n in Sichten ansehen (R)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Take %n again (T)</source>
-        <translation>
-            <numerusform>%n neu aufnehmen (T)</numerusform>
-            <numerusform>%n neu aufnehmen (T)</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Look at the doubtful photos while the rail is still here.</source>
-        <translation>Sehen Sie die zweifelhaften Fotos an, solange die Schiene noch da ist.</translation>
-    </message>
-    <message>
-        <source>Next: solve how each photo is turned.</source>
-        <translation>Als Nächstes: berechnen, wie jedes Foto gedreht ist.</translation>
-    </message>
-    <message>
-        <source>Space, Return, Page Down</source>
-        <translation>Leertaste, Eingabe, Bild ab</translation>
-    </message>
-    <message>
-        <source>Start, shoot, try again, or end the countdown</source>
-        <translation>Beginnen, auslösen, noch einmal oder Herunterzählen beenden</translation>
-    </message>
-    <message>
-        <source>Escape</source>
-        <translation>Escape</translation>
-    </message>
-    <message>
-        <source>Stop capturing</source>
-        <translation>Aufnahme anhalten</translation>
-    </message>
-    <message>
-        <source>At the end: review, take again, align</source>
-        <translation>Am Ende: sichten, neu aufnehmen, ausrichten</translation>
-    </message>
-    <message>
         <source>The photo is stored.</source>
         <translation>Das Foto ist gespeichert.</translation>
     </message>
     <message>
-        <source>Do not take it again</source>
-        <translation>Nicht neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>Take the selected station again</source>
-        <translation>Den gewählten Standort neu aufnehmen</translation>
-    </message>
-</context>
-<context>
-    <name>spherewalk::ui::CapturePlanView</name>
-    <message>
-        <source>to be taken again</source>
-        <translation>wird neu aufgenommen</translation>
+        <source>PRACTICE: photos of a room that exists only in the program</source>
+        <translation>ÜBUNG: Fotos eines Raums, den es nur im Programm gibt</translation>
     </message>
 </context>
 <context>
@@ -1667,6 +1686,32 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 und mehr</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::DeskRemote</name>
+    <message>
+        <source>%1: the photo is being downloaded and checked.</source>
+        <translation>%1: Das Foto wird heruntergeladen und geprüft.</translation>
+    </message>
+    <message>
+        <source>Open a survey in the window.</source>
+        <translation>Öffnen Sie am Computer ein Projekt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) left</source>
+        <translation>
+            <numerusform>Noch %n Foto</numerusform>
+            <numerusform>Noch %n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was done: the press came too late, or was for another station. Look at what is next, and press again.</source>
+        <translation>Nichts geschah: Der Tastendruck kam zu spät oder galt einem anderen Standort. Sehen Sie nach, was als Nächstes kommt, und drücken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing was done: the camera is not ready for that.</source>
+        <translation>Nichts geschah: Die Kamera ist dafür nicht bereit.</translation>
     </message>
 </context>
 <context>
@@ -2564,6 +2609,82 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>%L1 s</source>
         <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhoneRemote</name>
+    <message>
+        <source>Could not listen at %1: %2.</source>
+        <translation>Unter %1 ist keine Verbindung möglich: %2.</translation>
+    </message>
+    <message>
+        <source>This is not the address that the window shows.</source>
+        <translation>Das ist nicht die Adresse, die der Computer anzeigt.</translation>
+    </message>
+    <message>
+        <source>This device is not paired.</source>
+        <translation>Dieses Gerät ist nicht gekoppelt.</translation>
+    </message>
+    <message>
+        <source>The code is wrong.</source>
+        <translation>Der Code ist falsch.</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes. Make a new code in the window.</source>
+        <translation>Es gab zu viele falsche Codes. Erzeugen Sie am Computer einen neuen.</translation>
+    </message>
+    <message>
+        <source>Another device is the remote. Let go of it in the window first.</source>
+        <translation>Ein anderes Gerät ist die Fernbedienung. Trennen Sie es zuerst am Computer.</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>the code of the language of these words</comment>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>Spherewalk: remote</source>
+        <translation>Spherewalk: Fernbedienung</translation>
+    </message>
+    <message>
+        <source>Pair this device</source>
+        <translation>Dieses Gerät koppeln</translation>
+    </message>
+    <message>
+        <source>Type the code that the window on the computer shows.</source>
+        <translation>Geben Sie den Code ein, den der Computer anzeigt.</translation>
+    </message>
+    <message>
+        <source>Code of six digits</source>
+        <translation>Code aus sechs Ziffern</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Koppeln</translation>
+    </message>
+    <message>
+        <source>Last photo</source>
+        <translation>Letztes Foto</translation>
+    </message>
+    <message>
+        <source>No photo yet.</source>
+        <translation>Noch kein Foto.</translation>
+    </message>
+    <message>
+        <source>Take it again</source>
+        <translation>Noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>No connection to the computer. Trying again...</source>
+        <translation>Keine Verbindung zum Computer. Neuer Versuch...</translation>
+    </message>
+    <message>
+        <source>The press did not reach the computer. Press again.</source>
+        <translation>Der Tastendruck kam nicht an. Drücken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
     </message>
 </context>
 <context>
@@ -3615,6 +3736,69 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>%1 of %2 photos, %3</source>
         <translation>%1 von %2 Fotos, %3</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RemoteForm</name>
+    <message>
+        <source>Phone as remote</source>
+        <translation>Telefon als Fernbedienung</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s address in the network that the phone is in, too.</source>
+        <translation>Adresse dieses Computers in dem Netz, in dem auch das Telefon ist.</translation>
+    </message>
+    <message>
+        <source>Nothing is encrypted on the way: whoever can listen in this network can read along and take the remote over. Use a network that you trust, and turn the remote off when you are done.</source>
+        <translation>Unterwegs ist nichts verschlüsselt: Wer in diesem Netz mithören kann, kann mitlesen und die Fernbedienung übernehmen. Nutzen Sie ein Netz, dem Sie vertrauen, und schalten Sie die Fernbedienung aus, wenn Sie fertig sind.</translation>
+    </message>
+    <message>
+        <source>A phone or tablet on the cart shows the next station, shoots, and shows the last photo. Open the address in its browser, and type the code there.</source>
+        <translation>Ein Telefon oder Tablet auf dem Wagen zeigt den nächsten Standort, löst aus und zeigt das letzte Foto. Öffnen Sie die Adresse in seinem Browser, und geben Sie dort den Code ein.</translation>
+    </message>
+    <message>
+        <source>&amp;Network:</source>
+        <translation>&amp;Netz:</translation>
+    </message>
+    <message>
+        <source>Address:</source>
+        <translation>Adresse:</translation>
+    </message>
+    <message>
+        <source>Code:</source>
+        <translation>Code:</translation>
+    </message>
+    <message>
+        <source>This computer is in no local network. Connect it to the network that the phone is in.</source>
+        <translation>Dieser Computer ist in keinem lokalen Netz. Verbinden Sie ihn mit dem Netz, in dem das Telefon ist.</translation>
+    </message>
+    <message>
+        <source>The device at %1 is the remote.</source>
+        <translation>Das Gerät mit der Adresse %1 ist die Fernbedienung.</translation>
+    </message>
+    <message>
+        <source>Wrong codes came too often, and the code is void. Make a new one.</source>
+        <translation>Es kamen zu viele falsche Codes, und der Code ist ungültig. Erzeugen Sie einen neuen.</translation>
+    </message>
+    <message>
+        <source>No device is paired yet.</source>
+        <translation>Noch ist kein Gerät gekoppelt.</translation>
+    </message>
+    <message>
+        <source>&amp;Turn off</source>
+        <translation>&amp;Ausschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Turn on</source>
+        <translation>&amp;Einschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Let go of the device</source>
+        <translation>Gerät &amp;trennen</translation>
+    </message>
+    <message>
+        <source>New &amp;code</source>
+        <translation>Neuer &amp;Code</translation>
     </message>
 </context>
 <context>

@@ -84,6 +84,16 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::DeskRemote</name>
+    <message numerus="yes">
+        <source>%n photo(s) left</source>
+        <translation>
+            <numerusform>%n photo left</numerusform>
+            <numerusform>%n photos left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::ExportMode</name>
     <message numerus="yes">
         <source>%1: %n photo(s), %2, in %3.</source>

@@ -630,10 +630,6 @@
         <translation>Ek&amp;spozycja: %1</translation>
     </message>
     <message>
-        <source>PRACTICE: photos of a room that exists only in the program</source>
-        <translation>ĆWICZENIE: zdjęcia pokoju, który istnieje tylko w programie</translation>
-    </message>
-    <message>
         <source>The camera inside of the program, which photographs a practice room.</source>
         <translation>Kamera wewnątrz programu, która fotografuje pokój ćwiczebny.</translation>
     </message>
@@ -664,6 +660,18 @@
     <message>
         <source>no answer</source>
         <translation>brak odpowiedzi</translation>
+    </message>
+    <message>
+        <source>A phone or tablet on the cart shows the next station, shoots, and shows the last photo.</source>
+        <translation>Telefon lub tablet na wózku pokazuje następne stanowisko, wyzwala zdjęcie i pokazuje ostatnie zdjęcie.</translation>
+    </message>
+    <message>
+        <source>Phone as remote: on...</source>
+        <translation>Pilot: włączony...</translation>
+    </message>
+    <message>
+        <source>Phone as remote...</source>
+        <translation>Telefon jako pilot...</translation>
     </message>
 </context>
 <context>
@@ -730,66 +738,6 @@
     <message>
         <source>Puts the station that is selected on the plan on the list, or takes it off.</source>
         <translation>Dodaje stanowisko zaznaczone na planie do listy albo je z niej usuwa.</translation>
-    </message>
-    <message>
-        <source>Connect a camera, or try the practice camera.</source>
-        <translation>Połącz kamerę albo wypróbuj kamerę ćwiczebną.</translation>
-    </message>
-    <message>
-        <source>Connecting...</source>
-        <translation>Łączenie...</translation>
-    </message>
-    <message>
-        <source>The next station:</source>
-        <translation>Następne stanowisko:</translation>
-    </message>
-    <message>
-        <source>Preparing the camera...</source>
-        <translation>Przygotowywanie kamery...</translation>
-    </message>
-    <message>
-        <source>Bring the camera to</source>
-        <translation>Ustaw kamerę na</translation>
-    </message>
-    <message>
-        <source>No picture was taken at</source>
-        <translation>Nie wykonano zdjęcia na</translation>
-    </message>
-    <message>
-        <source>Hide! The picture is taken at</source>
-        <translation>Ukryj się! Zdjęcie na</translation>
-    </message>
-    <message>
-        <source>Taking the picture at</source>
-        <translation>Wykonywanie zdjęcia na</translation>
-    </message>
-    <message>
-        <source>Shoot</source>
-        <translation>Zdjęcie</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Spróbuj ponownie</translation>
-    </message>
-    <message>
-        <source>%1 ... (press to wait)</source>
-        <translation>%1 ... (naciśnij, by poczekać)</translation>
-    </message>
-    <message>
-        <source>Please wait</source>
-        <translation>Proszę czekać</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Dalej</translation>
-    </message>
-    <message>
-        <source>The photo is stored.</source>
-        <translation>Zdjęcie zapisane.</translation>
     </message>
     <message>
         <source>Do not take it again</source>
@@ -865,6 +813,77 @@
     <message>
         <source>to be taken again</source>
         <translation>do powtórzenia</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::CaptureWords</name>
+    <message>
+        <source>Every station has its photo.</source>
+        <translation>Każde stanowisko ma swoje zdjęcie.</translation>
+    </message>
+    <message>
+        <source>Connect a camera, or try the practice camera.</source>
+        <translation>Połącz kamerę albo wypróbuj kamerę ćwiczebną.</translation>
+    </message>
+    <message>
+        <source>Connecting...</source>
+        <translation>Łączenie...</translation>
+    </message>
+    <message>
+        <source>The next station:</source>
+        <translation>Następne stanowisko:</translation>
+    </message>
+    <message>
+        <source>Preparing the camera...</source>
+        <translation>Przygotowywanie kamery...</translation>
+    </message>
+    <message>
+        <source>Bring the camera to</source>
+        <translation>Ustaw kamerę na</translation>
+    </message>
+    <message>
+        <source>No picture was taken at</source>
+        <translation>Nie wykonano zdjęcia na</translation>
+    </message>
+    <message>
+        <source>Hide! The picture is taken at</source>
+        <translation>Ukryj się! Zdjęcie na</translation>
+    </message>
+    <message>
+        <source>Taking the picture at</source>
+        <translation>Wykonywanie zdjęcia na</translation>
+    </message>
+    <message>
+        <source>Shoot</source>
+        <translation>Zdjęcie</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Spróbuj ponownie</translation>
+    </message>
+    <message>
+        <source>%1 ... (press to wait)</source>
+        <translation>%1 ... (naciśnij, by poczekać)</translation>
+    </message>
+    <message>
+        <source>Please wait</source>
+        <translation>Proszę czekać</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>The photo is stored.</source>
+        <translation>Zdjęcie zapisane.</translation>
+    </message>
+    <message>
+        <source>PRACTICE: photos of a room that exists only in the program</source>
+        <translation>ĆWICZENIE: zdjęcia pokoju, który istnieje tylko w programie</translation>
     </message>
 </context>
 <context>
@@ -1677,6 +1696,33 @@
     <message>
         <source>%1 and more</source>
         <translation>%1 i więcej</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::DeskRemote</name>
+    <message>
+        <source>%1: the photo is being downloaded and checked.</source>
+        <translation>%1: zdjęcie jest pobierane i sprawdzane.</translation>
+    </message>
+    <message>
+        <source>Open a survey in the window.</source>
+        <translation>Otwórz pomiar na komputerze.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) left</source>
+        <translation>
+            <numerusform>Zostało %n zdjęcie</numerusform>
+            <numerusform>Zostały %n zdjęcia</numerusform>
+            <numerusform>Zostało %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing was done: the press came too late, or was for another station. Look at what is next, and press again.</source>
+        <translation>Nic nie zrobiono: naciśnięcie przyszło za późno albo dotyczyło innego stanowiska. Sprawdź, co jest następne, i naciśnij ponownie.</translation>
+    </message>
+    <message>
+        <source>Nothing was done: the camera is not ready for that.</source>
+        <translation>Nic nie zrobiono: kamera nie jest na to gotowa.</translation>
     </message>
 </context>
 <context>
@@ -2584,6 +2630,82 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>%L1 s</source>
         <translation>%L1 s</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PhoneRemote</name>
+    <message>
+        <source>Could not listen at %1: %2.</source>
+        <translation>Nie można przyjmować połączeń pod adresem %1: %2.</translation>
+    </message>
+    <message>
+        <source>This is not the address that the window shows.</source>
+        <translation>To nie jest adres, który pokazuje komputer.</translation>
+    </message>
+    <message>
+        <source>This device is not paired.</source>
+        <translation>To urządzenie nie jest sparowane.</translation>
+    </message>
+    <message>
+        <source>The code is wrong.</source>
+        <translation>Kod jest błędny.</translation>
+    </message>
+    <message>
+        <source>There were too many wrong codes. Make a new code in the window.</source>
+        <translation>Było zbyt wiele błędnych kodów. Utwórz nowy kod na komputerze.</translation>
+    </message>
+    <message>
+        <source>Another device is the remote. Let go of it in the window first.</source>
+        <translation>Pilotem jest inne urządzenie. Najpierw odłącz je na komputerze.</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>the code of the language of these words</comment>
+        <translation>pl</translation>
+    </message>
+    <message>
+        <source>Spherewalk: remote</source>
+        <translation>Spherewalk: pilot</translation>
+    </message>
+    <message>
+        <source>Pair this device</source>
+        <translation>Sparuj to urządzenie</translation>
+    </message>
+    <message>
+        <source>Type the code that the window on the computer shows.</source>
+        <translation>Wpisz kod, który pokazuje komputer.</translation>
+    </message>
+    <message>
+        <source>Code of six digits</source>
+        <translation>Kod z sześciu cyfr</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Sparuj</translation>
+    </message>
+    <message>
+        <source>Last photo</source>
+        <translation>Ostatnie zdjęcie</translation>
+    </message>
+    <message>
+        <source>No photo yet.</source>
+        <translation>Nie ma jeszcze zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Take it again</source>
+        <translation>Powtórz to zdjęcie</translation>
+    </message>
+    <message>
+        <source>No connection to the computer. Trying again...</source>
+        <translation>Brak połączenia z komputerem. Kolejna próba...</translation>
+    </message>
+    <message>
+        <source>The press did not reach the computer. Press again.</source>
+        <translation>Naciśnięcie nie dotarło do komputera. Naciśnij ponownie.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>dobre</translation>
     </message>
 </context>
 <context>
@@ -3646,6 +3768,69 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>%1 of %2 photos, %3</source>
         <translation>%1 z %2 zdjęć, %3</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RemoteForm</name>
+    <message>
+        <source>Phone as remote</source>
+        <translation>Telefon jako pilot</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s address in the network that the phone is in, too.</source>
+        <translation>Adres tego komputera w sieci, w której jest też telefon.</translation>
+    </message>
+    <message>
+        <source>Nothing is encrypted on the way: whoever can listen in this network can read along and take the remote over. Use a network that you trust, and turn the remote off when you are done.</source>
+        <translation>Po drodze nic nie jest szyfrowane: kto może podsłuchiwać tę sieć, może wszystko odczytać i przejąć pilota. Używaj sieci, której ufasz, i wyłącz pilota po skończonej pracy.</translation>
+    </message>
+    <message>
+        <source>A phone or tablet on the cart shows the next station, shoots, and shows the last photo. Open the address in its browser, and type the code there.</source>
+        <translation>Telefon lub tablet na wózku pokazuje następne stanowisko, wyzwala zdjęcie i pokazuje ostatnie zdjęcie. Otwórz ten adres w jego przeglądarce i wpisz tam kod.</translation>
+    </message>
+    <message>
+        <source>&amp;Network:</source>
+        <translation>&amp;Sieć:</translation>
+    </message>
+    <message>
+        <source>Address:</source>
+        <translation>Adres:</translation>
+    </message>
+    <message>
+        <source>Code:</source>
+        <translation>Kod:</translation>
+    </message>
+    <message>
+        <source>This computer is in no local network. Connect it to the network that the phone is in.</source>
+        <translation>Ten komputer nie jest w żadnej sieci lokalnej. Połącz go z siecią, w której jest telefon.</translation>
+    </message>
+    <message>
+        <source>The device at %1 is the remote.</source>
+        <translation>Pilotem jest urządzenie o adresie %1.</translation>
+    </message>
+    <message>
+        <source>Wrong codes came too often, and the code is void. Make a new one.</source>
+        <translation>Przyszło zbyt wiele błędnych kodów i kod jest nieważny. Utwórz nowy.</translation>
+    </message>
+    <message>
+        <source>No device is paired yet.</source>
+        <translation>Żadne urządzenie nie jest jeszcze sparowane.</translation>
+    </message>
+    <message>
+        <source>&amp;Turn off</source>
+        <translation>&amp;Wyłącz</translation>
+    </message>
+    <message>
+        <source>&amp;Turn on</source>
+        <translation>&amp;Włącz</translation>
+    </message>
+    <message>
+        <source>&amp;Let go of the device</source>
+        <translation>&amp;Odłącz urządzenie</translation>
+    </message>
+    <message>
+        <source>New &amp;code</source>
+        <translation>Nowy &amp;kod</translation>
     </message>
 </context>
 <context>

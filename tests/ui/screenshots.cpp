@@ -13,6 +13,8 @@
 #include "ui/plan/plan_mode.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
+#include "ui/remote/phone_remote.h"
+#include "ui/remote/remote_form.h"
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/application.h"
@@ -169,6 +171,7 @@ class Album {
         }
         waitUntil([&] { return desk.state() == State::AtStation; });
         shoot("capture");
+        shootRemote();
         open<CaptureMode>().setWholeScreen(true);
         shoot("capture-cart");
         desk.setHideSeconds(5);
@@ -185,6 +188,18 @@ class Album {
         shoot("capture-failed");
         desk.stop();
         waitUntil([&] { return desk.state() == State::Ready; });
+    }
+
+    /// The form for a phone that is to be the remote.
+    void shootRemote() {
+        emit open<CaptureMode>().remoteWanted();
+        auto* form = m_window.findChild<RemoteForm*>();
+        shoot("capture-remote-off", *form);
+        auto* remote = m_window.findChild<PhoneRemote*>();
+        remote->turnOn(QHostAddress(QHostAddress::LocalHost));
+        shoot("capture-remote", *form);
+        remote->turnOff();
+        form->close();
     }
 
     /// A camera in client mode asks for a password.

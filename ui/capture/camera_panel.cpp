@@ -2,6 +2,7 @@
 #include "ui/capture/camera_panel.h"
 
 #include "ui/capture/camera_login.h"
+#include "ui/capture/desk_words.h"
 #include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
@@ -34,9 +35,10 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
       m_address(new QLineEdit(QSettings().value(kAddressKey, "192.168.1.1").toString(), this)),
       m_connect(new QPushButton(ui::icon("connect"), tr("&Connect"), this)),
       m_practice(new QPushButton(ui::icon("capture"), QString(), this)),
-      m_practiceWords(new QLabel(tr("PRACTICE: photos of a room that exists only in the program"), this)),
+      m_practiceWords(new QLabel(practiceWords(), this)),
       m_hide(new QSpinBox(this)),
-      m_automatic(new QCheckBox(tr("Shoot by &itself"), this)) {
+      m_automatic(new QCheckBox(tr("Shoot by &itself"), this)),
+      m_remote(new QPushButton(this)) {
     m_address->setObjectName("cameraAddress");
     m_address->setAccessibleName(tr("Address of the camera"));
     m_address->setToolTip(tr("Address of the camera, with :port if it is not 80."));
@@ -55,6 +57,11 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     m_hide->setToolTip(tr("From the key to the shot, so that nobody is in the picture."));
     m_automatic->setObjectName("automatic");
     m_automatic->setToolTip(tr("The practice camera moves from station to station without the key."));
+    m_remote->setObjectName("phoneRemote");
+    m_remote->setToolTip(
+        tr("A phone or tablet on the cart shows the next station, shoots, and shows the last "
+           "photo."));
+    m_remote->setFocusPolicy(Qt::TabFocus); // a click must not take the key away from the page
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(m_address, 0, 0);
@@ -67,6 +74,7 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     hideRow->addWidget(m_hide);
     hideRow->addStretch();
     hideRow->addWidget(m_automatic);
+    hideRow->addWidget(m_remote);
     grid->addLayout(hideRow, 1, 0, 1, 3);
     m_preview = new PreviewView(m_desk.preview(), this);
     m_preview->setObjectName("livePreview");
@@ -89,8 +97,14 @@ CameraPanel::CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* paren
     connect(&m_desk, &CaptureDesk::changed, this, &CameraPanel::showAll);
     connect(&m_desk.login(), &CameraLogin::wanted, this, &CameraPanel::askLogin);
     connect(&m_finder, &CameraFinder::changed, this, &CameraPanel::showFound);
+    connect(m_remote, &QPushButton::clicked, this, &CameraPanel::remoteWanted);
+    showRemote(false);
     showFound();
     showAll();
+}
+
+void CameraPanel::showRemote(bool isOn) {
+    m_remote->setText(isOn ? tr("Phone as remote: on...") : tr("Phone as remote..."));
 }
 
 /// Asks first where practice photos would come into a survey of a real room.

@@ -27,6 +27,12 @@ class CameraPanel : public QWidget {
   public:
     CameraPanel(CaptureDesk& desk, CameraFinder& finder, QWidget* parent = nullptr);
 
+    /// Shows whether a phone can be the remote.
+    void showRemote(bool isOn);
+
+  signals:
+    void remoteWanted();
+
   private:
     QWidget* makeStatus();
     QWidget* makeFinder();
@@ -46,6 +52,7 @@ class CameraPanel : public QWidget {
     QLabel* m_practiceWords;
     QSpinBox* m_hide;
     QCheckBox* m_automatic;
+    QPushButton* m_remote;
     QLabel* m_model = nullptr;
     QLabel* m_battery = nullptr;
     QLabel* m_storage = nullptr;

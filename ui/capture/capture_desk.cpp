@@ -397,6 +397,7 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
         m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing
     }
     emit verdictGiven(quality);
+    emit shotEnded(station);
 }
 
 void CaptureDesk::runDone(const Task* task) {

@@ -93,6 +93,12 @@ class CaptureDesk : public QObject {
     /// Does what the one key does now: starts, shoots, tries again, or ends a countdown.
     void trigger();
 
+    /// Whether trigger() does anything now.
+    bool takesKey() const {
+        return m_state == State::AtStation || m_state == State::AskAgain || m_state == State::Hiding ||
+               (m_state == State::Ready && next());
+    }
+
     void setHideSeconds(int seconds) { m_hideSeconds = seconds; }
 
     int hideSeconds() const { return m_hideSeconds; }
@@ -169,6 +175,8 @@ class CaptureDesk : public QObject {
   signals:
     void changed();
     void verdictGiven(spherewalk::survey::Quality quality);
+    /// The result of a shot at this station is known: verdict() and sentence() are of it.
+    void shotEnded(const spherewalk::store::StationRecord& station);
     void countdownTicked(int secondsLeft);
     /// A run has ended. isComplete: every station has its photo.
     void runEnded(bool isComplete);

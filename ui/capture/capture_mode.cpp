@@ -2,6 +2,7 @@
 #include "ui/capture/capture_mode.h"
 
 #include "ui/capture/camera_panel.h"
+#include "ui/capture/desk_words.h"
 #include "ui/capture/operator_signals.h"
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
@@ -85,6 +86,7 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
                                 : tr("Capturing has ended; it goes on where it stopped."));
     });
     connect(&m_desk.login(), &CameraLogin::trouble, this, &CaptureMode::message);
+    connect(m_camera, &CameraPanel::remoteWanted, this, &CaptureMode::remoteWanted);
     showAll();
 }
 
@@ -97,6 +99,10 @@ void CaptureMode::setSession(SurveySession* session) {
         connect(session->selection(), &StationSelection::currentChanged, this, &CaptureMode::showAgain);
     }
     showAll();
+}
+
+void CaptureMode::showRemote(bool isOn) {
+    m_camera->showRemote(isOn);
 }
 
 void CaptureMode::activated() {
@@ -238,58 +244,14 @@ void CaptureMode::toggleAgain() {
     }
 }
 
-QString CaptureMode::stateText() const {
-    if (m_desk.isComplete()) {
-        return tr("Every station has its photo.");
-    }
-    switch (m_desk.state()) {
-    case State::NoCamera:
-        return tr("Connect a camera, or try the practice camera.");
-    case State::Connecting:
-        return tr("Connecting...");
-    case State::Ready:
-        return tr("The next station:");
-    case State::Preparing:
-        return tr("Preparing the camera...");
-    case State::AtStation:
-        return tr("Bring the camera to");
-    case State::AskAgain:
-        return tr("No picture was taken at");
-    case State::Hiding:
-        return tr("Hide! The picture is taken at");
-    case State::Shooting:
-        return tr("Taking the picture at");
-    }
-    return {};
-}
-
-QString CaptureMode::keyText() const {
-    switch (m_desk.state()) {
-    case State::AtStation:
-        return tr("Shoot");
-    case State::AskAgain:
-        return tr("Try again");
-    case State::Hiding:
-        return tr("%1 ... (press to wait)").arg(m_desk.countdown());
-    case State::Preparing:
-    case State::Shooting:
-        return tr("Please wait");
-    default:
-        return m_desk.stationsLeft() == m_desk.stations() ? tr("Start") : tr("Go on");
-    }
-}
-
 void CaptureMode::showAll() {
-    const State state = m_desk.state();
-    const bool canPress = state == State::AtStation || state == State::AskAgain || state == State::Hiding ||
-                          (state == State::Ready && m_desk.next());
     const bool hidesPractice = m_isWhole && m_desk.hasPracticeCamera(); // its own line is not shown then
-    m_state->setText(hidesPractice ? tr("PRACTICE. %1").arg(stateText()) : stateText());
-    const bool countsDown = m_isWhole && state == State::Hiding;
+    m_state->setText(hidesPractice ? tr("PRACTICE. %1").arg(stateWords(m_desk)) : stateWords(m_desk));
+    const bool countsDown = m_isWhole && m_desk.state() == State::Hiding;
     m_next->setText(countsDown ? QString::number(m_desk.countdown()) : m_desk.nextText());
     m_way->setText(m_desk.wayText());
-    m_key->setText(keyText());
-    m_key->setEnabled(canPress);
+    m_key->setText(keyWords(m_desk));
+    m_key->setEnabled(m_desk.takesKey());
     showNext();
     m_stop->setVisible(m_desk.isRunning());
     m_photosLeft->setText(QString::number(m_desk.stationsLeft()));
@@ -388,9 +350,7 @@ void CaptureMode::showVerdict() {
         m_shownVerdict = verdict;
         update(); // the edge has its colour
     }
-    const QString sentence = m_desk.sentence();
-    const bool isStored = verdict == survey::Quality::Good && sentence.isEmpty() && !m_desk.isComplete();
-    m_verdict->setText(isStored ? tr("The photo is stored.") : sentence);
+    m_verdict->setText(resultWords(m_desk));
     m_verdictIcon->setVisible(!m_verdict->text().isEmpty()); // a sign alone tells nothing
 }
 

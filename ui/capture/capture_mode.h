@@ -41,7 +41,14 @@ class CaptureMode : public Mode {
 
     CameraFinder& finder() { return m_finder; }
 
+    /// Shows whether a phone can be the remote.
+    void showRemote(bool isOn);
+
     void setSounds(std::unique_ptr<Sounds> sounds) { m_sounds = std::move(sounds); }
+
+  signals:
+    /// Asks the window for the form of the phone remote.
+    void remoteWanted();
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -60,8 +67,6 @@ class CaptureMode : public Mode {
     void takeFocus();
     void showVerdict();
     void showAgain();
-    QString stateText() const;
-    QString keyText() const;
     void toggleAgain();
 
     CaptureDesk m_desk;

@@ -12,6 +12,8 @@
 #include "ui/plan/plan_mode.h"
 #include "ui/plan/plan_storage.h"
 #include "ui/preview/preview_mode.h"
+#include "ui/remote/phone_remote.h"
+#include "ui/remote/remote_form.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/start_page.h"
 #include "ui/shell/tour.h"
@@ -68,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_pages->addWidget(m_start);
     makeDocks();
     makeBar();
+    makeRemote();
     makeMenus();
     makeStart();
     m_counts->setObjectName("counts");
@@ -163,6 +166,24 @@ void MainWindow::makeBar() {
         connect(mode, &Mode::pageRequested, this, &MainWindow::showPage);
         ++number;
     }
+}
+
+/// Lets a phone be the remote of the capture page. The remote is off until a person turns it on in its form.
+void MainWindow::makeRemote() {
+    auto* capture = findMode<CaptureMode>();
+    m_remote = new PhoneRemote(capture->desk(), systemClock(), this);
+    connect(m_remote, &PhoneRemote::changed, capture,
+            [this, capture] { capture->showRemote(m_remote->isOn()); });
+    connect(capture, &CaptureMode::remoteWanted, this, [this] {
+        auto* form = findChild<RemoteForm*>();
+        if (form == nullptr) {
+            form = new RemoteForm(*m_remote, LocalServer::localAddresses(), this);
+            form->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        form->show();
+        form->raise();
+        form->activateWindow();
+    });
 }
 
 void MainWindow::makeStart() {

@@ -24,6 +24,7 @@ namespace spherewalk::ui {
 
 class HelpWindow;
 class Mode;
+class PhoneRemote;
 class StartPage;
 class Tour;
 class SurveyPlanView;
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
     void makeMenus();
     void makeStart();
     void makeTour();
+    void makeRemote();
     bool openPractice();
     void makeView(QMenu* view);
     void take(const Dropped& dropped);
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<SurveySession> m_session;
     QList<Mode*> m_modes;
     Tour* m_tour;
+    PhoneRemote* m_remote = nullptr;
     QStackedWidget* m_pages;
     StartPage* m_start;
     QToolBar* m_bar;
