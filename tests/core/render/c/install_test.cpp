@@ -43,8 +43,10 @@ class Install : public testing::Test {
   public:
     Install() {
         const std::filesystem::path staged = m_folder / "staged";
-        done("DESTDIR=" + quoted(staged) + " " SPHEREWALK_CMAKE " --install " + quoted(SPHEREWALK_BUILD) +
-             " --component render --prefix '/opt/sphere walk'");
+        for (const std::string component : {"render", "render_library"}) {
+            done("DESTDIR=" + quoted(staged) + " " SPHEREWALK_CMAKE " --install " + quoted(SPHEREWALK_BUILD) +
+                 " --component " + component + " --prefix '/opt/sphere walk'");
+        }
         std::filesystem::rename(staged / "opt/sphere walk", prefix);
         for (const auto& entry : std::filesystem::recursive_directory_iterator(prefix)) {
             if (entry.path().extension() == ".pc") {
