@@ -254,7 +254,8 @@ int run(const spherewalk::ros::DdsOptions& options) {
 
 int main(int argc, char** argv) {
     spherewalk::program::CommandLine line(
-        "A robot's camera for ROS 2, by its wire protocol: no ROS is needed to run it.", "", "");
+        "A robot's camera for ROS 2, by its wire protocol: no ROS is needed to run it.", "spherewalk-dds",
+        "spherewalk-dds " SPHEREWALK_VERSION);
     spherewalk::ros::DdsOptions options;
     declare(line.program(), options);
     if (const std::optional<int> status = line.parse(argc, argv)) {
