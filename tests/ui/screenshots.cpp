@@ -83,6 +83,7 @@ class Album {
         shootCapture();
         shootReview();
         shootAlign();
+        shootSlider();
         shootPreview();
         shootExport();
         shootMeasured(place);
@@ -218,8 +219,13 @@ class Album {
     }
 
     void shootReview() {
-        auto& review = open<ReviewMode>();
+        open<ReviewMode>();
         shoot("review");
+    }
+
+    /// Of aligned photos: only some others can be compared.
+    void shootSlider() {
+        auto& review = open<ReviewMode>();
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Slider));
         const PanoramaPresenter& viewer = review.findChild<PanoramaView*>()->presenter();
         waitUntil([&] { return viewer.remark().isEmpty(); });
