@@ -16,6 +16,13 @@ namespace spherewalk::test {
 /// time loads fonts and pictures, so that it is done once before it is measured.
 inline constexpr double kMostHeldMs = 100;
 
+/// This thread's own processor time, which a busy machine hardly adds to.
+inline double ownProcessorMs() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
 /// Measures how long the event loop of this thread is not served: the longest time between two beats of a
 /// timer that asks for one at every chance. The time for which the thread was ready and the processor gave it
 /// no turn is left out, as that is the machine's load and not the program's doing.
@@ -27,7 +34,7 @@ class EventLoopGap {
         QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
             const double waitedMs = static_cast<double>(waitedNs() - m_waitedNs) / 1e6;
             m_longestMs = std::max(m_longestMs, static_cast<double>(m_clock.nsecsElapsed()) / 1e6 - waitedMs);
-            m_longestBusyMs = std::max(m_longestBusyMs, static_cast<double>(ranNs() - m_ranNs) / 1e6);
+            m_longestBusyMs = std::max(m_longestBusyMs, ownProcessorMs() - m_ranMs);
             ++m_beats;
             start();
         });
@@ -36,8 +43,7 @@ class EventLoopGap {
 
     double longestMs() const { return m_longestMs; }
 
-    /// The same in the thread's own processor time, which a busy machine hardly adds to. It does not see
-    /// waits.
+    /// The same in ownProcessorMs(), which does not see waits.
     double longestBusyMs() const { return m_longestBusyMs; }
 
     int beats() const { return m_beats; }
@@ -45,14 +51,8 @@ class EventLoopGap {
   private:
     void start() {
         m_waitedNs = waitedNs();
-        m_ranNs = ranNs();
+        m_ranMs = ownProcessorMs();
         m_clock.start();
-    }
-
-    static std::int64_t ranNs() {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
     }
 
     /// By this thread for a processor, as Linux counts it; 0 where it does not.
@@ -66,7 +66,7 @@ class EventLoopGap {
     QTimer m_timer;
     QElapsedTimer m_clock;
     std::int64_t m_waitedNs = 0;
-    std::int64_t m_ranNs = 0;
+    double m_ranMs = 0;
     double m_longestMs = 0;
     double m_longestBusyMs = 0;
     int m_beats = 0;

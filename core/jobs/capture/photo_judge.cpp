@@ -98,27 +98,26 @@ std::optional<PhotoJudge::Standing> PhotoJudge::standingOf(const store::PhotoRec
     }
 }
 
-void PhotoJudge::tellIfUnmoved(const store::PhotoRecord& photo, photo::Verdict& verdict) {
+void PhotoJudge::tellIfUnmoved(Standing standing, photo::Verdict& verdict) {
     constexpr double kStepM = 0.05;
     std::optional<store::PhotoRecord> last;
     for (store::PhotoRecord& other :
          m_store.use([](const store::SurveyStore& store) { return store.photos(); })) {
-        if (other.id < photo.id && (!last || other.id > last->id)) {
+        if (other.id < standing.photo.id && (!last || other.id > last->id)) {
             last = std::move(other);
         }
     }
     if (last && (!m_latest || m_latest->photo.id != last->id)) {
         m_latest = standingOf(*last);
     }
-    const std::optional<Standing> before = std::exchange(m_latest, standingOf(photo));
-    const bool isElsewhere = last && before && before->photo.station != photo.station &&
-                             (before->photo.positionM - photo.positionM).norm() > kStepM;
-    if (isElsewhere && m_latest && photo::isSameView(m_latest->band, before->band).value_or(false)) {
+    const std::optional<Standing> before = std::exchange(m_latest, std::move(standing));
+    const bool isElsewhere = last && before && before->photo.station != m_latest->photo.station &&
+                             (before->photo.positionM - m_latest->photo.positionM).norm() > kStepM;
+    if (isElsewhere && photo::isSameView(m_latest->band, before->band).value_or(false)) {
         verdict.findings.push_back({photo::Flaw::Unmoved, survey::Quality::Doubtful,
                                     text("It shows the same as ", before->photo.fileName,
                                          ", from the same place: the camera was not moved in between; retake "
-                                         "the one whose station is "
-                                         "wrong.")});
+                                         "the one whose station is wrong.")});
     }
 }
 
@@ -130,7 +129,9 @@ photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
         if (error.kind() != ErrorKind::NotFound) {
             throw;
         }
-        return {{{{photo::Flaw::Damaged, survey::Quality::Failed, error.sentence()}}}, std::nullopt};
+        return {{{{photo::Flaw::Damaged, survey::Quality::Failed, error.sentence()}}},
+                std::nullopt,
+                std::nullopt};
     }
 }
 
@@ -151,7 +152,7 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
     photo::JudgedPhoto result = judged(record, near);
     if (result.sketch) {
         keep(id, std::move(*result.sketch));
-        tellIfUnmoved(record, result.verdict);
+        tellIfUnmoved({record, std::move(*result.band)}, result.verdict);
     }
     m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(id, result.verdict)); });
     return result.verdict;

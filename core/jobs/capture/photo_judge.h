@@ -4,7 +4,6 @@
 #include "capture/store_journal.h"
 
 #include "spherewalk/photo/verdict.h"
-#include "spherewalk/photo/view_band.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,19 +32,19 @@ class PhotoJudge {
     photo::Verdict judge(std::int64_t photo, const std::stop_token& stop);
 
   private:
-    std::vector<store::PhotoRecord> neighbours(const store::PhotoRecord& of) const;
-    /// Null for a photo that cannot be read.
-    std::shared_ptr<const photo::Sketch> sketchOf(const store::PhotoRecord& photo);
-    std::shared_ptr<const photo::Sketch> keep(std::int64_t photo, photo::Sketch sketch);
-    /// Adds a finding if the camera had not moved since the photo before, which belongs to another station.
-    void tellIfUnmoved(const store::PhotoRecord& photo, photo::Verdict& verdict);
-    photo::JudgedPhoto judged(const store::PhotoRecord& photo, std::span<const photo::Neighbour> near) const;
-
     /// What a photo shows of the place where it was taken.
     struct Standing {
         store::PhotoRecord photo;
         photo::ViewBand band;
     };
+
+    std::vector<store::PhotoRecord> neighbours(const store::PhotoRecord& of) const;
+    /// Null for a photo that cannot be read.
+    std::shared_ptr<const photo::Sketch> sketchOf(const store::PhotoRecord& photo);
+    std::shared_ptr<const photo::Sketch> keep(std::int64_t photo, photo::Sketch sketch);
+    /// Adds a finding if the camera had not moved since the photo before, which belongs to another station.
+    void tellIfUnmoved(Standing standing, photo::Verdict& verdict);
+    photo::JudgedPhoto judged(const store::PhotoRecord& photo, std::span<const photo::Neighbour> near) const;
 
     /// Nothing for a photo that cannot be read.
     std::optional<Standing> standingOf(const store::PhotoRecord& photo) const;

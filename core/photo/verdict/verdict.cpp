@@ -404,6 +404,7 @@ JudgedPhoto judgeJpeg(ByteView jpeg, std::string_view source, const ExpectedSett
         checkPhoto(jpeg, source);
         const PhotoMetadata metadata = readMetadata(jpeg, source);
         result.sketch = sketch(jpeg, metadata, source);
+        result.band = viewBand(jpeg, source);
         result.verdict = judge(*result.sketch, metadata, expected, neighbours);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::Corrupt && error.kind() != ErrorKind::Unsupported) {

@@ -233,7 +233,7 @@ TEST(SurveyStore, IsReadButNotWrittenInAFolderThatCannotBeWritten) {
     // Permissions do not hold for root, so a child gives up that right first.
     const pid_t child = ::fork();
     if (child == 0) {
-        if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) {
+        if (!test::giveUpRoot()) {
             ::_exit(10);
         }
         try {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <unistd.h>
 
 namespace spherewalk::store::test {
 
@@ -48,6 +49,13 @@ inline NewPhoto newPhoto(const SurveyStore& store, std::int64_t station, const s
     photo.height = 2688;
     photo.positionM = {1, 2, 3};
     return photo;
+}
+
+/// Lets a child process have no more rights than anybody, since permissions do not hold for root. False if it
+/// cannot.
+inline bool giveUpRoot() {
+    constexpr int kNobody = 65534;
+    return ::geteuid() != 0 || (::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
 }
 
 /// A survey in a new folder for each case, open for writing.

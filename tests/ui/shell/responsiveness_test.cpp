@@ -9,20 +9,11 @@
 
 #include <QListView>
 
-#include <ctime>
-
 namespace spherewalk::ui {
 
 namespace {
 
-// Of this thread's own processor time, which a busy machine hardly adds to.
-constexpr double kOpenMs = 2000;
-
-double ownProcessorMs() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
+constexpr double kOpenMs = 2000; ///< Of processor time.
 
 QString pathOf(const test::PhotographedSurvey& survey) {
     return QString::fromStdString(survey.path().string());
@@ -96,11 +87,11 @@ TEST(Responsiveness, ASurveyOf404PhotosOpensSoon) {
     constexpr int kPhotos = 404;
     const test::PhotographedSurvey survey(kPhotos, 512);
     Person person;
-    const double beforeMs = ownProcessorMs();
+    const double beforeMs = test::ownProcessorMs();
     ASSERT_TRUE(person.window().openSurvey(pathOf(survey)));
     person.choose("Review");
     QCoreApplication::processEvents();
-    const double openMs = ownProcessorMs() - beforeMs;
+    const double openMs = test::ownProcessorMs() - beforeMs;
     RecordProperty("open_ms", std::to_string(openMs));
     EXPECT_LT(openMs, kOpenMs);
     EXPECT_GE(person.widget<QListView>("stations").model()->rowCount(), kPhotos);

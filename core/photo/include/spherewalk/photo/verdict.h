@@ -3,6 +3,7 @@
 
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/sketch.h"
+#include "spherewalk/photo/view_band.h"
 #include "spherewalk/survey/shot.h"
 
 #include <optional>
@@ -94,10 +95,11 @@ inline constexpr std::size_t kMostNeighbours = 4;
 Verdict judge(const Sketch& photo, const PhotoMetadata& metadata, const ExpectedSettings& expected,
               std::span<const Neighbour> neighbours);
 
-/// A verdict with the sketch of the photo. A damaged photo has no sketch.
+/// A verdict with the digests of the photo. A damaged photo has none.
 struct JudgedPhoto {
     Verdict verdict;
     std::optional<Sketch> sketch;
+    std::optional<ViewBand> band;
 };
 
 /// Judges the bytes of a file. A damaged file gives a verdict, not an error. source: the photo's name for
