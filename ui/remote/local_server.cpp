@@ -13,7 +13,6 @@ namespace spherewalk::ui {
 
 namespace {
 
-constexpr quint16 kPort = 8790;
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 constexpr qint64 kMostRequest = LocalServer::kMostHead + kHeadEnd.size() + LocalServer::kMostBody;
 
@@ -69,10 +68,10 @@ QList<QHostAddress> LocalServer::localAddresses() {
     return found;
 }
 
-bool LocalServer::open(const QHostAddress& address) {
+bool LocalServer::open(const QHostAddress& address, quint16 port) {
     close();
     m_listener.setMaxPendingConnections(kMostConnections);
-    return m_listener.listen(address, kPort) || m_listener.listen(address, 0);
+    return m_listener.listen(address, port) || m_listener.listen(address, 0);
 }
 
 void LocalServer::close() {

@@ -24,6 +24,7 @@ class LocalServer : public QObject {
     Q_OBJECT
 
   public:
+    static constexpr quint16 kUsualPort = 8790;
     static constexpr std::size_t kMostHead = 8192; ///< Bytes of a request's head.
     static constexpr std::size_t kMostBody = 1024; ///< Bytes of a request's body.
     static constexpr int kMostConnections = 24;
@@ -37,9 +38,9 @@ class LocalServer : public QObject {
     explicit LocalServer(Handler handler, std::chrono::milliseconds mostTime = kMostTime);
     ~LocalServer() override;
 
-    /// Listens at this address only, at the usual port, or at any that is free if another program has that.
+    /// Listens at this address only, at this port, or at any that is free if another program has that.
     /// Returns false if the address cannot be had.
-    bool open(const QHostAddress& address);
+    bool open(const QHostAddress& address, quint16 port = kUsualPort);
     /// Drops all connections, and listens no more.
     void close();
 

@@ -68,18 +68,19 @@ std::optional<DeskRemote::Press> pressIn(const std::string& body) {
 
 } // namespace
 
-PhoneRemote::PhoneRemote(CaptureDesk& desk, const Clock& clock, QObject* parent)
+PhoneRemote::PhoneRemote(CaptureDesk& desk, const Clock& clock, quint16 port, QObject* parent)
     : QObject(parent),
       m_desk(desk, clock),
       m_server([this](const HttpRequest& request, const QHostAddress& peer) {
           return guarded(answer(request, peer));
-      }) {
+      }),
+      m_port(port) {
     keepPage();
 }
 
 void PhoneRemote::turnOn(const QHostAddress& address) {
     m_pairing.renew();
-    m_sentence = m_server.open(address)
+    m_sentence = m_server.open(address, m_port)
                      ? QString()
                      : tr("Could not listen at %1: %2.").arg(address.toString(), m_server.sentence());
     emit changed();

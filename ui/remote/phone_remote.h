@@ -19,8 +19,9 @@ class PhoneRemote : public QObject {
     Q_OBJECT
 
   public:
-    /// Owner: desk and clock outlive this.
-    explicit PhoneRemote(CaptureDesk& desk, const Clock& clock = systemClock(), QObject* parent = nullptr);
+    /// Owner: desk and clock outlive this. port: see LocalServer::open().
+    explicit PhoneRemote(CaptureDesk& desk, const Clock& clock = systemClock(),
+                         quint16 port = LocalServer::kUsualPort, QObject* parent = nullptr);
 
     /// Serves the page at this address of the computer, with a new code. If that fails, sentence() says why.
     void turnOn(const QHostAddress& address);
@@ -57,6 +58,7 @@ class PhoneRemote : public QObject {
     DeskRemote m_desk;
     Pairing m_pairing;
     LocalServer m_server;
+    quint16 m_port;
     QHostAddress m_device;
     QString m_sentence;
 };

@@ -171,7 +171,7 @@ void MainWindow::makeBar() {
 /// Lets a phone be the remote of the capture page. The remote is off until a person turns it on in its form.
 void MainWindow::makeRemote() {
     auto* capture = findMode<CaptureMode>();
-    m_remote = new PhoneRemote(capture->desk(), systemClock(), this);
+    m_remote = new PhoneRemote(capture->desk(), systemClock(), LocalServer::kUsualPort, this);
     connect(m_remote, &PhoneRemote::changed, capture,
             [this, capture] { capture->showRemote(m_remote->isOn()); });
     connect(capture, &CaptureMode::remoteWanted, this, [this] {

@@ -50,6 +50,9 @@ class Phone {
   public:
     explicit Phone(const QString& url) : m_url(url) {}
 
+    /// Types another address, and keeps the cookie.
+    void goTo(const QString& url) { m_url = url; }
+
     Reply get(const QByteArray& path) const { return send("GET", path, {}, {}); }
 
     Reply post(const QByteArray& path, const QByteArray& body, const QByteArray& headers = {}) const {
@@ -135,7 +138,7 @@ class RemoteFixture : public CaptureFixture {
     }
 
     test::ManualClock clock;
-    PhoneRemote remote{desk(), clock};
+    PhoneRemote remote{desk(), clock, 0}; // at a port of its own: tests run beside each other
     RemoteForm form{remote, {QHostAddress(QHostAddress::LocalHost)}};
 };
 

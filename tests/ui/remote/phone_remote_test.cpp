@@ -271,6 +271,7 @@ TEST_F(PhoneRemoteTest, AfterTurningOffNothingIsServed) {
     EXPECT_FALSE(remote.isOn());
     EXPECT_EQ(phone.get("/").status, 0);
     press("toggleRemote");
+    phone.goTo(remote.url());
     EXPECT_EQ(phone.get("/state").status, 403) << "the old cookie";
 }
 
