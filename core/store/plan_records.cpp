@@ -31,11 +31,11 @@ void insertPolygon(Database& database, int index, const Polygon& polygon) {
 }
 
 void insertStations(Database& database, const Plan& plan) {
-    Statement placement(database, "INSERT INTO placement VALUES (?, ?, ?, ?, ?, ?)");
+    Statement placement(database, "INSERT INTO placement VALUES (?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < plan.placements.size(); ++i) {
         const RailPlacement& rail = plan.placements[i];
         placement.with(static_cast<std::int64_t>(i + 1), rail.origin.x(), rail.origin.y(),
-                       rail.heading.value(), rail.stops, rail.stepM);
+                       rail.heading.value(), rail.stops, rail.stepM, rail.isLocked ? 1 : 0);
         placement.step();
         placement.reset();
     }
@@ -75,8 +75,8 @@ std::vector<StationRecord> allStations(Statement rows) {
 
 std::vector<RailPlacement> placements(const Database& database) {
     std::vector<RailPlacement> result;
-    Statement rows =
-        database.query("SELECT id, x_m, y_m, heading_rad, stops, step_m FROM placement ORDER BY id");
+    Statement rows = database.query(
+        "SELECT id, x_m, y_m, heading_rad, stops, step_m, is_locked FROM placement ORDER BY id");
     while (rows.step()) {
         const auto next = static_cast<std::int64_t>(result.size()) + 1;
         if (next > survey::kMostStations) {
@@ -86,7 +86,8 @@ std::vector<RailPlacement> placements(const Database& database) {
         result.push_back({{rows.real(1), rows.real(2)},
                           Radians(rows.real(3)),
                           static_cast<int>(rows.integer(4, 1, kMostRailStops)),
-                          rows.real(5)});
+                          rows.real(5),
+                          rows.boolean(6)});
     }
     return result;
 }
@@ -142,9 +143,9 @@ void insertPlan(Database& database, const Room& room, const PlanOptions& options
         database.execute(text("DELETE FROM ", table));
     }
     database.run("UPDATE survey SET ceiling_m = ?, step_m = ?, rail_stops = ?, clearance_m = ?, "
-                 "seconds_per_photo = ?, seconds_per_placement = ?",
+                 "seconds_per_photo = ?, seconds_per_placement = ?, is_by_hand = ?",
                  room.ceilingM, options.stepM, options.railStops, options.clearanceM, options.secondsPerPhoto,
-                 options.secondsPerPlacement);
+                 options.secondsPerPlacement, plan.isByHand ? 1 : 0);
     for (std::size_t i = 0; i < options.heightsM.size(); ++i) {
         database.run("INSERT INTO lens_height VALUES (?, ?)", static_cast<std::int64_t>(i),
                      options.heightsM[i]);
@@ -210,6 +211,8 @@ PlanOptions SurveyStore::planOptions() const {
 
 Plan SurveyStore::plan() const {
     Plan plan;
+    Statement survey = m_parts->db().query("SELECT is_by_hand FROM survey");
+    plan.isByHand = survey.step() && survey.boolean(0);
     plan.placements = placements(m_parts->db());
     for (StationRecord& record : stations()) {
         if (record.station.placement >= static_cast<int>(plan.placements.size())) {

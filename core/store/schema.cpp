@@ -176,8 +176,14 @@ CREATE TABLE room_name (
 ALTER TABLE station ADD COLUMN is_place_known INTEGER NOT NULL DEFAULT 1 CHECK (is_place_known IN (0, 1));
 )sql";
 
+/// Rails that a person has laid.
+constexpr const char* kVersion6 = R"sql(
+ALTER TABLE survey ADD COLUMN is_by_hand INTEGER NOT NULL DEFAULT 0 CHECK (is_by_hand IN (0, 1));
+ALTER TABLE placement ADD COLUMN is_locked INTEGER NOT NULL DEFAULT 0 CHECK (is_locked IN (0, 1));
+)sql";
+
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
-                                 Migration{4, kVersion4}, Migration{5, kVersion5}};
+                                 Migration{4, kVersion4}, Migration{5, kVersion5}, Migration{6, kVersion6}};
 
 void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);

@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/survey/laid_rails.h"
 #include "spherewalk/survey/room_parts.h"
 #include "spherewalk/survey/walking_distance.h"
 
@@ -20,48 +21,61 @@ using Eigen::Vector2d;
 
 namespace {
 
-/// One axis' rails in walking order.
+/// Rails in walking order.
 struct Layout {
-    std::vector<Rail> rails;
-    std::vector<Leg> route;
+    std::vector<RailPlacement> rails;
     double carriedM = 0;
 };
 
-Layout layout(const std::vector<Rail>& rails, const StopGrid& grid, const Floor& floor,
-              const WalkingDistance& walking) {
+RailPlacement placementOf(const Rail& rail, const StopGrid& grid, const Floor& floor) {
+    return {floor.anchor() + grid.at(rail.column, rail.row), Radians(rail.alongX ? 0 : std::numbers::pi / 2),
+            rail.stops, grid.stepM};
+}
+
+/// Locked rails are lines of their own, after those of the grid.
+Layout layout(const std::vector<Rail>& rails, std::span<const RailPlacement> locked, const StopGrid& grid,
+              const Floor& floor, const WalkingDistance& walking) {
+    std::vector<RailPlacement> all;
     std::vector<RailEnds> ends;
+    const auto add = [&](const RailPlacement& rail, int line, int begin) {
+        all.push_back(rail);
+        ends.push_back({rail.origin, rail.stop(rail.stops - 1), line, begin, begin + rail.stops});
+    };
     for (const Rail& rail : rails) {
-        const int begin = rail.alongX ? rail.column : rail.row;
-        const int line = rail.alongX ? rail.row : rail.column;
-        const int last = begin + rail.stops - 1;
-        const Vector2d end = rail.alongX ? grid.at(last, line) : grid.at(line, last);
-        ends.push_back({floor.anchor() + grid.at(rail.column, rail.row), floor.anchor() + end, line, begin,
-                        begin + rail.stops});
+        add(placementOf(rail, grid, floor), rail.alongX ? rail.row : rail.column,
+            rail.alongX ? rail.column : rail.row);
     }
-    Layout result{rails, shortRoute(ends, walking), 0};
-    result.carriedM = carryingDistance(ends, result.route, walking);
+    int line = std::max(grid.rows, grid.columns);
+    for (const RailPlacement& rail : locked) {
+        add(rail, line += 2, 0); // no neighbours
+    }
+    const std::vector<Leg> route = shortRoute(ends, walking);
+    Layout result{{}, carryingDistance(ends, route, walking)};
+    for (const Leg& leg : route) {
+        const RailPlacement& rail = all[static_cast<std::size_t>(leg.rail)];
+        result.rails.push_back(leg.backwards ? reversed(rail) : rail);
+    }
     return result;
 }
 
-Layout bestLayout(const StopGrid& grid, const Floor& floor, const WalkingDistance& walking,
-                  const PlanOptions& options) {
+Layout bestLayout(const StopGrid& grid, std::span<const RailPlacement> locked, const Floor& floor,
+                  const WalkingDistance& walking, const PlanOptions& options) {
     const std::vector<Rail> alongX = railsAlong(true, grid, floor, options);
     const std::vector<Rail> alongY = railsAlong(false, grid, floor, options);
     if (alongX.size() != alongY.size()) {
-        return layout(alongX.size() < alongY.size() ? alongX : alongY, grid, floor, walking);
+        return layout(alongX.size() < alongY.size() ? alongX : alongY, locked, grid, floor, walking);
     }
-    Layout x = layout(alongX, grid, floor, walking);
-    Layout y = layout(alongY, grid, floor, walking);
+    Layout x = layout(alongX, locked, grid, floor, walking);
+    Layout y = layout(alongY, locked, grid, floor, walking);
     return y.carriedM < x.carriedM - kEqualM ? std::move(y) : std::move(x);
 }
 
-RailPlacement placementOf(const Rail& rail, bool backwards, const StopGrid& grid, const Floor& floor) {
-    const int far = backwards ? rail.stops - 1 : 0;
-    const Vector2d origin =
-        grid.at(rail.column + (rail.alongX ? far : 0), rail.row + (rail.alongX ? 0 : far));
-    const double quarter = std::numbers::pi / 2;
-    const double heading = rail.alongX ? (backwards ? 2 * quarter : 0) : (backwards ? -quarter : quarter);
-    return {floor.anchor() + origin, Radians(heading), rail.stops, grid.stepM};
+int stopsOf(std::span<const RailPlacement> rails) {
+    int stops = 0;
+    for (const RailPlacement& rail : rails) {
+        stops += rail.stops;
+    }
+    return stops;
 }
 
 std::string metres(double value) {
@@ -87,10 +101,8 @@ std::string stationName(const Station& station, bool severalHeights) {
 
 constexpr double kLeastStepM = 0.01;
 constexpr double kGreatestStepM = 100;
-constexpr double kLeastClearanceM = 0.01; ///< a stop on a wall would see nothing
 constexpr double kGreatestClearanceM = 100;
 constexpr double kSlowestPaceS = 86400;
-constexpr int kMostRailStops = 1000;
 constexpr std::size_t kMostHeights = 50;
 constexpr double kLeastHeightDifferenceM = 0.001;
 /// Of the grid over the room's bounds, most of which may lie outside the room.
@@ -155,7 +167,19 @@ void checkGridSize(const Room& room, const PlanOptions& options) {
                text("its bounds would hold more than ", static_cast<int>(kMostGridPoints), " stops"));
 }
 
-/// Errors: InvalidInput, with a step that fits, if so many stops make more than kMostStations.
+} // namespace
+
+Vector2d RailPlacement::stop(int k) const {
+    return origin + k * stepM * Vector2d(cos(heading), sin(heading));
+}
+
+RailPlacement reversed(const RailPlacement& rail) {
+    RailPlacement result = rail;
+    result.origin = rail.stop(rail.stops - 1);
+    result.heading = wrapped(rail.heading + Radians(std::numbers::pi));
+    return result;
+}
+
 void refuseTooMany(int stops, const PlanOptions& options) {
     const double stations = static_cast<double>(stops) * static_cast<double>(options.heightsM.size());
     if (stations > kMostStations) {
@@ -167,33 +191,34 @@ void refuseTooMany(int stops, const PlanOptions& options) {
     }
 }
 
-} // namespace
-
-Vector2d RailPlacement::stop(int k) const {
-    return origin + k * stepM * Vector2d(cos(heading), sin(heading));
-}
-
-Plan plan(const Room& room, const PlanOptions& options) {
-    room.validate();
-    options.validate(room);
-    const Floor floor(room);
-    const StopGrid grid = bestStopGrid(floor, options);
-    refuseTooMany(grid.freeCount(), options);
-    const WalkingDistance walking(room);
-    const Layout best = bestLayout(grid, floor, walking, options);
-    Plan result;
-    for (const Leg& leg : best.route) {
-        const int index = static_cast<int>(result.placements.size());
-        result.placements.push_back(
-            placementOf(best.rails[static_cast<std::size_t>(leg.rail)], leg.backwards, grid, floor));
-        const RailPlacement& placement = result.placements.back();
-        for (int k = 0; k < placement.stops; ++k) {
-            const Vector2d at = placement.stop(k);
+Plan withStations(std::vector<RailPlacement> rails, const PlanOptions& options) {
+    Plan plan;
+    plan.placements = std::move(rails);
+    for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+        const RailPlacement& rail = plan.placements[i];
+        for (int k = 0; k < rail.stops; ++k) {
+            const Vector2d at = rail.stop(k);
             for (const double height : options.heightsM) {
-                result.stations.push_back({index, k, {at.x(), at.y(), height}});
+                plan.stations.push_back({static_cast<int>(i), k, {at.x(), at.y(), height}});
             }
         }
     }
+    return plan;
+}
+
+Plan plan(const Room& room, const PlanOptions& options, std::span<const RailPlacement> locked) {
+    room.validate();
+    options.validate(room);
+    if (!locked.empty()) {
+        planOfLaid(room, options, locked);
+    }
+    const Floor floor(room);
+    StopGrid grid = bestStopGrid(floor, options);
+    grid.leaveOut(locked, floor.anchor());
+    refuseTooMany(grid.freeCount() + stopsOf(locked), options);
+    const WalkingDistance walking(room);
+    Plan result = withStations(bestLayout(grid, locked, floor, walking, options).rails, options);
+    result.isByHand = !locked.empty();
     return roomByRoom(std::move(result), room);
 }
 

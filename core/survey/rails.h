@@ -9,9 +9,12 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace spherewalk::survey {
+
+inline constexpr double kLeastClearanceM = 0.01; ///< A stop on a wall would see nothing.
 
 /// A regular grid of points over the floor, and which of the points can hold a stop. Frames: the floor's own.
 struct StopGrid {
@@ -29,6 +32,8 @@ struct StopGrid {
     }
 
     int freeCount() const;
+    /// Takes the points away that are nearer than half a step to a stop of these rails. anchor: of the floor.
+    void leaveOut(std::span<const RailPlacement> rails, const Eigen::Vector2d& anchor);
 };
 
 /// The grid at the shift that lets most points keep the clearance; among equals, the one nearest to the
@@ -67,6 +72,15 @@ struct Leg {
 /// nearest-neighbour starts, improved by turning and moving pieces. Range: rails sorted by line, then begin;
 /// points in the room frame. The same input gives the same route.
 std::vector<Leg> shortRoute(const std::vector<RailEnds>& rails, const WalkingDistance& walking);
+
+/// The rail to be walked from its other end.
+RailPlacement reversed(const RailPlacement& rail);
+
+/// The plan of these rails, with a station for each stop and height.
+Plan withStations(std::vector<RailPlacement> rails, const PlanOptions& options);
+
+/// Errors: InvalidInput, with a step that fits, if so many stops make more than kMostStations.
+void refuseTooMany(int stops, const PlanOptions& options);
 
 /// The way from each rail's end to the next one's beginning, in metres.
 double carryingDistance(const std::vector<RailEnds>& rails, const std::vector<Leg>& route,

@@ -88,6 +88,7 @@ Plan roomByRoom(Plan plan, const Room& room) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return turn[rooms[a]] < turn[rooms[b]]; });
     Plan result;
+    result.isByHand = plan.isByHand;
     std::vector<int> place(order.size());
     for (const std::size_t rail : order) {
         place[rail] = static_cast<int>(result.placements.size());

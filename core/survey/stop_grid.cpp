@@ -99,6 +99,23 @@ StopGrid bestStopGrid(const Floor& floor, const PlanOptions& options) {
     return grid;
 }
 
+void StopGrid::leaveOut(std::span<const RailPlacement> rails, const Vector2d& anchor) {
+    const double nearM = 0.5 * stepM - kEqualM;
+    for (const RailPlacement& rail : rails) {
+        for (int k = 0; k < rail.stops; ++k) {
+            const Vector2d stop = rail.stop(k) - anchor;
+            const Vector2d nearest = ((stop - origin) / stepM).array().round();
+            // Only the nearest point of a grid can be so near.
+            const bool isInGrid =
+                nearest.x() >= 0 && nearest.x() < columns && nearest.y() >= 0 && nearest.y() < rows;
+            if (isInGrid && (origin + stepM * nearest - stop).norm() < nearM) {
+                free[static_cast<std::size_t>(nearest.y()) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(nearest.x())] = 0;
+            }
+        }
+    }
+}
+
 std::vector<Rail> railsAlong(bool alongX, const StopGrid& grid, const Floor& floor,
                              const PlanOptions& options) {
     std::vector<Rail> rails;

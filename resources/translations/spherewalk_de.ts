@@ -1646,6 +1646,14 @@
         <source>The plan names %1 rooms, more than the %2 allowed.</source>
         <translation>Der Plan benennt %1 Räume, mehr als die erlaubten %2.</translation>
     </message>
+    <message>
+        <source>Rail %1 cannot lie there: it leaves the floor, or meets a wall or an obstacle; move it, or make it shorter.</source>
+        <translation>Schiene %1 kann dort nicht liegen: sie verlässt den Boden oder trifft auf eine Wand oder ein Hindernis; verschieben oder kürzen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Rails %1 and %2 have a stop at the same place; move one of them.</source>
+        <translation>Die Schienen %1 und %2 haben einen Halt an derselben Stelle; verschieben Sie eine davon.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2845,6 +2853,34 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Name room</source>
         <translation>Raum benennen</translation>
     </message>
+    <message>
+        <source>Lay rail</source>
+        <translation>Schiene legen</translation>
+    </message>
+    <message>
+        <source>Split rail</source>
+        <translation>Schiene teilen</translation>
+    </message>
+    <message>
+        <source>Remove rail</source>
+        <translation>Schiene entfernen</translation>
+    </message>
+    <message>
+        <source>Remove stop</source>
+        <translation>Halt entfernen</translation>
+    </message>
+    <message>
+        <source>Lock rail</source>
+        <translation>Schiene feststellen</translation>
+    </message>
+    <message>
+        <source>Unlock rail</source>
+        <translation>Schiene lösen</translation>
+    </message>
+    <message>
+        <source>Lay rails anew</source>
+        <translation>Schienen neu legen</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
@@ -2946,10 +2982,6 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the selected corner or obstacle (Delete)</source>
-        <translation>Die gewählte Ecke oder das Hindernis entfernen (Entf)</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3066,6 +3098,18 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>What is this room called?</source>
         <translation>Wie heißt dieser Raum?</translation>
+    </message>
+    <message>
+        <source>Rails</source>
+        <translation>Schienen</translation>
+    </message>
+    <message>
+        <source>Move, turn, lengthen, add and remove rails by hand</source>
+        <translation>Schienen von Hand verschieben, drehen, verlängern, hinzufügen und entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected corner, obstacle, stop or rail (Delete)</source>
+        <translation>Die gewählte Ecke, das Hindernis, den Halt oder die Schiene entfernen (Entf)</translation>
     </message>
 </context>
 <context>
@@ -3729,6 +3773,97 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>largest</source>
         <translation>größte</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RailPanel</name>
+    <message>
+        <source>Rails</source>
+        <translation>Schienen</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Make two rails of it, the second from the selected stop on</source>
+        <translation>Zwei Schienen daraus machen, die zweite ab dem gewählten Halt</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Feststellen</translation>
+    </message>
+    <message>
+        <source>Keep the rail where it is, also when others are laid anew</source>
+        <translation>Die Schiene lassen, wo sie ist, auch wenn andere neu gelegt werden</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected stop or rail (Delete)</source>
+        <translation>Den gewählten Halt oder die Schiene entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Lay the others anew</source>
+        <translation>Die anderen neu legen</translation>
+    </message>
+    <message>
+        <source>Keep the locked rails, and lay out the rest of the floor around them</source>
+        <translation>Die festgestellten Schienen lassen und den übrigen Boden um sie herum planen</translation>
+    </message>
+    <message>
+        <source>The program laid all rails.</source>
+        <translation>Das Programm hat alle Schienen gelegt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program laid the rest around %n locked rail(s).</source>
+        <translation>
+            <numerusform>Das Programm hat den Rest um %n festgestellte Schiene gelegt.</numerusform>
+            <numerusform>Das Programm hat den Rest um %n festgestellte Schienen gelegt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Laid by hand; %n of them locked.</source>
+        <translation>
+            <numerusform>Von Hand gelegt; %n davon ist festgestellt.</numerusform>
+            <numerusform>Von Hand gelegt; %n davon sind festgestellt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rail %1: %n stop(s), %L2 m, heading %3°</source>
+        <translation>
+            <numerusform>Schiene %1: %n Halt, %L2 m, Richtung %3°</numerusform>
+            <numerusform>Schiene %1: %n Halte, %L2 m, Richtung %3°</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Lösen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RailTool</name>
+    <message>
+        <source>Drag a rail to move it, its first or last stop to turn and lengthen it (Shift: without a turn), or free floor to lay a rail. Ctrl+arrows turn it or change its length; Delete removes a stop or a rail.</source>
+        <translation>Ziehen Sie an einer Schiene, um sie zu verschieben, an ihrem ersten oder letzten Halt, um sie zu drehen und zu verlängern (Umschalt: ohne Drehung), oder über freien Boden, um eine zu legen. Strg+Pfeile drehen sie oder ändern ihre Länge; Entf entfernt einen Halt oder eine Schiene.</translation>
+    </message>
+    <message>
+        <source>Pull rail</source>
+        <translation>An der Schiene ziehen</translation>
+    </message>
+    <message>
+        <source>Move rail</source>
+        <translation>Schiene verschieben</translation>
+    </message>
+    <message>
+        <source>Turn rail</source>
+        <translation>Schiene drehen</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>Länge ändern</translation>
     </message>
 </context>
 <context>

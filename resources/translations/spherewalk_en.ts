@@ -267,6 +267,30 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::RailPanel</name>
+    <message numerus="yes">
+        <source>The program laid the rest around %n locked rail(s).</source>
+        <translation>
+            <numerusform>The program laid the rest around %n locked rail.</numerusform>
+            <numerusform>The program laid the rest around %n locked rails.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Laid by hand; %n of them locked.</source>
+        <translation>
+            <numerusform>Laid by hand; %n of them is locked.</numerusform>
+            <numerusform>Laid by hand; %n of them are locked.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rail %1: %n stop(s), %L2 m, heading %3°</source>
+        <translation>
+            <numerusform>Rail %1: %n stop, %L2 m, heading %3°</numerusform>
+            <numerusform>Rail %1: %n stops, %L2 m, heading %3°</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::ReviewMode</name>
     <message numerus="yes">
         <source>&amp;Check %n photo(s)</source>

@@ -1656,6 +1656,14 @@
         <source>The plan names %1 rooms, more than the %2 allowed.</source>
         <translation>Plan nazywa %1 pomieszczeń, więcej niż dozwolone %2.</translation>
     </message>
+    <message>
+        <source>Rail %1 cannot lie there: it leaves the floor, or meets a wall or an obstacle; move it, or make it shorter.</source>
+        <translation>Szyna %1 nie może tam leżeć: wychodzi poza podłogę albo trafia na ścianę lub przeszkodę; przesuń ją lub skróć.</translation>
+    </message>
+    <message>
+        <source>Rails %1 and %2 have a stop at the same place; move one of them.</source>
+        <translation>Szyny %1 i %2 mają postój w tym samym miejscu; przesuń jedną z nich.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2869,6 +2877,34 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Name room</source>
         <translation>Nazwij pomieszczenie</translation>
     </message>
+    <message>
+        <source>Lay rail</source>
+        <translation>Ułóż szynę</translation>
+    </message>
+    <message>
+        <source>Split rail</source>
+        <translation>Podziel szynę</translation>
+    </message>
+    <message>
+        <source>Remove rail</source>
+        <translation>Usuń szynę</translation>
+    </message>
+    <message>
+        <source>Remove stop</source>
+        <translation>Usuń postój</translation>
+    </message>
+    <message>
+        <source>Lock rail</source>
+        <translation>Zablokuj szynę</translation>
+    </message>
+    <message>
+        <source>Unlock rail</source>
+        <translation>Odblokuj szynę</translation>
+    </message>
+    <message>
+        <source>Lay rails anew</source>
+        <translation>Ułóż szyny na nowo</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
@@ -2958,10 +2994,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Remove</source>
         <translation>Usuń</translation>
-    </message>
-    <message>
-        <source>Remove the selected corner or obstacle (Delete)</source>
-        <translation>Usuń zaznaczony narożnik lub przeszkodę (Delete)</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -3090,6 +3122,18 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>What is this room called?</source>
         <translation>Jak nazywa się to pomieszczenie?</translation>
+    </message>
+    <message>
+        <source>Rails</source>
+        <translation>Szyny</translation>
+    </message>
+    <message>
+        <source>Move, turn, lengthen, add and remove rails by hand</source>
+        <translation>Ręcznie przesuwaj, obracaj, wydłużaj, dodawaj i usuwaj szyny</translation>
+    </message>
+    <message>
+        <source>Remove the selected corner, obstacle, stop or rail (Delete)</source>
+        <translation>Usuń wybrany narożnik, przeszkodę, postój lub szynę (Delete)</translation>
     </message>
 </context>
 <context>
@@ -3761,6 +3805,100 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>ISO and shutter time of the latest photo of this survey.</source>
         <translation>ISO i czas migawki najnowszego zdjęcia tego pomiaru.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RailPanel</name>
+    <message>
+        <source>Rails</source>
+        <translation>Szyny</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Podziel</translation>
+    </message>
+    <message>
+        <source>Make two rails of it, the second from the selected stop on</source>
+        <translation>Zrób z niej dwie szyny, drugą od wybranego postoju</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Zablokuj</translation>
+    </message>
+    <message>
+        <source>Keep the rail where it is, also when others are laid anew</source>
+        <translation>Pozostaw szynę na miejscu, także gdy inne są układane na nowo</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Remove the selected stop or rail (Delete)</source>
+        <translation>Usuń wybrany postój lub szynę (Delete)</translation>
+    </message>
+    <message>
+        <source>Lay the others anew</source>
+        <translation>Ułóż pozostałe na nowo</translation>
+    </message>
+    <message>
+        <source>Keep the locked rails, and lay out the rest of the floor around them</source>
+        <translation>Pozostaw zablokowane szyny i rozplanuj wokół nich resztę podłogi</translation>
+    </message>
+    <message>
+        <source>The program laid all rails.</source>
+        <translation>Program ułożył wszystkie szyny.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program laid the rest around %n locked rail(s).</source>
+        <translation>
+            <numerusform>Program ułożył resztę wokół %n zablokowanej szyny.</numerusform>
+            <numerusform>Program ułożył resztę wokół %n zablokowanych szyn.</numerusform>
+            <numerusform>Program ułożył resztę wokół %n zablokowanych szyn.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Laid by hand; %n of them locked.</source>
+        <translation>
+            <numerusform>Ułożone ręcznie; zablokowana: %n.</numerusform>
+            <numerusform>Ułożone ręcznie; zablokowane: %n.</numerusform>
+            <numerusform>Ułożone ręcznie; zablokowanych: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rail %1: %n stop(s), %L2 m, heading %3°</source>
+        <translation>
+            <numerusform>Szyna %1: %n postój, %L2 m, kierunek %3°</numerusform>
+            <numerusform>Szyna %1: %n postoje, %L2 m, kierunek %3°</numerusform>
+            <numerusform>Szyna %1: %n postojów, %L2 m, kierunek %3°</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Odblokuj</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::RailTool</name>
+    <message>
+        <source>Drag a rail to move it, its first or last stop to turn and lengthen it (Shift: without a turn), or free floor to lay a rail. Ctrl+arrows turn it or change its length; Delete removes a stop or a rail.</source>
+        <translation>Przeciągnij szynę, aby ją przesunąć, jej pierwszy lub ostatni postój, aby ją obrócić i wydłużyć (Shift: bez obrotu), albo wolną podłogę, aby ułożyć szynę. Ctrl+strzałki obracają ją lub zmieniają jej długość; Delete usuwa postój lub szynę.</translation>
+    </message>
+    <message>
+        <source>Pull rail</source>
+        <translation>Pociągnij szynę</translation>
+    </message>
+    <message>
+        <source>Move rail</source>
+        <translation>Przesuń szynę</translation>
+    </message>
+    <message>
+        <source>Turn rail</source>
+        <translation>Obróć szynę</translation>
+    </message>
+    <message>
+        <source>Change length</source>
+        <translation>Zmień długość</translation>
     </message>
 </context>
 <context>

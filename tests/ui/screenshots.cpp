@@ -146,7 +146,23 @@ class Album {
         editor.nameRoom({4.9, 1.5}, "kitchen", std::nullopt);
         waitUntil([&] { return editor.isSettled(); });
         shoot("plan-names");
+        shootRails(plan);
         m_window.closeSurvey();
+    }
+
+    /// Two rails by hand, one of them locked, and the rest around them.
+    void shootRails(PlanMode& plan) {
+        PlanEditor& editor = plan.editor();
+        plan.view().setTool(PlanEditorView::Tool::Rails);
+        editor.changeRails("lay", [](std::vector<survey::RailPlacement>& rails) {
+            rails = {{{2.8, 0.6}, Radians(0.6), 5, 0.4, true}};
+        });
+        editor.layOthersAnew();
+        waitUntil([&] { return editor.isSettled(); });
+        editor.addRail({{0.7, 4.5}, Radians(-0.2), 6, 0.4});
+        waitUntil([&] { return editor.isSettled(); });
+        editor.select({.rail = 0, .stop = 2});
+        shoot("plan-rails");
     }
 
     /// The first step of the tour.

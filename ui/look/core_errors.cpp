@@ -240,6 +240,11 @@ constexpr const char* kErrors[] = {
                       "The height of %1 m is listed twice; list each height once."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "A step of %1 m is too fine for this room: %2."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "A step of %1 m fits."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Rail %1 cannot lie there: it leaves the floor, or meets a wall or an obstacle; move "
+                      "it, or make it shorter."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Rails %1 and %2 have a stop at the same place; move one of them."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "it would take %1 stations, more than the %2 of one plan"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "its bounds would hold more than %1 stops"),
     QT_TRANSLATE_NOOP(

@@ -5,6 +5,7 @@
 #include "ui/look/words.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/survey/laid_rails.h"
 #include "spherewalk/survey/marking.h"
 
 #include <QCoreApplication>
@@ -76,12 +77,20 @@ void changeStep(PlanDraft& draft, double stepM) {
     draft.options.stepM = stepM;
 }
 
+void keepLocked(PlanDraft& draft) {
+    std::erase_if(draft.rails, [](const survey::RailPlacement& rail) { return !rail.isLocked; });
+    draft.laysRest = !draft.rails.empty();
+}
+
+survey::Plan planOf(const PlanDraft& draft) {
+    return draft.rails.empty() || draft.laysRest ? survey::plan(draft.room, draft.options, draft.rails)
+                                                 : survey::planOfLaid(draft.room, draft.options, draft.rails);
+}
+
 PlanOutcome outcomeOf(const PlanDraft& draft) {
     try {
-        draft.room.validate();
-        draft.options.validate(draft.room);
         PlanOutcome outcome;
-        outcome.plan = survey::plan(draft.room, draft.options);
+        outcome.plan = planOf(draft);
         outcome.report = survey::report(draft.room, draft.options, outcome.plan);
         return outcome;
     } catch (const Error& error) {

@@ -7,12 +7,16 @@
 #include <QString>
 #include <QStringList>
 
+#include <vector>
+
 namespace spherewalk::ui {
 
 /// A room as far as it is drawn, with the options of its plan.
 struct PlanDraft {
     survey::Room room;
     survey::PlanOptions options;
+    std::vector<survey::RailPlacement> rails = {}; ///< As a person laid them; none: the program lays all.
+    bool laysRest = false;                         ///< The program lays more rails around those.
 };
 
 /// Returns a rectangular room for a new survey.
@@ -24,6 +28,12 @@ double railLengthM(int stops, double stepM);
 
 /// Changes the step; the number of stops follows, so that the rail keeps its length.
 void changeStep(PlanDraft& draft, double stepM);
+
+/// Leaves of its rails the locked ones, and has the program lay the rest.
+void keepLocked(PlanDraft& draft);
+
+/// Returns the plan of a draft. Errors: those of survey::plan() and survey::planOfLaid().
+survey::Plan planOf(const PlanDraft& draft);
 
 /// The plan of a draft and its figures. If there is a problem, the plan is empty.
 struct PlanOutcome {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan/plan_editor.h"
 
+#include "spherewalk/survey/laid_rails.h"
+
 #include <QUndoCommand>
 
 #include <utility>
@@ -63,14 +65,20 @@ void PlanEditor::begin(PlanDraft draft) {
 void PlanEditor::setDraft(PlanDraft draft) {
     m_draft = std::move(draft);
     m_isPreview = false;
-    const bool isGone = m_selected.polygon > static_cast<int>(m_draft.room.obstacles.size()) ||
-                        (m_selected.polygon >= 0 &&
-                         m_selected.corner >= static_cast<int>(polygon(m_selected.polygon).size()));
-    if (isGone) {
+    if (isGone(m_selected)) {
         select({});
     }
     compute(m_draft);
     emit draftChanged();
+}
+
+bool PlanEditor::isGone(const PlanPart& part) const {
+    if (part.rail != PlanPart::kNone) { // what the program lays anew has other numbers
+        const auto rail = static_cast<std::size_t>(part.rail);
+        return m_draft.laysRest || rail >= m_draft.rails.size() || part.stop >= m_draft.rails[rail].stops;
+    }
+    return part.polygon > static_cast<int>(m_draft.room.obstacles.size()) ||
+           (part.polygon >= 0 && part.corner >= static_cast<int>(polygon(part.polygon).size()));
 }
 
 void PlanEditor::compute(PlanDraft draft) {
@@ -85,6 +93,9 @@ void PlanEditor::take(int number, const PlanOutcome& outcome) {
     }
     m_taken = number;
     m_outcome = outcome;
+    if (m_selected.rail >= static_cast<int>(rails().size())) {
+        select({}); // of an earlier plan
+    }
     emit outcomeChanged();
 }
 
@@ -147,6 +158,9 @@ void PlanEditor::insertCorner(PlanPart after, const Vector2d& at) {
 
 void PlanEditor::removeSelected() {
     const PlanPart part = m_selected;
+    if (part.rail != PlanPart::kNone) {
+        return removeSelectedRail();
+    }
     if (m_isLocked || part.polygon == PlanPart::kNone) {
         return;
     }
@@ -191,6 +205,85 @@ void PlanEditor::nameRoom(const Vector2d& place, const std::string& name, std::o
         } else if (!name.empty()) {
             names.push_back({name, place});
         }
+    });
+}
+
+const std::vector<survey::RailPlacement>& PlanEditor::rails() const {
+    return m_draft.rails.empty() || m_draft.laysRest ? m_outcome.plan.placements : m_draft.rails;
+}
+
+void PlanEditor::changeRails(const QString& text,
+                             const std::function<void(std::vector<survey::RailPlacement>&)>& apply, int key) {
+    std::vector<survey::RailPlacement> changed = rails();
+    apply(changed);
+    change(
+        text,
+        [&](PlanDraft& draft) {
+            draft.rails = changed;
+            draft.laysRest = false;
+        },
+        key);
+}
+
+void PlanEditor::changeRail(const QString& text, int rail, const survey::RailPlacement& to, int key) {
+    const auto index = static_cast<std::size_t>(rail);
+    if (index < rails().size() && !rails()[index].isLocked) {
+        changeRails(
+            text, [&](std::vector<survey::RailPlacement>& all) { all[index] = to; }, key);
+    }
+}
+
+void PlanEditor::addRail(const survey::RailPlacement& rail) {
+    if (!m_isLocked) {
+        changeRails(tr("Lay rail"), [&](std::vector<survey::RailPlacement>& all) { all.push_back(rail); });
+        select({.rail = static_cast<int>(m_draft.rails.size()) - 1});
+    }
+}
+
+void PlanEditor::splitSelected() {
+    const auto [rail, stop] = std::pair(static_cast<std::size_t>(m_selected.rail), m_selected.stop);
+    if (m_selected.rail == PlanPart::kNone || stop <= 0 || rails()[rail].isLocked) {
+        return;
+    }
+    changeRails(tr("Split rail"), [&](std::vector<survey::RailPlacement>& all) {
+        const std::vector<survey::RailPlacement> parts = survey::split(all[rail], stop);
+        all[rail] = parts[0];
+        all.insert(all.begin() + m_selected.rail + 1, parts[1]);
+    });
+    select({.rail = m_selected.rail + 1});
+}
+
+void PlanEditor::removeSelectedRail() {
+    const auto [rail, stop] = std::pair(static_cast<std::size_t>(m_selected.rail), m_selected.stop);
+    if (m_isLocked || rails()[rail].isLocked) {
+        return;
+    }
+    const bool isWhole = stop == PlanPart::kNone;
+    const std::vector<survey::RailPlacement> left =
+        isWhole ? std::vector<survey::RailPlacement>() : survey::withoutStop(rails()[rail], stop);
+    const auto at = m_selected.rail;
+    select({});
+    changeRails(isWhole ? tr("Remove rail") : tr("Remove stop"),
+                [&](std::vector<survey::RailPlacement>& all) {
+                    all.erase(all.begin() + at);
+                    all.insert(all.begin() + at, left.begin(), left.end());
+                });
+}
+
+void PlanEditor::setSelectedLocked(bool isLocked) {
+    if (m_selected.rail != PlanPart::kNone) {
+        changeRails(isLocked ? tr("Lock rail") : tr("Unlock rail"),
+                    [&](std::vector<survey::RailPlacement>& all) {
+                        all[static_cast<std::size_t>(m_selected.rail)].isLocked = isLocked;
+                    });
+    }
+}
+
+void PlanEditor::layOthersAnew() {
+    select({});
+    change(tr("Lay rails anew"), [&](PlanDraft& draft) {
+        draft.rails = rails();
+        keepLocked(draft);
     });
 }
 

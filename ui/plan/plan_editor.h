@@ -13,13 +13,15 @@
 
 namespace spherewalk::ui {
 
-/// A polygon of the room, one of its corners, or nothing.
+/// A polygon of the room, one of its corners, a rail, one of its stops, or nothing.
 struct PlanPart {
     static constexpr int kNone = -1;
     static constexpr int kOutline = 0;
 
     int polygon = kNone; ///< 0 is the outline; obstacles count from 1.
     int corner = kNone;
+    int rail = kNone;
+    int stop = kNone;
 
     bool operator==(const PlanPart&) const = default;
 };
@@ -73,6 +75,22 @@ class PlanEditor : public QObject {
     /// Writes the name of a room at this place. `at`: the name there is replaced, or removed by an empty one.
     void nameRoom(const Eigen::Vector2d& place, const std::string& name, std::optional<std::size_t> at);
 
+    /// Returns the rails as they are shown: those of the draft, or else those of the outcome.
+    const std::vector<survey::RailPlacement>& rails() const;
+    /// Changes the rails as they are shown; from then on the plan is laid by hand. Without a rail, the
+    /// program lays all again.
+    void changeRails(const QString& text,
+                     const std::function<void(std::vector<survey::RailPlacement>&)>& apply, int key = 0);
+    /// Puts another rail in the place of this one, unless that is locked.
+    void changeRail(const QString& text, int rail, const survey::RailPlacement& to, int key);
+    /// Adds a rail and selects it.
+    void addRail(const survey::RailPlacement& rail);
+    /// Splits the rail before its selected stop.
+    void splitSelected();
+    void setSelectedLocked(bool isLocked);
+    /// Keeps the locked rails, and has the program lay the rest around them.
+    void layOthersAnew();
+
     /// Computes the outcome of another outline without a change of the draft; empty: of the draft again.
     void preview(const Polygon& outline);
 
@@ -84,6 +102,8 @@ class PlanEditor : public QObject {
   private:
     class Step;
 
+    bool isGone(const PlanPart& part) const;
+    void removeSelectedRail();
     void setDraft(PlanDraft draft);
     void compute(PlanDraft draft);
     void take(int number, const PlanOutcome& outcome);

@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kHandlePx = 5;
 
+/// Draws a small padlock around this point.
+void paintLock(QPainter& painter, const QPointF& at, const QColor& colour) {
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(QRectF(at.x() - 3, at.y() - 6, 6, 8), 0, 180 * 16);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRect(QRectF(at.x() - 4.5, at.y() - 2, 9, 7));
+}
+
 } // namespace
 
 void PlanEditorView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
@@ -39,34 +49,57 @@ void PlanEditorView::paintPicture(QPainter& painter, const QTransform& widgetFro
 }
 
 void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const {
-    const survey::Plan& plan = m_editor.outcome().plan;
+    const std::vector<survey::RailPlacement>& rails = m_editor.rails();
     QColor colour = palette().color(QPalette::Highlight);
     colour.setAlphaF(m_editor.isSettled() ? 1.0F : 0.5F);
     const double spacingPx = m_editor.draft().options.stepM * pixelsPerMetre();
     const double radius = std::clamp(0.14 * spacingPx, 1.2, 5.0);
-    painter.setBrush(colour);
-    for (const survey::RailPlacement& rail : plan.placements) {
-        const QPointF first = mapped(rail.stop(0), widgetFromRoom);
-        const QPointF last = mapped(rail.stop(rail.stops - 1), widgetFromRoom);
-        painter.setPen(QPen(colour, std::clamp(0.05 * spacingPx, 0.8, 2.0)));
-        painter.drawLine(first, last);
-        painter.setPen(Qt::NoPen);
-        for (int k = 0; k < rail.stops; ++k) {
-            painter.drawEllipse(mapped(rail.stop(k), widgetFromRoom), radius, radius);
-        }
-        painter.setPen(QPen(colour, 1.5));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(first, radius + 2.5, radius + 2.5); // where the operator begins
-        painter.setBrush(colour);
+    for (std::size_t i = 0; i < rails.size(); ++i) {
+        paintRail(painter, static_cast<int>(i), radius, colour, widgetFromRoom);
     }
     constexpr double kLeastForNumbersPx = 16;
     if (spacingPx < kLeastForNumbersPx) {
         return;
     }
     painter.setPen(palette().color(QPalette::WindowText));
-    for (std::size_t i = 0; i < plan.placements.size(); ++i) {
-        const QPointF at = mapped(plan.placements[i].origin, widgetFromRoom);
+    for (std::size_t i = 0; i < rails.size(); ++i) {
+        const QPointF at = mapped(rails[i].origin, widgetFromRoom);
         painter.drawText(at + QPointF(radius + 4, -radius - 2), QString::number(i + 1));
+    }
+}
+
+void PlanEditorView::paintRail(QPainter& painter, int index, double radius, const QColor& colour,
+                               const QTransform& widgetFromRoom) const {
+    const survey::RailPlacement& rail = m_editor.rails()[static_cast<std::size_t>(index)];
+    const PlanPart selected = m_editor.selected();
+    const bool isSelected = selected.rail == index;
+    const QPointF first = mapped(rail.stop(0), widgetFromRoom);
+    const QPointF last = mapped(rail.stop(rail.stops - 1), widgetFromRoom);
+    painter.setPen(QPen(colour, (isSelected ? 2 : 1) * std::clamp(0.35 * radius, 0.8, 2.0)));
+    painter.drawLine(first, last);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    for (int k = 0; k < rail.stops; ++k) {
+        painter.drawEllipse(mapped(rail.stop(k), widgetFromRoom), radius, radius);
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour, 1.5));
+    painter.drawEllipse(first, radius + 2.5, radius + 2.5); // where the operator begins
+    const double half = radius + kHandlePx;
+    const auto drawSquare = [&](const QPointF& at, double side) {
+        painter.drawRect(QRectF(at.x() - side, at.y() - side, 2 * side, 2 * side));
+    };
+    if (rail.isLocked) {
+        paintLock(painter, (first + last) / 2 - QPointF(0, radius + 9), colour);
+    }
+    if (isSelected) {
+        painter.setPen(QPen(palette().color(QPalette::WindowText), 1.5));
+        drawSquare(first, half);
+        drawSquare(last, half);
+    }
+    if (isSelected && selected.stop != PlanPart::kNone) {
+        painter.setBrush(palette().color(QPalette::WindowText));
+        drawSquare(mapped(rail.stop(selected.stop), widgetFromRoom), radius + 1);
     }
 }
 

@@ -33,7 +33,8 @@ double distanceTo(const QPointF& point, const QPointF& begin, const QPointF& end
 
 } // namespace
 
-PlanEditorView::PlanEditorView(PlanEditor& editor, QWidget* parent) : PlanCanvas(parent), m_editor(editor) {
+PlanEditorView::PlanEditorView(PlanEditor& editor, QWidget* parent)
+    : PlanCanvas(parent), m_editor(editor), m_rails(editor) {
     setAccessibleName(tr("Drawing of the room"));
     setMouseTracking(true);
     connect(&editor, &PlanEditor::draftChanged, this, qOverload<>(&QWidget::update));
@@ -50,6 +51,9 @@ void PlanEditorView::setTool(Tool tool) {
     m_pinned.reset();
     const bool isForPicture = tool == Tool::Scale || tool == Tool::Place;
     m_tool = m_editor.isLocked() && !isForPicture ? Tool::Select : tool;
+    if ((m_editor.selected().rail != PlanPart::kNone) != (m_tool == Tool::Rails)) {
+        m_editor.select({});
+    }
     if (m_tool == Tool::Outline || m_tool == Tool::Obstacle) {
         m_pen.start();
         emit hint(tr("Click corner after corner, or type a wall's length and press Return. "
@@ -58,6 +62,7 @@ void PlanEditorView::setTool(Tool tool) {
         emit hint(m_tool == Tool::Scale   ? tr("Drag along something whose length you know.")
                   : m_tool == Tool::Place ? tr("Drag a corner on the picture to the corner where it belongs.")
                   : m_tool == Tool::Name  ? tr("Click into a room to name it, or on a name to change it.")
+                  : m_tool == Tool::Rails ? RailTool::hint()
                                           : QString());
     }
     setCursor(m_tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -156,6 +161,8 @@ void PlanEditorView::mousePressEvent(QMouseEvent* event) {
         m_scaleLine = QLineF(roomFromWidget(at), roomFromWidget(at));
     } else if (m_tool == Tool::Name) {
         return; // it acts on the release, as a question follows
+    } else if (m_tool == Tool::Rails) {
+        m_rails.press(at, snappedPoint(at, event->modifiers()), widgetFromRoom());
     } else if (m_pen.isDrawing()) {
         m_pen.moveTo(snappedPoint(at, event->modifiers()));
         pressPen();
@@ -183,6 +190,8 @@ void PlanEditorView::mouseMoveEvent(QMouseEvent* event) {
             m_editor.preview(m_pen.preview());
         }
         update();
+    } else if (m_tool == Tool::Rails && event->buttons().testFlag(Qt::LeftButton)) {
+        m_rails.drag(snappedPoint(at, event->modifiers()), event->modifiers().testFlag(Qt::ShiftModifier));
     } else if (event->buttons().testFlag(Qt::LeftButton) && m_dragged.polygon != PlanPart::kNone) {
         drag(at, event->modifiers());
     } else if (m_tool == Tool::Select && event->buttons() == Qt::NoButton && !m_editor.isLocked()) {
@@ -218,6 +227,7 @@ void PlanEditorView::mouseReleaseEvent(QMouseEvent* event) {
         m_tool == Tool::Place ? placePicture(*m_scaleLine) : emit scaleDrawn(*m_scaleLine);
     }
     m_dragged = {};
+    m_rails.release();
     m_editor.endRun();
 }
 
@@ -277,10 +287,12 @@ void PlanEditorView::finishPen(const Polygon& polygon) {
 }
 
 bool PlanEditorView::event(QEvent* event) {
-    if (event->type() == QEvent::KeyPress && m_tool == Tool::Select && !m_editor.isLocked()) {
+    if (event->type() == QEvent::KeyPress && !m_editor.isLocked()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isTab = key->key() == Qt::Key_Tab || key->key() == Qt::Key_Backtab;
-        if (isTab && m_editor.selected().corner != PlanPart::kNone) { // leave with Escape, then Tab
+        const PlanPart selected = m_editor.selected();
+        if (isTab &&
+            std::max(selected.corner, selected.rail) != PlanPart::kNone) { // leave with Escape, then Tab
             nextPart(key->key() == Qt::Key_Tab ? 1 : -1);
             return true;
         }
@@ -319,6 +331,9 @@ void PlanEditorView::keyPressEvent(QKeyEvent* event) {
     }
     const bool isCoarse = event->modifiers().testFlag(Qt::ShiftModifier);
     const double step = std::max(m_gridM, 0.01) * (isCoarse ? 10 : 1);
+    if (m_tool == Tool::Rails && m_rails.key(*event, step)) {
+        return;
+    }
     switch (event->key()) {
     case Qt::Key_Left:
         return nudge({-step, 0});
@@ -343,6 +358,9 @@ void PlanEditorView::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlanEditorView::nextPart(int step) {
+    if (m_tool == Tool::Rails) {
+        return m_rails.next(step);
+    }
     std::vector<PlanPart> corners;
     const int count = static_cast<int>(m_editor.draft().room.obstacles.size()) + 1;
     for (int i = 0; i < count; ++i) {

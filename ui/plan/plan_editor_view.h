@@ -5,6 +5,7 @@
 #include "ui/map/plan_canvas.h"
 #include "ui/plan/outline_pen.h"
 #include "ui/plan/plan_editor.h"
+#include "ui/plan/rail_tool.h"
 
 #include <QLineF>
 
@@ -20,7 +21,7 @@ class PlanEditorView : public PlanCanvas {
     Q_OBJECT
 
   public:
-    enum class Tool { Select, Outline, Obstacle, Name, Scale, Place };
+    enum class Tool { Select, Outline, Obstacle, Name, Rails, Scale, Place };
 
     explicit PlanEditorView(PlanEditor& editor, QWidget* parent = nullptr);
 
@@ -59,6 +60,8 @@ class PlanEditorView : public PlanCanvas {
   private:
     void paintPicture(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintPlan(QPainter& painter, const QTransform& widgetFromRoom) const;
+    void paintRail(QPainter& painter, int rail, double radius, const QColor& colour,
+                   const QTransform& widgetFromRoom) const;
     void paintUncovered(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintSelection(QPainter& painter, const QTransform& widgetFromRoom) const;
     /// Where the lengths of walls are written.
@@ -88,6 +91,7 @@ class PlanEditorView : public PlanCanvas {
     PlanEditor& m_editor;
     FloorPicture m_picture;
     OutlinePen m_pen;
+    RailTool m_rails;
     Tool m_tool = Tool::Select;
     double m_gridM = 0.05;
     PlanPart m_dragged;

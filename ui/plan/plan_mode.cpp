@@ -8,6 +8,7 @@
 #include "ui/plan/plan_draft.h"
 #include "ui/plan/plan_panel.h"
 #include "ui/plan/plan_storage.h"
+#include "ui/plan/rail_panel.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -42,6 +43,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     m_stored = new QLabel(this);
     m_stored->setObjectName("planStored");
     sideLayout->addWidget(m_locked);
+    sideLayout->addWidget(new RailPanel(m_editor, side));
     sideLayout->addWidget(new PlanPanel(m_editor, side), 1);
     auto* study = new GridStudyPanel(m_study, side);
     sideLayout->addWidget(study);
@@ -118,6 +120,8 @@ QToolBar* PlanMode::makeToolBar() {
     addTool(bar, Tool::Obstacle, "obstacle", tr("Obstacle"), tr("Draw something that stands on the floor"),
             Qt::Key_B);
     addTool(bar, Tool::Name, "name", tr("Name"), tr("Name the rooms of a flat"), Qt::Key_N);
+    addTool(bar, Tool::Rails, "rails", tr("Rails"), tr("Move, turn, lengthen, add and remove rails by hand"),
+            Qt::Key_R);
     addTool(bar, Tool::Scale, "ruler", tr("Scale"), tr("Draw a known length on the picture"), Qt::Key_S);
     addTool(bar, Tool::Place, "place", tr("Place"),
             tr("Move, turn and scale the picture by two of its corners"), Qt::Key_P);
@@ -132,8 +136,9 @@ QToolBar* PlanMode::makeToolBar() {
         action->setToolTip(hint);
         return action;
     };
-    m_edits << m_tools->actions()[1] << m_tools->actions()[2] << m_tools->actions()[3];
-    m_edits << addAction("delete", tr("Remove"), tr("Remove the selected corner or obstacle (Delete)"),
+    m_edits << m_tools->actions().mid(1, 4);
+    m_edits << addAction("delete", tr("Remove"),
+                         tr("Remove the selected corner, obstacle, stop or rail (Delete)"),
                          [this] { m_editor.removeSelected(); });
     bar->addSeparator();
     QAction* undo = m_editor.undoStack()->createUndoAction(this, tr("Undo"));
@@ -193,7 +198,10 @@ void PlanMode::useStep(double stepM) {
         m_nextStepM = stepM;
         return beginWithThisRoom();
     }
-    m_editor.change(tr("Use step"), [&](PlanDraft& draft) { changeStep(draft, stepM); });
+    m_editor.change(tr("Use step"), [&](PlanDraft& draft) {
+        changeStep(draft, stepM);
+        keepLocked(draft);
+    });
 }
 
 void PlanMode::setSession(SurveySession* session) {
@@ -331,8 +339,8 @@ void PlanMode::writeSheet(const QString& file) {
         tr("Marking-out sheet"), this,
         [file, name = name.toStdString(), draft = m_editor.draft(),
          words = sheetWords()](ProgressSink& /*progress*/, const std::stop_token& /*stop*/) {
-            const survey::Plan plan = survey::plan(draft.room, draft.options);
-            writeFile(file.toStdString(), report::markingSheet(name, draft.room, draft.options, plan, words));
+            writeFile(file.toStdString(),
+                      report::markingSheet(name, draft.room, draft.options, planOf(draft), words));
         },
         [this, file] { emit message(tr("Wrote %1.").arg(file)); });
 }

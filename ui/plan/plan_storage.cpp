@@ -73,7 +73,8 @@ void PlanStorage::read() {
     }
     m_isReading = true;
     m_editor.setLocked(isLocked);
-    m_editor.begin({survey.room, survey.options});
+    m_editor.begin({survey.room, survey.options,
+                    survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>()});
     m_isReading = false;
     setState(isLocked ? State::Locked : State::Stored);
 }

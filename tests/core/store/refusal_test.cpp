@@ -112,7 +112,7 @@ TEST_F(Damaged, IsRefusedUnmodifiedWhenNewer) {
     execute("PRAGMA user_version = 7; PRAGMA wal_checkpoint(TRUNCATE)");
     const std::string before = sha256HexOfFile(database());
     expectNotOpened(ErrorKind::Unsupported,
-                    "was written by a newer Spherewalk (format 7, this one knows up to 5); update Spherewalk",
+                    "was written by a newer Spherewalk (format 7, this one knows up to 6); update Spherewalk",
                     m_path);
     EXPECT_EQ(sha256HexOfFile(database()), before);
 }

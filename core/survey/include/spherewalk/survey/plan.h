@@ -7,12 +7,14 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace spherewalk::survey {
 
 inline constexpr int kMostStations = 200'000; ///< Largest number of stations in one plan.
+inline constexpr int kMostRailStops = 1000;   ///< Largest number of stops of a rail.
 
 /// How stations are to be laid out.
 struct PlanOptions {
@@ -35,6 +37,7 @@ struct RailPlacement {
     Radians heading;
     int stops = 0;
     double stepM = 0;
+    bool isLocked = false; ///< A person wants it to stay where it is.
 
     /// Range: 0 <= k < stops, not checked.
     Eigen::Vector2d stop(int k) const;
@@ -51,15 +54,17 @@ struct Station {
 struct Plan {
     std::vector<RailPlacement> placements;
     std::vector<Station> stations;
+    bool isByHand = false; ///< A person laid the rails; room and options alone do not give them.
 };
 
 /// Lays the room out: stops on a lattice along the room's axes, shifted so that most of them fit; rails of up
 /// to railStops stops along the axis that needs fewer placements; the order and direction of rails that moves
 /// the operator least, as far as a local search finds it. The rooms of a flat that have names come one after
-/// the other. A room without space for any stop gives an empty
-/// plan. The same input gives the same plan. Errors: those of both validate(). Cost: under a second for a
-/// room of 100 m2 at 20 cm.
-Plan plan(const Room& room, const PlanOptions& options);
+/// the other. A room without space for any stop gives an empty plan. The same input gives the same plan.
+/// locked: rails that stay, though some may be walked from their other end; no other stop comes nearer than
+/// half a step to theirs. Errors: those of both validate(), and with locked rails those of planOfLaid().
+/// Cost: under a second for a room of 100 m2 at 20 cm.
+Plan plan(const Room& room, const PlanOptions& options, std::span<const RailPlacement> locked = {});
 
 /// The name that people read: "rail 3, stop 5" (counted from 1), with " at 1.20 m" if the plan's stations
 /// have several heights, "unplanned position (1.20, 3.40)" without a placement. Range: index <
