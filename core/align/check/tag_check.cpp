@@ -7,6 +7,7 @@
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/angle.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -133,6 +134,80 @@ TagFrame tagFrame(std::span<const PhotoPrior> photos, std::span<const PairEstima
         frame.yOverX = Scale{value, value * sigma};
     }
     return frame;
+}
+
+namespace {
+
+using FloorPlaces = std::span<const Eigen::Vector2d>;
+
+/// The affine map from solved places to tags that fits best, both about their weighted middles.
+struct TagFit {
+    Eigen::Matrix2d tagsFromSolved;
+    Eigen::Matrix2d covariance; ///< Of each row, for a variance of 1.
+    Eigen::Vector2d middleOfTags;
+    Eigen::Vector2d middle;
+
+    double offM(const Eigen::Vector2d& tag, const Eigen::Vector2d& place) const {
+        return (tag - middleOfTags - tagsFromSolved * (place - middle)).norm();
+    }
+};
+
+TagFit fittedTags(FloorPlaces tagged, FloorPlaces solved, std::span<const double> weights) {
+    constexpr double kTinyM2 = 1e-12; // photos on one line
+    TagFit fit{Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Identity() * kTinyM2, Eigen::Vector2d::Zero(),
+               Eigen::Vector2d::Zero()};
+    double sum = 0;
+    for (std::size_t i = 0; i < tagged.size();
+         ++i) { // from the first one, so that large coordinates keep digits
+        fit.middleOfTags += weights[i] * (tagged[i] - tagged[0]);
+        fit.middle += weights[i] * (solved[i] - solved[0]);
+        sum += weights[i];
+    }
+    fit.middleOfTags = tagged[0] + fit.middleOfTags / sum;
+    fit.middle = solved[0] + fit.middle / sum;
+    Eigen::Matrix2d normal = fit.covariance;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        const Eigen::Vector2d from = solved[i] - fit.middle;
+        normal += weights[i] * from * from.transpose();
+        fit.tagsFromSolved += weights[i] * (tagged[i] - fit.middleOfTags) * from.transpose();
+    }
+    fit.covariance = normal.inverse();
+    fit.tagsFromSolved = fit.tagsFromSolved * fit.covariance;
+    return fit;
+}
+
+} // namespace
+
+std::optional<Scale> yOverX(std::span<const Eigen::Vector2d> tagged,
+                            std::span<const Eigen::Vector2d> solved) {
+    constexpr double kLeastScatterM = 1e-4;  // tags are not better
+    constexpr double kMedianLength = 1.1774; // of a vector of two normal numbers
+    constexpr double kUnknownSigma = 0.05;
+    if (tagged.size() < kLeastPhotos) {
+        return std::nullopt;
+    }
+    std::vector<double> weights(tagged.size(), 1);
+    TagFit fit = fittedTags(tagged, solved, weights);
+    double scatterM = 0;
+    for (int round = 0; round < 20; ++round) {
+        std::vector<double> offM;
+        for (std::size_t i = 0; i < tagged.size(); ++i) {
+            offM.push_back(fit.offM(tagged[i], solved[i]));
+        }
+        scatterM = std::max(median(offM) / kMedianLength, kLeastScatterM);
+        for (std::size_t i = 0; i < tagged.size(); ++i) {
+            const double ratio = offM[i] / (3 * scatterM);
+            weights[i] = 1 / ((1 + ratio * ratio) * (1 + ratio * ratio));
+        }
+        fit = fittedTags(tagged, solved, weights);
+    }
+    // The rows are the axes of the tags, each with its own scale. What is worst known counts for both.
+    const Eigen::Vector2d lengths = fit.tagsFromSolved.rowwise().norm();
+    const double variance =
+        scatterM * scatterM * fit.covariance.operatorNorm() * lengths.cwiseAbs2().cwiseInverse().sum();
+    const double value = lengths.y() / lengths.x();
+    const double sigma = value * std::sqrt(variance);
+    return sigma < kUnknownSigma ? std::optional(Scale{value, sigma}) : std::nullopt; // NaN is unknown, too
 }
 
 namespace {

@@ -373,6 +373,7 @@ class AlignRun {
         const std::vector<std::vector<bool>> fitting = align::fittingMatches(solved, m_pairs);
         if (m_options.checksPositions && !m_options.isFree) {
             m_report.scale = align::scaleByFloor(solved, m_pairs, fitting);
+            refineStretch(m_tagged, m_report);
         }
         for (const align::ChangedContent& changed : align::changedContent(solved, m_pairs, fitting)) {
             AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(changed.photo));

@@ -9,16 +9,17 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr double kToldSigmas = 5;
-constexpr double kToldStretch = 0.04;
-constexpr double kToldScale = 0.05; ///< A lens whose height is off by 6 cm says as much.
+constexpr double kToldStretch = 0.015; ///< Puts photos 1 m apart 1.5 cm off.
+constexpr double kToldStretchSigmas = 5;
+constexpr double kToldScale = 0.03; ///< A lens whose height is off by 4 cm says as much.
+constexpr double kToldScaleSigmas = 3;
 
-bool isOff(const std::optional<align::Scale>& scale, double told) {
-    return scale && std::abs(scale->value - 1) > std::max(told, kToldSigmas * scale->sigma);
+bool isOff(const std::optional<align::Scale>& scale, double told, double sigmas) {
+    return scale && std::abs(scale->value - 1) > std::max(told, sigmas * scale->sigma);
 }
 
 std::string scaleText(const align::Scale& scale) {
-    return text(fixed(scale.value, 2), " +- ", fixed(scale.sigma, 2));
+    return text(fixed(scale.value, 3), " +- ", fixed(scale.sigma, 3));
 }
 
 /// Of a photo whose tag is wrong, about the place where its neighbours' directions meet. It must stay well
@@ -47,6 +48,24 @@ void tell(const std::string& sentence, AlignReport& report) {
 
 } // namespace
 
+void refineStretch(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
+    std::vector<Eigen::Vector2d> tags;
+    std::vector<Eigen::Vector2d> places;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        const align::SolvedPose& pose = report.alignment.photos[i];
+        if (pose.isSolved && pose.component == 0) {
+            tags.emplace_back(tagged[i].positionM.head<2>());
+            places.emplace_back(pose.roomFromPhoto.translation.head<2>());
+        }
+    }
+    const bool isSolved = report.alignment.model == align::Model::Position && !report.tagFrame.isMirrored;
+    const std::optional<align::Scale> solved = isSolved ? align::yOverX(tags, places) : std::nullopt;
+    std::optional<align::Scale>& known = report.tagFrame.yOverX;
+    if (solved && (!known || solved->sigma < known->sigma)) {
+        known = solved;
+    }
+}
+
 void tellTagFrame(AlignReport& report) {
     if (report.tagFrame.isMirrored) {
         tell("The position tags are mirrored: one axis points the wrong way, or x and y are exchanged. No "
@@ -61,7 +80,7 @@ void tellTagFrame(AlignReport& report) {
         return;
     }
     double off = 0;
-    if (isOff(report.tagFrame.yOverX, kToldStretch)) {
+    if (isOff(report.tagFrame.yOverX, kToldStretch, kToldStretchSigmas)) {
         tell(text("The scale of the tags differs along the axes: against x, the tags are ",
                   scaleText(*report.tagFrame.yOverX),
                   " times as long along y as the photos show. Measure the steps along the rails and between "
@@ -69,7 +88,7 @@ void tellTagFrame(AlignReport& report) {
              report);
         off = std::abs(report.tagFrame.yOverX->value - 1);
     }
-    if (isOff(report.scale, kToldScale)) {
+    if (isOff(report.scale, kToldScale, kToldScaleSigmas)) {
         tell(
             text("The scale of the tags is wrong, or the height of the lens: by the floor that the photos "
                  "show, the tags lie ",

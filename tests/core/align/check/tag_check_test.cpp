@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made/synthetic_survey.h"
+#include "random.h"
 
 #include "spherewalk/align/content_check.h"
 #include "spherewalk/align/tag_check.h"
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +53,41 @@ TEST(TagCheck, TellsMirroredAxesAndExchangedOnes) {
     EXPECT_TRUE(frameOf(1, -1).isMirrored);
     EXPECT_TRUE(frameOf(1, 1, true).isMirrored);
     EXPECT_FALSE(frameOf(-1, -1).isMirrored);
+}
+
+TEST(TagCheck, TellsASmallStretchBySolvedPlacesAlsoWithWrongTags) {
+    test::Random random(5);
+    for (const double stretch : {1., 1.02, 0.8, 1.25}) {
+        for (const double farM : {0., 1e6}) {
+            std::vector<Eigen::Vector2d> tagged;
+            std::vector<Eigen::Vector2d> solved;
+            for (int i = 0; i < 25; ++i) {
+                const Eigen::Vector2d place(0.2 * (i % 5), 0.2 * (i / 5));
+                tagged.emplace_back(farM + place.x() + random.normal(0.003),
+                                    stretch * place.y() + random.normal(0.003));
+                solved.emplace_back(Eigen::Rotation2Dd(0.3) * (1.04 * place) - Eigen::Vector2d(farM, 2));
+                tagged.back() += i % 7 == 3 ? Eigen::Vector2d(0.2, -0.1) : Eigen::Vector2d(0, 0);
+            }
+            const std::optional<Scale> found = yOverX(tagged, solved);
+            ASSERT_TRUE(found);
+            EXPECT_LT(found->sigma, 0.008);
+            EXPECT_NEAR(found->value, stretch, 4 * found->sigma);
+        }
+    }
+}
+
+TEST(TagCheck, OfPhotosOnOneLineOrFewTellsNoStretch) {
+    test::Random random(6);
+    std::vector<Eigen::Vector2d> line;
+    std::vector<Eigen::Vector2d> tagged;
+    for (int i = 0; i < 12; ++i) {
+        line.emplace_back(0.2 * i, 0);
+        tagged.emplace_back(0.2 * i + random.normal(0.003), random.normal(0.003));
+    }
+    EXPECT_FALSE(yOverX(tagged, line));
+    EXPECT_FALSE(yOverX(std::span(tagged).first(5), std::span(line).first(5)));
+    const std::vector<Eigen::Vector2d> one(12, {1, 1});
+    EXPECT_FALSE(yOverX(one, one));
 }
 
 TEST(TagCheck, TellsTheScaleByTheFloor) {

@@ -4,6 +4,8 @@
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <Eigen/Core>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +30,12 @@ struct TagFrame {
 /// What is wrong with all tags at once, from the directions of the pairs' baselines. A few wrong tags do not
 /// change the result. Errors: InvalidInput for an estimate of photos that do not exist.
 TagFrame tagFrame(std::span<const PhotoPrior> photos, std::span<const PairEstimate> estimates);
+
+/// Length of the tags' y axis over that of their x axis, by where the photos were found to be: the pictures
+/// give the shape of the solved places, whatever its scale. It is far better known than from directions alone.
+/// A few wrong tags do not change it. Empty for fewer than 6 photos, and for photos on one line. Shape: one
+/// entry a photo in both. Units: metres.
+std::optional<Scale> yOverX(std::span<const Eigen::Vector2d> tagged, std::span<const Eigen::Vector2d> solved);
 
 /// Length of the solved positions over their true length: how far the floor that the matches show lies below
 /// the lenses, over how far it should. It is right if the photos' heights above the floor are. Empty where

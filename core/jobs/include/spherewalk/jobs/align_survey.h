@@ -165,6 +165,10 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report);
 /// it. Errors: those of the store.
 void moveStations(store::SurveyStore& store, AlignReport& report);
 
+/// Takes the stretch of the tags from where the photos were found to be, if they were solved for and that is
+/// better known. Shape: tagged has one entry a photo.
+void refineStretch(std::span<const align::PhotoPrior> tagged, AlignReport& report);
+
 /// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
 /// standard deviations of all places.
 void tellTagFrame(AlignReport& report);
