@@ -97,7 +97,8 @@ double report(const ComponentInput& input, Model model, const ComponentState& st
               const SolutionQuality& quality, bool hasHeading, int component, Alignment& alignment,
               const std::stop_token& stop) {
     const RefinementOptions options = refinementOptions(*input.options, model, state.scale);
-    const Uncertainty sigmas = uncertainty(state.unknowns, input.priors, state.used, options, stop);
+    const Uncertainty sigmas =
+        uncertainty(state.unknowns, errorDraws(state.unknowns, input.priors, state.used, options, stop));
     const Eigen::Vector3d origin =
         input.priors[static_cast<std::size_t>(state.unknowns.photo.front())].positionM;
     for (std::size_t i = 0; i < state.unknowns.photo.size(); ++i) {

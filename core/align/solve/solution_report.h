@@ -6,6 +6,8 @@
 
 #include "spherewalk/align/solve.h"
 
+#include <Eigen/Core>
+
 #include <span>
 #include <stop_token>
 #include <string>
@@ -51,9 +53,9 @@ struct PhotoUncertainty {
     double yawRad = 0; ///< Against all others, without the common turn.
     double pitchRad = 0;
     double rollRad = 0;
-    double positionM = 0; ///< Along each axis.
+    double positionM = 0; ///< Along either axis of the floor, or in height if that is more.
     double ownRad = 0;    ///< About the worst axis, without the turn common to all.
-    double ownM = 0;      ///< Along each axis, when all are moved, turned and scaled together.
+    double ownM = 0;      ///< The same, when all are moved, turned and scaled together.
 };
 
 struct Uncertainty {
@@ -62,14 +64,27 @@ struct Uncertainty {
     double commonLeanRad = 0; ///< About the worst horizontal axis.
 };
 
-/// How far a converged solution may err. A feature takes part in many pairs with the same error, so the usual
+/// A standard deviation of so many draws is right to 5 %.
+inline constexpr int kBootstrapDraws = 192;
+
+/// Errors that a solution may have, about the room's axes, by chance. Shape: 3 rows a photo, one column a
+/// draw. Units: radians and metres.
+struct ErrorDraws {
+    Eigen::MatrixXd turn;
+    Eigen::MatrixXd position;
+};
+
+/// How a converged solution may err. A feature takes part in many pairs with the same error, so the usual
 /// inverse of the normal matrix promises too much. Instead the residuals go through the normal equations many
 /// times, with random signs that are equal within a track (a wild cluster bootstrap). Random errors of the
 /// priors go with them. Tilts and positions that the model does not solve err as their priors say and pass
 /// their errors on. Errors: Internal if the matrix cannot be factored; Stopped.
 /// Source: Cameron, Gelbach, Miller, Bootstrap-Based Improvements for Inference with Clustered Errors, 2008.
-Uncertainty uncertainty(const Unknowns& unknowns, std::span<const PhotoPrior> priors,
-                        std::span<const UsedPair> pairs, const RefinementOptions& options,
-                        const std::stop_token& stop);
+ErrorDraws errorDraws(const Unknowns& unknowns, std::span<const PhotoPrior> priors,
+                      std::span<const UsedPair> pairs, const RefinementOptions& options,
+                      const std::stop_token& stop);
+
+/// The standard deviations of what a solution may err by.
+Uncertainty uncertainty(const Unknowns& unknowns, const ErrorDraws& draws);
 
 } // namespace spherewalk::align

@@ -60,7 +60,7 @@ struct SolvedPose {
     /// The standard deviation of its turn against the other photos of its component, about the worst axis.
     /// Yaw and lean that all of them share are no part of it.
     Radians sigmaOwn;
-    /// Standard deviation along each axis: the root mean square over the three.
+    /// Standard deviation along either axis of the floor, or in height if that is more.
     double sigmaPositionM = 0;
     /// The same of its place among the other photos of its component. What all of them are moved, turned and
     /// scaled by together is no part of it.
