@@ -174,7 +174,11 @@ bool usedMatch(const Candidates& candidates, int pair, int at, UsedMatch& into) 
     if (!unit) {
         return false;
     }
-    into = {unit->inA, unit->inB, unit->sigmaRad, at,
+    const PhotoPair& given = candidates.pairs[static_cast<std::size_t>(pair)];
+    const double noise = std::hypot(candidates.noise[static_cast<std::size_t>(given.a)],
+                                    candidates.noise[static_cast<std::size_t>(given.b)]) *
+                         std::numbers::sqrt2 / 2;
+    into = {unit->inA, unit->inB, noise * unit->sigmaRad, at,
             candidates.tracks[static_cast<std::size_t>(pair)][static_cast<std::size_t>(at)]};
     return true;
 }

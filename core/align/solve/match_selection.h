@@ -24,7 +24,14 @@ struct Candidates {
     std::span<const std::vector<int>> tracks; ///< One list a pair, one entry a match.
     std::vector<int> chosen;                  ///< Indices of the component's pairs.
     std::vector<int> indexOf;                 ///< The place of each photo within the component.
+    std::span<const double> noise;            ///< photoNoise(), one a photo.
 };
+
+/// How far each photo's bearings scatter beyond what their features state, at least 1 and against the usual
+/// photo. A blurred photo has more. The pairs' own fits tell it, so no wrong position can: the variance of a
+/// pair is the mean of its two photos', and most pairs of a photo say the same.
+std::vector<double> photoNoise(std::size_t photos, std::span<const PhotoPair> pairs,
+                               std::span<const PairEstimate> estimates);
 
 /// Which matches are wanted.
 struct Selection {

@@ -315,7 +315,8 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
     alignment.cycleErrorRad = graph.cycleErrorRad;
     alignment.components = static_cast<int>(graph.components.size());
     const std::vector<std::vector<int>> trackOf = inlierTracks(pairs, estimates);
-    const Candidates candidates{pairs, estimates, trackOf, {}, {}};
+    const std::vector<double> noise = photoNoise(photos.size(), pairs, estimates);
+    const Candidates candidates{pairs, estimates, trackOf, {}, {}, noise};
     alignment.model = options.model == Model::Auto ? Model::Yaw : options.model;
     alignment.reason = options.model == Model::Auto ? "There was nothing to solve." : "It was asked for.";
     warnOfComponents(alignment, graph, photos, progress);

@@ -67,7 +67,7 @@ Eigen::Vector3d disturbed(const Eigen::Vector3d& bearing, double sigmaRad, Fixed
 }
 
 Found findPoints(const SyntheticSurveyOptions& options, const std::vector<Eigen::Vector3d>& points,
-                 const Rigid3& roomFromPhoto, FixedRandom& random) {
+                 const Rigid3& roomFromPhoto, double sigmaRad, FixedRandom& random) {
     Found found;
     found.featureOfPoint.assign(points.size(), -1);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -79,7 +79,7 @@ Found findPoints(const SyntheticSurveyOptions& options, const std::vector<Eigen:
         found.point.push_back(static_cast<int>(i));
         const Eigen::Vector3d bearing =
             LensPair{options.lensAheadM}.directionTo(roomFromPhoto.rotation.conjugate() * away).normalized();
-        found.bearing.push_back(disturbed(bearing, options.sigmaRad, random));
+        found.bearing.push_back(disturbed(bearing, sigmaRad, random));
     }
     return found;
 }
@@ -185,7 +185,9 @@ SyntheticSurvey syntheticSurvey(const SyntheticSurveyOptions& options) {
                             Eigen::Vector3d(options.positionSigmaM * random.sumNormal(),
                                             options.positionSigmaM * random.sumNormal(),
                                             options.heightSigmaM * random.sumNormal());
-        found.push_back(findPoints(options, points, truth, random));
+        const bool isBlurred = options.blurredEvery > 0 && i % options.blurredEvery == 2;
+        const double sigmaRad = (isBlurred ? options.blurFactor : 1) * options.sigmaRad;
+        found.push_back(findPoints(options, points, truth, sigmaRad, random));
         truth.translation += options.originM;
         survey.roomFromPhoto.push_back(truth);
         survey.photos.push_back(prior);
@@ -215,8 +217,8 @@ SyntheticPair syntheticPair(const SyntheticSurveyOptions& options, const Eigen::
     const Rigid3 roomFromA{randomAttitude(options, random),
                            {options.roomM.x() / 2, options.roomM.y() / 2, options.heightM}};
     const Rigid3 roomFromBoth{roomFromB, roomFromA.translation + offsetM};
-    const Found a = findPoints(options, points, roomFromA, random);
-    const Found b = findPoints(options, points, roomFromBoth, random);
+    const Found a = findPoints(options, points, roomFromA, options.sigmaRad, random);
+    const Found b = findPoints(options, points, roomFromBoth, options.sigmaRad, random);
     SyntheticPair made;
     made.pair = match(options, points, a, b, random).pair;
     made.pair.b = 1;

@@ -40,6 +40,9 @@ struct SyntheticSurveyOptions {
 
     double reachM = 0.65; ///< pairs of photos up to this far apart
     int mostMatches = 400;
+
+    int blurredEvery = 0;  ///< of every so many photos the third is blurred; 0: none. Range: 0, or above 2
+    double blurFactor = 4; ///< what a blurred photo's bearings err by; they state no more than others
 };
 
 struct SyntheticSurvey {

@@ -48,7 +48,8 @@ class HalfTurns {
         m_tracks = tracks(m_survey.pairs, isUsed);
         input.priors = m_survey.photos;
         input.options = &m_options;
-        input.candidates = {m_survey.pairs, m_estimates, m_tracks, {}, photos};
+        m_noise.assign(photos.size(), 1);
+        input.candidates = {m_survey.pairs, m_estimates, m_tracks, {}, photos, m_noise};
         for (std::size_t i = 0; i < m_estimates.size(); ++i) {
             if (m_estimates[i].verdict == PairVerdict::Constraint) {
                 input.candidates.chosen.push_back(static_cast<int>(i));
@@ -76,6 +77,7 @@ class HalfTurns {
     SyntheticSurvey m_survey;
     std::vector<PairEstimate> m_estimates;
     std::vector<std::vector<int>> m_tracks;
+    std::vector<double> m_noise;
     SolveOptions m_options;
 };
 

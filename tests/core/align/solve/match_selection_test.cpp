@@ -50,7 +50,7 @@ struct TwoPhotos {
 
     Candidates candidates() {
         trackOf = tracks(pairs, std::vector<std::vector<bool>>{estimates[0].isInlier});
-        return {pairs, estimates, trackOf, {0}, {0, 1}};
+        return {pairs, estimates, trackOf, {0}, {0, 1}, noise};
     }
 
     std::vector<UsedMatch> estimated(const Selection& selection = {}) {
@@ -69,6 +69,7 @@ struct TwoPhotos {
     std::vector<PhotoPair> pairs;
     std::vector<PairEstimate> estimates;
     std::vector<std::vector<int>> trackOf;
+    std::vector<double> noise{1, 1};
     Unknowns positions;
 };
 
