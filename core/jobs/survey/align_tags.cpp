@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kToldStretch = 0.015; ///< Puts photos 1 m apart 1.5 cm off.
 constexpr double kToldStretchSigmas = 5;
-constexpr double kToldScale = 0.03; ///< A lens whose height is off by 4 cm says as much.
-constexpr double kToldScaleSigmas = 3;
+constexpr double kToldScale = 0.025; ///< A lens whose height is off by 3 cm says as much.
+constexpr double kToldScaleSigmas = 2.5;
 
 bool isOff(const std::optional<align::Scale>& scale, double told, double sigmas) {
     return scale && std::abs(scale->value - 1) > std::max(told, sigmas * scale->sigma);
