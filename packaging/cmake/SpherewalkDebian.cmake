@@ -13,11 +13,11 @@ function(spherewalk_gzip file packed)
 endfunction()
 
 # spherewalk_debian_package(<component> NAME <package> SECTION <section> LICENCE <identifier> SUMMARY <line> DESCRIPTION <text>
-#                           [MANUALS <program>...])
+#                           [EMBEDDED <text>] [MANUALS <program>...])
 # The package of a component, with what Debian asks every package for: a copyright file, a changelog, and packed manuals of
-# packaging/man.
+# packaging/man. EMBEDDED: paragraphs of the copyright file on what the component carries along.
 function(spherewalk_debian_package component)
-  cmake_parse_arguments(PARSE_ARGV 1 package "" "NAME;SECTION;LICENCE;SUMMARY;DESCRIPTION" "MANUALS")
+  cmake_parse_arguments(PARSE_ARGV 1 package "" "NAME;SECTION;LICENCE;EMBEDDED;SUMMARY;DESCRIPTION" "MANUALS")
   set(made ${CMAKE_CURRENT_BINARY_DIR}/debian/${package_NAME})
   set(documents ${CMAKE_INSTALL_DATAROOTDIR}/doc/${package_NAME})
   string(REPLACE "GPL-3.0-or-later" "GPL-3" common_licence ${package_LICENCE})

@@ -33,6 +33,7 @@ struct ExportArguments {
     bool withFaces = false;
     bool isCheck = false;
     jobs::PlaceOptions place;
+    std::string measured;
 
     bool isChosen() const { return scene == "auto"; }
 };
@@ -156,7 +157,25 @@ Result exportPlace(const ExportArguments& options, jobs::PlaceFormat format, Con
                        fixed(100 * report.seenTwiceShare, 1), " % of the vertices.", map)};
 }
 
+Result exportWeb(const ExportArguments& options, Context& context) {
+    jobs::WebOptions page;
+    page.measured = options.measured;
+    const jobs::WebReport report =
+        jobs::exportWeb(options.survey, options.dataset, page, context.progress, context.stop);
+    Json json = jobs::toJson(report);
+    json["folder"] = options.dataset;
+    return {json,
+            text("Wrote a page of ", counted(report.photos, "photo", "photos"), " to ", options.dataset, ": ",
+                 humanBytes(report.totalBytes), " in ",
+                 humanDuration(std::chrono::duration<double>(report.depthSeconds + report.seconds)),
+                 ". Open index.html in a browser.\nDistances can be measured in ", report.withDepth,
+                 " of them. ", counted(report.leftOut, "station has", "stations have"), " no photo on it.")};
+}
+
 Result exportSurvey(const ExportArguments& options, Context& context) {
+    if (options.format == "web") {
+        return exportWeb(options, context);
+    }
     if (options.format == "sdf") {
         return exportWorld(options, context);
     }
@@ -185,7 +204,7 @@ void addExport(Commands& commands) {
         });
     command
         .option("survey", options->survey,
-                "Folder of the survey; with sdf, ply, gltf, obj or occupancy, or of a dataset")
+                "Folder of the survey; with sdf, ply, gltf, obj, occupancy or web, or of a dataset")
         .required();
     command.option("dataset", options->dataset, "Folder to make").required();
     command
@@ -199,9 +218,10 @@ void addExport(Commands& commands) {
             "--format", options->format,
             "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
             "euroc read them, the room as a world for Gazebo (sdf), the surfaces that were seen (ply, gltf, "
-            "obj), or a map of where a robot can drive (occupancy)")
+            "obj), a map of where a robot can drive (occupancy), or a page for a browser to look around in "
+            "(web)")
         .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf", "ply", "gltf", "obj",
-                "occupancy"})
+                "occupancy", "web"})
         .showDefault();
     command
         .option("--obstacle-height", options->obstacleHeightM,
@@ -237,6 +257,8 @@ void addExport(Commands& commands) {
                 "With sdf, ply, gltf, obj or occupancy, leave out surfaces that fewer photos show")
         .range(1, 255)
         .showDefault();
+    command.option("--measured", options->measured,
+                   "With web, the report.json of measure --report, for a map of errors");
     command.flag("--faces", options->withFaces,
                  "With another format, the six faces of a cube instead of each photo");
     command.flag("--check", options->isCheck,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_place.h"
 
+#include "export/source_dataset.h"
+
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -199,13 +201,12 @@ class PlaceExport {
     PlaceReport m_report;
 };
 
-/// A dataset with depths of the survey. Returns how many seconds the depths took.
-double exportDepths(const fs::path& survey, const fs::path& dataset, ProgressSink& progress,
-                    const std::stop_token& stop) {
-    const auto store = store::SurveyStore::open(survey, store::Access::Read);
-    ExportOptions options;
-    options.scene = render::SceneKind::Depth;
-    return exportDataset(store, dataset, options, progress, stop).depth.seconds;
+SourceDataset sourceOf(const fs::path& source, ProgressSink& progress, const std::stop_token& stop) {
+    if (fs::exists(source / render::kDatasetFile)) {
+        return SourceDataset(source);
+    }
+    const auto survey = store::SurveyStore::open(source, store::Access::Read);
+    return {survey, render::SceneKind::Depth, progress, stop};
 }
 
 } // namespace
@@ -246,22 +247,16 @@ PlaceReport exportPlace(const fs::path& source, const fs::path& folder, const Pl
     options.validate();
     requireAbsent(folder, "the export");
     const auto begin = std::chrono::steady_clock::now();
-    const bool isDataset = fs::exists(source / render::kDatasetFile);
-    std::optional<TemporaryFolder> temporary;
-    double depthSeconds = 0;
-    if (!isDataset) {
-        temporary.emplace("spherewalk-export");
-        ProgressStep exporting(progress, 0, 0.6);
-        depthSeconds = exportDepths(source, temporary->path() / "dataset", exporting, stop);
-    }
-    ProgressStep placing(progress, isDataset ? 0 : 0.6, 1);
-    PlaceExport place(isDataset ? source : temporary->path() / "dataset", options, stop);
+    ProgressStep exporting(progress, 0, 0.6);
+    const SourceDataset dataset = sourceOf(source, exporting, stop);
+    ProgressStep placing(progress, dataset.path() == source ? 0 : 0.6, 1);
+    PlaceExport place(dataset.path(), options, stop);
     PlaceReport report;
     makeFolder(folder, "the export",
                [&](const fs::path& unfinished) { report = place.run(unfinished, placing); });
-    report.depthSeconds = depthSeconds;
+    report.depthSeconds = dataset.depthSeconds();
     report.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - depthSeconds;
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - report.depthSeconds;
     return report;
 }
 

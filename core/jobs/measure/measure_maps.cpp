@@ -7,6 +7,7 @@
 #include "spherewalk/render/dataset_format.h"
 #include "spherewalk/report/chart.h"
 #include "spherewalk/report/svg.h"
+#include "spherewalk/web/page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,26 @@ std::vector<Eigen::Vector3d> placesOf(const render::DatasetInfo& info) {
     return places;
 }
 
+bool isFloor(const render::DatasetInfo& info, const Vector2d& pInRoom) {
+    return (info.outline.empty() || contains(info.outline, pInRoom)) &&
+           std::none_of(info.obstacles.begin(), info.obstacles.end(),
+                        [&](const Polygon& obstacle) { return contains(obstacle, pInRoom); });
+}
+
+std::optional<std::size_t> nearest(const render::DatasetInfo& info, double reachM, const Vector2d& pInRoom) {
+    std::optional<std::size_t> best;
+    double least = reachM * (1 + 1e-9);
+    for (std::size_t i = 0; i < info.photos.size(); ++i) {
+        const double distance = (info.photos[i].roomFromPhoto.translation.head<2>() - pInRoom).norm();
+        if (distance <= least) {
+            least = distance;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// How far a photo reaches: half the diagonal of a cell of the photos' grid.
 double reachOf(const render::DatasetInfo& info) {
     const double step = std::max(PhotoGrid(placesOf(info)).stepM(), info.stepM);
     return step > 0 ? std::sqrt(0.5) * step : kReachWithoutGridM;
@@ -94,9 +115,6 @@ class PlanDrawing {
     std::string str() const { return m_svg.str(); }
 
   private:
-    bool isFloor(const Eigen::Vector2d& pInRoom) const;
-    std::optional<std::size_t> nearest(const Eigen::Vector2d& pInRoom) const;
-
     const render::DatasetInfo& m_info;
     Bounds2 m_bounds;
     double m_pixelsAMetre;
@@ -121,49 +139,13 @@ SvgPoint PlanDrawing::at(const Vector2d& pInRoom) const {
             kTopPx + pixels(m_bounds.greatest.y() - pInRoom.y())};
 }
 
-bool PlanDrawing::isFloor(const Vector2d& pInRoom) const {
-    return (m_info.outline.empty() || contains(m_info.outline, pInRoom)) &&
-           std::none_of(m_info.obstacles.begin(), m_info.obstacles.end(),
-                        [&](const Polygon& obstacle) { return contains(obstacle, pInRoom); });
-}
-
-std::optional<std::size_t> PlanDrawing::nearest(const Vector2d& pInRoom) const {
-    std::optional<std::size_t> best;
-    double least = m_reachM * (1 + 1e-9);
-    for (std::size_t i = 0; i < m_info.photos.size(); ++i) {
-        const double distance = (m_info.photos[i].roomFromPhoto.translation.head<2>() - pInRoom).norm();
-        if (distance <= least) {
-            least = distance;
-            best = i;
-        }
-    }
-    return best;
-}
-
 void PlanDrawing::floor(const std::function<std::string(std::size_t)>& colour) {
-    const Vector2d size = m_bounds.greatest - m_bounds.least;
-    const double cell = size.maxCoeff() / kMostRasterCells;
-    const auto columns = static_cast<int>(std::ceil(size.x() / cell));
-    const auto rows = static_cast<int>(std::ceil(size.y() / cell));
-    for (int row = 0; row < rows; ++row) {
-        std::string runColour; // cells of one colour in a row are one rectangle
-        int runBegin = 0;
-        for (int column = 0; column <= columns; ++column) {
-            const Vector2d middle = m_bounds.least + cell * Vector2d(column + 0.5, row + 0.5);
-            const auto photo = column < columns && isFloor(middle) ? nearest(middle) : std::nullopt;
-            const std::string now = photo ? colour(*photo) : "";
-            if (now == runColour) {
-                continue;
-            }
-            if (!runColour.empty()) {
-                const SvgPoint corner = at(m_bounds.least + cell * Vector2d(runBegin, row + 1));
-                m_svg.rectangle(
-                    {corner.x, corner.y, pixels(cell * (column - runBegin)) + 0.3, pixels(cell) + 0.3},
-                    runColour);
-            }
-            runColour = now;
-            runBegin = column;
-        }
+    const web::Floor floor = floorCells(m_info, colour);
+    for (const web::FloorRun& run : floor.runs) {
+        const SvgPoint corner = at(floor.origin + floor.cellM * Vector2d(run.begin, run.row + 1));
+        m_svg.rectangle({corner.x, corner.y, pixels(floor.cellM * (run.end - run.begin)) + 0.3,
+                         pixels(floor.cellM) + 0.3},
+                        colour(run.photo));
     }
 }
 
@@ -240,6 +222,31 @@ std::vector<report::SvgPoint> sector(const PlanDrawing& plan, const Vector2d& pl
 }
 
 } // namespace
+
+web::Floor floorCells(const render::DatasetInfo& info,
+                      const std::function<std::string(std::size_t)>& colour) {
+    const double reachM = reachOf(info);
+    const Bounds2 area = boundsOf(info, reachM);
+    const Vector2d size = area.greatest - area.least;
+    web::Floor floor{area.least, size.maxCoeff() / kMostRasterCells, {}};
+    const auto columns = static_cast<int>(std::ceil(size.x() / floor.cellM));
+    const auto rows = static_cast<int>(std::ceil(size.y() / floor.cellM));
+    for (int row = 0; row < rows; ++row) {
+        std::string runColour; // cells of one colour in a row are one run
+        for (int column = 0; column < columns; ++column) {
+            const Vector2d middle = area.least + floor.cellM * Vector2d(column + 0.5, row + 0.5);
+            const auto photo = isFloor(info, middle) ? nearest(info, reachM, middle) : std::nullopt;
+            const std::string now = photo ? colour(*photo) : "";
+            if (!now.empty() && now == runColour) {
+                ++floor.runs.back().end;
+            } else if (!now.empty()) {
+                floor.runs.push_back({row, column, column + 1, *photo});
+            }
+            runColour = now;
+        }
+    }
+    return floor;
+}
 
 std::string coveragePlot(const render::DatasetInfo& info) {
     PlanDrawing plan(info, "Coverage", "Floor within reach of a photo: half the diagonal of the grid's cell");

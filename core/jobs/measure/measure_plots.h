@@ -4,9 +4,19 @@
 #include "spherewalk/jobs/grid_study.h"
 #include "spherewalk/jobs/measure_report.h"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 
+namespace spherewalk::web {
+struct Floor;
+}
+
 namespace spherewalk::jobs {
+
+/// The floor within the reach of photos. A run ends where the nearest photo has another colour; an empty
+/// colour is no floor. colour: of a photo by its index.
+web::Floor floorCells(const render::DatasetInfo& info, const std::function<std::string(std::size_t)>& colour);
 
 /// The room, the photos in it, and the floor within their reach. Shape: SVG, as all functions below.
 std::string coveragePlot(const render::DatasetInfo& info);

@@ -9,10 +9,13 @@
 #include "spherewalk/place/surface.h"
 #include "spherewalk/render/dataset.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 namespace spherewalk::jobs {
@@ -76,5 +79,37 @@ place::Surface furnitureOf(const std::filesystem::path& dataset, const render::R
                            const PlaceOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
 Json toJson(const PlaceReport& report);
+
+/// How a page for browsers is written.
+struct WebOptions {
+    std::string language = "en"; ///< BCP 47.
+    /// The translation of the page's English words and of core's sentences; empty: English.
+    std::function<std::string(const std::string&)> translated = {};
+    /// A report.json of readMeasuredPhotos() with errors for the page's map; empty: the page has no such map.
+    std::filesystem::path measured = {};
+};
+
+struct WebReport {
+    std::size_t photos = 0;
+    std::size_t withDepth = 0; ///< Photos in which distances can be measured.
+    std::size_t leftOut = 0;   ///< Stations of the plan without a photo on the page.
+    std::uint64_t totalBytes = 0;
+    double depthSeconds = 0; ///< For depths that were not known yet.
+    double seconds = 0;      ///< For everything else.
+};
+
+/// Exports a page that any browser opens from a disk, into a new folder: plan, panoramas, walking from photo
+/// to photo, measuring, maps of the floor, and what checks and people said of the photos. source: a dataset,
+/// or a survey, whose depths are estimated first unless an earlier export kept them. A survey that was never
+/// aligned gets no depths, and a photo whose heading is not known has none on the page. The page holds no
+/// paths, no serial numbers of cameras and no metadata of photos.
+///
+/// Errors: those of opening the source, of exportDataset(), of readMeasuredPhotos() and of reading photos;
+/// InvalidInput for a report of another survey; Exists, Full, Io. After an error nothing is left. Stop:
+/// Stopped.
+WebReport exportWeb(const std::filesystem::path& source, const std::filesystem::path& folder,
+                    const WebOptions& options, ProgressSink& progress, const std::stop_token& stop);
+
+Json toJson(const WebReport& report);
 
 } // namespace spherewalk::jobs
