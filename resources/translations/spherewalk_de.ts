@@ -2537,6 +2537,314 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PagePanel</name>
+    <message>
+        <source>A page to share</source>
+        <translation>Eine Seite zum Weitergeben</translation>
+    </message>
+    <message>
+        <source>Plan, panoramas to walk through, distances, and the notes of the review, in a folder that any browser opens. Nothing needs to be installed.</source>
+        <translation>Plan, begehbare Panoramen, Entfernungen und die Notizen der Durchsicht in einem Ordner, den jeder Browser öffnet. Nichts muss installiert werden.</translation>
+    </message>
+    <message>
+        <source>Write the page</source>
+        <translation>Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Anhalten; dann wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Ansehen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PagePresenter</name>
+    <message>
+        <source>Writing the page of %1</source>
+        <translation>Schreiben der Seite von %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2. Distances can be measured in %3 of them. Share the whole folder.</source>
+        <translation>
+            <numerusform>%1: %n Foto, %2. Entfernungen können in %3 davon gemessen werden. Geben Sie den ganzen Ordner weiter.</numerusform>
+            <numerusform>%1: %n Fotos, %2. Entfernungen können in %3 davon gemessen werden. Geben Sie den ganzen Ordner weiter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Angehalten; nichts wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PageWords</name>
+    <message>
+        <source>Panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>Panorama of %1. Drag, or use the arrow keys.</source>
+        <translation>Panorama von %1. Ziehen Sie, oder nehmen Sie die Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Plan of the room with the photos</source>
+        <translation>Plan des Raums mit den Fotos</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>Auf dem Boden</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation of the depth and of the click. A scale that is wrong for the whole room is not in it.</source>
+        <translation>± ist eine Standardabweichung der Tiefe und des Klicks. Ein falscher Maßstab des ganzen Raums ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>Remove the last one</source>
+        <translation>Die letzte entfernen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Walk ahead</source>
+        <translation>Vorwärts gehen</translation>
+    </message>
+    <message>
+        <source>Walk back</source>
+        <translation>Rückwärts gehen</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript, which is switched off in this browser.</source>
+        <translation>Diese Seite braucht JavaScript, das in diesem Browser abgeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>This browser shows no 3D graphics (WebGL), so there are no panoramas. Plan and notes work.</source>
+        <translation>Dieser Browser zeigt keine 3D-Grafik (WebGL), darum gibt es keine Panoramen. Plan und Notizen gehen.</translation>
+    </message>
+    <message>
+        <source>The file %1 could not be read. The folder must be copied whole.</source>
+        <translation>Die Datei %1 konnte nicht gelesen werden. Der Ordner muss ganz kopiert werden.</translation>
+    </message>
+    <message>
+        <source>1 photo</source>
+        <translation>1 Foto</translation>
+    </message>
+    <message>
+        <source>%1 photos</source>
+        <translation>%1 Fotos</translation>
+    </message>
+    <message>
+        <source>made by %1 on %2</source>
+        <translation>gemacht von %1 am %2</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>failed the checks</source>
+        <translation>bei der Prüfung durchgefallen</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>accepted by a person</source>
+        <translation>von einem Menschen angenommen</translation>
+    </message>
+    <message>
+        <source>no photo</source>
+        <translation>kein Foto</translation>
+    </message>
+    <message>
+        <source>photo rejected</source>
+        <translation>Foto verworfen</translation>
+    </message>
+    <message>
+        <source>photo not placed: its alignment failed</source>
+        <translation>Foto ohne Ort: seine Ausrichtung misslang</translation>
+    </message>
+    <message>
+        <source>This page was made of a dataset, which has no verdicts and no notes.</source>
+        <translation>Diese Seite wurde aus einem Datensatz gemacht, der keine Urteile und keine Notizen hat.</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, %3 m hoch</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high, ± %4 m</source>
+        <translation>x %1 m, y %2 m, %3 m hoch, ± %4 m</translation>
+    </message>
+    <message>
+        <source>Views that replace this photo are off by %1 pixels.</source>
+        <translation>Ansichten, die dieses Foto ersetzen, weichen um %1 Pixel ab.</translation>
+    </message>
+    <message>
+        <source>The heading of this photo is not known.</source>
+        <translation>Die Richtung dieses Fotos ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>This photo has no depth: nothing can be measured in it.</source>
+        <translation>Dieses Foto hat keine Tiefe: Nichts kann darin gemessen werden.</translation>
+    </message>
+    <message>
+        <source>The depth there was not measured.</source>
+        <translation>Die Tiefe wurde dort nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Choose a point, with a click or with Enter for the middle.</source>
+        <translation>Wählen Sie einen Punkt, mit einem Klick oder mit Enter für die Mitte.</translation>
+    </message>
+    <message>
+        <source>Choose the other end.</source>
+        <translation>Wählen Sie das andere Ende.</translation>
+    </message>
+    <message>
+        <source>There is no photo to walk to in this direction.</source>
+        <translation>In dieser Richtung ist kein Foto, zu dem man gehen kann.</translation>
+    </message>
+    <message>
+        <source>%1 m ± %2 m</source>
+        <translation>%1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>walk ahead and back</source>
+        <translation>vorwärts und rückwärts gehen</translation>
+    </message>
+    <message>
+        <source>look up and down</source>
+        <translation>nach oben und unten sehen</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>look level</source>
+        <translation>waagerecht sehen</translation>
+    </message>
+    <message>
+        <source>measure a distance</source>
+        <translation>eine Entfernung messen</translation>
+    </message>
+    <message>
+        <source>while measuring: take the middle of the picture</source>
+        <translation>beim Messen: die Mitte des Bildes nehmen</translation>
+    </message>
+    <message>
+        <source>while measuring: take back the last point</source>
+        <translation>beim Messen: den letzten Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>end measuring</source>
+        <translation>das Messen beenden</translation>
+    </message>
+    <message>
+        <source>this list</source>
+        <translation>diese Liste</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Floor within reach of a photo: half the diagonal of the grid&apos;s cell</source>
+        <translation>Boden in Reichweite eines Fotos: die halbe Diagonale der Rasterzelle</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>abgedeckt</translation>
+    </message>
+    <message>
+        <source>Error of views</source>
+        <translation>Fehler der Ansichten</translation>
+    </message>
+    <message>
+        <source>95th percentile of displacement where the photo was left out</source>
+        <translation>95. Perzentil der Verschiebung, wo das Foto weggelassen wurde</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the heading</source>
+        <translation>Unsicherheit der Richtung</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each photo&apos;s heading, in pixels of a camera of 640 pixels and 57 degrees</source>
+        <translation>Standardabweichung der Richtung jedes Fotos, in Pixeln einer Kamera mit 640 Pixeln und 57 Grad</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 px, the tolerance</source>
+        <translation>%1 px, die Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 px and less</source>
+        <translation>%1 px und weniger</translation>
+    </message>
+    <message>
+        <source>%1 px and more</source>
+        <translation>%1 px und mehr</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PanoramaPresenter</name>
     <message>
         <source>No photo is chosen.</source>

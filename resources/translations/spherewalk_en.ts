@@ -175,6 +175,16 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PagePresenter</name>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2. Distances can be measured in %3 of them. Share the whole folder.</source>
+        <translation>
+            <numerusform>%1: %n photo, %2. Distances can be measured in %3 of them. Share the whole folder.</numerusform>
+            <numerusform>%1: %n photos, %2. Distances can be measured in %3 of them. Share the whole folder.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PhotoReviewer</name>
     <message numerus="yes">
         <source>Accept %n photo(s)</source>

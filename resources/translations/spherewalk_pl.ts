@@ -2558,6 +2558,315 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::PagePanel</name>
+    <message>
+        <source>A page to share</source>
+        <translation>Strona do udostępnienia</translation>
+    </message>
+    <message>
+        <source>Plan, panoramas to walk through, distances, and the notes of the review, in a folder that any browser opens. Nothing needs to be installed.</source>
+        <translation>Plan, panoramy do przechodzenia, odległości i uwagi z oceny w folderze, który otworzy każda przeglądarka. Niczego nie trzeba instalować.</translation>
+    </message>
+    <message>
+        <source>Write the page</source>
+        <translation>Zapisz stronę</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Zatrzymaj; nic wtedy nie zostanie zapisane</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Obejrzyj ją</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PagePresenter</name>
+    <message>
+        <source>Writing the page of %1</source>
+        <translation>Zapisywanie strony: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), %2. Distances can be measured in %3 of them. Share the whole folder.</source>
+        <translation>
+            <numerusform>%1: %n zdjęcie, %2. Odległości można mierzyć na tylu z nich: %3. Udostępnij cały folder.</numerusform>
+            <numerusform>%1: %n zdjęcia, %2. Odległości można mierzyć na tylu z nich: %3. Udostępnij cały folder.</numerusform>
+            <numerusform>%1: %n zdjęć, %2. Odległości można mierzyć na tylu z nich: %3. Udostępnij cały folder.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Zatrzymano; nic nie zapisano.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::PageWords</name>
+    <message>
+        <source>Panorama</source>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>Panorama of %1. Drag, or use the arrow keys.</source>
+        <translation>Panorama: %1. Przeciągaj albo używaj klawiszy strzałek.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Plan of the room with the photos</source>
+        <translation>Plan pomieszczenia ze zdjęciami</translation>
+    </message>
+    <message>
+        <source>Photo</source>
+        <translation>Zdjęcie</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Stanowisko</translation>
+    </message>
+    <message>
+        <source>On the floor</source>
+        <translation>Na podłodze</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Zmierz</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Odległości</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation of the depth and of the click. A scale that is wrong for the whole room is not in it.</source>
+        <translation>± to jedno odchylenie standardowe głębi i kliknięcia. Błędnej skali całego pomieszczenia nie obejmuje.</translation>
+    </message>
+    <message>
+        <source>Remove the last one</source>
+        <translation>Usuń ostatnią</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klawisze</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Walk ahead</source>
+        <translation>Idź naprzód</translation>
+    </message>
+    <message>
+        <source>Walk back</source>
+        <translation>Idź wstecz</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Przybliż</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Oddal</translation>
+    </message>
+    <message>
+        <source>This page needs JavaScript, which is switched off in this browser.</source>
+        <translation>Ta strona wymaga JavaScriptu, a jest on w tej przeglądarce wyłączony.</translation>
+    </message>
+    <message>
+        <source>This browser shows no 3D graphics (WebGL), so there are no panoramas. Plan and notes work.</source>
+        <translation>Ta przeglądarka nie pokazuje grafiki 3D (WebGL), więc nie ma panoram. Plan i uwagi działają.</translation>
+    </message>
+    <message>
+        <source>The file %1 could not be read. The folder must be copied whole.</source>
+        <translation>Nie udało się odczytać pliku %1. Folder trzeba kopiować w całości.</translation>
+    </message>
+    <message>
+        <source>1 photo</source>
+        <translation>1 zdjęcie</translation>
+    </message>
+    <message>
+        <source>%1 photos</source>
+        <translation>Zdjęcia: %1</translation>
+    </message>
+    <message>
+        <source>made by %1 on %2</source>
+        <translation>zrobione przez %1 dnia %2</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>dobre</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>wątpliwe</translation>
+    </message>
+    <message>
+        <source>failed the checks</source>
+        <translation>nie przeszło kontroli</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nieocenione</translation>
+    </message>
+    <message>
+        <source>accepted by a person</source>
+        <translation>przyjęte przez człowieka</translation>
+    </message>
+    <message>
+        <source>no photo</source>
+        <translation>brak zdjęcia</translation>
+    </message>
+    <message>
+        <source>photo rejected</source>
+        <translation>zdjęcie odrzucone</translation>
+    </message>
+    <message>
+        <source>photo not placed: its alignment failed</source>
+        <translation>zdjęcie bez miejsca: jego orientacja się nie udała</translation>
+    </message>
+    <message>
+        <source>This page was made of a dataset, which has no verdicts and no notes.</source>
+        <translation>Ta strona powstała ze zbioru danych, który nie ma ocen ani uwag.</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Uwaga: %1</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high</source>
+        <translation>x %1 m, y %2 m, wysokość %3 m</translation>
+    </message>
+    <message>
+        <source>x %1 m, y %2 m, %3 m high, ± %4 m</source>
+        <translation>x %1 m, y %2 m, wysokość %3 m, ± %4 m</translation>
+    </message>
+    <message>
+        <source>Views that replace this photo are off by %1 pixels.</source>
+        <translation>Widoki, które zastępują to zdjęcie, odbiegają o %1 pikseli.</translation>
+    </message>
+    <message>
+        <source>The heading of this photo is not known.</source>
+        <translation>Kierunek tego zdjęcia nie jest znany.</translation>
+    </message>
+    <message>
+        <source>This photo has no depth: nothing can be measured in it.</source>
+        <translation>To zdjęcie nie ma głębi: niczego nie można na nim zmierzyć.</translation>
+    </message>
+    <message>
+        <source>The depth there was not measured.</source>
+        <translation>Głębi w tym miejscu nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Choose a point, with a click or with Enter for the middle.</source>
+        <translation>Wybierz punkt: kliknięciem albo klawiszem Enter na środku.</translation>
+    </message>
+    <message>
+        <source>Choose the other end.</source>
+        <translation>Wybierz drugi koniec.</translation>
+    </message>
+    <message>
+        <source>There is no photo to walk to in this direction.</source>
+        <translation>W tym kierunku nie ma zdjęcia, do którego można pójść.</translation>
+    </message>
+    <message>
+        <source>%1 m ± %2 m</source>
+        <translation>%1 m ± %2 m</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>obrót</translation>
+    </message>
+    <message>
+        <source>walk ahead and back</source>
+        <translation>idź naprzód i wstecz</translation>
+    </message>
+    <message>
+        <source>look up and down</source>
+        <translation>patrz w górę i w dół</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>powiększenie</translation>
+    </message>
+    <message>
+        <source>look level</source>
+        <translation>patrz poziomo</translation>
+    </message>
+    <message>
+        <source>measure a distance</source>
+        <translation>zmierz odległość</translation>
+    </message>
+    <message>
+        <source>while measuring: take the middle of the picture</source>
+        <translation>przy mierzeniu: weź środek obrazu</translation>
+    </message>
+    <message>
+        <source>while measuring: take back the last point</source>
+        <translation>przy mierzeniu: cofnij ostatni punkt</translation>
+    </message>
+    <message>
+        <source>end measuring</source>
+        <translation>zakończ mierzenie</translation>
+    </message>
+    <message>
+        <source>this list</source>
+        <translation>ta lista</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Pokrycie</translation>
+    </message>
+    <message>
+        <source>Floor within reach of a photo: half the diagonal of the grid&apos;s cell</source>
+        <translation>Podłoga w zasięgu zdjęcia: połowa przekątnej oczka siatki</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>pokryte</translation>
+    </message>
+    <message>
+        <source>Error of views</source>
+        <translation>Błąd widoków</translation>
+    </message>
+    <message>
+        <source>95th percentile of displacement where the photo was left out</source>
+        <translation>95. percentyl przesunięcia tam, gdzie zdjęcie pominięto</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the heading</source>
+        <translation>Niepewność kierunku</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each photo&apos;s heading, in pixels of a camera of 640 pixels and 57 degrees</source>
+        <translation>Odchylenie standardowe kierunku każdego zdjęcia, w pikselach kamery o 640 pikselach i 57 stopniach</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 px, the tolerance</source>
+        <translation>%1 px, tolerancja</translation>
+    </message>
+    <message>
+        <source>%1 px and less</source>
+        <translation>%1 px i mniej</translation>
+    </message>
+    <message>
+        <source>%1 px and more</source>
+        <translation>%1 px i więcej</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>niezmierzone</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::PanoramaPresenter</name>
     <message>
         <source>No photo is chosen.</source>

@@ -3,6 +3,7 @@
 
 #include "ui/export/export_presenter.h"
 #include "ui/export/measure_panel.h"
+#include "ui/export/page_panel.h"
 #include "ui/export/place_panel.h"
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
@@ -59,6 +60,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
       m_presenter(new ExportPresenter(tasks, this)),
       m_measure(new MeasurePresenter(tasks, this)),
       m_place(new PlacePresenter(tasks, this)),
+      m_page(new PagePresenter(tasks, this)),
       m_open([](const QUrl& url) { return QDesktopServices::openUrl(url); }) {
     auto* page = new QWidget(this);
     page->setMaximumWidth(kWidestPage);
@@ -74,6 +76,9 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     auto* place = new PlacePanel(*m_place, page);
     connect(place, &PlacePanel::openRequested, this, &ExportMode::open);
     column->addWidget(place);
+    auto* shared = new PagePanel(*m_page, page);
+    connect(shared, &PagePanel::openRequested, this, &ExportMode::open);
+    column->addWidget(shared);
     column->addStretch(1);
     auto* layout = new QHBoxLayout(this);
     layout->addWidget(page, 1);
@@ -87,6 +92,7 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
 void ExportMode::setSession(SurveySession* session) {
     m_isSceneChosen = false;
     m_presenter->setSession(session);
+    m_page->setSession(session);
     m_folder->setText(m_presenter->folder());
     proposeScene();
 }

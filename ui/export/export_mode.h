@@ -17,6 +17,7 @@ namespace spherewalk::ui {
 class CameraBox;
 class ExportPresenter;
 class MeasurePresenter;
+class PagePresenter;
 class PlacePresenter;
 class TaskBar;
 class TaskList;
@@ -54,6 +55,7 @@ class ExportMode : public Mode {
     ExportPresenter* m_presenter;
     MeasurePresenter* m_measure;
     PlacePresenter* m_place;
+    PagePresenter* m_page;
     std::function<bool(const QUrl&)> m_open;
     QLineEdit* m_folder = nullptr;
     QComboBox* m_scene = nullptr;
