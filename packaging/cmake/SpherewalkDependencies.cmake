@@ -24,6 +24,14 @@ set_package_properties(yaml-cpp PROPERTIES PURPOSE "ROS camera-info files (core/
 
 if(SPHEREWALK_WHOLE)
   find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d)
+  if(OpenCV_VERSION VERSION_LESS 4.7) # where AprilTags are
+    set(tagModule aruco)
+  else()
+    set(tagModule objdetect)
+  endif()
+  find_package(OpenCV ${OpenCV_VERSION} REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d ${tagModule})
+  add_library(opencv_april_tags INTERFACE)
+  target_link_libraries(opencv_april_tags INTERFACE opencv_${tagModule})
   find_package(Ceres 2.0 REQUIRED)
   find_package(exiv2 REQUIRED)
   find_package(meshoptimizer REQUIRED CONFIG)

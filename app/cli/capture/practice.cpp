@@ -5,6 +5,7 @@
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/demo.h"
@@ -19,12 +20,20 @@ namespace spherewalk::cli {
 
 namespace {
 
+/// The practice room that is photographed.
+struct RoomArguments {
+    std::string style = "lively";
+    int tags = 0;
+    double tagSizeM = practice::PracticeTag().sizeM;
+    std::string tagsTruth;
+};
+
 struct PracticeArguments {
     practice::PracticeCameraOptions camera;
     std::string photos;
     std::string positions;
     std::uint64_t seed = 1;
-    std::string room = "lively";
+    RoomArguments room;
     std::string model = "theta-v";
     bool isReal = false;
     double tiltDeg = Degrees(practice::PhotoErrors().tiltSigma).value();
@@ -38,20 +47,54 @@ constexpr EnumNames<practice::CameraModel, 3> kModels{{{practice::CameraModel::T
                                                        {practice::CameraModel::ThetaS, "theta-s"},
                                                        {practice::CameraModel::LevelOne, "level-one"}}};
 
-practice::PracticeRoomOptions roomOptions(const std::string& name) {
+/// Hangs tags on the walls, and writes where their corners are.
+void hangTags(const RoomArguments& options, practice::PracticeRoomOptions& room) {
+    room.tags = practice::tagsOnWalls(practice::PracticeRoom(room), options.tags, options.tagSizeM);
+    if (room.tags.size() < static_cast<std::size_t>(options.tags)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The practice room's walls have room for ", room.tags.size(), " such tags, not for ",
+                         options.tags, "."));
+    }
+    if (!options.tagsTruth.empty()) {
+        Json list = Json::array();
+        for (const practice::PracticeTag& tag : room.tags) {
+            Json corners = Json::array();
+            for (const Eigen::Vector3d& corner : tag.cornersM()) {
+                corners.push_back({corner.x(), corner.y(), corner.z()});
+            }
+            list.push_back({{"number", tag.number}, {"size_m", tag.sizeM}, {"corners_m", corners}});
+        }
+        writeFile(options.tagsTruth, bytesOf(list.dump(2) + "\n"));
+    }
+}
+
+practice::PracticeRoomOptions roomOptions(const RoomArguments& options) {
     practice::PracticeRoomOptions room;
-    room.style = valueOf(kRooms, "The practice room", name);
+    room.style = valueOf(kRooms, "The practice room", options.style);
     if (room.style == practice::RoomStyle::Flat) {
         room.sizeM = {8, 6, 2.5};
+    }
+    if (options.tags > 0) {
+        hangTags(options, room);
     }
     return room;
 }
 
-void declareRoom(const program::Command& command, std::string& room) {
+void declareRoom(const program::Command& command, RoomArguments& options) {
     command
-        .option("--room", room,
+        .option("--room", options.style,
                 "What is photographed: lively, bare (white walls, glass), or flat (two rooms)")
         .showDefault();
+    const program::Option tags =
+        command.option("--tags", options.tags, "Number of AprilTags (36h11) that hang on the walls")
+            .range(0, 100)
+            .showDefault();
+    command.option("--tag-size", options.tagSizeM, "Side of their black square, metres")
+        .range(0.02, 1.0)
+        .showDefault()
+        .needs(tags);
+    command.option("--tags-truth", options.tagsTruth, "JSON file for where the tags' corners are")
+        .needs(tags);
 }
 
 practice::PracticeCameraOptions cameraOptions(const PracticeArguments& options) {
@@ -94,7 +137,7 @@ struct PicturesArguments {
     std::string camera;
     std::string path;
     std::string frame = "optical";
-    std::string room = "lively";
+    RoomArguments room;
 };
 
 Result drawPictures(const PicturesArguments& options, Context& context) {

@@ -117,6 +117,9 @@ void addInnerWall(Furniture& room, const Eigen::Vector2d& from, const Eigen::Vec
                   std::uint32_t seed);
 void addOverhang(Furniture& room, double x, double y);
 
+/// The sheet that a tag is printed on. origin: the room's corner. Errors: InvalidInput for an unknown number.
+Shape sheetOf(const PracticeTag& tag, const Eigen::Vector3d& origin);
+
 /// Furniture along the walls of a room of this size; the middle stays free.
 Furniture furnished(RoomStyle style, const Eigen::Vector3d& roomSize);
 

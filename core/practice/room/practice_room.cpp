@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/photo/april_tag.h"
 
 #include <utility>
 
@@ -44,11 +45,19 @@ void PracticeRoomOptions::validate() const {
             refuse("each object needs a size above zero and a centre inside the room.");
         }
     }
+    for (const PracticeTag& tag : tags) {
+        const Eigen::Vector3d inside = tag.centreM - originM;
+        if (tag.number < 0 || tag.number >= photo::kTagNumbers || !isWithin(tag.sizeM, 0.02, 1) ||
+            !inside.allFinite() || inside.minCoeff() < 0 || (sizeM - inside).minCoeff() < 0 ||
+            !std::isfinite(tag.facing.value())) {
+            refuse(text("each tag needs a number from 0 to ", photo::kTagNumbers - 1,
+                        ", a size of 2 cm to 1 m, and a centre inside the room."));
+        }
+    }
 }
 
 struct PracticeRoom::State {
-    explicit State(PracticeRoomOptions given)
-        : options(std::move(given)), scene(options.style, options.sizeM, options.objects, options.originM) {}
+    explicit State(PracticeRoomOptions given) : options(std::move(given)), scene(options) {}
 
     /// In the frame of the room's corner: subtracted in double, before anything else.
     Rigid3 local(const Rigid3& roomFromEye) const {

@@ -54,15 +54,17 @@ Shape shapeOf(const PracticeObject& object, const Vector3d& origin) {
 
 } // namespace
 
-Scene::Scene(RoomStyle style, const Vector3d& size, const std::vector<PracticeObject>& objects,
-             const Vector3d& origin)
-    : m_size(size), m_furniture(furnished(style, size)) {
+Scene::Scene(const PracticeRoomOptions& options)
+    : m_size(options.sizeM), m_furniture(furnished(options.style, options.sizeM)) {
+    for (const PracticeTag& tag : options.tags) {
+        m_furniture.shapes.push_back(sheetOf(tag, options.originM));
+    }
     for (std::size_t i = 0; i < m_furniture.shapes.size(); ++i) {
         m_all.push_back(static_cast<std::uint16_t>(i));
         m_allUnsorted.push_back({-kNothing, static_cast<std::uint16_t>(i)});
     }
-    for (const PracticeObject& object : objects) {
-        m_furniture.shapes.push_back(shapeOf(object, origin));
+    for (const PracticeObject& object : options.objects) {
+        m_furniture.shapes.push_back(shapeOf(object, options.originM));
     }
     for (const Shape& shape : m_furniture.shapes) {
         auto& near = m_shadedBy.emplace_back();

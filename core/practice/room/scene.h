@@ -30,8 +30,7 @@ struct Candidate {
 /// The practice room with its corner at the origin. Threads: any.
 class Scene {
   public:
-    Scene(RoomStyle style, const Eigen::Vector3d& size, const std::vector<PracticeObject>& objects,
-          const Eigen::Vector3d& origin);
+    explicit Scene(const PracticeRoomOptions& options);
 
     /// Finds the shapes that a cone from the eye may meet, nearest first. halfAngle: radians; from pi on, all
     /// shapes.

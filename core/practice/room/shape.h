@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <bitset>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -34,6 +35,7 @@ enum class Texture {
     Globe,
     Stripes,
     Mosaic,
+    Tag,
 };
 
 /// A disc, bar or ring on a painting. Units: metres from its lower left corner.
@@ -59,6 +61,7 @@ struct Finish {
     float mirror = 0; ///< Share of the light that is mirrored at normal incidence.
     float glow = 0;   ///< Own light, as a multiple of the albedo.
     std::vector<Blot> blots = {};
+    std::bitset<64> cells = {}; ///< White cells of a tag, 8 x 8, from its upper left corner.
 };
 
 /// A place on a surface, in the surface's own coordinates. Units: metres.

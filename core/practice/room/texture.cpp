@@ -251,6 +251,32 @@ Rgb mosaic(const Finish& finish, const SurfacePoint& s, float w) {
     return mix(mix(finish.first, finish.second, light), linear(0xC8553D), 0.55F * red);
 }
 
+/// The part of the footprint that is white, on the face that looks along +y. Exact for a square footprint.
+Rgb tag(const Finish& finish, const SurfacePoint& s, float w) {
+    constexpr int kCells = 8;
+    constexpr int kFront = 3;
+    if (s.face != kFront) {
+        return finish.second;
+    }
+    const float perMetre = (kCells + 2) / s.width; // A rim of one cell is white.
+    const float half = std::max(0.5F * w * perMetre, 1e-4F);
+    const float x = s.u * perMetre - 1;
+    const float y = (s.height - s.v) * perMetre - 1;
+    float black = 0;
+    for (int row = 0; row < kCells; ++row) {
+        for (int column = 0; column < kCells; ++column) {
+            const auto overlap = [&](float middle, int cell) {
+                const auto first = static_cast<float>(cell);
+                return std::max(0.0F, std::min(first + 1, middle + half) - std::max(first, middle - half));
+            };
+            black += finish.cells[static_cast<std::size_t>(row * kCells + column)]
+                         ? 0
+                         : overlap(x, column) * overlap(y, row);
+        }
+    }
+    return mix(finish.second, finish.first, black / (4 * half * half));
+}
+
 } // namespace
 
 Rgb linear(std::uint32_t stored) {
@@ -315,6 +341,8 @@ Rgb albedo(const Finish& finish, const SurfacePoint& s, float w) {
         return stripes(finish, s, w);
     case Texture::Mosaic:
         return mosaic(finish, s, w);
+    case Texture::Tag:
+        return tag(finish, s, w);
     }
     return finish.first;
 }

@@ -31,6 +31,18 @@ struct PracticeObject {
     std::array<std::uint8_t, 3> colour = {200, 30, 30};
 };
 
+/// A printed AprilTag that hangs in the room, upright, on a sheet with a white rim.
+struct PracticeTag {
+    int number = 0;
+    Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< Middle of the tag, room frame.
+    Radians facing;                                    ///< Heading of the direction that it looks in.
+    double sizeM = 0.16;                               ///< Side of the black square.
+
+    /// The black square's corners in the room: upper left, upper right, lower right, lower left, as who reads
+    /// the tag sees them.
+    std::array<Eigen::Vector3d, 4> cornersM() const;
+};
+
 /// How the practice room is built and furnished.
 enum class RoomStyle {
     Lively, ///< One room with textured walls in an even light, in which depth is easily found.
@@ -43,10 +55,12 @@ struct PracticeRoomOptions {
     Eigen::Vector3d originM = Eigen::Vector3d::Zero(); ///< South-west corner of the floor, metres.
     Eigen::Vector3d sizeM = {5, 4, 2.6};               ///< Along x (east), y (north) and z (up), metres.
     std::vector<PracticeObject> objects;
+    std::vector<PracticeTag> tags;
     RoomStyle style = RoomStyle::Lively;
 
     /// Errors: InvalidInput for sizes outside 4 x 3.5 x 2.3 to 12 x 12 x 5 m (a flat is at least 7 x 5.5 m
-    /// large), an origin farther than 10^8 m, and objects that have no size or lie outside the room.
+    /// large), an origin farther than 10^8 m, objects that have no size or lie outside the room, and tags
+    /// with an unknown number, a size outside 2 cm to 1 m, or a place outside the room.
     void validate() const;
 };
 
@@ -125,5 +139,9 @@ class PracticeRoom {
     struct State;
     std::unique_ptr<State> m_state;
 };
+
+/// Free places on the walls for tags 0 to count - 1, spread around the room at about the height of a lens.
+/// Nothing stands in front of them for a metre. Fewer if the walls have no more free places.
+std::vector<PracticeTag> tagsOnWalls(const PracticeRoom& room, int count, double sizeM);
 
 } // namespace spherewalk::practice
