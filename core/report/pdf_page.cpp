@@ -152,6 +152,18 @@ void PdfPages::hatched(const Polygon& corners) {
     outline(corners);
 }
 
+void PdfPages::filled(std::span<const Polygon> polygons) {
+    cairo_new_path(m_cairo.get());
+    for (const Polygon& polygon : polygons) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            (i == 0 ? cairo_move_to : cairo_line_to)(m_cairo.get(), polygon[i].x(), polygon[i].y());
+        }
+        cairo_close_path(m_cairo.get());
+    }
+    cairo_fill(m_cairo.get());
+    check();
+}
+
 void PdfPages::ring(const Vector2d& centre, double radiusMm) {
     cairo_new_path(m_cairo.get());
     cairo_arc(m_cairo.get(), centre.x(), centre.y(), radiusMm, 0, 2 * std::numbers::pi);

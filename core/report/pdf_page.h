@@ -10,6 +10,7 @@
 
 #include <cairo.h>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace spherewalk::report {
@@ -38,6 +39,8 @@ class PdfPages {
     void outline(const Polygon& corners);
     /// Draws the edge of a hatched area.
     void hatched(const Polygon& corners);
+    /// Fills all polygons at once, so that those that touch show no seam.
+    void filled(std::span<const Polygon> polygons);
     void ring(const Eigen::Vector2d& centre, double radiusMm);
     void disc(const Eigen::Vector2d& centre, double radiusMm);
     /// at: on the base line.

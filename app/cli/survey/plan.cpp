@@ -9,13 +9,17 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/angle.h"
+#include "spherewalk/photo/april_tag.h"
 #include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/report/tag_sheet.h"
 #include "spherewalk/store/survey_store.h"
 #include "spherewalk/survey/plan_report.h"
 #include "spherewalk/survey/room.h"
 #include "spherewalk/survey/room_parts.h"
 
 #include <memory>
+#include <numeric>
+#include <vector>
 
 namespace spherewalk::cli {
 
@@ -135,6 +139,10 @@ struct PlanArguments {
     std::string survey;
     bool list = false;
     std::string sheet;
+    int tags = 0;
+    int firstTag = 0;
+    double tagSizeM = 0.16;
+    std::string tagSheet;
 };
 
 std::string railLine(std::size_t number, const survey::RailPlacement& rail) {
@@ -177,6 +185,16 @@ Result shownPlan(const PlanArguments& options) {
         json["sheet"] = options.sheet;
         words += text("\nWrote ", options.sheet, ": the plan to scale, and the tape distances of each rail.");
     }
+    if (options.tags > 0) {
+        const std::string file =
+            options.tagSheet.empty() ? (store.folder() / "tags.pdf").string() : options.tagSheet;
+        std::vector<int> numbers(static_cast<std::size_t>(options.tags));
+        std::iota(numbers.begin(), numbers.end(), options.firstTag);
+        writeFile(file, report::tagSheet(store.info().name, numbers, options.tagSizeM));
+        json["tag_sheet"] = file;
+        words += text("\nWrote ", file, ": AprilTags ", numbers.front(), " to ", numbers.back(), ", ",
+                      fixed(100 * options.tagSizeM, 1), " cm wide, a page each. Print them at 100 %.");
+    }
     return {json, words};
 }
 
@@ -215,6 +233,19 @@ void addPlan(Commands& commands) {
     command.option("survey", options->survey, "Folder of the survey").required();
     command.option("--sheet", options->sheet,
                    "PDF to write: the plan to scale, with tape distances for laying the rails");
+    const program::Option tags =
+        command.option("--tags", options->tags, "Number of AprilTags (36h11) to print, a page each")
+            .range(1, photo::kTagNumbers);
+    command.option("--tag-size", options->tagSizeM, "Side of the tags' black square, metres")
+        .range(0.02, 0.6)
+        .showDefault()
+        .needs(tags);
+    command.option("--first-tag", options->firstTag, "Number of the first tag: each hangs once in a survey")
+        .range(0, photo::kTagNumbers - 1)
+        .showDefault()
+        .needs(tags);
+    command.option("--tag-sheet", options->tagSheet, "PDF of the tags; by default tags.pdf in the survey")
+        .needs(tags);
     command.flag("--list", options->list, "List the rail placements in walking order");
 }
 

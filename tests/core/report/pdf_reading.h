@@ -48,6 +48,7 @@ struct PdfPage {
     std::vector<PdfWords> words;
     std::vector<PdfSegment> segments; ///< Of lines and outlines that were stroked.
     std::vector<PdfRound> rounds;
+    std::vector<std::vector<PdfSegment>> areas; ///< The edges of what was filled in one go.
 };
 
 /// The widths of a font's letters, in sizes of the font.
@@ -213,6 +214,9 @@ class PdfContents {
         if (op == "S") {
             m_page.segments.insert(m_page.segments.end(), m_segments.begin(), m_segments.end());
         }
+        if (op.front() == 'f') {
+            m_page.areas.push_back(m_segments);
+        }
         if (op != "n" && !m_curve.empty()) {
             Eigen::Vector2d across = Eigen::Vector2d::Zero();
             for (const Eigen::Vector2d& point : m_curve) {
@@ -255,6 +259,7 @@ class PdfReading {
             QPDFObjectHandle box = page.getAttribute("/MediaBox", false);
             result.push_back({box.getArrayItem(2).getNumericValue() * 25.4 / 72,
                               box.getArrayItem(3).getNumericValue() * 25.4 / 72,
+                              {},
                               {},
                               {},
                               {}});
