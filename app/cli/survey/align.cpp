@@ -31,6 +31,8 @@ struct AlignArguments {
     std::string positions = "given";
     std::string distance;
     std::string outline;
+    double tagSizeM = 0;
+    std::string tagsOf;
     double positionSigmaM = jobs::AlignOptions().positionSigmaM;
     int threads = 0;
 };
@@ -106,6 +108,21 @@ void writeOutline(const std::string& file, const jobs::AlignReport& report, Resu
         text("\nWrote ", file, ": a rectangle around what the photos show, and the ceiling's height.");
 }
 
+/// Where tags hang by the active solution of another survey.
+std::vector<align::RoomTag> knownTags(const AlignArguments& options) {
+    if (options.tagsOf.empty()) {
+        return {};
+    }
+    const std::vector<align::RoomTag> tags =
+        jobs::aprilTagsOf(store::SurveyStore::open(options.tagsOf, store::Access::Read));
+    if (tags.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The active solution of ", options.tagsOf,
+                         " knows no AprilTags: align that survey with --tag-size first."));
+    }
+    return tags;
+}
+
 Result align(const AlignArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     jobs::AlignOptions alignOptions;
@@ -115,6 +132,13 @@ Result align(const AlignArguments& options, Context& context) {
     alignOptions.checksPositions = !options.ignoresPositions;
     alignOptions.isFree = isFree(options);
     alignOptions.distance = distanceIn(options);
+    alignOptions.tagSizeM = options.tagSizeM;
+    alignOptions.knownTags = knownTags(options);
+    if (!alignOptions.knownTags.empty() && !alignOptions.isFree) {
+        throw Error(
+            ErrorKind::InvalidInput,
+            "--tags-of moves the photos into the other survey's frame: give --positions free with it.");
+    }
     alignOptions.isActivated = !options.keepsActive;
     alignOptions.positionSigmaM = options.positionSigmaM;
     alignOptions.threads = options.threads;
@@ -161,6 +185,17 @@ void addAlign(Commands& commands) {
                    "the lens's height over the floor gives the scale");
     command.option("--outline", options->outline,
                    "With --positions free: JSON file for the outline that the photos show, as new reads it");
+    const program::Option tags =
+        command
+            .option("--tag-size", options->tagSizeM,
+                    "Side of the black square of the AprilTags (36h11) that hang in the room, metres as "
+                    "measured; without it, photos are not searched for tags")
+            .range(0.01, 10.0);
+    command
+        .option(
+            "--tags-of", options->tagsOf,
+            "With --positions free: folder of the survey that saw the same tags, whose frame is taken over")
+        .needs(tags);
     command.option("--mask", options->mask,
                    "Picture, twice as wide as high, black where photos are not to be looked at");
     command

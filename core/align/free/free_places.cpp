@@ -137,9 +137,20 @@ std::optional<FloorPlane> levelledFloor(Part& part, FreePlaces& made) {
     return floor;
 }
 
+/// The tags as the placed photos see them, in the unit of the positions.
+RoomTags tagsOf(const Part& part, std::size_t photos, const FreeOptions& options) {
+    std::vector<std::optional<PlacedPhoto>> placed(photos);
+    for (std::size_t i = 0; i < part.photos.size(); ++i) {
+        const PhotoState& state = part.bundle.photos[i];
+        placed[static_cast<std::size_t>(part.photos[i])] = {
+            {state.roomFromPhoto, state.positionM}, state.lenses, part.priors[i].name};
+    }
+    return roomTags(placed, options.tags, options.tagSizeM);
+}
+
 /// Metres in the unit of the positions.
-double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, const FreeOptions& options,
-                     FreePlaces& made) {
+double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, const RoomTags& tags,
+                     const FreeOptions& options, FreePlaces& made) {
     if (options.distance) {
         const auto placeOf = [&](int photo) {
             return std::ranges::find(part.photos, photo) - part.photos.begin();
@@ -153,6 +164,11 @@ double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, c
             made.scaleSigma = kTapeM / options.distance->metres;
             return options.distance->metres / std::max(apart, 1e-9);
         }
+    }
+    if (tags.scale) {
+        made.scaleBy = ScaleBy::Tags;
+        made.scaleSigma = tags.scale->sigma / tags.scale->value;
+        return 1 / tags.scale->value;
     }
     if (floor) {
         made.scaleBy = ScaleBy::Floor;
@@ -169,11 +185,79 @@ double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, c
     return lowest < 0 ? options.lensHeightM / -lowest : 1;
 }
 
+constexpr double kSigmas = 3;         ///< From so many standard deviations on, scales contradict each other.
+constexpr double kLeastShare = 0.005; ///< Below it, tapes and rulers may differ.
+
+/// Says it where what gives the scale contradicts the tags, or the tags the height of the lens.
+void tellScales(double metres, const RoomTags& tags, const std::optional<FloorPlane>& floor,
+                const FreeOptions& options, FreePlaces& made, ProgressSink& progress) {
+    const auto tell = [&](double ratio, double sigma, std::string_view what, std::string_view cure) {
+        if (std::abs(ratio - 1) > std::max(kLeastShare, kSigmas * sigma)) {
+            warn(made, progress,
+                 text("By the printed size of the tags, ", what, " is ", fixed(100 * std::abs(ratio - 1), 1),
+                      " % too ", ratio > 1 ? "long" : "short", ". ", cure));
+        }
+    };
+    if (tags.scale && made.scaleBy == ScaleBy::Distance) {
+        tell(metres * tags.scale->value, std::hypot(made.scaleSigma, tags.scale->sigma / tags.scale->value),
+             "the given distance", "Measure the printed tags and the distance again.");
+    } else if (tags.scale && floor) {
+        const double byFloor = options.lensHeightM / (metres * floor->lensHeight);
+        tell(byFloor,
+             std::hypot(made.scaleSigma, options.lensHeightSigmaM / options.lensHeightM, kUnevenFloor),
+             "the height of the lens", "Measure the printed tags, and the height of the lens.");
+    }
+}
+
+/// Says it where the known tags contradict the printed size. Two tags, one of which was moved, may fit well
+/// in another scale.
+void tellJoinedScale(const TagJoin& join, const Scale& printed, FreePlaces& made, ProgressSink& progress) {
+    const double ratio = join.scale * printed.value;
+    const double sigma = std::hypot(join.scaleSigma, printed.sigma / printed.value);
+    if (std::abs(ratio - 1) > std::max(kLeastShare, kSigmas * sigma)) {
+        warn(made, progress,
+             text("By the printed size of the tags, lengths in the other survey's frame are ",
+                  fixed(100 * std::abs(ratio - 1), 1), " % too ", ratio > 1 ? "long" : "short",
+                  ". Perhaps a tag was moved between the surveys, or their --tag-size differs."));
+    }
+}
+
+/// Puts the part into the frame of known tags. False without any.
+bool joinKnown(Part& part, const RoomTags& tags, const FreeOptions& options, FreePlaces& made,
+               ProgressSink& progress) {
+    if (options.knownTags.empty()) {
+        return false;
+    }
+    made.join = joinByTags(tags.tags, options.knownTags);
+    if (!made.join) {
+        throw Error(ErrorKind::NotFound,
+                    "The photos see none of the tags of the other survey from two places, so the surveys "
+                    "cannot be joined: take photos near the tags.");
+    }
+    for (const int number : made.join->moved) {
+        warn(made, progress,
+             text("AprilTag ", number,
+                  " hangs elsewhere than in the other survey, and was not used to join "
+                  "them. Hang tags where nobody moves them."));
+    }
+    tellJoinedScale(*made.join, *tags.scale, made, progress);
+    made.scaleBy = ScaleBy::Tags;
+    made.scaleSigma = made.join->scaleSigma;
+    move(part.bundle, made.join->otherFromOwn.rotation, made.join->scale,
+         made.join->otherFromOwn.translation);
+    return true;
+}
+
 /// Puts the part into the room: metres, the floor at zero, the first photo above the origin, walls along the
 /// axes.
 void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made, ProgressSink& progress) {
     const std::optional<FloorPlane> floor = levelledFloor(part, made);
-    const double metres = metresPerUnit(part, floor, options, made);
+    const RoomTags tags = tagsOf(part, made.photos.size(), options);
+    if (joinKnown(part, tags, options, made, progress)) {
+        return;
+    }
+    const double metres = metresPerUnit(part, floor, tags, options, made);
+    tellScales(metres, tags, floor, options, made, progress);
     move(part.bundle, Eigen::Quaterniond::Identity(), metres, Eigen::Vector3d::Zero());
     move(part.bundle, yawRotation(wallHeading(part.bundle.seen)), 1, Eigen::Vector3d::Zero());
     Eigen::Vector3d shift = -part.bundle.photos.front().positionM;
@@ -242,6 +326,8 @@ void FreeOptions::validate(int photos) const {
             "above 0.05 and at most 20");
     require(lensHeightSigmaM >= 0 && lensHeightSigmaM <= 1, "free mode's", "lensHeightSigmaM", "from 0 to 1");
     require(threads >= 0, "free mode's", "threads", "0 or above");
+    require((tagSizeM >= 0.01 && tagSizeM <= 10) || (tagSizeM == 0 && tags.empty()), "free mode's",
+            "tagSizeM", "from 0.01 to 10, or 0 without tags");
     if (distance) {
         require(distance->a >= 0 && distance->b >= 0 && distance->a < photos && distance->b < photos &&
                     distance->a != distance->b && distance->metres > 0.01 && distance->metres < 1000,

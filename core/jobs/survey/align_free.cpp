@@ -73,6 +73,13 @@ std::string scaleText(const align::FreePlaces& places) {
         return text("The height of the lens over the solved floor gives the scale, to ", sigma, ".");
     case align::ScaleBy::Distance:
         return text("The given distance gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Tags:
+        return places.join
+                   ? text(counted(static_cast<int>(places.join->numbers.size()),
+                                  "AprilTag of the other survey gives", "AprilTags of the other survey give"),
+                          " frame and scale, to ", sigma, "; they fit within ",
+                          fixed(1000 * places.join->misfitM, 1), " mm.")
+                   : text("The printed size of the tags gives the scale, to ", sigma, ".");
     case align::ScaleBy::Nothing:
         break;
     }
@@ -106,6 +113,8 @@ align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptio
         made.distance = {photoNamed(options.distance->a, photos), photoNamed(options.distance->b, photos),
                          options.distance->metres};
     }
+    made.tagSizeM = options.tagSizeM;
+    made.knownTags = options.knownTags;
     return made;
 }
 

@@ -109,9 +109,10 @@ std::string knownText(const AlignReport& report) {
 namespace {
 
 std::string_view scaleName(align::ScaleBy by) {
-    constexpr EnumNames<align::ScaleBy, 3> kNames{{{align::ScaleBy::Nothing, "nothing"},
+    constexpr EnumNames<align::ScaleBy, 4> kNames{{{align::ScaleBy::Nothing, "nothing"},
                                                    {align::ScaleBy::Floor, "floor"},
-                                                   {align::ScaleBy::Distance, "distance"}}};
+                                                   {align::ScaleBy::Distance, "distance"},
+                                                   {align::ScaleBy::Tags, "tags"}}};
     return nameOf(kNames, by);
 }
 
@@ -169,6 +170,8 @@ Json toJson(const AlignReport& report) {
             {"tags_y_over_x", scaleJson(report.tagFrame.yOverX)},
             {"tags_scale", scaleJson(report.scale)},
             {"tag_warnings", report.tagWarnings},
+            {"april_tags", aprilTagsJson(report.aprilTags)},
+            {"april_tags_scale", scaleJson(report.aprilTags.scale)},
             {"trials", trialsJson(alignment)},
             {"warnings", alignment.warnings},
             {"photos", photos}};

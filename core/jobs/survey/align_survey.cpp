@@ -47,6 +47,7 @@ class AlignRun {
         m_report.effort = m_options.effort;
         readPhotos();
         findFeatures();
+        findAprilTags();
         matchPhotos();
         solve();
         judge();
@@ -64,6 +65,8 @@ class AlignRun {
             refuseUnknownPlaces(m_store);
         }
         m_photos = m_store.chosenPhotos();
+        m_all.resize(m_photos.size());
+        std::iota(m_all.begin(), m_all.end(), 0);
         if (m_photos.empty()) {
             throw Error(ErrorKind::InvalidInput,
                         text("There is nothing to align in ", m_store.folder().string(),
@@ -75,7 +78,9 @@ class AlignRun {
                 {station.name, station.station.positionM, station.station.placement, station.station.stop});
             stations.emplace(station.id, std::move(station));
         }
-        nameLeftOut(stations);
+        if (m_options.isRecorded) {
+            tellLeftOut(m_store, m_progress);
+        }
         ProgressStep step(m_progress, 0, 0.02);
         for (const store::PhotoRecord& photo : m_photos) {
             throwIfStopped(m_stop);
@@ -98,17 +103,6 @@ class AlignRun {
         }
     }
 
-    /// The imported photos for which another stands: perhaps two were given one place by mistake.
-    void nameLeftOut(const std::map<std::int64_t, store::StationRecord>& stations) const {
-        for (const store::PhotoRecord& photo : m_store.photos()) {
-            if (m_options.isRecorded && !photo.choose && !m_store.shotOf(photo.id)) {
-                m_progress.warning(text(photo.fileName,
-                                        " is left out: ", m_store.chosenPhoto(photo.station)->fileName,
-                                        " stands for ", stations.at(photo.station).name, "."));
-            }
-        }
-    }
-
     /// A photo that cannot be read is named by what looks for features in it.
     void readTilt(const store::PhotoRecord& photo, align::PhotoPrior& prior) const {
         const std::filesystem::path file = m_store.photoFolder() / photo.fileName;
@@ -121,29 +115,37 @@ class AlignRun {
         }
     }
 
-    align::FoundFeatures featuresOf(const std::vector<int>& photos, const align::FeatureOptions& features,
-                                    ProgressSink& progress) const {
+    std::vector<align::PhotoFile> filesOf(const std::vector<int>& photos) const {
         std::vector<align::PhotoFile> files;
         for (const int photo : photos) {
             const auto i = static_cast<std::size_t>(photo);
             files.push_back(
                 {m_store.photoFolder() / m_photos[i].fileName, m_priors[i].name, m_photos[i].fileSha256});
         }
+        return files;
+    }
+
+    align::FoundFeatures featuresOf(const std::vector<int>& photos, const align::FeatureOptions& features,
+                                    ProgressSink& progress) const {
         align::FindOptions find;
         find.features = features;
         find.mask = readMask(m_options.mask);
-        find.cacheFolder =
-            m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
+        find.cacheFolder = m_cacheFolder;
         find.threads = m_options.threads;
-        return align::findFeatures(files, find, progress, m_stop);
+        return align::findFeatures(filesOf(photos), find, progress, m_stop);
+    }
+
+    void findAprilTags() {
+        if (m_options.tagSizeM > 0) {
+            ProgressStep step(m_progress, 0.4, 0.6);
+            m_aprilTags = align::findTags(filesOf(m_all), {m_cacheFolder, m_options.threads}, step, m_stop);
+        }
     }
 
     void findFeatures() {
         const auto begin = SteadyClock::now();
-        std::vector<int> all(m_photos.size());
-        std::iota(all.begin(), all.end(), 0);
-        ProgressStep step(m_progress, 0.02, 0.6);
-        m_features = featuresOf(all, m_effort.features, step);
+        ProgressStep step(m_progress, 0.02, m_options.tagSizeM > 0 ? 0.4 : 0.6);
+        m_features = featuresOf(m_all, m_effort.features, step);
         m_report.fromCache = m_features.fromCache;
         for (const align::Features& features : m_features.photos) {
             m_report.features += static_cast<std::size_t>(features.count());
@@ -166,6 +168,7 @@ class AlignRun {
                                     m_options.isFree ? align::likelyPairs(*m_alike, m_retrieval)
                                                      : align::neighbours(positions, m_effort.neighbours),
                                     m_effort.match, m_options.threads, step, m_stop);
+        align::joinTags(m_aprilTags, m_pairs);
         for (const align::Features& features : m_features.photos) {
             m_featureCounts.push_back(features.count());
         }
@@ -251,6 +254,7 @@ class AlignRun {
         for (std::size_t i = 0; i < photos.size(); ++i) {
             m_featureCounts[static_cast<std::size_t>(photos[i])] += found.photos[i].count();
         }
+        align::joinTags(m_aprilTags, pairs);
         takeBetter(std::move(pairs));
     }
 
@@ -298,8 +302,9 @@ class AlignRun {
 
     void solveFree() {
         ProgressStep step(m_progress, 0.86, 0.9);
-        m_report.places = align::freePlaces(m_priors, m_pairs, m_estimates,
-                                            freeOptions(m_store, m_options, m_report.photos), step, m_stop);
+        align::FreeOptions options = freeOptions(m_store, m_options, m_report.photos);
+        options.tags = m_aprilTags;
+        m_report.places = align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
         usePlaces(*m_report.places, m_priors, m_estimates);
         m_tagged = m_priors;
         solvePoses(0.9, 0.98);
@@ -387,6 +392,7 @@ class AlignRun {
                           searching, m_stop);
         giveVerdicts(m_tagged, m_report);
         tellTagFrame(m_report);
+        placeAprilTags(m_aprilTags, m_options.tagSizeM, m_report);
         for (const int photo : m_features.unreadable) {
             AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
             damaged.quality = survey::Quality::Failed;
@@ -415,13 +421,17 @@ class AlignRun {
     const AlignOptions& m_options;
     ProgressSink& m_progress;
     std::stop_token m_stop;
+    std::filesystem::path m_cacheFolder =
+        m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
     align::EffortOptions m_effort = align::optionsFor(m_options.effort);
     std::vector<store::PhotoRecord> m_photos;
+    std::vector<int> m_all; ///< Indices of all photos.
     std::vector<align::PlannedPosition> m_planned;
     std::vector<align::PhotoPrior> m_priors; ///< one a photo, as all below
     std::vector<align::PhotoPrior> m_tagged; ///< with the places that fit
     align::FoundFeatures m_features;
     std::vector<int> m_featureCounts; ///< of all looks
+    std::vector<align::TagSighting> m_aprilTags;
     align::RetrievalOptions m_retrieval;
     std::optional<align::Likeness> m_alike; ///< Of photos whose places are not known.
     std::vector<align::PhotoPair> m_pairs;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,16 @@ void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report) {
                                       ", though their tags lie ", fixed(one.tagsApartM, 2),
                                       " m apart: the camera was not moved between them. Retake the one whose "
                                       "tag is wrong."));
+        }
+    }
+}
+
+void tellLeftOut(const store::SurveyStore& store, ProgressSink& progress) {
+    for (const store::PhotoRecord& photo : store.photos()) {
+        if (!photo.choose && !store.shotOf(photo.id)) {
+            progress.warning(text(photo.fileName,
+                                  " is left out: ", store.chosenPhoto(photo.station)->fileName,
+                                  " stands for ", store.station(photo.station).name, "."));
         }
     }
 }

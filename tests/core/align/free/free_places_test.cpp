@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "made/hung_tags.h"
 #include "made/synthetic_survey.h"
 #include "pairs/pair_geometry.h"
 
@@ -119,6 +120,91 @@ TEST(FreePlaces, TakeTheirScaleFromAMeasuredDistance) {
     const FreePlaces places = solved(survey, options);
     EXPECT_EQ(places.scaleBy, ScaleBy::Distance);
     EXPECT_NEAR(errorsOf(places, survey).scale, 1, 0.005);
+}
+
+namespace {
+
+/// Tags on two walls, two metres from the photos' middle, in the true room.
+std::vector<RoomTag> tagsAround(const SyntheticSurvey& survey) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Rigid3& pose : survey.roomFromPhoto) {
+        middle += pose.translation / static_cast<double>(survey.roomFromPhoto.size());
+    }
+    std::vector<RoomTag> tags(2);
+    tags[0].corners = hung(middle + Eigen::Vector3d(2, 0.2, 0.2), Degrees(180));
+    tags[1].number = 1;
+    tags[1].corners = hung(middle + Eigen::Vector3d(-0.3, 2, 0.1), Degrees(-90));
+    for (RoomTag& tag : tags) {
+        tag.size = kHungM;
+        tag.sizeSigma = 0.0001;
+        tag.sigma = 0.0005;
+    }
+    return tags;
+}
+
+FreeOptions seeing(std::span<const RoomTag> tags, const SyntheticSurvey& survey) {
+    FreeOptions options;
+    options.tagSizeM = kHungM;
+    for (std::size_t i = 0; i < survey.roomFromPhoto.size(); ++i) {
+        for (const RoomTag& tag : tags) {
+            photo::SeenTag seen;
+            seen.number = tag.number;
+            seen.sigmaRad = 5e-5;
+            for (std::size_t corner = 0; corner < tag.corners.size(); ++corner) {
+                seen.directions[corner] =
+                    (survey.roomFromPhoto[i].inverse() * tag.corners[corner]).normalized();
+            }
+            options.tags.push_back({static_cast<int>(i), seen});
+        }
+    }
+    return options;
+}
+
+} // namespace
+
+TEST(FreePlaces, TakeTheirScaleFromPrintedTags) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(11)));
+    const FreePlaces places = solved(survey, seeing(tagsAround(survey), survey));
+    EXPECT_EQ(places.scaleBy, ScaleBy::Tags);
+    EXPECT_NEAR(errorsOf(places, survey).scale, 1, 0.005);
+    EXPECT_THAT(places.warnings, testing::Not(testing::Contains(HasSubstr("printed size"))));
+}
+
+TEST(FreePlaces, SayThatTheTagsAndTheHeightOfTheLensDiffer) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(12)));
+    FreeOptions options = seeing(tagsAround(survey), survey);
+    options.tagSizeM = 0.2; // As if somebody had measured the white rim, too.
+    EXPECT_THAT(solved(survey, options).warnings,
+                testing::Contains(HasSubstr("By the printed size of the tags, the height of the lens is")));
+}
+
+TEST(FreePlaces, TakeOverTheFrameOfKnownTags) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(13)));
+    FreeOptions options = seeing(tagsAround(survey), survey);
+    options.knownTags = tagsAround(survey);
+    const FreePlaces places = solved(survey, options);
+    ASSERT_TRUE(places.join.has_value());
+    EXPECT_EQ(places.join->numbers, (std::vector<int>{0, 1}));
+    EXPECT_THAT(places.warnings, testing::Not(testing::Contains(HasSubstr("printed size"))));
+    for (std::size_t i = 0; i < places.photos.size(); ++i) {
+        const Rigid3& truth = survey.roomFromPhoto[i];
+        EXPECT_LT((places.photos[i].roomFromPhoto->translation - truth.translation).norm(), 0.03) << i;
+    }
+}
+
+// Two tags, one of which was moved, fit well in another scale: only their printed size tells.
+TEST(FreePlaces, SayThatKnownTagsContradictTheirSize) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(14)));
+    FreeOptions options = seeing(tagsAround(survey), survey);
+    options.knownTags = tagsAround(survey);
+    for (Eigen::Vector3d& corner : options.knownTags[1].corners) {
+        corner += Eigen::Vector3d(-0.1, 0.1, 0);
+    }
+    EXPECT_THAT(solved(survey, options).warnings,
+                testing::Contains(HasSubstr("lengths in the other survey's frame are")));
+    options.knownTags[0].number = 7;
+    options.knownTags[1].number = 8;
+    EXPECT_THROW(solved(survey, options), Error);
 }
 
 // A photo of elsewhere matches only by chance.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
 #include "photographed_survey.h"
 
 #include "spherewalk/base/json.h"
@@ -82,6 +83,40 @@ TEST_F(SolutionFindingsTest, ProposeTheMovesAndNotAgainOnceTheyAreMade) {
     const SolutionFindings after = activeFindings(store).value();
     EXPECT_TRUE(after.retags().empty());
     EXPECT_EQ(after.photos[0].cure, Cure::None);
+}
+
+TEST_F(SolutionFindingsTest, GiveTheAprilTagsAsTheyWereFoundAndRefuseForgedOnes) {
+    EXPECT_TRUE(aprilTagsOf(store).empty());
+    align::RoomTags found;
+    found.tags.push_back(
+        {7, {Eigen::Vector3d(1, 0, 2), {1.2, 0, 2}, {1.2, 0, 1.8}, {1, 0, 1.8}}, 0.2, 0.001, 0.002, 4});
+    const auto record = [&](const Json& tags) {
+        store::NewSolution solution;
+        solution.source = "align";
+        solution.model = "yaw";
+        solution.report = Json{{"april_tags", tags}}.dump();
+        store.addSolution(solution, true);
+    };
+    const Json tags = aprilTagsJson(found);
+    record(tags);
+    const std::vector<align::RoomTag> read = aprilTagsOf(store);
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0].number, 7);
+    EXPECT_EQ(read[0].corners, found.tags[0].corners);
+    EXPECT_EQ(read[0].size, 0.2);
+    EXPECT_EQ(read[0].sigma, 0.002);
+    const auto expectRefused = [&](const std::string& part, const auto& forge) {
+        Json forged = tags;
+        forge(forged);
+        record(forged);
+        test::expectError(ErrorKind::Corrupt, part, [&] { aprilTagsOf(store); });
+    };
+    expectRefused("from 0 to 586", [](Json& forged) { forged[0]["number"] = 587; });
+    expectRefused("april_tags/0/size_m", [](Json& forged) { forged[0]["size_m"] = 0; });
+    expectRefused("april_tags/0/sigma_m", [](Json& forged) { forged[0]["sigma_m"] = nullptr; });
+    expectRefused("corners_m/2", [](Json& forged) { forged[0]["corners_m"][2][1] = 1e300; });
+    expectRefused("four corners", [](Json& forged) { forged[0]["corners_m"].erase(0); });
+    expectRefused("listed twice", [](Json& forged) { forged.push_back(forged[0]); });
 }
 
 TEST_F(SolutionFindingsTest, KnowAnImportedSolutionToo) {

@@ -3,6 +3,7 @@
 
 #include "spherewalk/align/match_pairs.h"
 #include "spherewalk/align/photo_pair.h"
+#include "spherewalk/align/room_tags.h"
 #include "spherewalk/align/tag_check.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/polygon.h"
@@ -75,7 +76,12 @@ struct FreeOptions {
     double lensHeightM = 1.2;              ///< Usual height of the lens above the floor.
     double lensHeightSigmaM = 0.01;        ///< Standard deviation of the mean of all photos' heights.
     std::optional<KnownDistance> distance; ///< Fixes the scale in place of the floor.
-    int threads = 0;                       ///< 0 means all that the machine has.
+    /// AprilTags that the photos see. Their printed size fixes the scale in place of the floor.
+    std::vector<TagSighting> tags;
+    double tagSizeM = 0; ///< Printed side of the tags, [0.01, 10]; 0 without tags.
+    /// Where tags hang in the frame of another solution, in metres. They fix frame and scale.
+    std::vector<RoomTag> knownTags;
+    int threads = 0; ///< 0 means all that the machine has.
 
     /// Errors: InvalidInput, naming the option and its range.
     void validate(int photos) const;
@@ -92,7 +98,7 @@ struct FreePlace {
     int points = 0;                      ///< Number of solved points that it sees.
 };
 
-enum class ScaleBy { Nothing, Floor, Distance };
+enum class ScaleBy { Nothing, Floor, Distance, Tags };
 
 struct FreePlaces {
     std::vector<FreePlace> photos;
@@ -101,6 +107,7 @@ struct FreePlaces {
     double scaleSigma = 0;                ///< Standard deviation of all lengths, as a share of them.
     bool isLevelByFloor = false;          ///< Whether the floor, and not the photos, said what is level.
     std::vector<Eigen::Vector3d> pointsM; ///< What the photos of the largest part see, in the room frame.
+    std::optional<TagJoin> join;          ///< How the frame was found by known tags.
     Polygon outline;                      ///< Of the walls, as far as points and photos show them.
     double ceilingM = 0;                  ///< The highest that is seen.
     std::vector<std::string> warnings;    ///< Sentences for people.
@@ -109,7 +116,8 @@ struct FreePlaces {
 /// Solves where photos were taken from nothing but the pictures. The largest part that the pairs connect is
 /// placed: rotations are averaged, then lengths and positions, then all of them are adjusted with the points
 /// that the photos see. The frame: the floor is z = 0, the first placed photo stands at x = y = 0, and the
-/// walls that are seen most lie along x and y. Positions of the priors are not used.
+/// walls that are seen most lie along x and y. Known tags give their own frame in place of that. Positions of
+/// the priors are not used.
 ///
 /// estimates: one a pair. Errors: InvalidInput; Stopped. Stop: heard at each solver iteration. Threads: the
 /// same result for any number. Source: `resources/docs/alignment.md`.

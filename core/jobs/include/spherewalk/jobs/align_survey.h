@@ -4,6 +4,7 @@
 #include "spherewalk/align/foreign_check.h"
 #include "spherewalk/align/free_places.h"
 #include "spherewalk/align/match_pairs.h"
+#include "spherewalk/align/room_tags.h"
 #include "spherewalk/align/solve.h"
 #include "spherewalk/align/tag_check.h"
 #include "spherewalk/base/json_fwd.h"
@@ -48,6 +49,10 @@ struct AlignOptions {
     /// not used. If the solution becomes the active one, the photos' stations move to the solved places.
     bool isFree = false;
     std::optional<MeasuredDistance> distance; ///< Gives a free solution its scale in place of the floor.
+    /// Printed side of the AprilTags that hang in the room, in metres; 0: photos are not searched for any.
+    double tagSizeM = 0;
+    /// Where tags hang in another survey's frame, which a free solution then takes over: see aprilTagsOf().
+    std::vector<align::RoomTag> knownTags;
     /// Folder that keeps features and matches for later runs. Empty means `align-cache` in the survey.
     std::filesystem::path cacheFolder;
     bool isRecorded = true;  ///< Whether the store gets the solution.
@@ -96,6 +101,7 @@ struct AlignReport {
     align::TagFrame tagFrame;                ///< Empty unless positions were checked, as the next two.
     std::optional<align::Scale> scale;       ///< Length of the solved positions over their true length.
     std::vector<std::string> tagWarnings;    ///< Sentences on all tags at once; the alignment's warnings too.
+    align::RoomTags aprilTags;               ///< The printed tags that photos see, in the room.
     std::size_t features = 0;                ///< Sum over all photos.
     int fromCache = 0;                       ///< Number of photos whose features an earlier run has found.
     std::size_t pairs = 0;                   ///< Number of pairs that were compared.
@@ -129,6 +135,9 @@ void propose(Cure cure, AlignedPhoto& photo);
 /// those that can be read. folder: of the photos. Stop: Error{Stopped}.
 void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
                        AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
+
+/// Names the imported photos for which another stands: perhaps two were given one place by mistake.
+void tellLeftOut(const store::SurveyStore& store, ProgressSink& progress);
 
 /// A photo that the alignment moved farther from its tag than tags err in this survey.
 struct PhotoMove {
@@ -168,6 +177,16 @@ void moveStations(store::SurveyStore& store, AlignReport& report);
 /// Takes the stretch of the tags from where the photos were found to be, if they were solved for and that is
 /// better known. Shape: tagged has one entry a photo.
 void refineStretch(std::span<const align::PhotoPrior> tagged, AlignReport& report);
+
+/// Places the AprilTags by the solved photos, and says what is wrong with them or with the photos' places.
+void placeAprilTags(std::span<const align::TagSighting> sightings, double sizeM, AlignReport& report);
+
+/// The tags as JSON, in reports and in datasets: resources/docs/formats.md describes them.
+Json aprilTagsJson(const align::RoomTags& tags);
+
+/// The AprilTags of the survey's active solution, in its room frame. Empty if it saw none. Errors: Corrupt
+/// for a report that cannot be read.
+std::vector<align::RoomTag> aprilTagsOf(const store::SurveyStore& store);
 
 /// Says what is wrong with all tags at once. Mirrored tags make all photos fail; a wrong scale widens the
 /// standard deviations of all places.
