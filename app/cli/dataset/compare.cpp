@@ -35,7 +35,7 @@ bool succeeded(const jobs::CompareReport& report, const CompareArguments& option
 
 Result compareViews(const CompareArguments& options, Context& context) {
     jobs::CompareOptions wanted;
-    wanted.pictures = robotPictures(options.dataset, options.pictures);
+    wanted.pictures = robotPictures(options.dataset, options.pictures, true);
     wanted.refinesPoses = options.refinesPoses;
     wanted.fitsColour = options.fitsColour;
     wanted.fitsSensor = !options.sensor.empty();
@@ -74,7 +74,8 @@ void addCompare(Commands& commands) {
     options->dataset.declareFrame(command);
     command
         .option("--pictures", options->pictures,
-                "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz")
+                "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz; lines "
+                "with the file alone are registered by the AprilTags that the picture shows")
         .required();
     command.flag("--refine-poses", options->refinesPoses,
                  "The poses are approximate (some 10 cm and 5 degrees): find out the true ones");

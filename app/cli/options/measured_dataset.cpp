@@ -9,8 +9,9 @@ namespace spherewalk::cli {
 
 namespace fs = std::filesystem;
 
-std::vector<jobs::RobotPicture> robotPictures(const program::RenderOptions& options, const fs::path& csv) {
-    std::vector<jobs::RobotPicture> pictures = jobs::readRobotPictures(csv);
+std::vector<jobs::RobotPicture> robotPictures(const program::RenderOptions& options, const fs::path& csv,
+                                              bool mayLackPoses) {
+    std::vector<jobs::RobotPicture> pictures = jobs::readRobotPictures(csv, mayLackPoses);
     for (jobs::RobotPicture& picture : pictures) {
         picture.roomFromCamera = options.opticalPose(picture.roomFromCamera);
     }

@@ -16,7 +16,7 @@ namespace spherewalk::cli {
 /// The pictures of a robot's camera that the file names, with the poses of its optical frame. options: tell
 /// the frame of the file's poses. Errors: those of jobs::readRobotPictures().
 std::vector<jobs::RobotPicture> robotPictures(const program::RenderOptions& options,
-                                              const std::filesystem::path& csv);
+                                              const std::filesystem::path& csv, bool mayLackPoses = false);
 
 /// The options of commands that measure: a dataset, or a survey that is exported first, and a folder for
 /// results.

@@ -12,6 +12,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/metadata.h"
 #include "spherewalk/scene/room_fit.h"
@@ -266,6 +267,9 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
                              ExportReport& report) {
     const Poses poses(store);
     dataset::Contents contents{infoOf(store), {}};
+    for (const align::RoomTag& tag : aprilTagsOf(store)) {
+        contents.info.tags.push_back({tag.number, tag.corners, tag.sigma});
+    }
     const std::string surveyId = store.info().uuid;
     for (const store::PhotoRecord& photo : photos) {
         dataset::SourcePhoto source{store.photoFolder() / photo.fileName, photo.fileSha256, {}};

@@ -127,6 +127,17 @@ Json pictureJson(const ComparedPicture& picture) {
             {"steadiness", picture.steadiness ? steadinessJson(*picture.steadiness) : Json()}};
 }
 
+Json registeredJson(const TagRegistered& picture) {
+    const bool hasPose = picture.why.empty();
+    return {{"picture", picture.file.filename().string()},
+            {"why", hasPose ? Json() : Json(picture.why)},
+            {"tags", picture.pose.numbers},
+            {"moved_tags", picture.pose.moved},
+            {"pose", hasPose ? poseJson(picture.pose.roomFromCamera) : Json()},
+            {"sigma_position_m", hasPose ? Json(picture.pose.sigmaM) : Json()},
+            {"sigma_rotation_deg", hasPose ? Json(Degrees(picture.pose.sigmaRotation).value()) : Json()}};
+}
+
 Json fitJson(const CompareReport& report) {
     if (!report.fit) {
         return {};
@@ -165,6 +176,23 @@ report::Table compareTable(const CompareReport& report) {
     return table;
 }
 
+void addRegisteredSentences(const TagRegistered& picture, std::vector<std::string>& sentences) {
+    const std::string file = picture.file.filename().string();
+    if (!picture.why.empty()) {
+        sentences.push_back(text(file, " has no pose and was not compared: ", picture.why));
+        return;
+    }
+    const compare::TagPose& pose = picture.pose;
+    sentences.push_back(
+        text(file, " was registered by ", counted(static_cast<int>(pose.numbers.size()), "tag", "tags"),
+             " to ", fixed(1000 * pose.sigmaM, 0), " mm and ", fixed(Degrees(pose.sigmaRotation).value(), 2),
+             " deg (one standard deviation)."));
+    for (const int number : pose.moved) {
+        sentences.push_back(text("In ", file, " AprilTag ", number,
+                                 " hangs elsewhere than in the dataset, and was not used."));
+    }
+}
+
 void addSensorSentences(const compare::SensorFit& fit, std::vector<std::string>& sentences) {
     const render::SensorModel& sensor = fit.sensor;
     if (fit.hasExposure) {
@@ -185,6 +213,9 @@ void addSensorSentences(const compare::SensorFit& fit, std::vector<std::string>&
 
 std::vector<std::string> compareSentences(const CompareReport& report) {
     std::vector<std::string> result;
+    for (const TagRegistered& picture : report.registered) {
+        addRegisteredSentences(picture, result);
+    }
     for (const ComparedPicture& picture : report.pictures) {
         if (picture.refined && !picture.refined->isFitted) {
             result.push_back(text(picture.file.filename().string(),
@@ -252,7 +283,12 @@ Json toJson(const CompareReport& report) {
     for (const ComparedPicture& picture : report.pictures) {
         pictures.push_back(pictureJson(picture));
     }
+    Json registered = Json::array();
+    for (const TagRegistered& picture : report.registered) {
+        registered.push_back(registeredJson(picture));
+    }
     return {{"pictures", pictures},
+            {"registered", registered},
             {"refined", report.refined},
             {"before", likenessJson(report.before)},
             {"after", likenessJson(report.after)},

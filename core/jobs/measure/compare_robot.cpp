@@ -281,7 +281,18 @@ CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& 
         throw Error(ErrorKind::InvalidInput, "There are no robot's pictures to compare with.");
     }
     const auto begin = std::chrono::steady_clock::now();
-    CompareReport report = RobotComparison(renderer, camera, options).run(progress, stop);
+    CompareOptions posed = options;
+    ProgressStep registering(progress, 0, 0.1);
+    std::vector<TagRegistered> registered =
+        registerPictures(renderer, camera, options.view, posed.pictures, registering, stop);
+    if (posed.pictures.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("No picture has a pose, and tags give none. ",
+                         registered.front().file.filename().string(), ": ", registered.front().why));
+    }
+    ProgressStep comparing(progress, registered.empty() ? 0 : 0.1, 1);
+    CompareReport report = RobotComparison(renderer, camera, posed).run(comparing, stop);
+    report.registered = std::move(registered);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
 }

@@ -29,14 +29,15 @@ struct Columns {
     std::array<int, 4> quaternion; ///< w, x, y, z
 };
 
-Columns columnsOf(const CsvLine& header, const std::string& source) {
+Columns columnsOf(const CsvLine& header, const std::string& source, bool mayLackPlaces) {
     const auto find = [&](std::string_view name) {
         const auto found = std::find(header.fields.begin(), header.fields.end(), name);
         return found == header.fields.end() ? kAbsent : static_cast<int>(found - header.fields.begin());
     };
     const auto need = [&](std::string_view name) {
         const int column = find(name);
-        if (column == kAbsent) {
+        const bool mayBeAbsent = mayLackPlaces && name != "file";
+        if (column == kAbsent && !mayBeAbsent) {
             refusePositions(source, text("the column ", name,
                                          " is missing; the first line should name file,x_m,y_m,z_m"));
         }
@@ -100,12 +101,13 @@ std::optional<Eigen::Quaterniond> rotationOf(const Record& record, const Columns
 
 } // namespace
 
-std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::string& source) {
+std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::string& source,
+                                          bool mayLackPlaces) {
     const std::vector<CsvLine> lines = parseCsv(csv, source);
     if (lines.empty()) {
         refusePositions(source, "it is empty");
     }
-    const Columns columns = columnsOf(lines.front(), source);
+    const Columns columns = columnsOf(lines.front(), source, mayLackPlaces);
     std::vector<PhotoPosition> result;
     std::set<std::string> files;
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -125,9 +127,13 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
         if (!files.insert(position.file).second) {
             refusePositions(source, text("line ", position.line, ": ", position.file, " is listed twice"));
         }
-        position.positionM = {record.number(columns.x, "x_m"), record.number(columns.y, "y_m"),
-                              record.number(columns.z, "z_m")};
         position.roomFromPhoto = rotationOf(record, columns);
+        position.isPlaced = !mayLackPlaces || position.roomFromPhoto || !record.field(columns.x).empty() ||
+                            !record.field(columns.y).empty() || !record.field(columns.z).empty();
+        if (position.isPlaced) {
+            position.positionM = {record.number(columns.x, "x_m"), record.number(columns.y, "y_m"),
+                                  record.number(columns.z, "z_m")};
+        }
         result.push_back(std::move(position));
     }
     if (result.empty()) {
@@ -136,15 +142,15 @@ std::vector<PhotoPosition> parsePositions(std::string_view csv, const std::strin
     return result;
 }
 
-std::vector<PhotoPosition> readPositions(const std::filesystem::path& file) {
+std::vector<PhotoPosition> readPositions(const std::filesystem::path& file, bool mayLackPlaces) {
     constexpr std::uint64_t kLargest = 256ULL << 20;
-    return parsePositions(readTextFile(file, kLargest), file.string());
+    return parsePositions(readTextFile(file, kLargest), file.string(), mayLackPlaces);
 }
 
-std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
+std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv, bool mayLackPoses) {
     std::vector<RobotPicture> pictures;
-    for (const PhotoPosition& line : readPositions(csv)) {
-        if (!line.roomFromPhoto) {
+    for (const PhotoPosition& line : readPositions(csv, mayLackPoses)) {
+        if (!line.roomFromPhoto && line.isPlaced) {
             throw Error(ErrorKind::InvalidInput,
                         text("Could not use the robot's pictures ", csv.string(), ": line ", line.line,
                              " states no rotation; give qw,qx,qy,qz of the optical frame."));
@@ -152,7 +158,10 @@ std::vector<RobotPicture> readRobotPictures(const std::filesystem::path& csv) {
         RobotPicture picture;
         picture.file = csv.parent_path() / line.file;
         picture.depthFile = line.depthFile.empty() ? "" : csv.parent_path() / line.depthFile;
-        picture.roomFromCamera = {*line.roomFromPhoto, line.positionM};
+        picture.hasPose = line.isPlaced;
+        if (line.isPlaced) {
+            picture.roomFromCamera = {*line.roomFromPhoto, line.positionM};
+        }
         pictures.push_back(std::move(picture));
     }
     return pictures;

@@ -22,6 +22,7 @@ constexpr double kFarthestM = 1e8;
 constexpr double kGreatestGain = 32;
 constexpr double kFarthestLensM = 0.1;
 constexpr double kMostErrorPx = 1e6;
+constexpr double kLeastTagM = 0.001;
 
 Json listOf(const Vector3d& v) {
     return Json::array({v.x(), v.y(), v.z()});
@@ -31,6 +32,15 @@ Json listOf(const Polygon& polygon) {
     Json result = Json::array();
     for (const Eigen::Vector2d& vertex : polygon) {
         result.push_back({vertex.x(), vertex.y()});
+    }
+    return result;
+}
+
+template <class Item>
+Json listOf(const std::vector<Item>& items, Json (*jsonOf)(const Item&)) {
+    Json result = Json::array();
+    for (const Item& item : items) {
+        result.push_back(jsonOf(item));
     }
     return result;
 }
@@ -213,6 +223,47 @@ SuggestedCamera cameraOf(const JsonReader& reader) {
     return camera;
 }
 
+Json tagJson(const DatasetTag& tag) {
+    Json corners = Json::array();
+    for (const Eigen::Vector3d& corner : tag.cornersM) {
+        corners.push_back(listOf(corner));
+    }
+    return {{"number", tag.number}, {"sigma_m", tag.sigmaM}, {"corners_m", corners}};
+}
+
+DatasetTag tagOf(const JsonReader& reader) {
+    DatasetTag tag;
+    constexpr int kLastNumber = 586; // Of the family 36h11.
+    tag.number = static_cast<int>(reader.integer("number", 0, kLastNumber));
+    tag.sigmaM = boundedNumber(reader.member("sigma_m"), 0, kFarthestM);
+    const JsonReader corners = reader.member("corners_m");
+    if (corners.arraySize() != tag.cornersM.size()) {
+        corners.fail("expected four corners");
+    }
+    for (std::size_t i = 0; i < tag.cornersM.size(); ++i) {
+        tag.cornersM[i] = vectorOf(corners.element(i), -kFarthestM, kFarthestM);
+    }
+    for (std::size_t i = 0; i < tag.cornersM.size(); ++i) {
+        if (!((tag.cornersM[i] - tag.cornersM[(i + 1) % 4]).norm() >= kLeastTagM)) {
+            corners.fail(text("expected sides of at least ", kLeastTagM, " m"));
+        }
+    }
+    return tag;
+}
+
+std::vector<DatasetTag> tagsOf(const JsonReader& root) {
+    std::vector<DatasetTag> tags;
+    const std::size_t count = root.isAbsent("april_tags") ? 0 : root.member("april_tags").arraySize(1000);
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonReader reader = root.member("april_tags").element(i);
+        tags.push_back(tagOf(reader));
+        if (std::ranges::count(tags, tags.back().number, &DatasetTag::number) > 1) {
+            reader.fail(text("tag ", tags.back().number, " is listed twice"));
+        }
+    }
+    return tags;
+}
+
 void checkVersion(const JsonReader& root, const std::string& source) {
     if (root.isAbsent("format") || root.member("format").value() != kDatasetFormat) {
         throw Error(ErrorKind::Corrupt,
@@ -339,14 +390,6 @@ Json toJson(const DatasetInfo& info) {
             models.push_back({{"kind", name(kind)}, {"measured_error_px", measuredErrorPx(info, kind)}});
         }
     }
-    Json cameras = Json::array();
-    for (const SuggestedCamera& camera : info.cameras) {
-        cameras.push_back(cameraJson(camera));
-    }
-    Json photos = Json::array();
-    for (const DatasetPhoto& photo : info.photos) {
-        photos.push_back(photoJson(photo));
-    }
     return {
         {"format", kDatasetFormat},
         {"version", kDatasetVersion},
@@ -364,8 +407,9 @@ Json toJson(const DatasetInfo& info) {
         {"scene_models", models},
         {"choice", info.choice ? toJson(*info.choice) : Json()},
         {"colour_correction", info.colour ? toJson(*info.colour) : Json()},
-        {"suggested_cameras", cameras},
-        {"photos", photos}};
+        {"april_tags", listOf(info.tags, tagJson)},
+        {"suggested_cameras", listOf(info.cameras, cameraJson)},
+        {"photos", listOf(info.photos, photoJson)}};
 }
 
 DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
@@ -386,6 +430,7 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     if (!root.isAbsent("colour_correction")) {
         info.colour = parseColourCorrection(root.member("colour_correction"));
     }
+    info.tags = tagsOf(root);
     const JsonReader cameras = root.member("suggested_cameras");
     for (std::size_t i = 0; i < cameras.arraySize(1000); ++i) {
         info.cameras.push_back(cameraOf(cameras.element(i)));

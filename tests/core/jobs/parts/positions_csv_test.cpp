@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/positions_csv.h"
@@ -95,6 +96,25 @@ TEST(RobotPictures, NeedARotationEach) {
     writeFile(folder / "p.csv", bytesOf("file,x_m,y_m,z_m,qw,qx,qy,qz\na,0,0,0,1,0,0,0\nb,0,0,0,,,,\n"));
     expectError(ErrorKind::InvalidInput, "line 3 states no rotation",
                 [&] { readRobotPictures(folder / "p.csv"); });
+}
+
+// Only what compares pictures finds the poses of those that show tags.
+TEST(RobotPictures, MayLackTheirPosesWhereThatIsAllowed) {
+    const test::TemporaryFolder folder;
+    writeFile(folder / "p.csv", bytesOf("file\na.png\nb.png\n"));
+    const auto bare = readRobotPictures(folder / "p.csv", true);
+    ASSERT_EQ(bare.size(), 2U);
+    EXPECT_FALSE(bare[0].hasPose || bare[1].hasPose);
+    expectError(ErrorKind::InvalidInput, "column x_m is missing",
+                [&] { readRobotPictures(folder / "p.csv"); });
+    writeFile(folder / "p.csv", bytesOf("file,x_m,y_m,z_m,qw,qx,qy,qz\na,1,2,3,1,0,0,0\nb,,,,,,,\n"));
+    const auto mixed = readRobotPictures(folder / "p.csv", true);
+    EXPECT_TRUE(mixed[0].hasPose);
+    EXPECT_FALSE(mixed[1].hasPose);
+    for (const char* half : {"a,1,2,3,,,,", "a,1,,,,,,", "a,,,,1,0,0,0"}) {
+        writeFile(folder / "p.csv", bytesOf(text("file,x_m,y_m,z_m,qw,qx,qy,qz\n", half, "\n")));
+        expectError(ErrorKind::InvalidInput, "line 2", [&] { readRobotPictures(folder / "p.csv", true); });
+    }
 }
 
 TEST(RobotPictures, HaveTheSizeOfTheCamera) {

@@ -31,6 +31,7 @@ DatasetInfo fullInfo() {
     camera.intrinsics.lens = LensModel::PlumbBob;
     camera.intrinsics.distortion = {1, 2, 3, 4, 5};
     info.cameras = {camera};
+    info.tags = {{17, {Eigen::Vector3d(1, 0, 1.6), {1.16, 0, 1.6}, {1.16, 0, 1.44}, {1, 0, 1.44}}, 0.001}};
     for (int i = 0; i < 3; ++i) {
         DatasetPhoto photo;
         photo.file = "photos/" + std::to_string(i) + ".jpg";
@@ -107,6 +108,24 @@ TEST(DatasetFormat, RefusesLensesThatCannotBe) {
     Json older = toJson(fullInfo());
     older["photos"][1].erase("lens_ahead_m");
     EXPECT_EQ(parseDatasetInfo(older, "dataset.json").photos[1].lenses.aheadM, 0);
+}
+
+TEST(DatasetFormat, RefusesTagsThatCannotBe) {
+    const auto tag = [](const std::string& key, const Json& value, const std::string& part) {
+        refused(ErrorKind::Corrupt, part, [&](Json& json) { json["april_tags"][0][key] = value; });
+    };
+    tag("number", 587, "/april_tags/0/number");
+    tag("number", -1, "/april_tags/0/number");
+    tag("sigma_m", -1, "/april_tags/0/sigma_m");
+    tag("sigma_m", 1e300, "/april_tags/0/sigma_m");
+    tag("corners_m", Json::array({{0, 0, 0}}), "expected four corners");
+    tag("corners_m", Json::array({{0, 0}, {0, 0}, {0, 0}, {0, 0}}), "/april_tags/0/corners_m/0");
+    tag("corners_m", Json::array({{1, 0, 1}, {2, 0, 1}, {2, 0, 1}, {1, 0, 0}}), "sides of at least");
+    refused(ErrorKind::Corrupt, "tag 17 is listed twice",
+            [](Json& json) { json["april_tags"].push_back(json["april_tags"][0]); });
+    Json older = toJson(fullInfo());
+    older.erase("april_tags");
+    EXPECT_TRUE(parseDatasetInfo(older, "dataset.json").tags.empty());
 }
 
 TEST(DatasetFormat, RefusesOtherFormatsAndVersions) {

@@ -7,6 +7,7 @@
 #include "spherewalk/compare/pose_fit.h"
 #include "spherewalk/compare/sensor_fit.h"
 #include "spherewalk/compare/steadiness.h"
+#include "spherewalk/compare/tag_pose.h"
 #include "spherewalk/jobs/looks.h"
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/render/view.h"
@@ -24,7 +25,7 @@ class Renderer;
 namespace spherewalk::jobs {
 
 struct CompareOptions {
-    std::vector<RobotPicture> pictures; ///< Their poses may be approximate.
+    std::vector<RobotPicture> pictures; ///< Their poses may be approximate, or missing where tags are seen.
     bool refinesPoses = false;
     bool fitsColour = false;
     bool fitsSensor = false;
@@ -68,6 +69,13 @@ struct ShownPicture {
     RgbImage difference; ///< Four times the difference of `after` and `picture`, on grey.
 };
 
+/// What the AprilTags in a picture without a pose told of its pose.
+struct TagRegistered {
+    std::filesystem::path file;
+    std::string why;       ///< If it has no pose, a sentence that says why.
+    compare::TagPose pose; ///< If it has one.
+};
+
 /// All pictures together.
 struct CompareSummary {
     LooksSummary looks;
@@ -79,7 +87,8 @@ struct CompareSummary {
 
 struct CompareReport {
     std::vector<ComparedPicture> pictures;
-    std::size_t refined = 0; ///< Number of pictures whose pose was refined.
+    std::vector<TagRegistered> registered; ///< One for each picture that had no pose.
+    std::size_t refined = 0;               ///< Number of pictures whose pose was refined.
     CompareSummary before;
     CompareSummary after;
     std::optional<double> steadyMedianPx;  ///< Median over the pictures' steadiness; nothing without any.
@@ -95,11 +104,21 @@ struct CompareReport {
     double seconds = 0;
 };
 
-/// Compares the dataset's views with the pictures of a robot's camera. If a pose cannot be refined, the
+/// Gives pictures without a pose one, by the AprilTags that they show and the dataset knows. Where a tag
+/// allows two poses, the one whose view is more like the picture is taken. Pictures that remain without a
+/// pose are taken out of the list. Errors: those of rendering, and of reading pictures. Stop: between
+/// pictures.
+std::vector<TagRegistered> registerPictures(const render::Renderer& renderer, const CameraModel& camera,
+                                            const render::ViewOptions& view,
+                                            std::vector<RobotPicture>& pictures, ProgressSink& progress,
+                                            const std::stop_token& stop);
+
+/// Compares the dataset's views with the pictures of a robot's camera. Pictures without a pose are registered
+/// by their tags first; those that cannot be are named and not compared. If a pose cannot be refined, the
 /// comparison keeps the given one and takes no colours from that picture.
 ///
-/// Errors: InvalidInput for no pictures, and for pictures that have not the camera's size; those of
-/// rendering, and of reading pictures. Stop: Stopped, between two pictures.
+/// Errors: InvalidInput for no pictures, for none with a pose, and for pictures that have not the camera's
+/// size; those of rendering, and of reading pictures. Stop: Stopped, between two pictures.
 CompareReport compareRobot(const render::Renderer& renderer, const CameraModel& camera,
                            const CompareOptions& options, ProgressSink& progress,
                            const std::stop_token& stop);

@@ -11,6 +11,7 @@
 #include "spherewalk/render/ladder.h"
 #include "spherewalk/render/scene_depth.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -62,6 +63,14 @@ struct SuggestedCamera {
     CameraIntrinsics intrinsics;
 };
 
+/// A printed AprilTag (36h11) that hangs in the room. Pictures that show it can be registered by it.
+struct DatasetTag {
+    int number = 0;
+    /// Of the black square, in the room: upper left, upper right, lower right, lower left.
+    std::array<Eigen::Vector3d, 4> cornersM;
+    double sigmaM = 0; ///< Standard deviation of a corner along the worst axis.
+};
+
 struct DatasetInfo {
     std::string id;
     std::string name;
@@ -78,6 +87,7 @@ struct DatasetInfo {
     std::map<SceneKind, double> measuredErrorPx;
     std::optional<ViewChoice> choice;       ///< It exists if it was measured.
     std::optional<ColourCorrection> colour; ///< From the photos' colours to the robot's, if it is known.
+    std::vector<DatasetTag> tags;
     std::vector<SuggestedCamera> cameras;
     std::vector<DatasetPhoto> photos;
 };
