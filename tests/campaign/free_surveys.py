@@ -31,14 +31,14 @@ WAY = ((0.12, 0.85), (0.38, 0.85), (0.38, 0.5), (0.12, 0.5), (0.25, 0.4), (0.25,
 class Camera:
     """A practice camera that is carried about."""
 
-    def __init__(self, cli, folder, room, seed, width, tilt):
+    def __init__(self, cli, folder, room, seed, width, tilt, more=()):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
         self.truth = folder / f"{room}.jsonl"
         self.process = subprocess.Popen(
             [cli, "practice-camera", "--port", str(self.port), "--time-scale", "0", "--room", room, "--seed", str(seed), "--width",
-             str(width), "--tilt", str(tilt), "--truth", str(self.truth)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+             str(width), "--tilt", str(tilt), "--truth", str(self.truth), *more], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         deadline = time.monotonic() + 60
         while not self.answers():
             if time.monotonic() > deadline or self.process.poll() is not None:
