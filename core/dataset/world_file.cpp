@@ -5,6 +5,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <string_view>
@@ -16,16 +17,6 @@ namespace {
 constexpr double kWallM = 0.1; ///< Thickness; walls stand outside of the room.
 constexpr double kObjectM = 0.3;
 constexpr double kNearestObjectM = 0.6; ///< From the camera.
-
-/// Letters, digits, - and _ only.
-std::string identifier(std::string_view name) {
-    std::string result;
-    for (const char c : name) {
-        const bool isKept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-        result += isKept ? c : '_';
-    }
-    return result.empty() ? "room" : result;
-}
 
 std::string tag(std::string_view name, const std::string& content) {
     return text("<", name, ">", content, "</", name, ">\n");
@@ -76,7 +67,7 @@ std::string surface(std::string_view name, const std::string& place, const std::
 
 /// The wall outside of an edge of an outline that runs counter-clockwise. At a corner that turns left, the
 /// wall is longer by its thickness, so that no gap stays.
-std::string wall(const WorldRoom& room, const Polygon& outline, std::size_t i) {
+WorldBox wall(const WorldRoom& room, const Polygon& outline, std::size_t i) {
     const auto corner = [&](std::size_t k) { return outline[k % outline.size()]; };
     const auto turnsLeft = [&](std::size_t k) {
         const Eigen::Vector2d before = corner(k) - corner(k + outline.size() - 1);
@@ -89,30 +80,21 @@ std::string wall(const WorldRoom& room, const Polygon& outline, std::size_t i) {
     const Eigen::Vector2d end = corner(i + 1) + (turnsLeft(i + 1) ? kWallM : 0) * along;
     const Eigen::Vector2d middle = (begin + end) / 2 + kWallM / 2 * outwards;
     const double height = room.ceilingM - room.floorM;
-    return surface(text("wall_", i),
-                   pose(middle.x(), middle.y(), room.floorM + height / 2, std::atan2(along.y(), along.x())),
-                   box((end - begin).norm(), kWallM, height));
+    return {text("wall_", i),
+            {middle.x(), middle.y(), room.floorM + height / 2},
+            std::atan2(along.y(), along.x()),
+            {(end - begin).norm(), kWallM, height}};
 }
 
 std::string roomModel(const WorldRoom& room) {
-    Polygon outline = room.outline;
-    if (signedArea(outline) < 0) {
-        std::reverse(outline.begin(), outline.end());
-    }
-    const Bounds2 around = bounds(outline);
-    const Eigen::Vector2d middle = (around.least + around.greatest) / 2;
-    const Eigen::Vector2d size = around.greatest - around.least;
-    const auto slab = [&](std::string_view name, double z) {
-        return surface(name, pose(middle.x(), middle.y(), z), box(size.x(), size.y(), kWallM));
-    };
-    std::string surfaces =
-        slab("floor", room.floorM - kWallM / 2) + slab("ceiling", room.ceilingM + kWallM / 2);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        surfaces += wall(room, outline, i);
+    std::string surfaces;
+    for (const WorldBox& one : boxesOf(room)) {
+        surfaces += surface(one.name, pose(one.middle.x(), one.middle.y(), one.middle.z(), one.yaw),
+                            box(one.sizeM.x(), one.sizeM.y(), one.sizeM.z()));
     }
     if (!room.furniture.empty()) {
         surfaces +=
-            surface("furniture", pose(0, 0, 0), tag("geometry", tag("mesh", tag("uri", room.furniture))));
+            surface("furniture", pose(0, 0, 0), tag("geometry", tag("mesh", tag("uri", kFurnitureFile))));
     }
     for (std::size_t i = 0; i < room.obstacles.size() && room.furniture.empty(); ++i) {
         surfaces += surface(text("obstacle_", i), pose(0, 0, room.floorM),
@@ -256,6 +238,54 @@ void WorldRoom::validate() const {
     validateObstacles(obstacles);
 }
 
+std::vector<WorldBox> boxesOf(const WorldRoom& room) {
+    Polygon outline = room.outline;
+    if (signedArea(outline) < 0) {
+        std::reverse(outline.begin(), outline.end());
+    }
+    const Bounds2 around = bounds(outline);
+    const Eigen::Vector2d middle = (around.least + around.greatest) / 2;
+    const Eigen::Vector2d size = around.greatest - around.least;
+    std::vector<WorldBox> boxes;
+    for (const auto& [name, z] :
+         {std::pair{"floor", room.floorM - kWallM / 2}, {"ceiling", room.ceilingM + kWallM / 2}}) {
+        boxes.push_back({name, {middle.x(), middle.y(), z}, 0, {size.x(), size.y(), kWallM}});
+    }
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        boxes.push_back(wall(room, outline, i));
+    }
+    return boxes;
+}
+
+std::string furnitureMesh(const WorldRoom& room) {
+    // Corners have bit 0 for the greater x, 1 for y and 2 for z.
+    constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    std::string mesh = "# spherewalk, metres, z up\n";
+    for (std::size_t i = 0; i < room.furniture.size(); ++i) {
+        mesh += text("o furniture_", i, "\n");
+        for (int k = 0; k < 8; ++k) {
+            const Eigen::Vector3d at = room.furniture[i].corner(Eigen::AlignedBox3d::CornerType(k));
+            mesh += text("v ", fixed(at.x(), 4), " ", fixed(at.y(), 4), " ", fixed(at.z(), 4), "\n");
+        }
+        for (const auto& [a, b, c, d] : kFaces) {
+            const std::size_t first = 8 * i + 1;
+            mesh += text("f ", first + a, " ", first + b, " ", first + c, "\n", "f ", first + a, " ",
+                         first + c, " ", first + d, "\n");
+        }
+    }
+    return mesh;
+}
+
+std::string worldIdentifier(std::string_view name) {
+    std::string result;
+    for (const char c : name) {
+        const bool isKept = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+        result += isKept ? c : '_';
+    }
+    return result.empty() ? "room" : result;
+}
+
 std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera) {
     room.validate();
     camera.validate();
@@ -265,7 +295,7 @@ std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera) {
                     "distortion, and give it to spherewalk-gz as --overlay-camera.");
     }
     const Eigen::Vector3d& at = room.cameraAt;
-    return text("<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n<world name=\"", identifier(room.name),
+    return text("<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n<world name=\"", worldIdentifier(room.name),
                 "\">\n",
                 "<physics name=\"steps\" type=\"ignored\"><max_step_size>0.001</max_step_size>"
                 "<real_time_factor>1</real_time_factor></physics>\n",

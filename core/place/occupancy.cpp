@@ -15,14 +15,11 @@ namespace spherewalk::place {
 namespace {
 
 constexpr double kMostCells = 1 << 28;
-constexpr double kOccupiedM2 = 0.001;   ///< less surface is a mistake of a few voxels
-constexpr double kFloorShare = 0.5;     ///< of a cell's floor that makes it seen
-constexpr double kThroughShare = 0.9;   ///< of a column's lower half; else something low may be hidden there
-constexpr double kSampleM = 0.05;       ///< along a cell's column
-constexpr float kBeyondM = 0.05F;       ///< farther than this from a surface a point is free
-constexpr float kLikelyBeyondM = 0.15F; ///< the same for a depth that is not sure
-constexpr int kLikelyPhotos = 2;        ///< that are not sure and make a point occupied
-constexpr double kWallM = 0.15;         ///< how far beyond the outline something may be seen of a wall
+constexpr double kOccupiedM2 = 0.001; ///< less surface is a mistake of a few voxels
+constexpr double kFloorShare = 0.5;   ///< of a cell's floor that makes it seen
+constexpr double kThroughShare = 0.9; ///< of a column's lower half; else something low may be hidden there
+constexpr double kSampleM = 0.05;     ///< along a cell's column
+constexpr double kWallM = 0.15;       ///< how far beyond the outline something may be seen of a wall
 constexpr int kRowsAGrain = 4;
 
 class Mapping {
@@ -117,33 +114,13 @@ class Mapping {
         int free = 0;
         for (int i = 0; i < samples; ++i) {
             const double heightM = m_options.leastHeightM + (i + 0.5) / samples * bandM;
-            const std::uint8_t value = sampleAt({middle.x(), middle.y(), m_options.floorM + heightM});
-            if (value == kOccupied) {
+            const Space space = spaceAt(m_photos, {middle.x(), middle.y(), m_options.floorM + heightM});
+            if (space == Space::Occupied) {
                 return kOccupied;
             }
-            free += value == kFree && i < lower ? 1 : 0;
+            free += space == Space::Free && i < lower ? 1 : 0;
         }
         return isFloorSeen || free >= kThroughShare * lower ? kFree : kUnknown;
-    }
-
-    /// What photos say of a point. It is free if one surely shows something farther away. Else those that are
-    /// not sure are asked: more must look through than show something here.
-    std::uint8_t sampleAt(const Eigen::Vector3d& pInRoom) const {
-        int through = 0;
-        int here = 0;
-        for (const SeenDepth& photo : m_photos) {
-            const Sight sight = photo.sight(pInRoom);
-            const float beyondM = sight.rangeM - sight.pointM;
-            if (sight.rangeM == 0) {
-                continue;
-            }
-            if (sight.isSure && beyondM > kBeyondM + 2 * photo.sigmaM(sight.rangeM)) {
-                return kFree;
-            }
-            through += beyondM > kLikelyBeyondM ? 1 : 0;
-            here += std::abs(beyondM) < kBeyondM ? 1 : 0;
-        }
-        return through > here ? kFree : here >= kLikelyPhotos ? kOccupied : kUnknown;
     }
 
     const Surface& m_surface;

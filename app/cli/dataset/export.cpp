@@ -113,28 +113,32 @@ Result exportForeign(const ExportArguments& options, const store::SurveyStore& s
 }
 
 /// Of a VGA camera, if none is named.
-Result exportWorld(const ExportArguments& options, Context& context) {
+Result exportWorld(const ExportArguments& options, jobs::WorldFormat format, Context& context) {
     const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
                                                            : render::readCameraInfo(options.camera);
     dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
-    place::Surface furniture;
     room.validate();
+    std::string mesh;
     if (jobs::hasDepths(options.survey)) {
         requireAbsent(options.dataset, "the world");
-        furniture = jobs::furnitureOf(options.survey, {room.outline, room.floorM, room.ceilingM},
-                                      options.place, context.progress, context.stop);
-        room.furniture = furniture.triangles.empty() ? "" : "furniture.obj";
+        jobs::Furniture furniture =
+            jobs::furnitureOf(options.survey, {room.outline, room.floorM, room.ceilingM}, options.place,
+                              context.progress, context.stop);
+        mesh = place::objFile(furniture.mesh);
+        room.furniture = std::move(furniture.boxes);
     }
-    jobs::exportWorld(room, camera, options.dataset, place::objFile(furniture));
+    const std::string file = jobs::exportWorld(room, camera, format, options.dataset, mesh);
+    const std::size_t obstacles = room.furniture.empty() ? room.obstacles.size() : 0;
     const std::string things = room.furniture.empty()
-                                   ? counted(room.obstacles.size(), "obstacle", "obstacles")
-                                   : text("furniture of ", furniture.triangles.size(), " triangles");
+                                   ? counted(obstacles, "obstacle", "obstacles")
+                                   : text("furniture of ", counted(room.furniture.size(), "box", "boxes"));
     return {{{"folder", options.dataset},
+             {"file", file},
              {"walls", room.outline.size()},
-             {"obstacles", room.furniture.empty() ? room.obstacles.size() : 0},
-             {"furniture_triangles", furniture.triangles.size()}},
-            text("Wrote ", options.dataset, "/world.sdf for Gazebo, a room of ", room.outline.size(),
-                 " walls and ", things, " with a robot in it, and camera.yaml.")};
+             {"obstacles", obstacles},
+             {"furniture_boxes", room.furniture.size()}},
+            text("Wrote ", options.dataset, "/", file, ", a room of ", room.outline.size(), " walls and ",
+                 things, ", and camera.yaml.")};
 }
 
 Result exportPlace(const ExportArguments& options, jobs::PlaceFormat format, Context& context) {
@@ -176,8 +180,8 @@ Result exportSurvey(const ExportArguments& options, Context& context) {
     if (options.format == "web") {
         return exportWeb(options, context);
     }
-    if (options.format == "sdf") {
-        return exportWorld(options, context);
+    if (const auto format = jobs::worldFormat(options.format)) {
+        return exportWorld(options, *format, context);
     }
     if (const auto format = jobs::placeFormat(options.format)) {
         return exportPlace(options, *format, context);
@@ -203,8 +207,9 @@ void addExport(Commands& commands) {
             return options->isCheck ? checkedExport(*options, context) : exportSurvey(*options, context);
         });
     command
-        .option("survey", options->survey,
-                "Folder of the survey; with sdf, ply, gltf, obj, occupancy or web, or of a dataset")
+        .option(
+            "survey", options->survey,
+            "Folder of the survey; with sdf, mjcf, urdf, ply, gltf, obj, occupancy or web, or of a dataset")
         .required();
     command.option("dataset", options->dataset, "Folder to make").required();
     command
@@ -217,20 +222,21 @@ void addExport(Commands& commands) {
         .option(
             "--format", options->format,
             "What for: spherewalk's own simulators, pictures with poses as colmap, nerfstudio, tum, kitti or "
-            "euroc read them, the room as a world for Gazebo (sdf), the surfaces that were seen (ply, gltf, "
-            "obj), a map of where a robot can drive (occupancy), or a page for a browser to look around in "
-            "(web)")
-        .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf", "ply", "gltf", "obj",
-                "occupancy", "web"})
+            "euroc read them, the room as a world for Gazebo (sdf) or MuJoCo (mjcf) or as a robot's model "
+            "(urdf), the surfaces that were seen (ply, gltf, obj), a map of where a robot can drive "
+            "(occupancy), or a page for a browser to look around in (web)")
+        .among({"spherewalk", "colmap", "nerfstudio", "tum", "kitti", "euroc", "sdf", "mjcf", "urdf", "ply",
+                "gltf", "obj", "occupancy", "web"})
         .showDefault();
     command
         .option("--obstacle-height", options->obstacleHeightM,
-                "With sdf, height of the plan's obstacles, metres")
+                "With sdf, mjcf or urdf, height of the plan's obstacles, metres")
         .range(0.01, 10.0)
         .showDefault();
     command
-        .option("--voxel", options->place.fusion.voxelM,
-                "With sdf, ply, gltf, obj or occupancy, edge of the voxels that depths are fused in, metres")
+        .option(
+            "--voxel", options->place.fusion.voxelM,
+            "With a world, ply, gltf, obj or occupancy, edge of the voxels that depths are fused in, metres")
         .range(0.005, 0.2)
         .showDefault();
     command
@@ -254,7 +260,7 @@ void addExport(Commands& commands) {
         .showDefault();
     command
         .option("--least-photos", options->place.leastPhotos,
-                "With sdf, ply, gltf, obj or occupancy, leave out surfaces that fewer photos show")
+                "With a world, ply, gltf, obj or occupancy, leave out surfaces that fewer photos show")
         .range(1, 255)
         .showDefault();
     command.option("--measured", options->measured,

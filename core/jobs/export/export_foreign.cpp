@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_foreign.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/folder.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/dataset/world_models.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -219,6 +221,26 @@ Eigen::Vector3d startIn(const KnownRoom& room) {
 
 } // namespace
 
+namespace {
+
+constexpr EnumNames<WorldFormat, 3> kWorldFormats{
+    {{WorldFormat::Sdf, "sdf"}, {WorldFormat::Mjcf, "mjcf"}, {WorldFormat::Urdf, "urdf"}}};
+
+dataset::TextFile worldFile(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
+                            WorldFormat format) {
+    switch (format) {
+    case WorldFormat::Mjcf:
+        return {"world.xml", dataset::mjcfWorld(room, camera)};
+    case WorldFormat::Urdf:
+        return {"room.urdf", dataset::urdfRoom(room)};
+    case WorldFormat::Sdf:
+        break;
+    }
+    return {"world.sdf", dataset::sdfWorld(room, camera)};
+}
+
+} // namespace
+
 dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obstacleHeightM) {
     const KnownRoom known =
         std::filesystem::exists(folder / render::kDatasetFile) ? roomOfDataset(folder) : roomOfSurvey(folder);
@@ -235,16 +257,28 @@ dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obsta
     return room;
 }
 
-void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
-                 const std::filesystem::path& folder, std::string_view furniture) {
-    const std::string world = dataset::sdfWorld(room, camera);
-    makeFolder(folder, "the world", [&](const std::filesystem::path& unfinished) {
-        writeFile(unfinished / "world.sdf", bytesOf(world));
-        if (!room.furniture.empty()) {
-            writeFile(unfinished / room.furniture, bytesOf(furniture));
+std::string_view name(WorldFormat format) {
+    return nameOf(kWorldFormats, format);
+}
+
+std::optional<WorldFormat> worldFormat(std::string_view name) {
+    const auto* const found = std::find_if(kWorldFormats.begin(), kWorldFormats.end(),
+                                           [&](const auto& format) { return format.second == name; });
+    return found == kWorldFormats.end() ? std::nullopt : std::optional(found->first);
+}
+
+std::string exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera, WorldFormat format,
+                        const fs::path& folder, const std::string& mesh) {
+    const dataset::TextFile world = worldFile(room, camera, format);
+    makeFolder(folder, "the world", [&](const fs::path& unfinished) {
+        writeFile(unfinished / world.path, bytesOf(world.text));
+        if (format == WorldFormat::Sdf && !room.furniture.empty()) {
+            writeFile(unfinished / dataset::kFurnitureFile,
+                      bytesOf(mesh.empty() ? dataset::furnitureMesh(room) : mesh));
         }
         writeFile(unfinished / "camera.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
     });
+    return world.path;
 }
 
 } // namespace spherewalk::jobs

@@ -11,6 +11,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/place/simplified.h"
+#include "spherewalk/place/solid_boxes.h"
 #include "spherewalk/place/surface_files.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -32,6 +33,7 @@ constexpr EnumNames<PlaceFormat, 4> kFormats{{{PlaceFormat::Ply, "ply"},
 constexpr float kLeastConfidence = 0.5F; ///< as many photos look through as show a surface
 constexpr double kOfTheRoomM = 0.05;     ///< what is nearer to a wall, the floor or the ceiling belongs to it
 constexpr double kFurnitureErrorM = 0.01;
+constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos
 
 class PlaceExport {
@@ -49,11 +51,16 @@ class PlaceExport {
         return m_report;
     }
 
-    place::Surface furniture(const render::RoomShape& room, ProgressSink& progress) {
-        find(progress);
+    Furniture furniture(const render::RoomShape& room, ProgressSink& progress) {
+        ProgressStep finding(progress, 0, 0.9);
+        find(finding);
         place::Surface things = place::furnitureOf(std::move(m_surface), room, kOfTheRoomM);
         things.dropSmallParts(kLeastPartM2);
-        return place::simplified(things, kFurnitureErrorM);
+        progress.progress(0.95, "Making boxes of furniture");
+        const double cellM = kVoxelsACell * m_options.fusion.voxelM;
+        const place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
+        return {place::simplified(things, kFurnitureErrorM),
+                place::solidBoxes(things, m_depths, options, m_stop)};
     }
 
   private:
@@ -270,8 +277,8 @@ bool hasDepths(const fs::path& folder) {
                          [](const render::DatasetPhoto& photo) { return !photo.depth.empty(); }) > 1;
 }
 
-place::Surface furnitureOf(const fs::path& dataset, const render::RoomShape& room,
-                           const PlaceOptions& options, ProgressSink& progress, const std::stop_token& stop) {
+Furniture furnitureOf(const fs::path& dataset, const render::RoomShape& room, const PlaceOptions& options,
+                      ProgressSink& progress, const std::stop_token& stop) {
     room.validate();
     options.validate();
     return PlaceExport(dataset, options, stop).furniture(room, progress);

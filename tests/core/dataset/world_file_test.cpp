@@ -2,6 +2,7 @@
 #include "expect_error.h"
 
 #include "spherewalk/dataset/world_file.h"
+#include "spherewalk/dataset/world_models.h"
 #include "spherewalk/render/scene_depth.h"
 
 #include <gtest/gtest.h>
@@ -213,7 +214,7 @@ class MeshedWorldFile : public WorldFile {
     static WorldRoom meshed() {
         WorldRoom room = roomWithACorner();
         room.obstacles = {{{{3, 0.5}, {4, 0.5}, {4, 1.5}, {3, 1.5}}, 0.75}};
-        room.furniture = "furniture.obj";
+        room.furniture.emplace_back(Eigen::Vector3d(3, 0.5, 0), Eigen::Vector3d(4, 1.5, 0.7));
         return room;
     }
 };
@@ -230,6 +231,30 @@ TEST_F(MeshedWorldFile, HasTheMeshInPlaceOfItsObstacles) {
     EXPECT_EQ(collision->RawPose(), im::Pose3d::Zero) << "the mesh is in the room's frame";
     EXPECT_EQ(surfaces()->CollisionByName("obstacle_0"), nullptr);
     EXPECT_EQ(surfaces()->CollisionCount(), room.outline.size() + 3);
+}
+
+TEST(UrdfRoom, IsReadWithTheSameWallsAndItsFurniture) {
+    WorldRoom room = roomWithACorner();
+    room.furniture.emplace_back(Eigen::Vector3d(3, 0.5, 0), Eigen::Vector3d(4, 1.5, 0.7));
+    sdf::Root root;
+    for (const sdf::Error& error : root.LoadSdfString(urdfRoom(room))) {
+        ADD_FAILURE() << error.Message();
+    }
+    ASSERT_NE(root.Model(), nullptr);
+    const sdf::Link* link = root.Model()->LinkByName("room");
+    ASSERT_NE(link, nullptr);
+    EXPECT_EQ(link->CollisionCount(), room.outline.size() + 3);
+    for (const WorldBox& box : boxesOf(room)) {
+        bool isFound = false;
+        for (std::uint64_t i = 0; i < link->CollisionCount(); ++i) {
+            const sdf::Collision* collision = link->CollisionByIndex(i);
+            const im::Vector3d at(box.middle.x(), box.middle.y(), box.middle.z());
+            isFound = isFound || (collision->Geom()->BoxShape() != nullptr &&
+                                  collision->RawPose().Pos().Equal(at, 1e-6) &&
+                                  std::abs(collision->RawPose().Rot().Yaw() - box.yaw) < 1e-6);
+        }
+        EXPECT_TRUE(isFound) << box.name;
+    }
 }
 
 TEST(WorldFileErrors, RefusesRoomsAndCamerasThatCannotBe) {

@@ -2,6 +2,7 @@
 #include "expect_error.h"
 
 #include "spherewalk/dataset/world_file.h"
+#include "spherewalk/dataset/world_models.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/scene_depth.h"
 
@@ -252,6 +253,31 @@ TEST(WorldText, TheRoomIsHiddenFromTheCameraAndTheObjectIsNot) {
         EXPECT_EQ(flags(surface), std::vector<double>{kHiddenFromCamera}) << surface;
     }
     EXPECT_EQ(flags("box"), std::vector<double>{kSeenByCamera});
+}
+
+TEST(WorldModels, HaveTheRoomsBoxesAndItsFurnitureOrObstacles) {
+    WorldRoom room = angularRoom();
+    room.obstacles = {{rectangle(3, 0.2, 1, 0.5), 0.75}};
+    for (const std::string& model : {mjcfWorld(room, kWorldCamera), urdfRoom(room)}) {
+        EXPECT_EQ(xmlDefect(model), "");
+        EXPECT_NE(model.find("\"wall_5\""), std::string::npos);
+        EXPECT_EQ(model.find("\"wall_6\""), std::string::npos);
+        EXPECT_NE(model.find("\"obstacle_0_3\""), std::string::npos) << "the side of an obstacle";
+    }
+    room.furniture.resize(2, {Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(2, 4, 1)});
+    for (const std::string& model : {mjcfWorld(room, kWorldCamera), urdfRoom(room)}) {
+        EXPECT_EQ(xmlDefect(model), "");
+        EXPECT_EQ(model.find("obstacle"), std::string::npos) << "furniture takes their place";
+        EXPECT_NE(model.find("\"furniture_1\""), std::string::npos);
+        EXPECT_NE(model.find("\"1.5 3 0.5\""), std::string::npos) << "its middle";
+    }
+    CameraIntrinsics bent = kWorldCamera;
+    bent.lens = LensModel::Equidistant;
+    bent.distortion = {0, 0, 0, 0};
+    expectError(ErrorKind::Unsupported, "MuJoCo", [&] { mjcfWorld(room, bent); });
+    room.ceilingM = room.floorM;
+    expectError(ErrorKind::InvalidInput, "above its floor", [&] { mjcfWorld(room, kWorldCamera); });
+    expectError(ErrorKind::InvalidInput, "above its floor", [&] { urdfRoom(room); });
 }
 
 TEST(WorldText, RefusesRoomsThatCannotBe) {

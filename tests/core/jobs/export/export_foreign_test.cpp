@@ -4,12 +4,14 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/base/json.h"
+#include "spherewalk/dataset/world_models.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/dataset.h"
 
+#include <map>
 #include <set>
 
 namespace spherewalk::jobs {
@@ -218,25 +220,37 @@ dataset::WorldRoom smallRoom() {
 TEST(ExportWorld, WritesTheWorldAndTheCameraThatItIsFor) {
     const test::TemporaryFolder folder;
     const CameraIntrinsics camera = CameraIntrinsics::pinhole(320, 240, 1.1);
-    exportWorld(smallRoom(), camera, folder / "world");
-    EXPECT_EQ(readTextFile(folder / "world/world.sdf"), dataset::sdfWorld(smallRoom(), camera));
-    EXPECT_EQ(render::readCameraInfo(folder / "world/camera.yaml"), camera);
+    const std::map<WorldFormat, std::string> worlds = {
+        {WorldFormat::Sdf, dataset::sdfWorld(smallRoom(), camera)},
+        {WorldFormat::Mjcf, dataset::mjcfWorld(smallRoom(), camera)},
+        {WorldFormat::Urdf, dataset::urdfRoom(smallRoom())}};
+    for (const auto& [format, world] : worlds) {
+        const std::filesystem::path out = folder / std::string(name(format));
+        EXPECT_EQ(readTextFile(out / exportWorld(smallRoom(), camera, format, out)), world);
+        EXPECT_EQ(render::readCameraInfo(out / "camera.yaml"), camera);
+        EXPECT_EQ(worldFormat(name(format)), format);
+    }
+    EXPECT_EQ(worldFormat("ply"), std::nullopt);
 }
 
 TEST(ExportWorld, WritesItsFurnitureBesideIt) {
     const test::TemporaryFolder folder;
     dataset::WorldRoom room = smallRoom();
-    room.furniture = "furniture.obj";
-    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), folder / "world", "v 0 0 0\n");
-    EXPECT_EQ(readTextFile(folder / "world/furniture.obj"), "v 0 0 0\n");
+    room.furniture.emplace_back(Eigen::Vector3d(2, 1, 0), Eigen::Vector3d(3, 2, 0.7));
+    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf, folder / "world");
+    EXPECT_EQ(readTextFile(folder / "world/furniture.obj"), dataset::furnitureMesh(room));
     EXPECT_THAT(readTextFile(folder / "world/world.sdf"), HasSubstr("<uri>furniture.obj</uri>"));
+    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf, folder / "finer",
+                "v 0 0 0\n");
+    EXPECT_EQ(readTextFile(folder / "finer/furniture.obj"), "v 0 0 0\n");
 }
 
 TEST(ExportWorld, ReplacesNothing) {
     const test::TemporaryFolder folder;
     writeFile(folder / "world", bytesOf("mine"));
     expectError(ErrorKind::Exists, "world", [&] {
-        exportWorld(smallRoom(), CameraIntrinsics::pinhole(320, 240, 1.1), folder / "world");
+        exportWorld(smallRoom(), CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf,
+                    folder / "world");
     });
     EXPECT_EQ(readTextFile(folder / "world"), "mine");
 }
@@ -245,12 +259,14 @@ TEST(ExportWorld, LeavesNothingOfARoomThatIsNone) {
     const test::TemporaryFolder folder;
     dataset::WorldRoom low = smallRoom();
     low.ceilingM = -1;
-    expectError(ErrorKind::InvalidInput, "",
-                [&] { exportWorld(low, CameraIntrinsics::pinhole(320, 240, 1.1), folder / "world"); });
+    expectError(ErrorKind::InvalidInput, "", [&] {
+        exportWorld(low, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf, folder / "world");
+    });
     CameraIntrinsics bent = CameraIntrinsics::pinhole(320, 240, 1.1);
     bent.lens = LensModel::PlumbBob;
     bent.distortion = {0.1, 0, 0, 0, 0};
-    expectError(ErrorKind::Unsupported, "", [&] { exportWorld(smallRoom(), bent, folder / "world"); });
+    expectError(ErrorKind::Unsupported, "",
+                [&] { exportWorld(smallRoom(), bent, WorldFormat::Sdf, folder / "world"); });
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -74,14 +74,22 @@ TEST_F(ExportPlace, WritesTheSameSurfaceForViewersAndAsText) {
 
 TEST_F(ExportPlace, KnowsWhatStandsInTheRoom) {
     render::RoomShape room = info.roomShape.value();
-    EXPECT_TRUE(furnitureOf(dataset(), room, options, noProgress(), {}).triangles.empty()) << "nothing does";
+    EXPECT_TRUE(furnitureOf(dataset(), room, options, noProgress(), {}).boxes.empty()) << "nothing does";
     // The room is taken for larger than it is, so that its eastern wall stands in it.
     room.outline = {{0, 0}, {4, 0}, {4, 2}, {0, 2}};
-    const place::Surface things = furnitureOf(dataset(), room, options, noProgress(), {});
-    EXPECT_NEAR(things.areaM2(), 2 * 2.5, 0.6);
-    for (const place::SurfaceVertex& vertex : things.vertices) {
+    const Furniture things = furnitureOf(dataset(), room, options, noProgress(), {});
+    EXPECT_NEAR(things.mesh.areaM2(), 2 * 2.5, 0.6);
+    for (const place::SurfaceVertex& vertex : things.mesh.vertices) {
         EXPECT_NEAR(vertex.pInRoom.x(), 3, 0.06);
     }
+    const double cellM = 2 * options.fusion.voxelM;
+    double volumeM3 = 0;
+    for (const Eigen::AlignedBox3d& box : things.boxes) {
+        volumeM3 += box.volume();
+        EXPECT_GT(box.min().x(), 3 - 1.5 * cellM);
+        EXPECT_LT(box.max().x(), 3 + 2.5 * cellM);
+    }
+    EXPECT_NEAR(volumeM3 / cellM, 2 * 2.5, 1.5) << "the wall is about one cell thick";
 }
 
 TEST_F(ExportPlace, WritesAMapOfTheFloor) {

@@ -4,9 +4,10 @@
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/polygon.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spherewalk::dataset {
@@ -32,14 +33,34 @@ struct WorldRoom {
     Eigen::Vector3d cameraAt =
         Eigen::Vector3d::Zero(); ///< First place of the robot's camera, which looks along x.
     std::vector<WorldObstacle> obstacles;
-    /// File of a mesh with all that stands in the room, relative to the world's file. It takes the place of
-    /// the obstacles, which still say where the robot cannot begin. It may be empty.
-    std::string furniture = {};
+    /// Boxes that are all that stands in the room. If there are any, they take the place of the obstacles,
+    /// which still say where the robot cannot begin.
+    std::vector<Eigen::AlignedBox3d> furniture = {};
 
     /// Errors: InvalidInput for a defect of an outline, a ceiling that is not above the floor, an obstacle
     /// without height, and a camera that is not inside of the room.
     void validate() const;
 };
+
+/// A wall, the floor or the ceiling. Frames: room; its length lies along x, turned by yaw about z.
+struct WorldBox {
+    std::string name;
+    Eigen::Vector3d middle;
+    double yaw = 0;
+    Eigen::Vector3d sizeM;
+};
+
+/// Floor, ceiling and walls, which lie outside of the room and leave no gap. Range: a valid room.
+std::vector<WorldBox> boxesOf(const WorldRoom& room);
+
+/// The furniture as a mesh, Wavefront OBJ; each box is an object of its own. Frames: room.
+std::string furnitureMesh(const WorldRoom& room);
+
+/// The file beside the world that the world takes furnitureMesh() from.
+inline constexpr const char* kFurnitureFile = "furniture.obj";
+
+/// A name of letters, digits, - and _ only.
+std::string worldIdentifier(std::string_view name);
 
 /// The world as SDF 1.9 for Gazebo Fortress. Walls, floor, ceiling and obstacles stop things and lasers; the
 /// camera does not see them. A robot carries a laser and the cameras that overlays are made from. One object

@@ -6,6 +6,7 @@
 #include "spherewalk/dataset/world_file.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string_view>
@@ -52,10 +53,21 @@ inline constexpr double kObstacleHeightM = 0.75;
 dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder,
                                double obstacleHeightM = kObstacleHeightM);
 
-/// Writes world.sdf, and camera.yaml for the camera in it, into a new folder. furniture: what the file
-/// WorldRoom::furniture is to hold, an OBJ.
-/// Errors: Exists, Full, Io; those of dataset::sdfWorld(). After an error nothing is left.
-void exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera,
-                 const std::filesystem::path& folder, std::string_view furniture = {});
+/// What a world is written for.
+enum class WorldFormat {
+    Sdf,  ///< world.sdf for Gazebo, and furniture.obj.
+    Mjcf, ///< world.xml for MuJoCo.
+    Urdf, ///< room.urdf for what reads robots' models.
+};
+
+/// The words "sdf", "mjcf" and "urdf". Another word is no format of a world.
+std::string_view name(WorldFormat format);
+std::optional<WorldFormat> worldFormat(std::string_view name);
+
+/// Writes the world's file, and camera.yaml for the camera in it, into a new folder. mesh: with Sdf, an OBJ
+/// of the furniture that is finer than its boxes. Returns the name of the world's file. Errors: Exists, Full,
+/// Io; those of dataset::sdfWorld() and dataset::mjcfWorld(). After an error nothing is left.
+std::string exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera, WorldFormat format,
+                        const std::filesystem::path& folder, const std::string& mesh = {});
 
 } // namespace spherewalk::jobs

@@ -9,6 +9,8 @@
 #include "spherewalk/place/surface.h"
 #include "spherewalk/render/dataset.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -17,6 +19,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spherewalk::jobs {
 
@@ -73,10 +76,17 @@ PlaceReport exportPlace(const std::filesystem::path& source, const std::filesyst
 /// Whether a folder is a dataset with depths of two photos or more. Errors: those of opening a dataset.
 bool hasDepths(const std::filesystem::path& folder);
 
-/// What a dataset shows to stand in a room as a mesh of few triangles, without the room's walls, its floor
-/// and its ceiling. Frames: room. Errors: those of exportPlace() and of RoomShape::validate(). Stop: Stopped.
-place::Surface furnitureOf(const std::filesystem::path& dataset, const render::RoomShape& room,
-                           const PlaceOptions& options, ProgressSink& progress, const std::stop_token& stop);
+/// What stands in a room. Frames: room.
+struct Furniture {
+    place::Surface mesh; ///< Of few triangles.
+    /// The same for collisions, of cells of two voxels; see place::solidBoxes().
+    std::vector<Eigen::AlignedBox3d> boxes;
+};
+
+/// What a dataset shows to stand in a room, without the room's walls, its floor and its ceiling. Errors:
+/// those of exportPlace() and of RoomShape::validate(). Stop: Stopped.
+Furniture furnitureOf(const std::filesystem::path& dataset, const render::RoomShape& room,
+                      const PlaceOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
 Json toJson(const PlaceReport& report);
 

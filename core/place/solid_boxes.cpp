@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/place/solid_boxes.h"
+
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/parallel.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::place {
+
+namespace {
+
+constexpr double kMostSolidCells = 1 << 28;
+constexpr float kLeastSurface = 0.25F; ///< of a cell's face; less surface in a cell is its neighbour's
+
+class Solids {
+  public:
+    Solids(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
+           const std::stop_token& stop)
+        : m_things(things), m_photos(photos), m_options(options), m_stop(stop) {
+        layOut();
+    }
+
+    std::vector<Eigen::AlignedBox3d> run() {
+        spreadSurface();
+        parallelFor(m_count.y(), 1, m_options.threads, [&](int y, int) {
+            throwIfStopped(m_stop);
+            for (int x = 0; x < m_count.x(); ++x) {
+                fillBelow(x, y);
+            }
+        });
+        return boxes();
+    }
+
+  private:
+    void layOut() {
+        Eigen::AlignedBox3d around;
+        for (const SurfaceVertex& vertex : m_things.vertices) {
+            around.extend(vertex.pInRoom);
+        }
+        // Whole cells from the floor on, and one more on each side.
+        const double cellM = m_options.cellM;
+        m_origin = (around.min() / cellM).array().floor() * cellM - cellM;
+        m_origin.z() = m_options.floorM;
+        const Eigen::Vector3d count = ((around.max() - m_origin) / cellM).array().floor() + 2;
+        if (count.prod() > kMostSolidCells) {
+            throw Error(ErrorKind::InvalidInput, text("Could not make boxes of furniture: there would be ",
+                                                      count.prod(), " cells. Take larger ones."));
+        }
+        m_count = count.cwiseMax(1).cast<int>();
+        m_isSolid.assign(static_cast<std::size_t>(m_count.x()) * static_cast<std::size_t>(m_count.y()) *
+                             static_cast<std::size_t>(m_count.z()),
+                         0);
+    }
+
+    std::size_t indexOf(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(m_count.y()) +
+                static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(m_count.x()) +
+               static_cast<std::size_t>(x);
+    }
+
+    /// A cell is solid that lies behind the surface by half its length, so that its face is near the surface.
+    void spreadSurface() {
+        std::vector<float> areaM2(m_isSolid.size(), 0.0F);
+        for (const auto& triangle : m_things.triangles) {
+            const Eigen::Vector3d area = m_things.areaVector(triangle);
+            const Eigen::Vector3d behind =
+                m_things.middle(triangle) - m_options.cellM / 2 * area.stableNormalized();
+            const Eigen::Vector3i cell = ((behind - m_origin) / m_options.cellM).array().floor().cast<int>();
+            if ((cell.array() >= 0).all() && (cell.array() < m_count.array()).all()) {
+                areaM2[indexOf(cell.x(), cell.y(), cell.z())] += static_cast<float>(area.norm());
+            }
+        }
+        const auto leastM2 = kLeastSurface * static_cast<float>(m_options.cellM * m_options.cellM);
+        std::transform(areaM2.begin(), areaM2.end(), m_isSolid.begin(),
+                       [&](float area) { return static_cast<std::uint8_t>(area >= leastM2 ? 1 : 0); });
+    }
+
+    void fillBelow(int x, int y) {
+        bool isCovered = false;
+        for (int z = m_count.z() - 1; z >= 0; --z) {
+            std::uint8_t& isSolid = m_isSolid[indexOf(x, y, z)];
+            if (isSolid != 0) {
+                isCovered = true;
+            } else if (isCovered) {
+                const Eigen::Vector3d middle =
+                    m_origin + m_options.cellM * (Eigen::Vector3d(x, y, z).array() + 0.5).matrix();
+                isCovered = spaceAt(m_photos, middle) != Space::Free;
+                isSolid = isCovered ? 1 : 0;
+            }
+        }
+    }
+
+    /// Each box grows along x, then y, then z, as long as all its cells are solid, and takes them away.
+    std::vector<Eigen::AlignedBox3d> boxes() {
+        std::vector<Eigen::AlignedBox3d> found;
+        for (int z = 0; z < m_count.z(); ++z) {
+            throwIfStopped(m_stop);
+            for (int y = 0; y < m_count.y(); ++y) {
+                for (int x = 0; x < m_count.x(); ++x) {
+                    if (m_isSolid[indexOf(x, y, z)] != 0) {
+                        const Eigen::Vector3i first(x, y, z);
+                        const Eigen::Vector3i end = endOf(first);
+                        found.emplace_back(m_origin + m_options.cellM * first.cast<double>(),
+                                           m_origin + m_options.cellM * end.cast<double>());
+                    }
+                }
+            }
+        }
+        return found;
+    }
+
+    Eigen::Vector3i endOf(const Eigen::Vector3i& first) {
+        Eigen::Vector3i end = first.array() + 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            while (end[axis] < m_count[axis] && isSolidNext(first, end, axis)) {
+                ++end[axis];
+            }
+        }
+        for (int z = first.z(); z < end.z(); ++z) {
+            for (int y = first.y(); y < end.y(); ++y) {
+                const auto begin = m_isSolid.begin() + static_cast<std::ptrdiff_t>(indexOf(first.x(), y, z));
+                std::fill(begin, begin + (end.x() - first.x()), std::uint8_t{0});
+            }
+        }
+        return end;
+    }
+
+    /// Whether all cells beside a box are solid, in the direction of an axis.
+    bool isSolidNext(Eigen::Vector3i first, Eigen::Vector3i end, int axis) const {
+        first[axis] = end[axis];
+        ++end[axis];
+        for (int z = first.z(); z < end.z(); ++z) {
+            for (int y = first.y(); y < end.y(); ++y) {
+                for (int x = first.x(); x < end.x(); ++x) {
+                    if (m_isSolid[indexOf(x, y, z)] == 0) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    const Surface& m_things;
+    std::span<const SeenDepth> m_photos;
+    const BoxOptions& m_options;
+    std::stop_token m_stop;
+    Eigen::Vector3d m_origin = Eigen::Vector3d::Zero(); ///< Of the first cell, its least corner.
+    Eigen::Vector3i m_count = Eigen::Vector3i::Zero();
+    std::vector<std::uint8_t> m_isSolid;
+};
+
+} // namespace
+
+void BoxOptions::validate() const {
+    if (!(cellM >= 0.005 && cellM <= 1)) {
+        throw Error(ErrorKind::InvalidInput, text("Could not make boxes of furniture: a cell must be 5 mm to "
+                                                  "1 m large, not ",
+                                                  cellM, " m."));
+    }
+}
+
+std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
+                                            const BoxOptions& options, const std::stop_token& stop) {
+    options.validate();
+    return things.triangles.empty() ? std::vector<Eigen::AlignedBox3d>()
+                                    : Solids(things, photos, options, stop).run();
+}
+
+} // namespace spherewalk::place
