@@ -411,14 +411,20 @@ void ViewEngine::addLayers(const ViewRequest& request, const Plan& plan, const P
         depth = plan.surface ? surfaceDepth(std::move(depth))
                              : viewDepth(geometry, tools.pool, tools.threads, std::move(depth));
     }
+    if (!options.wantsLabels) {
+        view.labels = {};
+    }
     if (options.overlays.empty()) {
         view.overlaid = {};
+        if (options.wantsLabels) {
+            view.labels = LabelImage(view.picture.width(), view.picture.height());
+        }
     } else {
         ComposeOptions compose = options.compose;
         compose.threads = tools.threads;
         const DepthImage none;
         m_composer.compose(options.overlays, request.camera, needDepth ? depth : none, compose, tools.pool,
-                           view.picture, &view.overlaid);
+                           view.picture, &view.overlaid, options.wantsLabels ? &view.labels : nullptr);
         if (options.wantsDepth && options.depthShowsOverlays) {
             m_composer.layDepth(options.overlays, request.camera, view.overlaid, compose, tools.pool,
                                 view.depth);

@@ -20,6 +20,7 @@ namespace spherewalk::render {
 namespace {
 
 constexpr std::size_t kMapsKept = 8;
+constexpr std::uint8_t kHalf = 128; ///< From here on a pixel shows an object rather than the room.
 
 [[noreturn]] void refuseOverlay(const std::string& what, const std::string& why) {
     throw Error(ErrorKind::InvalidInput, text(what, " cannot be laid into the view: ", why));
@@ -44,6 +45,9 @@ void checkOverlay(const Overlay& overlay, const std::string& what) {
     checkPictureSize(what, "its depth", overlay.depth, overlay.camera);
     if (!overlay.roomDepth.empty()) {
         checkPictureSize(what, "its room's depth", overlay.roomDepth, overlay.camera);
+    }
+    if (!overlay.labels.empty()) {
+        checkPictureSize(what, "its labels' picture", overlay.labels, overlay.camera);
     }
 }
 
@@ -92,6 +96,21 @@ struct Layer {
         return next;
     }
 
+    /// The numbers of the objects in such pixels.
+    void labelOpaque(int x, int end, int y, LabelImage& labels) const {
+        constexpr int kHalfPixel = OverlayMap::kOne / 2;
+        for (; x < end; ++x) {
+            if (!map) {
+                *labels.at(x, y) = pixels.label(x, y);
+                continue;
+            }
+            const OverlayMap::Position& at = map->at(x, y); // of four pixels, the one with most weight
+            const int u = (at.u >> 8) + ((at.u & 0xFF) > kHalfPixel ? 1 : 0);
+            const int v = (at.v >> 8) + ((at.v & 0xFF) > kHalfPixel ? 1 : 0);
+            *labels.at(x, y) = pixels.label(u, v);
+        }
+    }
+
     Shown at(int x, int y, float viewDepth) const {
         if (!map) {
             return pixels.pixel(x, y);
@@ -138,30 +157,71 @@ std::uint8_t lay(const Pile& pile, std::uint8_t* rgb) {
     return static_cast<std::uint8_t>(255.5 - left);
 }
 
+/// The number of what covers most of the pixel. Of two that cover as much, it is the nearer one's.
+std::uint16_t labelOf(const Pile& pile) {
+    double left = 1;
+    double most = 0;
+    std::uint16_t label = 0;
+    std::for_each(pile.rbegin(), pile.rend(), [&](const Shown& shown) { // nearest first
+        const double share =
+            left * (static_cast<double>(shown.coverage) / static_cast<double>(Shown::kWhole));
+        label = share > most ? shown.label : label;
+        most = std::max(most, share);
+        left -= share;
+    });
+    return label;
+}
+
+/// What overlays are laid into.
+struct Laid {
+    RgbImage& picture;
+    MaskImage* shown;   ///< Null if it is not wanted.
+    LabelImage* labels; ///< Null if they are not wanted.
+};
+
 void layRow(const std::vector<Layer>& layers, const DepthImage& viewDepth, int y, RowSpace& space,
-            RgbImage& picture, MaskImage* shown) {
+            const Laid& into) {
+    RgbImage& picture = into.picture;
     OverlayLayer::Span row{picture.width(), 0};
     space.spans.clear();
     for (const Layer& layer : layers) {
         const OverlayLayer::Span span = space.spans.emplace_back(layer.span(y, picture.width()));
         row = {std::min(row.begin, span.begin), std::max(row.end, span.end)};
     }
+    const auto depthOf = [&](int x) { return viewDepth.empty() ? 0 : *viewDepth.at(x, y); };
     for (int x = row.begin; x < row.end; ++x) {
         const int next = layers.size() == 1 ? layers.front().layOpaque(x, row.end, y, viewDepth, picture) : x;
-        if (shown != nullptr) {
-            std::fill(shown->at(x, y), shown->at(0, y) + next, std::uint8_t{255});
+        if (into.shown != nullptr) {
+            std::fill(into.shown->at(x, y), into.shown->at(0, y) + next, std::uint8_t{255});
+        }
+        if (into.labels != nullptr) {
+            layers.front().labelOpaque(x, next, y, *into.labels);
         }
         x = next;
         if (x == row.end) {
             break;
         }
-        gather(layers, space.spans, x, y, viewDepth.empty() ? 0 : *viewDepth.at(x, y), space.pile);
-        if (!space.pile.empty()) {
-            const std::uint8_t covered = lay(space.pile, picture.at(x, y));
-            if (shown != nullptr) {
-                *shown->at(x, y) = covered;
-            }
+        gather(layers, space.spans, x, y, depthOf(x), space.pile);
+        if (space.pile.empty()) {
+            continue;
         }
+        const std::uint8_t covered = lay(space.pile, picture.at(x, y));
+        if (into.shown != nullptr) {
+            *into.shown->at(x, y) = covered;
+        }
+        if (into.labels != nullptr && covered >= kHalf) {
+            *into.labels->at(x, y) = labelOf(space.pile);
+        }
+    }
+}
+
+/// Makes the picture as large as the view, and zero, if it is wanted.
+template <class Picture>
+void clear(Picture* picture, const RgbImage& view) {
+    if (picture != nullptr && (picture->width() != view.width() || picture->height() != view.height())) {
+        *picture = Picture(view.width(), view.height());
+    } else if (picture != nullptr) {
+        std::fill(picture->values().begin(), picture->values().end(), 0);
     }
 }
 
@@ -194,14 +254,17 @@ struct Composer::State {
                      });
     }
 
-    Layer layer(const Overlay& overlay, const CameraModel& camera, const DepthImage& viewDepth,
-                const ComposeOptions& options, WorkerPool& pool) {
+    Layer layer(const Overlay& overlay, std::size_t index, const CameraModel& camera,
+                const DepthImage& viewDepth, const ComposeOptions& options, WorkerPool& pool) {
+        const auto number = static_cast<std::uint16_t>(index + 1);
         if (overlay.camera == camera.intrinsics()) {
             const DepthImage& room = overlay.roomDepth.empty() ? viewDepth : overlay.roomDepth;
-            return {OverlayLayer(overlay, room, OverlayLayer::Lookup::OneForOne, options, pool), nullptr};
+            return {OverlayLayer(overlay, room, OverlayLayer::Lookup::OneForOne, number, options, pool),
+                    nullptr};
         }
-        return {OverlayLayer(overlay, overlay.roomDepth, OverlayLayer::Lookup::Between, options, pool),
-                map(overlay, camera, options, pool)};
+        return {
+            OverlayLayer(overlay, overlay.roomDepth, OverlayLayer::Lookup::Between, number, options, pool),
+            map(overlay, camera, options, pool)};
     }
 
     RecentlyUsed<std::pair<CameraIntrinsics, CameraIntrinsics>, OverlayMap> maps{kMapsKept};
@@ -216,7 +279,7 @@ Composer& Composer::operator=(Composer&&) noexcept = default;
 
 void Composer::compose(std::span<const Overlay> overlays, const CameraModel& camera,
                        const DepthImage& viewDepth, const ComposeOptions& options, WorkerPool& pool,
-                       RgbImage& picture, MaskImage* shown) {
+                       RgbImage& picture, MaskImage* shown, LabelImage* labels) {
     checkOptions(options);
     checkPictureSize("Overlays", "the view", picture, camera.intrinsics());
     if (!viewDepth.empty()) {
@@ -226,24 +289,19 @@ void Composer::compose(std::span<const Overlay> overlays, const CameraModel& cam
         checkOverlay(overlays[i], text("Overlay ", i));
     }
     std::vector<Layer> layers;
-    for (const Overlay& overlay : overlays) {
-        layers.push_back(m_state->layer(overlay, camera, viewDepth, options, pool));
+    for (std::size_t i = 0; i < overlays.size(); ++i) {
+        layers.push_back(m_state->layer(overlays[i], i, camera, viewDepth, options, pool));
     }
-    if (shown != nullptr) {
-        if (shown->width() != picture.width() || shown->height() != picture.height()) {
-            *shown = MaskImage(picture.width(), picture.height());
-        }
-        std::fill(shown->values().begin(), shown->values().end(), std::uint8_t{0});
-    }
+    clear(shown, picture);
+    clear(labels, picture);
     std::vector<RowSpace> spaces(static_cast<std::size_t>(pool.threads()));
     pool.run(picture.height(), options.threads, [&](int y, int worker) {
-        layRow(layers, viewDepth, y, spaces[static_cast<std::size_t>(worker)], picture, shown);
+        layRow(layers, viewDepth, y, spaces[static_cast<std::size_t>(worker)], {picture, shown, labels});
     });
 }
 
 void Composer::layDepth(std::span<const Overlay> overlays, const CameraModel& camera, const MaskImage& shown,
                         const ComposeOptions& options, WorkerPool& pool, DepthImage& depth) {
-    constexpr std::uint8_t kHalf = 128;
     std::vector<std::shared_ptr<const OverlayMap>> maps;
     for (const Overlay& overlay : overlays) {
         maps.push_back(m_state->map(overlay, camera, options, pool));

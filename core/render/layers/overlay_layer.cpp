@@ -58,8 +58,9 @@ int DepthTest::shown(float object, float room) const {
 }
 
 OverlayLayer::OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, Lookup lookup,
-                           const ComposeOptions& options, WorkerPool& pool)
+                           std::uint16_t number, const ComposeOptions& options, WorkerPool& pool)
     : m_overlay(overlay),
+      m_number(number),
       m_test(options),
       m_edges(options.edges),
       m_spans(static_cast<std::size_t>(overlay.picture.height())) {
@@ -261,6 +262,7 @@ void OverlayLayer::add(int x, int y, std::uint64_t weight, float viewDepth, std:
     if (weight * rgba[3] > heaviest) {
         heaviest = weight * rgba[3];
         sum.depth = object;
+        sum.label = label(x, y);
     }
 }
 

@@ -56,7 +56,8 @@ struct Shown {
 
     std::array<std::uint64_t, 3> colour{}; ///< Premultiplied colours, at most kWhole * 255.
     std::uint64_t coverage = 0;
-    float depth = 0; ///< The depth of the pixel that contributes most.
+    float depth = 0;         ///< The depth of the pixel that contributes most.
+    std::uint16_t label = 0; ///< The number of the object in that pixel.
 };
 
 /// Compares depths with the tolerance of ComposeOptions.
@@ -84,7 +85,8 @@ class OverlayLayer {
     };
 
     /// roomDepth: the room's depth for each pixel of the overlay; empty if only the view's pixels have it.
-    OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, Lookup lookup,
+    /// number: of the object, where the overlay has no labels.
+    OverlayLayer(const Overlay& overlay, const DepthImage& roomDepth, Lookup lookup, std::uint16_t number,
                  const ComposeOptions& options, WorkerPool& pool);
 
     /// Pixels or rows that may show an object. There are none if begin >= end.
@@ -108,6 +110,11 @@ class OverlayLayer {
     int opaqueEnd(std::span<const OverlayMap::Position> row, int x, int end, const float* viewDepth) const;
 
     const RgbaImage& picture() const { return m_overlay.picture; }
+
+    /// The number of the object in one of the overlay's own pixels.
+    std::uint16_t label(int x, int y) const {
+        return m_overlay.labels.empty() ? m_number : *m_overlay.labels.at(x, y);
+    }
 
     /// False only where between() surely shows nothing.
     bool mayShow(const OverlayMap::Position& position) const {
@@ -145,6 +152,7 @@ class OverlayLayer {
     void add(int x, int y, std::uint64_t weight, float viewDepth, std::uint64_t& heaviest, Shown& sum) const;
 
     const Overlay& m_overlay;
+    std::uint16_t m_number;
     DepthTest m_test;
     Edges m_edges;
     std::vector<Span> m_spans; ///< One a row.

@@ -70,6 +70,7 @@ Overlay noise(const CameraIntrinsics& camera, test::Random& random) {
 struct Composed {
     RgbImage picture;
     MaskImage shown;
+    LabelImage labels;
 
     Rgb at(int x, int y) const {
         const std::uint8_t* rgb = picture.at(x, y);
@@ -89,8 +90,9 @@ Composed composed(std::span<const Overlay> overlays, const CameraIntrinsics& cam
                   const ComposeOptions& options = {}, const DepthImage& viewDepth = {}) {
     static WorkerPool pool(3);
     Composer composer;
-    Composed result{ground(camera), {}};
-    composer.compose(overlays, CameraModel(camera), viewDepth, options, pool, result.picture, &result.shown);
+    Composed result{ground(camera), {}, {}};
+    composer.compose(overlays, CameraModel(camera), viewDepth, options, pool, result.picture, &result.shown,
+                     &result.labels);
     return result;
 }
 
@@ -228,6 +230,43 @@ TEST(Overlay, MaskTellsHowMuchAllOfThemCover) {
     const Composed none = composed(std::span<const Overlay>(), kSmall);
     EXPECT_EQ(none.picture, ground(kSmall));
     EXPECT_EQ(none.shown, MaskImage(8, 6));
+}
+
+TEST(Overlay, LabelsTellTheObjectThatCoversMost) {
+    Overlay red = plain(kSmall, {255, 0, 0, 255}, 2);
+    Overlay glass = plain(kSmall, {0, 255, 0, 0}, 1); // in front of it
+    set(glass.picture, 1, 1, {0, 255, 0, 127});
+    set(glass.picture, 2, 1, {0, 255, 0, 129});
+    set(glass.picture, 3, 1, {0, 255, 0, 100});
+    set(glass.picture, 4, 1, {0, 255, 0, 100});
+    set(red.picture, 3, 1, {255, 0, 0, 100}); // both cover 63 %, the glass 39 % and the red 24 %
+    set(red.picture, 4, 1, {255, 0, 0, 10});  // 42 %: more of the pixel is room
+    set(red.picture, 5, 1, {255, 0, 0, 0});
+    const Composed result = composed({std::vector{red, glass}}, kSmall);
+    std::array<int, 6> labels{};
+    std::copy_n(result.labels.at(0, 1), labels.size(), labels.begin());
+    EXPECT_EQ(labels, (std::array{1, 1, 2, 2, 0, 0}));
+    EXPECT_EQ(composed(std::span<const Overlay>(), kSmall).labels, LabelImage(8, 6));
+}
+
+TEST(Overlay, WhatTheRoomHidesIsLabelledAsRoom) {
+    const CameraIntrinsics other = CameraIntrinsics::pinhole(40, 30, 1.2);
+    DepthImage depth = depthOf(8, 6, 3);
+    *depth.at(2, 3) = 1;
+    ComposeOptions options;
+    options.edges = Edges::Hard;
+    for (const CameraIntrinsics& camera : {kSmall, other}) {
+        Overlay overlay = plain(camera, {255, 0, 0, 255}, 2);
+        overlay.labels = LabelImage(camera.width, camera.height);
+        std::fill(overlay.labels.values().begin(), overlay.labels.values().end(), 40000);
+        std::fill(overlay.labels.at(0, camera.height / 2), overlay.labels.at(camera.width, camera.height - 1),
+                  std::uint16_t{7});
+        const Composed result = composed({&overlay, 1}, kSmall, options, depth);
+        EXPECT_EQ(*result.labels.at(4, 0), 40000) << camera.width;
+        EXPECT_EQ(*result.labels.at(4, 5), 7) << camera.width;
+        EXPECT_EQ(*result.labels.at(2, 3), 0) << camera.width;
+        EXPECT_EQ(*result.labels.at(3, 3), 7) << camera.width;
+    }
 }
 
 TEST(Overlay, ARimPixelTakesTheNearestDepthBesideIt) {
@@ -398,6 +437,7 @@ TEST(Overlay, GivesTheSameBytesForAnyNumberOfThreads) {
             const Composed many = composed(overlays, view, {0.1, 0.1, Edges::Soft, threads}, depth);
             EXPECT_EQ(many.picture, one.picture) << threads;
             EXPECT_EQ(many.shown, one.shown) << threads;
+            EXPECT_EQ(many.labels, one.labels) << threads;
         }
     }
 }
@@ -548,6 +588,8 @@ TEST(Overlay, RefusesWhatDoesNotFitAndLeavesTheViewAlone) {
     refused("Overlay 0 cannot be laid into the view: its depth has 0 x 0 pixels");
     overlays[1].roomDepth = DepthImage(6, 8);
     refused("its room's depth has 6 x 8 pixels");
+    overlays[1].labels = LabelImage(8, 7);
+    refused("its labels' picture has 8 x 7 pixels");
     overlays[1].camera.fx = std::nan("");
     refused("Overlay 1 cannot be laid into the view: The camera model");
     overlays[1].camera.lens = LensModel::PlumbBob;

@@ -5,10 +5,14 @@
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/geometry/camera_model.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
 namespace spherewalk::render {
+
+/// The number of what each pixel shows. 0 is the room: what the photos show.
+using LabelImage = Image<std::uint16_t, 1>;
 
 /// Whether the colours of a picture are already multiplied by its alpha.
 enum class Alpha { Straight, Premultiplied };
@@ -29,6 +33,9 @@ struct Overlay {
     /// The depth of the room as the simulator models it, through the same camera. Shape: that of the picture.
     /// If it is empty, the depth of the view's scene model takes its place.
     DepthImage roomDepth;
+    /// The number of the object in each pixel, for Composer::compose(). Shape: that of the picture. If it is
+    /// empty, the overlay is one object. Its number is its place among the overlays, 1 for the first.
+    LabelImage labels = {};
 };
 
 /// The border between an object and what hides it.
@@ -63,12 +70,14 @@ class Composer {
     ///
     /// camera: the view's camera. viewDepth: the depth of its scene model, as View::depth; if it is empty, an
     /// overlay without a roomDepth is in front of everything. shown, if given: how much of each pixel
-    /// overlays cover, 255 for all of it. Errors: InvalidInput, before anything is changed, for sizes that do
-    /// not fit each other, and for invalid cameras and tolerances. Cost: resources/docs/render.md has
-    /// figures; the first overlay of a camera that is not the view's costs about a microsecond a pixel more.
+    /// overlays cover, 255 for all of it. labels, if given: of a pixel of which overlays cover at least half,
+    /// the number of the object that covers most; 0 of all others. Errors: InvalidInput, before anything is
+    /// changed, for sizes that do not fit each other, and for invalid cameras and tolerances. Cost:
+    /// resources/docs/render.md has figures; the first overlay of a camera that is not the view's costs about
+    /// a microsecond a pixel more.
     void compose(std::span<const Overlay> overlays, const CameraModel& camera, const DepthImage& viewDepth,
                  const ComposeOptions& options, WorkerPool& pool, RgbImage& picture,
-                 MaskImage* shown = nullptr);
+                 MaskImage* shown = nullptr, LabelImage* labels = nullptr);
 
     /// Gives pixels of which overlays cover at least half the depth of the nearest overlay there. shown,
     /// depth: those of compose(), with the same overlays and camera. A pixel at whose centre no overlay has a

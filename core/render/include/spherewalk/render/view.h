@@ -27,6 +27,7 @@ struct ViewOptions {
     bool wantsTrust = false; ///< Whether View::trust is made.
     /// Whether View::depth shows overlays, too, where they cover at least half of a pixel.
     bool depthShowsOverlays = false;
+    bool wantsLabels = false; ///< Whether View::labels is made.
     /// A photo that this view must not use, to compare it with. It is ignored if there is no other photo.
     std::optional<std::size_t> without = {};
     /// Objects to be laid into the picture. Owner: they must live until the view is made.
@@ -116,6 +117,9 @@ struct View {
     DepthImage depth;
     PixelTrust trust;
     MaskImage overlaid; ///< How much of each pixel overlays cover: 255 for all. It is empty without overlays.
+    /// The numbers of the objects that overlays show, as Composer::compose() has them; 0 is the room. Without
+    /// overlays all is room.
+    LabelImage labels;
     ViewReport report;
 };
 
