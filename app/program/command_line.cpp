@@ -58,6 +58,11 @@ const Option& Option::needs(const Option& other) const {
     return *this;
 }
 
+const Option& Option::oneAUse() const {
+    m_option->allow_extra_args(false);
+    return *this;
+}
+
 const Option& Option::fromEnvironment(const std::string& variable) const {
     m_option->envname(variable);
     return *this;

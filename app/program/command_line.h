@@ -33,6 +33,8 @@ class Option {
     const Option& separatedBy(char separator) const;
     const Option& count(int values) const;
     const Option& needs(const Option& other) const;
+    /// Each use takes one value; several uses give several.
+    const Option& oneAUse() const;
     /// The environment's variable gives the value where the command line does not.
     const Option& fromEnvironment(const std::string& variable) const;
 

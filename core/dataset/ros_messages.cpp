@@ -183,14 +183,14 @@ Bytes imageMessage(Ros ros, const RosHeader& header, const RgbImage& picture) {
     return imageMessage(ros, header, picture.width(), picture.height(), "rgb8", picture.values());
 }
 
-Bytes depthMessage(Ros ros, const RosHeader& header, const Image<std::uint16_t, 1>& millimetres) {
+Bytes imageMessage(Ros ros, const RosHeader& header, const Image<std::uint16_t, 1>& picture) {
     Bytes little; // lowest bytes first
-    little.reserve(2 * millimetres.values().size());
-    for (const std::uint16_t value : millimetres.values()) {
+    little.reserve(2 * picture.values().size());
+    for (const std::uint16_t value : picture.values()) {
         little.push_back(static_cast<std::uint8_t>(value & 0xFF));
         little.push_back(static_cast<std::uint8_t>(value >> 8));
     }
-    return imageMessage(ros, header, millimetres.width(), millimetres.height(), "16UC1", little);
+    return imageMessage(ros, header, picture.width(), picture.height(), "16UC1", little);
 }
 
 Bytes pngMessage(Ros ros, const RosHeader& header, ByteView png) {

@@ -4,11 +4,13 @@
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/photo/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <vector>
 
 namespace spherewalk {
 
@@ -137,6 +139,42 @@ TEST(WalkCommand, WritesItsPosesAsOtherProgramsReadThem) {
         EXPECT_TRUE(std::filesystem::exists(survey / "w" / file)) << file;
     }
     EXPECT_THAT(readTextFile(survey / "w/sparse/0/images.txt"), HasSubstr(" 1 000001.png\n"));
+}
+
+TEST(WalkCommand, LabelsWhatItLaysIn) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    const Json at =
+        parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json")["photos"][0]["position_m"];
+    const auto besideIt = [&](double x, double y) { // of the photo, in whose sphere all of it lies
+        return text(at[0].get<double>() + x, " ", at[1].get<double>() + y, " ", at[2].get<double>(), " ");
+    };
+    writeFile(survey / "p.tum",
+              bytesOf("0 " + besideIt(0, 0) + "0 0 0 1\n0.1 " + besideIt(0, 0.02) + "0 0 0 1\n"));
+    const std::vector<std::string> walk{
+        "walk",    survey / "d", "--camera", writeSmallCamera(survey / "c.yaml"),
+        "--frame", "body",       "--path",   survey / "p.tum",
+        "--out",   survey / "w", "--labels"};
+    EXPECT_EQ(runCli(walk).status, 2) << "there is nothing to label";
+    EXPECT_FALSE(std::filesystem::exists(survey / "w"));
+    std::vector<std::string> withBalls = walk;
+    withBalls.insert(withBalls.end(),
+                     {"--ball", besideIt(0.6, 0) + "0.1", "--ball", besideIt(0.9, 0.1) + "0.1", "--json"});
+    const CliResult walked = runCli(withBalls);
+    ASSERT_EQ(walked.status, 0) << walked.errors;
+    const Json json = parseJson(readTextFile(survey / "w/annotations.json"), "annotations.json");
+    EXPECT_EQ(json["annotations"].size(), 4U);
+    const auto labels = photo::readPng16(survey / "w/labels/000000.png");
+    EXPECT_EQ(*labels.at(79, 59), 1);
+    EXPECT_EQ(*labels.at(5, 5), 0);
+    for (const Json& annotation : json["annotations"]) {
+        if (annotation["image_id"] == 0) {
+            EXPECT_EQ(annotation["area"], std::count(labels.values().begin(), labels.values().end(),
+                                                     annotation["instance"].get<int>()));
+            const bool isFirst = annotation["instance"] == 1;
+            EXPECT_EQ(annotation["visible_share"] == 1, isFirst) << "the second stands behind the first";
+        }
+    }
 }
 
 } // namespace spherewalk

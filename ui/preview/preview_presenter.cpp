@@ -378,7 +378,9 @@ void PreviewPresenter::saveFrames(const QString& folder) {
     jobs::WalkOptions options;
     options.view.scene = m_sides.front().scene;
     options.view.sampling = m_sides.front().sampling;
-    options.ball = m_ball;
+    if (m_ball) {
+        options.balls = {*m_ball};
+    }
     m_tasks.start(
         tr("Saving %n frame(s)", nullptr, static_cast<int>(m_path.size())), this,
         [path = std::filesystem::path(folder.toStdString()), renderer = *m_renderer, camera = m_camera,

@@ -74,11 +74,12 @@ struct WalkArguments {
     std::string path;
     std::string out;
     program::StreamOptions stream;
-    std::string ball;
+    std::vector<std::string> balls;
     std::vector<std::string> formats;
     std::string bagPictures = "raw";
     std::string sensor;
     bool writesDepth = false;
+    bool writesLabels = false;
     std::string shard = "1/1";
 };
 
@@ -91,8 +92,8 @@ Result renderWalk(const WalkArguments& options, Context& context) {
     const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
     jobs::WalkOptions walkOptions{options.dataset.pictureOptions(renderer.dataset().info()),
                                   options.stream.options()};
-    if (!options.ball.empty()) {
-        walkOptions.ball = jobs::parseBall(options.ball);
+    for (const std::string& ball : options.balls) {
+        walkOptions.balls.push_back(jobs::parseBall(ball));
     }
     walkOptions.shard = jobs::Shard::parse(options.shard);
     for (const std::string& format : options.formats) {
@@ -106,6 +107,7 @@ Result renderWalk(const WalkArguments& options, Context& context) {
         walkOptions.sensor = render::readSensor(options.sensor);
     }
     walkOptions.writesDepth = options.writesDepth;
+    walkOptions.writesLabels = options.writesLabels;
     walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
     const jobs::WalkReport report =
         jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
@@ -164,11 +166,21 @@ void addWalk(Commands& commands) {
         .option("--shard", options->shard,
                 "Render only the i-th of n parts of the frames, \"i/n\"; several processes may do so at once")
         .showDefault();
-    command.option("--ball", options->ball,
-                   "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator");
+    const program::Option ball =
+        command
+            .option(
+                "--ball", options->balls,
+                "A ball to lay into each frame, \"x y z radius\", metres, as an object of a simulator; can "
+                "be repeated")
+            .oneAUse();
     command.option("--sensor", options->sensor, kSensorHelp);
     command.flag("--depth", options->writesDepth,
                  "Write depth frames, too: PNG of 16 bits in millimetres along the optical axis, 0 for none");
+    command
+        .flag("--labels", options->writesLabels,
+              "Write which pixels show which ball, too: PNG of 16 bits, 0 for the room, and masks, boxes and "
+              "visible shares as COCO has them (annotations.json)")
+        .needs(ball);
 }
 
 } // namespace spherewalk::cli

@@ -108,4 +108,13 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
     return overlay;
 }
 
+MaskImage ballMask(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera) {
+    const RgbaImage picture = ballOverlay(ball, camera, roomFromCamera).picture;
+    MaskImage mask(picture.width(), picture.height());
+    for (std::size_t i = 0; i < mask.values().size(); ++i) {
+        mask.values()[i] = picture.values()[4 * i + 3];
+    }
+    return mask;
+}
+
 } // namespace spherewalk::jobs

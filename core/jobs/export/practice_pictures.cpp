@@ -38,7 +38,7 @@ void drawPracticePictures(const practice::PracticeRoom& room, const CameraModel&
         const std::string file = name.str() + ".png";
         const std::string depth = name.str() + "-depth.png";
         photo::writePng(folder / file, room.view(camera, pose));
-        photo::writeDepthPng(folder / depth, render::depthMillimetres(room.viewDepth(camera, pose)));
+        photo::writePng(folder / depth, render::depthMillimetres(room.viewDepth(camera, pose)));
         const Eigen::Vector3d& p = pose.translation;
         const Eigen::Quaterniond& q = pose.rotation;
         table << file << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << q.x() << ',' << q.y() << ','

@@ -4,12 +4,12 @@
 #include "parts/cache_key.h"
 
 #include "spherewalk/base/digest.h"
-#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/dataset/coco.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
 
@@ -103,58 +103,17 @@ void WalkJournal::add(std::size_t frame, const FrameLines& lines) {
     m_frames[frame] = lines;
 }
 
-constexpr EnumNames<BagPictures, 2> kBagPictures{{{BagPictures::Raw, "raw"}, {BagPictures::Png, "png"}}};
-constexpr const char* kRoomFrame = "map"; // REP 105
-constexpr const char* kCameraFrame = "camera_optical";
-
 void requireRosTimes(const std::vector<TimedPose>& path) {
     for (const TimedPose& pose : path) {
         dataset::rosStampNs(pose.timeS);
     }
 }
 
-void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
-                  const std::vector<TimedPose>& path, const std::vector<std::filesystem::path>& frames,
-                  const std::vector<std::filesystem::path>& depths, const std::filesystem::path& file) {
-    using dataset::RosType;
-    const dataset::Ros ros = messagesOf(format);
-    const bool isRaw = pictures == BagPictures::Raw;
-    const Calibration calibrated = calibration(camera);
-    const std::unique_ptr<dataset::Bag> bag = makeBag(format, file);
-    const std::size_t picture = isRaw
-                                    ? bag->addTopic("/camera/image_raw", RosType::Image)
-                                    : bag->addTopic("/camera/image_raw/compressed", RosType::CompressedImage);
-    const std::size_t cameraInfo = bag->addTopic("/camera/camera_info", RosType::CameraInfo);
-    const std::size_t pose = bag->addTopic("/camera/pose", RosType::PoseStamped);
-    const std::size_t tf = bag->addTopic("/tf", RosType::TfMessage);
-    const bool hasDepth = !depths.empty();
-    const std::size_t depth = hasDepth ? bag->addTopic("/camera/depth/image_raw", RosType::Image) : 0;
-    const std::size_t depthInfo =
-        hasDepth ? bag->addTopic("/camera/depth/camera_info", RosType::CameraInfo) : 0;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const std::int64_t stampNs = dataset::rosStampNs(path[i].timeS);
-        const dataset::RosHeader inCamera{static_cast<std::uint32_t>(i), stampNs, kCameraFrame};
-        const dataset::RosHeader inRoom{static_cast<std::uint32_t>(i), stampNs, kRoomFrame};
-        const Rigid3& roomFromCamera = path[i].roomFromCamera;
-        bag->write(tf, stampNs, tfMessage(ros, inRoom, kCameraFrame, roomFromCamera));
-        bag->write(pose, stampNs, poseMessage(ros, inRoom, roomFromCamera));
-        bag->write(cameraInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
-        bag->write(picture, stampNs,
-                   isRaw ? imageMessage(ros, inCamera, photo::readPicture(frames[i]))
-                         : pngMessage(ros, inCamera, readFile(frames[i])));
-        if (hasDepth) {
-            bag->write(depthInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
-            bag->write(depth, stampNs,
-                       depthMessage(ros, inCamera, render::depthMillimetres(photo::readDepthPng(depths[i]))));
-        }
-    }
-    bag->finish();
-}
-
 constexpr std::size_t kSheetCells = 24;
 constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
 constexpr const char* kDepthFolder = "depth";
+constexpr const char* kLabelsFolder = "labels";
 constexpr int kWalkMethod = 3; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
@@ -195,12 +154,13 @@ std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
         text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
                 name(options.view.sampling), " ", name(options.stream.late), " ", options.stream.passageM);
-    if (options.ball) {
-        const Eigen::Vector3d& at = options.ball->centreM;
-        key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", options.ball->radiusM);
+    for (const Ball& ball : options.balls) {
+        const Eigen::Vector3d& at = ball.centreM;
+        key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", ball.radiusM);
     }
     key += options.sensor ? text(" ", sensorYaml(*options.sensor)) : "";
     key += options.writesDepth ? " depth" : "";
+    key += options.writesLabels ? " labels" : "";
     return sha256Hex(bytesOf(key + "\n" + tumText(path)));
 }
 
@@ -215,6 +175,30 @@ void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraMod
     }
 }
 
+/// The balls in all frames, of which the pictures of labels are there.
+Json annotations(const CameraModel& camera, const std::vector<TimedPose>& path,
+                 const std::vector<Ball>& balls, const std::filesystem::path& folder) {
+    const std::vector<std::string> categories{"ball"};
+    return dataset::cocoJson(categories, path.size(), [&](std::size_t i) {
+        const std::string labels = text(kLabelsFolder, "/", frameName(i));
+        dataset::LabelledFrame frame{frameName(i),
+                                     labels,
+                                     path[i].timeS,
+                                     path[i].roomFromCamera,
+                                     photo::readPng16(folder / labels),
+                                     {}};
+        for (std::size_t ball = 0; ball < balls.size(); ++ball) {
+            const double widthM = 2 * balls[ball].radiusM;
+            frame.objects.push_back({static_cast<std::uint16_t>(ball + 1),
+                                     categories.front(),
+                                     {Eigen::Quaterniond::Identity(), balls[ball].centreM},
+                                     {widthM, widthM, widthM},
+                                     ballMask(balls[ball], camera, path[i].roomFromCamera)});
+        }
+        return frame;
+    });
+}
+
 /// What is written once all frames are there.
 void finish(const WalkJournal& journal, const CameraModel& camera, const std::vector<TimedPose>& path,
             const WalkOptions& options, const std::filesystem::path& folder) {
@@ -227,10 +211,16 @@ void finish(const WalkJournal& journal, const CameraModel& camera, const std::ve
     writeFile(folder / "index.csv", bytesOf(index));
     writeFile(folder / "times.csv", bytesOf(times));
     writePoses(options.formats, camera, path, folder);
+    if (options.writesLabels) {
+        writeFile(folder / "annotations.json",
+                  bytesOf(annotations(camera, path, options.balls, folder).dump(1) + "\n"));
+    }
+    const WalkPictures pictures{
+        frameFiles(path.size(), folder),
+        options.writesDepth ? frameFiles(path.size(), folder / kDepthFolder) : std::vector<fs::path>(),
+        options.writesLabels ? frameFiles(path.size(), folder / kLabelsFolder) : std::vector<fs::path>()};
     for (const dataset::BagFormat format : options.bags) {
-        writeWalkBag(format, options.bagPictures, camera.intrinsics(), path, frameFiles(path.size(), folder),
-                     options.writesDepth ? frameFiles(path.size(), folder / kDepthFolder)
-                                         : std::vector<std::filesystem::path>(),
+        writeWalkBag(format, options.bagPictures, camera.intrinsics(), path, pictures,
                      folder / text("walk.", extension(format)));
     }
     const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
@@ -282,12 +272,14 @@ void WalkFrames::makeView(const Rigid3& roomFromCamera, double timeS, bool isMai
     render::ViewOptions options = m_options.view;
     options.wantsDepth = isMain && (m_options.writesDepth || (m_sensor && m_sensor->needsDepth()));
     options.depthShowsOverlays = true;
-    if (m_options.ball) {
-        m_overlays = {ballOverlay(*m_options.ball, m_camera, roomFromCamera)};
-        options.overlays = m_overlays;
+    options.wantsLabels = isMain && m_options.writesLabels;
+    m_overlays.clear();
+    for (const Ball& ball : m_options.balls) {
+        m_overlays.push_back(ballOverlay(ball, m_camera, roomFromCamera));
     }
+    options.overlays = m_overlays;
     m_stream.next(roomFromCamera, timeS, options, view);
-    if (options.wantsDepth && view.depth.empty()) {
+    if ((options.wantsDepth || options.wantsLabels) && view.report.scene == render::SceneKind::None) {
         throw Error(ErrorKind::InvalidInput,
                     "The scene model \"none\" knows no depth: choose sphere, room or "
                     "depth by --scene, or export the dataset with one of them.");
@@ -322,6 +314,18 @@ const render::View& WalkFrames::make(std::size_t frame) {
     return m_view;
 }
 
+/// The folders in which each frame has a picture.
+std::vector<fs::path> pictureFoldersOf(const WalkOptions& options, const fs::path& folder) {
+    std::vector<fs::path> folders{folder};
+    if (options.writesDepth) {
+        folders.push_back(folder / kDepthFolder);
+    }
+    if (options.writesLabels) {
+        folders.push_back(folder / kLabelsFolder);
+    }
+    return folders;
+}
+
 /// A sensor asks for poses between those of the path.
 void requireAscendingTimes(const std::vector<TimedPose>& path) {
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -336,10 +340,6 @@ void requireAscendingTimes(const std::vector<TimedPose>& path) {
 
 } // namespace
 
-BagPictures bagPictures(std::string_view name) {
-    return valueOf(kBagPictures, "The kind of a bag's pictures", name);
-}
-
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
@@ -349,11 +349,20 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
     if (options.sensor) {
         requireAscendingTimes(path);
     }
-    ensureFolder(options.writesDepth ? folder / kDepthFolder : folder);
+    if (options.writesLabels && options.balls.empty()) {
+        throw Error(ErrorKind::InvalidInput, "Labels tell which pixels show an object: lay one into the "
+                                             "frames, by --ball.");
+    }
+    ensureFolder(folder);
+    const std::vector<fs::path> pictureFolders = pictureFoldersOf(options, folder);
+    for (const fs::path& pictures : pictureFolders) {
+        ensureFolder(pictures);
+    }
     WalkJournal journal(folder, walkKey(renderer.dataset().info(), camera, path, options), options.shard);
     const auto isThere = [&](std::size_t frame) {
-        return journal.frames().contains(frame) && std::filesystem::exists(folder / frameName(frame)) &&
-               (!options.writesDepth || std::filesystem::exists(folder / kDepthFolder / frameName(frame)));
+        return journal.frames().contains(frame) &&
+               std::all_of(pictureFolders.begin(), pictureFolders.end(),
+                           [&](const fs::path& of) { return fs::exists(of / frameName(frame)); });
     };
     WalkFrames frames(renderer, camera, path, options);
     WalkReport report;
@@ -374,7 +383,10 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         const render::View& view = frames.make(i);
         photo::writePng(folder / frameName(i), view.picture);
         if (options.writesDepth) {
-            photo::writeDepthPng(folder / kDepthFolder / frameName(i), render::depthMillimetres(view.depth));
+            photo::writePng(folder / kDepthFolder / frameName(i), render::depthMillimetres(view.depth));
+        }
+        if (options.writesLabels) {
+            photo::writePng(folder / kLabelsFolder / frameName(i), view.labels);
         }
         journal.add(i, linesOf(path[i], view.report, frames.sensorReport()));
         photos.insert(view.report.photo);

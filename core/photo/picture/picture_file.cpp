@@ -61,30 +61,34 @@ RgbImage decodePng(const Bytes& png, const std::string& name) {
     });
 }
 
-DepthImage decodeDepthPng(const Bytes& png, const std::string& name) {
+Image<std::uint16_t, 1> decodePng16(const Bytes& png, const std::string& name) {
     checkPngSize(png, name);
     return translated(text("read ", name), [&] {
-        const cv::Mat millimetres = cv::imdecode(png, cv::IMREAD_UNCHANGED);
-        if (millimetres.empty() || millimetres.type() != CV_16UC1) {
+        const cv::Mat pixels = cv::imdecode(png, cv::IMREAD_UNCHANGED);
+        if (pixels.empty() || pixels.type() != CV_16UC1) {
             throw Error(ErrorKind::Unsupported,
-                        text("Could not read ", name, ": it is no PNG of 16 bits with distances."));
+                        text("Could not read ", name, ": it is no PNG with one channel of 16 bits."));
         }
-        DepthImage depth(millimetres.cols, millimetres.rows);
-        for (int y = 0; y < depth.height(); ++y) {
-            for (int x = 0; x < depth.width(); ++x) {
-                const auto value = millimetres.at<std::uint16_t>(y, x);
-                *depth.at(x, y) = value == 0 ? HUGE_VALF : static_cast<float>(value) / 1000;
-            }
-        }
-        return depth;
+        Image<std::uint16_t, 1> picture(pixels.cols, pixels.rows);
+        std::copy(pixels.begin<std::uint16_t>(), pixels.end<std::uint16_t>(), picture.values().begin());
+        return picture;
     });
 }
 
 } // namespace
 
-DepthImage readDepthPng(const std::filesystem::path& file) {
+Image<std::uint16_t, 1> readPng16(const std::filesystem::path& file) {
     const Bytes bytes = readFile(file, kMostPictureBytes);
-    return decodeDepthPng(bytes, file.string());
+    return decodePng16(bytes, file.string());
+}
+
+DepthImage readDepthPng(const std::filesystem::path& file) {
+    const Image<std::uint16_t, 1> millimetres = readPng16(file);
+    DepthImage depth(millimetres.width(), millimetres.height());
+    std::transform(
+        millimetres.values().begin(), millimetres.values().end(), depth.values().begin(),
+        [](std::uint16_t value) { return value == 0 ? HUGE_VALF : static_cast<float>(value) / 1000; });
+    return depth;
 }
 
 RgbImage readPicture(const std::filesystem::path& file) {
@@ -125,10 +129,10 @@ void writePng(const std::filesystem::path& file, const RgbImage& picture) {
     });
 }
 
-void writeDepthPng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& millimetres) {
-    writePngOf(file, millimetres.empty(), [&] {
-        cv::Mat pixels(millimetres.height(), millimetres.width(), CV_16UC1);
-        std::copy(millimetres.values().begin(), millimetres.values().end(), pixels.begin<std::uint16_t>());
+void writePng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& picture) {
+    writePngOf(file, picture.empty(), [&] {
+        cv::Mat pixels(picture.height(), picture.width(), CV_16UC1);
+        std::copy(picture.values().begin(), picture.values().end(), pixels.begin<std::uint16_t>());
         return pixels;
     });
 }

@@ -269,7 +269,7 @@ TEST_F(WalkTest, WritesDepthInMillimetresWithWhatIsLaidIn) {
     info.sphereRadiusM = 2;
     writeFile(folder / "d" / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
     options.view.scene = render::SceneKind::Sphere;
-    options.ball = Ball{{1, 0, 0.8}, 0.2}; // in the last pose's axis
+    options.balls = {Ball{{1, 0, 0.8}, 0.2}}; // in the last pose's axis
     EXPECT_TRUE(run("w", options).isComplete);
     const DepthImage last = photo::readDepthPng(folder / "w/depth/000004.png");
     EXPECT_NEAR(*last.at(16, 12), 0.6, 0.003);
@@ -277,6 +277,55 @@ TEST_F(WalkTest, WritesDepthInMillimetresWithWhatIsLaidIn) {
     std::filesystem::remove(folder / "w/depth/000002.png");
     EXPECT_EQ(run("w", options).reused, 4U);
     EXPECT_TRUE(std::filesystem::exists(folder / "w/depth/000002.png"));
+}
+
+TEST_F(WalkTest, LabelsWhatIsLaidInTheSameInParts) {
+    WalkOptions options;
+    options.writesLabels = true;
+    expectError(ErrorKind::InvalidInput, "--ball", [&] { run("none", options); });
+    options.balls = {Ball{{1, 0, 0.8}, 0.2}, Ball{{1.82, 0, 2.255}, 0.6}, Ball{{0.25, 0, 2.5}, 0.3}};
+    expectError(ErrorKind::InvalidInput, "knows no depth", [&] { run("none", options); });
+    render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    info.sphereRadiusM = 2;
+    writeFile(folder / "d" / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
+    options.view.scene = render::SceneKind::Sphere;
+    options.view.threads = 1;
+    options.bags = {dataset::BagFormat::Mcap};
+    EXPECT_TRUE(run("whole", options).isComplete);
+    options.view.threads = 3;
+    for (const char* part : {"2/2", "1/2"}) {
+        options.shard = Shard::parse(part);
+        run("parts", options);
+    }
+    EXPECT_EQ(filesOf("parts"), filesOf("whole"));
+
+    const Json json = parseJson(readTextFile(folder / "whole/annotations.json"), "annotations.json");
+    ASSERT_EQ(json["images"].size(), 5U);
+    const Json& last = json["images"][4];
+    EXPECT_EQ(last["file_name"], "000004.png");
+    const Image<std::uint16_t, 1> labels = photo::readPng16(folder / "whole" / last["labels_file"]);
+    EXPECT_EQ(*labels.at(16, 12), 1);
+    EXPECT_EQ(*labels.at(1, 12), 0) << "the room";
+    EXPECT_EQ(last["hidden_instances"], Json::array({3})) << "behind the sphere";
+    std::map<int, Json> seen;
+    for (const Json& annotation : json["annotations"]) {
+        if (annotation["image_id"] == 4) {
+            seen[annotation["instance"].get<int>()] = annotation;
+        }
+    }
+    ASSERT_EQ(seen.size(), 2U);
+    EXPECT_EQ(seen[1]["visible_share"], 1);
+    EXPECT_EQ(seen[1]["box_in_camera"]["center_m"], Json({0, 0, 0.8}));
+    EXPECT_EQ(seen[1]["box_in_room"]["center_m"], Json({1, 0, 0.8}));
+    EXPECT_EQ(seen[1]["box_in_room"]["size_m"], Json({0.4, 0.4, 0.4}));
+    // The second ball comes through the sphere, behind the first one.
+    EXPECT_GT(seen[2]["hidden_by_objects_share"], 0.1);
+    EXPECT_GT(seen[2]["hidden_by_room_share"], 0.1);
+    EXPECT_NEAR(seen[2]["visible_share"].get<double>() + seen[2]["hidden_by_objects_share"].get<double>() +
+                    seen[2]["hidden_by_room_share"].get<double>(),
+                1, 1e-12);
+    EXPECT_LT(seen[2]["area"], seen[2]["whole_area"]);
+    EXPECT_TRUE(std::filesystem::exists(folder / "whole/walk.mcap"));
 }
 
 TEST_F(WalkTest, KeepsTheFramesSoFarWhenStopped) {

@@ -177,13 +177,14 @@ TEST(DepthPng, HoldsWholeMillimetresAndNoneForZero) {
     Image<std::uint16_t, 1> millimetres(3, 1);
     *millimetres.at(0, 0) = 1234;
     *millimetres.at(2, 0) = 65535;
-    photo::writeDepthPng(folder / "depth.png", millimetres);
+    photo::writePng(folder / "depth.png", millimetres);
+    EXPECT_EQ(photo::readPng16(folder / "depth.png"), millimetres);
     const DepthImage read = photo::readDepthPng(folder / "depth.png");
     EXPECT_FLOAT_EQ(*read.at(0, 0), 1.234F);
     EXPECT_EQ(*read.at(1, 0), HUGE_VALF);
     EXPECT_FLOAT_EQ(*read.at(2, 0), 65.535F);
     test::expectError(ErrorKind::InvalidInput, "empty",
-                      [&] { photo::writeDepthPng(folder / "none.png", Image<std::uint16_t, 1>()); });
+                      [&] { photo::writePng(folder / "none.png", Image<std::uint16_t, 1>()); });
 }
 
 } // namespace spherewalk

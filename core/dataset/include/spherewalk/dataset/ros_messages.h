@@ -44,8 +44,8 @@ std::int64_t rosStampNs(double timeS);
 
 /// A sensor_msgs/Image of encoding rgb8.
 Bytes imageMessage(Ros ros, const RosHeader& header, const RgbImage& picture);
-/// A sensor_msgs/Image of encoding 16UC1. Units: millimetres; 0 is no depth. Source: REP 118.
-Bytes depthMessage(Ros ros, const RosHeader& header, const Image<std::uint16_t, 1>& millimetres);
+/// A sensor_msgs/Image of encoding 16UC1: labels, or depths in millimetres (REP 118).
+Bytes imageMessage(Ros ros, const RosHeader& header, const Image<std::uint16_t, 1>& picture);
 /// A sensor_msgs/CompressedImage. png: the bytes of a PNG file.
 Bytes pngMessage(Ros ros, const RosHeader& header, ByteView png);
 Bytes cameraInfoMessage(Ros ros, const RosHeader& header, const Calibration& camera);

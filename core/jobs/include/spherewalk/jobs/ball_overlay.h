@@ -30,4 +30,8 @@ Ball parseBall(std::string_view text);
 /// Cost: about 0.1 microseconds for each pixel of the box around the ball.
 render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera);
 
+/// 255 in each pixel at whose centre the ball would be seen if nothing hid it, else 0: the pixels of
+/// ballOverlay().
+MaskImage ballMask(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera);
+
 } // namespace spherewalk::jobs

@@ -32,7 +32,7 @@ struct WalkOptions {
     render::ViewOptions view;
     /// How frames arrive. The poses' times tell how the camera moves; nothing waits for them.
     render::StreamOptions stream;
-    std::optional<Ball> ball = {};                 ///< A ball that is laid into each frame.
+    std::vector<Ball> balls = {};                  ///< Balls that are laid into each frame.
     std::vector<dataset::PoseFormat> formats = {}; ///< Pose files to write besides.
     std::vector<dataset::BagFormat> bags = {};     ///< Bags to write besides: walk.bag, walk.mcap.
     BagPictures bagPictures = BagPictures::Raw;
@@ -40,7 +40,8 @@ struct WalkOptions {
     /// The sensor that takes the frames: without it, frames are the views. Frames before a part are rendered,
     /// too, where exposure or white balance is automatic.
     std::optional<render::SensorModel> sensor = {};
-    bool writesDepth = false; ///< Whether depth/000000.png ... are written, with what is laid in.
+    bool writesDepth = false;  ///< Whether depth/000000.png ... are written, with what is laid in.
+    bool writesLabels = false; ///< Whether annotations.json and labels/000000.png ... are written.
 };
 
 /// Counts and times are those of this part, and of the frames that were not there before.
@@ -71,18 +72,36 @@ struct WalkReport {
 /// columns exposure_time_s and gain_db. The path between the poses is straight, and turns evenly; see
 /// poseAt().
 ///
+/// With WalkOptions::writesLabels, labels/000000.png, ... hold in 16 bits which ball each pixel shows: 1 for
+/// the first, 0 for the room. annotations.json has masks, boxes and visible shares as COCO has them, see
+/// dataset::cocoJson(). With a sensor, labels are those of the view at the frame's time, without the sensor's
+/// blur. A bag has them as /camera/labels/image_raw.
+///
 /// A bag holds the picture and /camera/camera_info in the frame camera_optical, and the true pose of
 /// camera_optical in the frame map, which is the room: /camera/pose (geometry_msgs/PoseStamped) and /tf. The
 /// four messages of a frame have its time.
 ///
 /// Frames: the poses are those of the optical frame.
 /// Errors: those of rendering and writing; InvalidInput before anything is rendered, if a bag is wanted and
-/// ROS cannot hold a pose's time, or a sensor is given and the path's times do not ascend. InvalidInput for
-/// depth, where the scene model knows none.
+/// ROS cannot hold a pose's time, labels are wanted without a ball, or a sensor is given and the path's times
+/// do not ascend. InvalidInput for depth and labels, where the scene model knows no depth.
 /// Stop: Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
+
+/// The files of a walk's pictures, one of each kind a pose. Kinds that were not wanted are empty.
+struct WalkPictures {
+    std::vector<std::filesystem::path> frames;
+    std::vector<std::filesystem::path> depths;
+    std::vector<std::filesystem::path> labels;
+};
+
+/// Writes frames and poses as a bag; walk() says what is in it. Errors: those of reading the pictures and of
+/// writing; InvalidInput for a time that ROS cannot hold.
+void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
+                  const std::vector<TimedPose>& path, const WalkPictures& files,
+                  const std::filesystem::path& file);
 
 Json toJson(const render::ViewReport& report);
 Json toJson(const render::LoadCounters& counters);

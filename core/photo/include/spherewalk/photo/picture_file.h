@@ -15,17 +15,20 @@ namespace spherewalk::photo {
 /// than 2^28 pixels.
 RgbImage readPicture(const std::filesystem::path& file);
 
+/// The values of a PNG with one channel of 16 bits, as depths and labels have. Errors: as readPicture();
+/// Unsupported for any other PNG.
+Image<std::uint16_t, 1> readPng16(const std::filesystem::path& file);
+
 /// The distances in a PNG of 16 bits that holds millimetres, in metres; +infinity where it holds 0. Errors:
-/// as readPicture(); Unsupported if it has not one channel of 16 bits.
+/// as readPng16().
 DepthImage readDepthPng(const std::filesystem::path& file);
 
 /// Writes a PNG, durably; a file of that name is replaced. Errors: InvalidInput for an empty picture; Io,
 /// Full.
 void writePng(const std::filesystem::path& file, const RgbImage& picture);
 
-/// Writes distances as a PNG of 16 bits that readDepthPng() reads, durably; a file of that name is replaced.
-/// Errors: as writePng().
-void writeDepthPng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& millimetres);
+/// The same as a PNG of 16 bits, which readPng16() reads.
+void writePng(const std::filesystem::path& file, const Image<std::uint16_t, 1>& picture);
 
 /// The picture at another size: each pixel is the average of the area that it covers; enlarging interpolates.
 /// Range: sizes of 1 to 65535. Errors: InvalidInput.
