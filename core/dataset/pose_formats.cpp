@@ -112,7 +112,23 @@ std::string colmapCamera(const CameraIntrinsics& k) {
     throw Error(ErrorKind::Internal, "A lens model that COLMAP has no name for.");
 }
 
-std::vector<TextFile> colmap(const FrameCamera& camera, std::span<const PosedFrame> frames) {
+bool hasTests(std::span<const PosedFrame> frames) {
+    return std::any_of(frames.begin(), frames.end(), [](const PosedFrame& frame) { return frame.isTest; });
+}
+
+std::string colmapPoints(std::span<const ColouredPoint> points) {
+    std::string lines = "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n";
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3d& at = points[i].pInRoom;
+        const auto& [red, green, blue] = points[i].colour;
+        lines += text(i + 1, " ", at.x(), " ", at.y(), " ", at.z(), " ", int{red}, " ", int{green}, " ",
+                      int{blue}, " -1\n");
+    }
+    return lines;
+}
+
+std::vector<TextFile> colmap(const FrameCamera& camera, std::span<const PosedFrame> frames,
+                             std::span<const ColouredPoint> points) {
     const auto* intrinsics = std::get_if<CameraIntrinsics>(&camera);
     if (intrinsics == nullptr) {
         throw Error(
@@ -121,24 +137,32 @@ std::vector<TextFile> colmap(const FrameCamera& camera, std::span<const PosedFra
     }
     std::vector<PosedFrame> sorted; // as COLMAP numbers the pictures of a folder
     for (const PosedFrame& frame : frames) {
-        sorted.push_back({frame.file.substr(frame.file.rfind('/') + 1), frame.timeS, frame.roomFromCamera});
+        sorted.push_back(
+            {frame.file.substr(frame.file.rfind('/') + 1), frame.timeS, frame.roomFromCamera, frame.isTest});
     }
     std::sort(sorted.begin(), sorted.end(),
               [](const PosedFrame& a, const PosedFrame& b) { return a.file < b.file; });
     std::string images = "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n# POINTS2D[] as (X, Y, "
                          "POINT3D_ID)\n";
+    std::array<std::string, 2> names; // of pictures to train with, and to test with
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         const Rigid3 cameraFromRoom = sorted[i].roomFromCamera.inverse();
         const Quaterniond q = upright(cameraFromRoom.rotation);
         const Vector3d& t = cameraFromRoom.translation;
         images += text(i + 1, " ", q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ",
                        t.z(), " 1 ", sorted[i].file, "\n\n");
+        names.at(sorted[i].isTest ? 1 : 0) += sorted[i].file + "\n";
     }
-    return {{"sparse/0/cameras.txt",
-             text("# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n1 ", colmapCamera(*intrinsics), "\n")},
-            {"sparse/0/images.txt", images},
-            {"sparse/0/points3D.txt",
-             "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n"}};
+    std::vector<TextFile> files{
+        {"sparse/0/cameras.txt",
+         text("# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n1 ", colmapCamera(*intrinsics), "\n")},
+        {"sparse/0/images.txt", images},
+        {"sparse/0/points3D.txt", colmapPoints(points)}};
+    if (hasTests(frames)) {
+        files.push_back({"sparse/0/train.txt", names[0]});
+        files.push_back({"sparse/0/test.txt", names[1]});
+    }
+    return files;
 }
 
 /// The camera's part of transforms.json.
@@ -174,7 +198,8 @@ Json nerfstudioCamera(const EquirectSize& size) {
             {"cy", size.height / 2.0}};
 }
 
-std::vector<TextFile> nerfstudio(const FrameCamera& camera, std::span<const PosedFrame> frames) {
+std::vector<TextFile> nerfstudio(const FrameCamera& camera, std::span<const PosedFrame> frames,
+                                 std::span<const ColouredPoint> points) {
     Json json = std::visit([](const auto& one) { return nerfstudioCamera(one); }, camera);
     json["frames"] = Json::array();
     for (const PosedFrame& frame : frames) {
@@ -189,6 +214,20 @@ std::vector<TextFile> nerfstudio(const FrameCamera& camera, std::span<const Pose
         }
         json["frames"].push_back({{"file_path", frame.file}, {"transform_matrix", rows}});
     }
+    if (!points.empty()) {
+        json["ply_file_path"] = kPointsFile;
+    }
+    if (hasTests(frames)) {
+        for (const char* split : {"train_filenames", "val_filenames", "test_filenames"}) {
+            json[split] = Json::array(); // nerfstudio refuses a file without one of the three
+        }
+        for (const PosedFrame& frame : frames) {
+            if (frame.isTest) {
+                json["val_filenames"].push_back(frame.file);
+            }
+            json[frame.isTest ? "test_filenames" : "train_filenames"].push_back(frame.file);
+        }
+    }
     return {{"transforms.json", json.dump(1) + "\n"}};
 }
 
@@ -202,10 +241,19 @@ PoseFormat poseFormat(std::string_view name) {
     return valueOf(kPoseFormats, "The format of poses", name);
 }
 
+bool knowsLearning(PoseFormat format) {
+    return format == PoseFormat::Colmap || format == PoseFormat::Nerfstudio;
+}
+
 std::vector<TextFile> poseFiles(PoseFormat format, const FrameCamera& camera,
-                                std::span<const PosedFrame> frames) {
+                                std::span<const PosedFrame> frames, std::span<const ColouredPoint> points) {
     if (frames.empty()) {
         throw Error(ErrorKind::InvalidInput, "There are no frames to write poses of.");
+    }
+    if (!knowsLearning(format) && (!points.empty() || hasTests(frames))) {
+        throw Error(ErrorKind::InvalidInput, text("The format ", name(format),
+                                                  " knows no points and no pictures for tests: choose colmap "
+                                                  "or nerfstudio."));
     }
     switch (format) {
     case PoseFormat::Tum:
@@ -215,9 +263,9 @@ std::vector<TextFile> poseFiles(PoseFormat format, const FrameCamera& camera,
     case PoseFormat::Euroc:
         return euroc(frames);
     case PoseFormat::Colmap:
-        return colmap(camera, frames);
+        return colmap(camera, frames, points);
     case PoseFormat::Nerfstudio:
-        return nerfstudio(camera, frames);
+        return nerfstudio(camera, frames, points);
     }
     throw Error(ErrorKind::Internal, "A format of poses without a writer.");
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_run.h"
 #include "photographed_survey.h"
+#include "ply_reader.h"
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/practice/practice_room.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <vector>
 
 namespace spherewalk {
@@ -18,6 +23,112 @@ using test::CliResult;
 using test::runCli;
 using test::writeSmallCamera;
 using testing::HasSubstr;
+
+namespace {
+
+std::vector<std::vector<std::string>> wordsOf(const std::filesystem::path& file) {
+    std::vector<std::vector<std::string>> lines;
+    std::istringstream all(readTextFile(file));
+    for (std::string line; std::getline(all, line);) {
+        if (!line.empty() && line.front() != '#') {
+            std::istringstream words(line);
+            lines.emplace_back(std::istream_iterator<std::string>(words),
+                               std::istream_iterator<std::string>());
+        }
+    }
+    return lines;
+}
+
+/// A survey of six photos of the practice room, whose poses are known, and exports of it for learners.
+class Learners : public testing::Test {
+  protected:
+    Learners() {
+        const practice::RoomPlan drawn = m_room.plan();
+        const survey::Room room{drawn.outline, drawn.obstacles, drawn.ceilingM};
+        survey::PlanOptions plan;
+        plan.stepM = 2;
+        auto store =
+            store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan));
+        std::filesystem::create_directories(m_folder / "in");
+        std::string csv = "file,x_m,y_m,z_m,yaw_deg\n";
+        for (int i = 0; i < 6; ++i) {
+            const std::string name = text("R", 1001 + i, ".JPG");
+            const Eigen::Vector3d at(2 + 0.5 * (i % 3), 1.6 + 0.5 * (i / 3), 1.2);
+            const RgbImage photo = m_room.spherical({Eigen::Quaterniond::Identity(), at}, {512, 256});
+            writeFile(m_folder / "in" / name, jpeg::encode(photo, 90));
+            csv += text(name, ",", at.x(), ",", at.y(), ",", at.z(), ",0\n");
+        }
+        writeFile(m_folder / "p.csv", bytesOf(csv));
+        jobs::importPhotos(store, {m_folder / "in", m_folder / "p.csv"}, noProgress(), {});
+    }
+
+    Json exported(const std::string& name, std::vector<std::string> more) const {
+        more.insert(more.begin(),
+                    {"export", path("s.spherewalk"), path(name), "--test-every", "3", "--json"});
+        const CliResult made = runCli(more);
+        EXPECT_EQ(made.status, 0) << made.errors;
+        return made.json();
+    }
+
+    std::string path(const std::string& name) const { return (m_folder / name).string(); }
+
+    practice::PracticeRoom m_room;
+    test::TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(Learners, GetPointsThatAreThereAndPicturesToTestWith) {
+    const Json made = exported("colmap", {"--format", "colmap", "--points", "--voxel", "0.05"});
+    EXPECT_EQ(made["test_photos"], 2);
+    const auto points = wordsOf(path("colmap/sparse/0/points3D.txt"));
+    EXPECT_EQ(made["points"], points.size());
+    ASSERT_GT(points.size(), 1000U);
+    std::size_t near = 0;
+    for (const auto& point : points) {
+        ASSERT_EQ(point.size(), 8U);
+        const Eigen::Vector3d at(*parseNumber(point[1]), *parseNumber(point[2]), *parseNumber(point[3]));
+        near += m_room.surfaceDistanceM(at) < 0.15 ? 1 : 0; // what fusion takes for one surface
+    }
+    EXPECT_GT(static_cast<double>(near), 0.8 * static_cast<double>(points.size()));
+    test::Program colmap({"/usr/bin/env", "colmap", "model_analyzer", "--path", path("colmap/sparse/0")});
+    ASSERT_EQ(colmap.wait(), 0) << colmap.errors();
+    EXPECT_THAT(colmap.output() + colmap.errors(), HasSubstr(text("Points: ", points.size())));
+    std::set<std::string> split;
+    for (const auto& [file, pictures] : {std::pair{"train", 24U}, std::pair{"test", 12U}}) {
+        const auto names = wordsOf(path(text("colmap/sparse/0/", file, ".txt")));
+        EXPECT_EQ(names.size(), pictures);
+        for (const auto& name : names) {
+            EXPECT_TRUE(std::filesystem::exists(path("colmap/images/" + name.at(0))));
+            EXPECT_EQ(file == std::string("test"), name[0].find("R1002") == 0 || name[0].find("R1005") == 0);
+            split.insert(name[0]);
+        }
+    }
+    EXPECT_EQ(split.size(), 36U);
+
+    exported("nerf", {"--format", "nerfstudio", "--faces", "--points", "--voxel", "0.05"});
+    const Json nerf = parseJson(readTextFile(path("nerf/transforms.json")), "transforms.json");
+    EXPECT_EQ(nerf["train_filenames"].size(), 24U);
+    EXPECT_EQ(nerf["test_filenames"].size(), 12U);
+    EXPECT_EQ(nerf["val_filenames"], nerf["test_filenames"]);
+    EXPECT_EQ(test::readPly(path("nerf/" + nerf["ply_file_path"].get<std::string>())).vertices.size(),
+              points.size());
+}
+
+TEST_F(Learners, AreRefusedWhatTheirFormatDoesNotKnow) {
+    const auto refused = [&](const std::vector<std::string>& more, int status, const std::string& words) {
+        std::vector<std::string> command{"export", path("s.spherewalk"), path("out")};
+        command.insert(command.end(), more.begin(), more.end());
+        const CliResult made = runCli(command);
+        EXPECT_EQ(made.status, status) << more.back();
+        EXPECT_THAT(made.errors, HasSubstr(words));
+        EXPECT_FALSE(std::filesystem::exists(path("out")));
+    };
+    refused({"--format", "kitti", "--points"}, 1, "--format colmap and nerfstudio");
+    refused({"--format", "ply", "--test-every", "3"}, 1, "colmap, nerfstudio and spherewalk");
+    refused({"--format", "colmap", "--test-every", "13"}, 1, "smaller --test-every");
+    refused({"--test-every", "1"}, 2, "--test-every");
+}
 
 TEST(ExportCommand, OnlyLooksWhenAsked) {
     const test::PhotographedSurvey survey(2);

@@ -31,6 +31,7 @@ struct ExportArguments {
     std::string format = "spherewalk";
     double obstacleHeightM = jobs::kObstacleHeightM;
     bool withFaces = false;
+    bool withPoints = false;
     bool isCheck = false;
     jobs::PlaceOptions place;
     std::string measured;
@@ -76,6 +77,7 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
     };
     tellLeftOut(report.withoutPhoto, "station has no photo and is", "stations have no photo and are");
     tellLeftOut(report.rejected, "photo was rejected and is", "photos were rejected and are");
+    tellLeftOut(report.tests, "photo is a test and is", "photos are tests and are");
     tellLeftOut(report.failed, "photo has no pose that holds and is",
                 "photos have no pose that holds and are");
     words += report.carriedShare == 0
@@ -104,12 +106,20 @@ Result exportChosen(const ExportArguments& options, const store::SurveyStore& st
 }
 
 Result exportForeign(const ExportArguments& options, const store::SurveyStore& store, Context& context) {
+    const jobs::ForeignOptions wanted{dataset::poseFormat(options.format), options.withFaces,
+                                      options.withPoints, options.place, options.write.testEvery};
     const jobs::ForeignReport report =
-        jobs::exportForeign(store, options.dataset, {dataset::poseFormat(options.format), options.withFaces},
-                            context.progress, context.stop);
-    return {{{"photos", report.photos}, {"pictures", report.pictures}, {"folder", options.dataset}},
+        jobs::exportForeign(store, options.dataset, wanted, context.progress, context.stop);
+    return {{{"photos", report.photos},
+             {"pictures", report.pictures},
+             {"test_photos", report.tests},
+             {"points", report.points},
+             {"folder", options.dataset}},
             text("Exported ", report.photos, " photos as ", report.pictures, " pictures with poses for ",
-                 options.format, " to ", options.dataset, ".")};
+                 options.format, " to ", options.dataset, ".",
+                 report.tests > 0 ? text("\n", counted(report.tests, "photo is a test.", "photos are tests."))
+                                  : "",
+                 report.points > 0 ? text("\n", report.points, " points were seen.") : "")};
 }
 
 /// Of a VGA camera, if none is named.
@@ -176,7 +186,22 @@ Result exportWeb(const ExportArguments& options, Context& context) {
                  " of them. ", counted(report.leftOut, "station has", "stations have"), " no photo on it.")};
 }
 
+/// Errors: InvalidInput for what learners want, in an export that is not for them.
+void checkLearning(const ExportArguments& options) {
+    const bool isForLearners = options.format == "colmap" || options.format == "nerfstudio";
+    if (options.withPoints && !isForLearners) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Points go with --format colmap and nerfstudio; --format ply writes them alone.");
+    }
+    if (options.write.testEvery > 0 &&
+        ((!isForLearners && options.format != "spherewalk") || options.isChosen())) {
+        throw Error(ErrorKind::InvalidInput, "Photos are left out for tests with --format colmap, nerfstudio "
+                                             "and spherewalk, and with a scene model other than auto.");
+    }
+}
+
 Result exportSurvey(const ExportArguments& options, Context& context) {
+    checkLearning(options);
     if (options.format == "web") {
         return exportWeb(options, context);
     }
@@ -234,9 +259,10 @@ void addExport(Commands& commands) {
         .range(0.01, 10.0)
         .showDefault();
     command
-        .option(
-            "--voxel", options->place.fusion.voxelM,
-            "With a world, ply, gltf, obj or occupancy, edge of the voxels that depths are fused in, metres")
+        .option("--voxel", options->place.fusion.voxelM,
+                "With a world, ply, gltf, obj, occupancy or --points, edge of the voxels that depths are "
+                "fused in, "
+                "metres")
         .range(0.005, 0.2)
         .showDefault();
     command
@@ -259,14 +285,23 @@ void addExport(Commands& commands) {
         .range(0.0, 10.0)
         .showDefault();
     command
-        .option("--least-photos", options->place.leastPhotos,
-                "With a world, ply, gltf, obj or occupancy, leave out surfaces that fewer photos show")
+        .option(
+            "--least-photos", options->place.leastPhotos,
+            "With a world, ply, gltf, obj, occupancy or --points, leave out surfaces that fewer photos show")
         .range(1, 255)
         .showDefault();
     command.option("--measured", options->measured,
                    "With web, the report.json of measure --report, for a map of errors");
     command.flag("--faces", options->withFaces,
                  "With another format, the six faces of a cube instead of each photo");
+    command.flag("--points", options->withPoints,
+                 "With colmap or nerfstudio, points of the surfaces that the photos show, with colours");
+    command
+        .option(
+            "--test-every", options->write.testEvery,
+            "Keep one of so many photos for tests: colmap and nerfstudio say which pictures that are, and "
+            "a dataset is made without them")
+        .range(2, 1000);
     command.flag("--check", options->isCheck,
                  "Only say how large it would become, how long it would take, and what it would lack");
     command

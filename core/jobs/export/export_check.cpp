@@ -29,7 +29,10 @@ fs::path existingParent(fs::path folder) {
 class Look {
   public:
     Look(const store::SurveyStore& store, const ExportOptions& options)
-        : m_store(store), m_options(options), m_exported(photosToExport(store)), m_photos(m_exported.photos) {
+        : m_store(store),
+          m_options(options),
+          m_exported(photosToExport(store)),
+          m_photos(withoutTests(m_exported.photos, options.testEvery)) {
         m_check.photos = m_photos.size();
     }
 
@@ -154,7 +157,7 @@ class Look {
     const store::SurveyStore& m_store;
     const ExportOptions& m_options;
     const PhotosToExport m_exported;
-    const std::vector<store::PhotoRecord>& m_photos;
+    const std::vector<store::PhotoRecord> m_photos;
     ExportCheck m_check;
 };
 
@@ -162,6 +165,7 @@ class Look {
 
 ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder, const ExportOptions& options,
                         ProgressSink& progress, const std::stop_token& stop) {
+    options.validate();
     return Look(store, options).run(folder, progress, stop);
 }
 

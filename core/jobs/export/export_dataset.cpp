@@ -293,9 +293,30 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
 
 } // namespace
 
+void ExportOptions::validate() const {
+    if (testEvery < 0 || testEvery == 1) {
+        throw Error(ErrorKind::InvalidInput, text("Could not leave one of ", testEvery,
+                                                  " photos out for tests: it must be one of 2 or more."));
+    }
+}
+
+std::size_t countTests(std::size_t photos, int testEvery) {
+    std::size_t tests = 0;
+    for (std::size_t i = 0; i < photos; ++i) {
+        tests += isTestPhoto(i, testEvery) ? 1 : 0;
+    }
+    if (testEvery > 0 && tests == 0) {
+        throw Error(ErrorKind::InvalidInput, text("None of ", counted(photos, "photo", "photos"),
+                                                  " would be left out for tests: give "
+                                                  "a smaller --test-every."));
+    }
+    return tests;
+}
+
 ExportReport exportDataset(const store::SurveyStore& store, const std::filesystem::path& folder,
                            const ExportOptions& options, ProgressSink& progress,
                            const std::stop_token& stop) {
+    options.validate();
     ExportReport report;
     const PhotosToExport exported = photosToExport(store);
     report.failed = static_cast<int>(exported.failed.size());
@@ -305,7 +326,9 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
     if (exported.photos.empty() && !exported.failed.empty()) {
         throw Error(ErrorKind::InvalidInput, text("Nothing can be exported. ", exported.doubts.front()));
     }
-    dataset::Contents contents = contentsOf(store, exported.photos, report);
+    const std::vector<store::PhotoRecord> photos = withoutTests(exported.photos, options.testEvery);
+    report.tests = static_cast<int>(countTests(exported.photos.size(), options.testEvery));
+    dataset::Contents contents = contentsOf(store, photos, report);
     const DepthCache cache(store, options);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {
@@ -338,7 +361,8 @@ DepthForecast exportForecast(const store::SurveyStore& store, const ExportOption
         return {};
     }
     ExportReport report;
-    const dataset::Contents contents = contentsOf(store, photosToExport(store).photos, report);
+    const dataset::Contents contents =
+        contentsOf(store, withoutTests(photosToExport(store).photos, options.testEvery), report);
     const DepthCache cache(store, options);
     ClearedPhotos cleared = clearedPhotos(store, options, cache, contents, report, stop);
     DepthOptions depth = depthOptions(store, options, cache);
@@ -374,19 +398,13 @@ std::map<std::int64_t, fs::path> keptDepths(const store::SurveyStore& store, con
 }
 
 Json toJson(const ExportReport& report) {
-    return {{"photos", report.written.photos},
-            {"stations_without_photo", report.withoutPhoto},
-            {"rejected_photos", report.rejected},
-            {"failed_photos", report.failed},
-            {"photos_without_rotation", report.withoutRotation},
-            {"sphere_radius_m", report.sphereRadiusM},
-            {"photos_with_depth", report.depth.photos},
-            {"depths_reused", report.depth.reused},
-            {"depth_seconds", report.depth.seconds},
-            {"carried_share", report.carriedShare},
-            {"source_bytes", report.written.sourceBytes},
-            {"photo_bytes", report.written.photoBytes},
-            {"total_bytes", report.written.totalBytes},
+    return {{"photos", report.written.photos},          {"stations_without_photo", report.withoutPhoto},
+            {"rejected_photos", report.rejected},       {"test_photos", report.tests},
+            {"failed_photos", report.failed},           {"photos_without_rotation", report.withoutRotation},
+            {"sphere_radius_m", report.sphereRadiusM},  {"photos_with_depth", report.depth.photos},
+            {"depths_reused", report.depth.reused},     {"depth_seconds", report.depth.seconds},
+            {"carried_share", report.carriedShare},     {"source_bytes", report.written.sourceBytes},
+            {"photo_bytes", report.written.photoBytes}, {"total_bytes", report.written.totalBytes},
             {"seconds", report.written.seconds}};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_foreign.h"
 
+#include "parts/csv.h"
+
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -10,6 +12,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/place/surface_files.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/render/renderer.h"
@@ -65,10 +68,12 @@ class ForeignExport {
         }
     }
 
-    ForeignReport write(const fs::path& folder, ProgressSink& progress) {
+    /// surface: its vertices are the points.
+    ForeignReport write(const place::Surface& surface, const fs::path& folder, ProgressSink& progress) {
         ensureFolder(folder / kPicturesFolder);
         const bool isCut = m_options.withFaces || m_options.format == dataset::PoseFormat::Colmap;
         ForeignReport report;
+        report.tests = countTests(photos().size(), m_options.testEvery);
         for (std::size_t i = 0; i < photos().size(); ++i) {
             throwIfStopped(m_stop);
             isCut ? writeFaces(i, folder) : writeWhole(i, folder);
@@ -80,7 +85,16 @@ class ForeignExport {
         const dataset::FrameCamera camera =
             isCut ? dataset::FrameCamera(face().intrinsics())
                   : dataset::FrameCamera(EquirectSize{photos().front().width, photos().front().width / 2});
-        writePoseFiles(m_options.format, camera, m_frames, folder);
+        const std::vector<dataset::ColouredPoint> points = pointsOf(surface);
+        report.points = points.size();
+        writePoseFiles(m_options.format, camera, m_frames, folder, points);
+        if (m_options.format == dataset::PoseFormat::Nerfstudio && !points.empty()) {
+            writeFile(folder / dataset::kPointsFile, place::plyFile(surface));
+        }
+        if (isCut && report.tests > 0) {
+            writeFile(folder / "test.csv", bytesOf(testCsv()));
+            writeFile(folder / "camera.yaml", bytesOf(render::cameraInfoYaml(face().intrinsics(), "face")));
+        }
         return report;
     }
 
@@ -97,7 +111,30 @@ class ForeignExport {
         m_frames.push_back(
             {file,
              static_cast<double>(photo),
-             {(roomFromPhoto.rotation * photoFromOptical).normalized(), roomFromPhoto.translation}});
+             {(roomFromPhoto.rotation * photoFromOptical).normalized(), roomFromPhoto.translation},
+             isTestPhoto(photo, m_options.testEvery)});
+    }
+
+    static std::vector<dataset::ColouredPoint> pointsOf(const place::Surface& surface) {
+        std::vector<dataset::ColouredPoint> points;
+        points.reserve(surface.vertices.size());
+        for (const place::SurfaceVertex& vertex : surface.vertices) {
+            points.push_back({vertex.pInRoom, vertex.colour});
+        }
+        return points;
+    }
+
+    /// A positions file of the pictures that are tests.
+    std::string testCsv() const {
+        std::string csv = "file,x_m,y_m,z_m,qw,qx,qy,qz\n";
+        for (const PosedFrame& frame : m_frames) {
+            const Eigen::Vector3d& at = frame.roomFromCamera.translation;
+            const Eigen::Quaterniond& q = frame.roomFromCamera.rotation;
+            csv += frame.isTest ? text(csvField(frame.file), ",", at.x(), ",", at.y(), ",", at.z(), ",",
+                                       q.w(), ",", q.x(), ",", q.y(), ",", q.z(), "\n")
+                                : "";
+        }
+        return csv;
     }
 
     std::string stem(std::size_t photo) const { return fs::path(photos()[photo].file).stem().string(); }
@@ -128,25 +165,78 @@ class ForeignExport {
 
 } // namespace
 
+void ForeignOptions::validate() const {
+    ExportOptions split;
+    split.testEvery = testEvery;
+    split.validate();
+    place.validate();
+    if ((withPoints || testEvery > 0) && !dataset::knowsLearning(format)) {
+        throw Error(ErrorKind::InvalidInput, text("The format ", name(format),
+                                                  " knows no points and no pictures for tests: choose colmap "
+                                                  "or nerfstudio."));
+    }
+}
+
 void writePoseFiles(dataset::PoseFormat format, const dataset::FrameCamera& camera,
-                    std::span<const PosedFrame> frames, const fs::path& folder) {
-    for (const dataset::TextFile& file : dataset::poseFiles(format, camera, frames)) {
+                    std::span<const PosedFrame> frames, const fs::path& folder,
+                    std::span<const dataset::ColouredPoint> points) {
+    for (const dataset::TextFile& file : dataset::poseFiles(format, camera, frames, points)) {
         ensureFolder((folder / file.path).parent_path());
         writeFile(folder / file.path, bytesOf(file.text));
     }
 }
 
+namespace {
+
+/// Hands progress on, and no warnings: an export of the same photos has given them.
+class WithoutWarnings : public ProgressSink {
+  public:
+    explicit WithoutWarnings(ProgressSink& sink) : m_sink(sink) {}
+
+    void progress(double fraction, std::string_view activity) override {
+        m_sink.progress(fraction, activity);
+    }
+
+    void warning(std::string_view /*sentence*/) override {}
+
+  private:
+    ProgressSink& m_sink;
+};
+
+/// What the photos that are no tests show.
+place::Surface trainingSurface(const store::SurveyStore& store, const ForeignOptions& options,
+                               ProgressSink& progress, const std::stop_token& stop) {
+    const TemporaryFolder temporary("spherewalk-points");
+    ExportOptions wanted;
+    wanted.scene = render::SceneKind::Depth;
+    wanted.testEvery = options.testEvery;
+    WithoutWarnings quiet(progress);
+    ProgressStep estimating(quiet, 0, 0.7);
+    exportDataset(store, temporary.path() / "dataset", wanted, estimating, stop);
+    ProgressStep fusing(quiet, 0.7, 1);
+    return paintedSurfaceOf(temporary.path() / "dataset", options.place, fusing, stop);
+}
+
+} // namespace
+
 ForeignReport exportForeign(const store::SurveyStore& store, const fs::path& folder,
                             const ForeignOptions& options, ProgressSink& progress,
                             const std::stop_token& stop) {
+    options.validate();
     requireAbsent(folder, "the export");
     const TemporaryFolder temporary("spherewalk-export");
-    ProgressStep exporting(progress, 0, 0.4);
+    ProgressStep exporting(progress, 0, 0.2);
     exportDataset(store, temporary.path() / "dataset", {}, exporting, stop);
-    ProgressStep writing(progress, 0.4, 1);
+    place::Surface surface;
+    if (options.withPoints) {
+        ProgressStep seeing(progress, 0.2, 0.8);
+        surface = trainingSurface(store, options, seeing, stop);
+    }
+    ProgressStep writing(progress, options.withPoints ? 0.8 : 0.2, 1);
     ForeignReport report;
     makeFolder(folder, "the export", [&](const fs::path& unfinished) {
-        report = ForeignExport(temporary.path() / "dataset", options, stop).write(unfinished, writing);
+        report =
+            ForeignExport(temporary.path() / "dataset", options, stop).write(surface, unfinished, writing);
     });
     return report;
 }

@@ -51,6 +51,14 @@ class PlaceExport {
         return m_report;
     }
 
+    place::Surface painted(ProgressSink& progress) {
+        ProgressStep finding(progress, 0, 0.8);
+        find(finding);
+        ProgressStep painting(progress, 0.8, 1);
+        paint(painting);
+        return std::move(m_surface);
+    }
+
     Furniture furniture(const render::RoomShape& room, ProgressSink& progress) {
         ProgressStep finding(progress, 0, 0.9);
         find(finding);
@@ -265,6 +273,12 @@ PlaceReport exportPlace(const fs::path& source, const fs::path& folder, const Pl
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - report.depthSeconds;
     return report;
+}
+
+place::Surface paintedSurfaceOf(const fs::path& dataset, const PlaceOptions& options, ProgressSink& progress,
+                                const std::stop_token& stop) {
+    options.validate();
+    return PlaceExport(dataset, options, stop).painted(progress);
 }
 
 bool hasDepths(const fs::path& folder) {

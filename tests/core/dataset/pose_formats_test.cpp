@@ -4,11 +4,13 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/dataset/pose_formats.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <sstream>
 
@@ -154,6 +156,30 @@ TEST(PoseFormats, NerfstudioSeesThePointWhereTheCameraDoes) {
     camera.distortion.assign(12, 0.001);
     test::expectError(ErrorKind::Unsupported, "thin prism",
                       [&] { poseFiles(PoseFormat::Colmap, camera, frames()); });
+}
+
+TEST(PoseFormats, TellLearnersPointsAndTests) {
+    std::vector<PosedFrame> split = frames();
+    split[1].isTest = true;
+    const std::vector<ColouredPoint> points{{{1, -2, 0.125}, {255, 0, 7}}};
+    std::map<std::string, std::string> files;
+    for (const PoseFormat format : {PoseFormat::Colmap, PoseFormat::Nerfstudio}) {
+        for (const TextFile& file : poseFiles(format, robotCamera(), split, points)) {
+            files[file.path] = file.text;
+        }
+    }
+    EXPECT_EQ(files["sparse/0/test.txt"], "000001.png\n");
+    EXPECT_EQ(files["sparse/0/train.txt"], "000000.png\n000002.png\n");
+    EXPECT_THAT(files["sparse/0/points3D.txt"], testing::EndsWith("\n1 1 -2 0.125 255 0 7 -1\n"));
+    const Json json = parseJson(files["transforms.json"], "transforms.json");
+    EXPECT_EQ(json["ply_file_path"], "points.ply");
+    EXPECT_EQ(json["test_filenames"], Json::array({"000001.png"}));
+    EXPECT_EQ(json["val_filenames"], json["test_filenames"]);
+    EXPECT_EQ(json["train_filenames"], Json::array({"000000.png", "000002.png"}));
+    test::expectError(ErrorKind::InvalidInput, "nerfstudio",
+                      [&] { poseFiles(PoseFormat::Tum, robotCamera(), split); });
+    test::expectError(ErrorKind::InvalidInput, "nerfstudio",
+                      [&] { poseFiles(PoseFormat::Kitti, robotCamera(), frames(), points); });
 }
 
 /// Source of the rays: nerfstudio's documentation of its camera types.

@@ -107,13 +107,43 @@ struct ExportOptions {
     /// Puts floor and walls in place of what the camera carries along, see scene::carriedThings(). It holds
     /// for Room and Depth.
     bool clearsCarried = true;
+    /// Leaves out the photos that isTestPhoto() names, and all that they show. Range: 0 for none, or 2 or
+    /// more.
+    int testEvery = 0;
+
+    /// Errors: InvalidInput for testEvery.
+    void validate() const;
 };
+
+/// Whether a photo is left out for tests: of each `testEvery` photos in the order of the export, the one in
+/// the middle. The first ones stand in the room's corners.
+constexpr bool isTestPhoto(std::size_t index, int testEvery) {
+    return testEvery > 0 &&
+           index % static_cast<std::size_t>(testEvery) == static_cast<std::size_t>(testEvery) / 2;
+}
+
+/// How many photos are left out for tests. Errors: InvalidInput if there should be some, and the photos are
+/// too few.
+std::size_t countTests(std::size_t photos, int testEvery);
+
+/// The photos that are not left out for tests, in their order.
+template <class Photo>
+std::vector<Photo> withoutTests(const std::vector<Photo>& photos, int testEvery) {
+    std::vector<Photo> kept;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        if (!isTestPhoto(i, testEvery)) {
+            kept.push_back(photos[i]);
+        }
+    }
+    return kept;
+}
 
 struct ExportReport {
     dataset::WriteReport written;
     int withoutPhoto = 0;     ///< Stations without a photo, even a rejected one.
     int rejected = 0;         ///< Photos that a person rejected. The dataset leaves them out.
     int failed = 0;           ///< Photos that the alignment found no pose for. The dataset leaves them out.
+    int tests = 0;            ///< Photos that are left out for tests.
     int withoutRotation = 0;  ///< Photos whose heading is not known.
     double sphereRadiusM = 0; ///< 0 if neither depths nor the outline tell it.
     std::optional<render::RoomShape> roomShape;

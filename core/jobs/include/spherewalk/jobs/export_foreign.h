@@ -4,6 +4,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/dataset/pose_formats.h"
 #include "spherewalk/dataset/world_file.h"
+#include "spherewalk/jobs/export_place.h"
 
 #include <filesystem>
 #include <optional>
@@ -22,23 +23,41 @@ struct ForeignOptions {
     /// Writes the six faces of a cube in place of the photo: pinhole pictures of 90 degrees, a quarter of the
     /// photo wide. COLMAP gets faces in any case.
     bool withFaces = false;
+    /// Adds the points of the surfaces that the photos show (paintedSurfaceOf()), with colours. Depths are
+    /// estimated for it, unless an earlier export kept them.
+    bool withPoints = false;
+    PlaceOptions place = {}; ///< How points are found.
+    /// Says which pictures are tests: all of the photos that isTestPhoto() names. No point is made from them.
+    /// Range: 0 for none, or 2 or more.
+    int testEvery = 0;
+
+    /// Errors: InvalidInput for testEvery, and for points and tests in a format that does not know them;
+    /// those of PlaceOptions::validate().
+    void validate() const;
 };
 
 struct ForeignReport {
     std::size_t photos = 0;
     std::size_t pictures = 0; ///< Photos, or six faces for each of them.
+    std::size_t tests = 0;    ///< Photos among them that are tests.
+    std::size_t points = 0;
 };
 
 /// Writes the pose files of a format into a folder. Errors: those of dataset::poseFiles() and of writing.
 void writePoseFiles(dataset::PoseFormat format, const dataset::FrameCamera& camera,
-                    std::span<const dataset::PosedFrame> frames, const std::filesystem::path& folder);
+                    std::span<const dataset::PosedFrame> frames, const std::filesystem::path& folder,
+                    std::span<const dataset::ColouredPoint> points = {});
 
 /// Exports the photos that exportDataset() would export, for programs that read other formats: pictures in
 /// images/, and the format's files beside it. Photos have no times in these formats; they get a second each,
 /// in their order.
 ///
-/// Errors: those of exportDataset() and dataset::poseFiles(); Unsupported for photos of different sizes.
-/// After an error nothing is left.
+/// Where faces are tests, test.csv has their poses and camera.yaml their camera, as compareRenderings() takes
+/// them.
+///
+/// Errors: those of ForeignOptions::validate(), exportDataset(), paintedSurfaceOf() and dataset::poseFiles();
+/// Unsupported for photos of different sizes. After an error
+/// nothing is left.
 ForeignReport exportForeign(const store::SurveyStore& store, const std::filesystem::path& folder,
                             const ForeignOptions& options, ProgressSink& progress,
                             const std::stop_token& stop);

@@ -73,6 +73,11 @@ struct PlaceReport {
 PlaceReport exportPlace(const std::filesystem::path& source, const std::filesystem::path& folder,
                         const PlaceOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
+/// The surface that a dataset's photos show, with its colours: its vertices are points that learners begin
+/// with. Errors: those of exportPlace(). Stop: Stopped.
+place::Surface paintedSurfaceOf(const std::filesystem::path& dataset, const PlaceOptions& options,
+                                ProgressSink& progress, const std::stop_token& stop);
+
 /// Whether a folder is a dataset with depths of two photos or more. Errors: those of opening a dataset.
 bool hasDepths(const std::filesystem::path& folder);
 
