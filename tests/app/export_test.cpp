@@ -70,6 +70,11 @@ class Learners : public testing::Test {
         return made.json();
     }
 
+    CliResult compare(const std::string& dataset, const std::string& against) const {
+        return runCli({"compare", path(dataset), "--camera", path("colmap/camera.yaml"), "--pictures",
+                       path("colmap/test.csv"), "--against", path(against), "--json"});
+    }
+
     std::string path(const std::string& name) const { return (m_folder / name).string(); }
 
     practice::PracticeRoom m_room;
@@ -113,6 +118,39 @@ TEST_F(Learners, GetPointsThatAreThereAndPicturesToTestWith) {
     EXPECT_EQ(nerf["val_filenames"], nerf["test_filenames"]);
     EXPECT_EQ(test::readPly(path("nerf/" + nerf["ply_file_path"].get<std::string>())).vertices.size(),
               points.size());
+}
+
+TEST_F(Learners, AreMeasuredBesideViewsOfADatasetWithoutTheTests) {
+    exported("colmap", {"--format", "colmap"});
+    EXPECT_EQ(exported("ours", {})["photos"], 4);
+    ASSERT_EQ(runCli({"export", path("s.spherewalk"), path("all")}).status, 0);
+    std::filesystem::create_directories(path("perfect"));
+    const auto names = wordsOf(path("colmap/sparse/0/test.txt"));
+    for (const auto& name : names) {
+        std::filesystem::copy_file(path("colmap/images/" + name[0]), path("perfect/" + name[0]));
+    }
+    writeFile(path("perfect/notes.png"), bytesOf("of somebody"));
+    const CliResult compared = compare("ours", "perfect");
+    ASSERT_EQ(compared.status, 0) << compared.errors;
+    const Json json = compared.json();
+    ASSERT_EQ(json["pictures"].size(), 12U);
+    EXPECT_NEAR(json["theirs"]["ssim"].get<double>(), 1, 1e-6);
+    EXPECT_EQ(json["theirs"]["false_edges"], 0);
+    EXPECT_LT(json["ours"]["ssim"], 0.99);
+    EXPECT_GT(json["ours"]["psnr_db"], 10);
+    EXPECT_LT(json["theirs_beside_ours"]["ssim_lower_by"]["mean"], 0);
+    EXPECT_EQ(json["unused"], Json::array({"notes.png"}));
+
+    const CliResult whole = compare("all", "perfect");
+    EXPECT_EQ(whole.status, 1);
+    EXPECT_THAT(whole.errors, HasSubstr("--test-every"));
+    photo::writePng(path("perfect/R1002_up.png"), RgbImage(64, 64));
+    EXPECT_THAT(compare("ours", "perfect").errors, HasSubstr("have one name"));
+    std::filesystem::remove(path("perfect/R1002_up.jpg"));
+    EXPECT_THAT(compare("ours", "perfect").errors, HasSubstr("64 x 64"));
+    std::filesystem::remove(path("perfect/R1002_up.png"));
+    EXPECT_THAT(compare("ours", "perfect").errors, HasSubstr("no rendering called R1002_up;"));
+    EXPECT_THAT(compare("ours", "nowhere").errors, HasSubstr("nowhere"));
 }
 
 TEST_F(Learners, AreRefusedWhatTheirFormatDoesNotKnow) {

@@ -3,6 +3,7 @@
 #include "options/measured_dataset.h"
 
 #include "spherewalk/base/bytes.h"
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/jobs/compare_robot.h"
@@ -22,6 +23,7 @@ struct CompareArguments {
     std::string report;
     std::string poses;
     std::string sensor;
+    std::string against;
     bool refinesPoses = false;
     bool fitsColour = false;
     bool stores = false;
@@ -31,6 +33,22 @@ struct CompareArguments {
 bool succeeded(const jobs::CompareReport& report, const CompareArguments& options) {
     return (!options.refinesPoses || report.refined > 0) && (!options.fitsColour || report.fit->correction) &&
            (!report.sensor || report.sensor->why.empty());
+}
+
+/// Another program's renderings of the same pictures, beside ours.
+Result compareAgainst(const CompareArguments& options, Context& context) {
+    if (options.refinesPoses || options.fitsColour || !options.sensor.empty() || !options.poses.empty() ||
+        !options.report.empty()) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Renderings are of the given poses and in the photos' colours: with --against leave "
+                    "--refine-poses, --fit-colour, --fit-sensor, --poses and --report out.");
+    }
+    const std::vector<jobs::RobotPicture> pictures = robotPictures(options.dataset, options.pictures);
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
+    const jobs::RenderingsReport report = compareRenderings(
+        renderer, options.dataset.cameraModel(), pictures, options.against,
+        options.dataset.pictureOptions(renderer.dataset().info()), context.progress, context.stop);
+    return {toJson(report), renderingsText(report)};
 }
 
 Result compareViews(const CompareArguments& options, Context& context) {
@@ -69,7 +87,10 @@ void addCompare(Commands& commands) {
     const auto options = std::make_shared<CompareArguments>();
     const program::Command command =
         commands.add("compare", "Compare a dataset's views with a robot camera's own pictures",
-                     [options](Context& context) { return compareViews(*options, context); });
+                     [options](Context& context) {
+                         return options->against.empty() ? compareViews(*options, context)
+                                                         : compareAgainst(*options, context);
+                     });
     options->dataset.declare(command);
     options->dataset.declareFrame(command);
     command
@@ -77,6 +98,10 @@ void addCompare(Commands& commands) {
                 "CSV of the robot camera's pictures with their poses: file,x_m,y_m,z_m,qw,qx,qy,qz; lines "
                 "with the file alone are registered by the AprilTags that the picture shows")
         .required();
+    command.option(
+        "--against", options->against,
+        "Folder of another program's renderings of the same pictures, with the same names: compare "
+        "them with the pictures, beside the dataset's views");
     command.flag("--refine-poses", options->refinesPoses,
                  "The poses are approximate (some 10 cm and 5 degrees): find out the true ones");
     const program::Option fit =

@@ -136,4 +136,39 @@ void writeComparison(const CompareReport& report, const std::filesystem::path& f
 /// are relative to the file's folder. Errors: Io, Full.
 void writePoses(const CompareReport& report, const std::filesystem::path& file);
 
+/// A picture beside the dataset's view from its pose, and beside what another program rendered for it.
+struct ComparedRendering {
+    std::filesystem::path picture;
+    std::filesystem::path rendering;
+    Looks ours;
+    Looks theirs;
+};
+
+struct RenderingsReport {
+    std::vector<ComparedRendering> pictures; ///< In the order that they were given.
+    LooksSummary ours;
+    LooksSummary theirs;
+    /// Theirs beside ours, picture by picture. Nothing for few pictures, see looksBeside().
+    std::optional<LooksBeside> theirsBesideOurs;
+    std::vector<std::string> unused; ///< Names of renderings that no picture has, in their order.
+};
+
+/// Compares another program's renderings and the dataset's views with the same pictures. A rendering has its
+/// picture's name and ends in .png, .jpg or .jpeg. Pictures may be photos that the dataset was exported
+/// without, see ExportOptions::testEvery. Views are in the photos' colours.
+///
+/// Errors: NotFound for a folder that is not there, and for a picture without a rendering; InvalidInput for
+/// no pictures, for names that stand for two files, for a rendering whose size is not the picture's, and for
+/// a picture at whose very place the dataset has a photo, since that photo is in our view; those of reading
+/// pictures and of rendering. Stop: Stopped. The result is the same for any number of threads.
+RenderingsReport compareRenderings(const render::Renderer& renderer, const CameraModel& camera,
+                                   const std::vector<RobotPicture>& pictures,
+                                   const std::filesystem::path& renderings, const render::ViewOptions& view,
+                                   ProgressSink& progress, const std::stop_token& stop);
+
+/// A table for people, and sentences.
+std::string renderingsText(const RenderingsReport& report);
+
+Json toJson(const RenderingsReport& report);
+
 } // namespace spherewalk::jobs
