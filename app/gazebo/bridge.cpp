@@ -135,6 +135,10 @@ Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
         m_depthPublisher = checked(m_node.Advertise<msgs::Image>(topics.beside("depth_image")),
                                    topics.beside("depth_image"));
     }
+    if (m_hasOverlay) {
+        m_labelsPublisher =
+            checked(m_node.Advertise<msgs::Image>(topics.beside("labels")), topics.beside("labels"));
+    }
     m_infoPublisher = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
                               topics.beside("camera_info"));
     m_reportPublisher =
@@ -217,7 +221,8 @@ void Bridge::takePicture(OverlayPart part, const msgs::Image& message) {
 
 bool Bridge::hasListeners() const {
     return m_imagePublisher.HasConnections() || m_infoPublisher.HasConnections() ||
-           m_reportPublisher.HasConnections() || (m_hasDepth && m_depthPublisher.HasConnections());
+           m_reportPublisher.HasConnections() || (m_hasDepth && m_depthPublisher.HasConnections()) ||
+           (m_hasOverlay && m_labelsPublisher.HasConnections());
 }
 
 /// The simulator renders no pictures of objects while nobody wants ours.
@@ -231,8 +236,9 @@ void Bridge::followListeners() {
 }
 
 void Bridge::publish(const simulator::Frame& frame) {
-    for (msgs::Header* header : {m_image.mutable_header(), m_depth.mutable_header(), m_info.mutable_header(),
-                                 m_report.mutable_header()}) {
+    for (msgs::Header* header :
+         {m_image.mutable_header(), m_depth.mutable_header(), m_labels.mutable_header(),
+          m_info.mutable_header(), m_report.mutable_header()}) {
         setHeader(*header, frame.stamp, m_options.frameId, m_sequence);
     }
     ++m_sequence;
@@ -243,6 +249,10 @@ void Bridge::publish(const simulator::Frame& frame) {
     if (m_hasDepth && !frame.view.depth.empty()) {
         setDepth(m_depth, frame.view.depth);
         m_depthPublisher.Publish(m_depth);
+    }
+    if (m_hasOverlay && !frame.view.labels.empty()) {
+        setLabels(m_labels, frame.view.labels);
+        m_labelsPublisher.Publish(m_labels);
     }
     const std::chrono::duration<double, std::milli> latency =
         std::chrono::steady_clock::now() - frame.poseTakenAt;

@@ -16,7 +16,8 @@ namespace spherewalk::gazebo {
 
 struct Topics {
     std::vector<std::string> poses;
-    std::string image; ///< Topic of two levels or more; camera_info, depth_image and report go beside it.
+    std::string image; ///< Topic of two levels or more; camera_info, depth_image, labels and
+                       ///< report go beside it.
     std::string overlayColour;
     std::string overlayDepth;
     std::string overlayLabels;
@@ -95,11 +96,13 @@ class Bridge {
     Latencies m_latencies;
     msgs::Image m_image;
     msgs::Image m_depth;
+    msgs::Image m_labels;
     msgs::CameraInfo m_info;
     msgs::Param m_report;
     bool m_isOverlaySubscribed = false;
     transport::Node::Publisher m_imagePublisher;
-    transport::Node::Publisher m_depthPublisher; ///< unless depth is not wanted
+    transport::Node::Publisher m_depthPublisher;  ///< unless depth is not wanted
+    transport::Node::Publisher m_labelsPublisher; ///< unless there is no overlay
     transport::Node::Publisher m_infoPublisher;
     transport::Node::Publisher m_reportPublisher;
     simulator::SimulatedCamera m_camera;

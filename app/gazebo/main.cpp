@@ -111,6 +111,7 @@ simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& vi
         }
     }
     options.wantsDepth = m_wantsDepth;
+    options.wantsLabels = hasOverlay;
     if (!m_sensor.empty()) {
         options.sensor = render::readSensor(m_sensor);
     }
@@ -135,7 +136,8 @@ void declareTopics(const program::Command& app, Options& options) {
                "Frame of these poses in which the camera sits, with its scopes: robot::base::camera")
         .required();
     app.option("--image", topics.image,
-               "Topic of two levels or more for the pictures; camera_info and report go beside it")
+               "Topic of two levels or more for the pictures; camera_info, report, and with objects labels "
+               "go beside it")
         .required();
     app.option("--frame-id", options.bridge.frameId,
                "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "

@@ -150,6 +150,14 @@ void setDepth(msgs::Image& message, const DepthImage& depth) {
     message.set_data(depth.values().data(), depth.values().size_bytes());
 }
 
+void setLabels(msgs::Image& message, const render::LabelImage& labels) {
+    message.set_width(static_cast<std::uint32_t>(labels.width()));
+    message.set_height(static_cast<std::uint32_t>(labels.height()));
+    message.set_step(static_cast<std::uint32_t>(sizeof(std::uint16_t)) * message.width());
+    message.set_pixel_format_type(msgs::L_INT16);
+    message.set_data(labels.values().data(), labels.values().size_bytes());
+}
+
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration) {
     using Distortion = msgs::CameraInfo::Distortion;
     message.set_width(static_cast<std::uint32_t>(calibration.width));

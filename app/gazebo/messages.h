@@ -66,6 +66,8 @@ void setHeader(msgs::Header& header, simulator::Stamp stamp, const std::string& 
 void setImage(msgs::Image& message, const RgbImage& picture);
 /// As Gazebo's depth cameras: single precision, metres along the optical axis.
 void setDepth(msgs::Image& message, const DepthImage& depth);
+/// One channel of 16 bits, as Gazebo has no format for labels above 255.
+void setLabels(msgs::Image& message, const render::LabelImage& labels);
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 
 /// Fills the report on the picture of the same stamp: trust, late, outside, overlay, photo, origin, offset_m,

@@ -20,6 +20,11 @@ bool isColoured(const std::uint8_t* rgb) {
     return (rgb[0] | rgb[1] | rgb[2]) != 0;
 }
 
+std::uint16_t labelOf(const OverlayParts& parts, int x, int y) {
+    const std::uint8_t label = parts.labels.empty() ? kNoLabel : *parts.labels.at(x, y);
+    return label == kNoLabel ? kUnlabelled : label;
+}
+
 render::RoomShape roomOf(const render::DatasetInfo& dataset) {
     if (dataset.roomShape) {
         return *dataset.roomShape;
@@ -34,9 +39,10 @@ render::RoomShape roomOf(const render::DatasetInfo& dataset) {
 
 } // namespace
 
-ObjectOverlay::ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
-                             const CameraIntrinsics& camera, int threads)
+ObjectOverlay::ObjectOverlay(const OverlayOptions& options, bool withLabels,
+                             const render::DatasetInfo& dataset, const CameraIntrinsics& camera, int threads)
     : m_options(options),
+      m_withLabels(withLabels),
       m_camera(camera),
       m_threads(threads),
       m_pool(threads),
@@ -56,6 +62,9 @@ render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFro
     render::Overlay overlay;
     overlay.camera = m_camera;
     overlay.picture = RgbaImage(m_camera.width, m_camera.height);
+    if (m_withLabels) {
+        overlay.labels = render::LabelImage(m_camera.width, m_camera.height);
+    }
     switch (m_options.by) {
     case ObjectsBy::Labels:
         show(
@@ -64,7 +73,7 @@ render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFro
                 const std::uint8_t label = *parts.labels.at(x, y);
                 return !m_isRoom[label] && (label != kNoLabel || isColoured(parts.colour.at(x, y)));
             },
-            overlay.picture);
+            overlay);
         break;
     case ObjectsBy::Depth:
         show(
@@ -73,11 +82,11 @@ render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFro
                 return isColoured(parts.colour.at(x, y)) &&
                        isNearer(*parts.depth.at(x, y), roomFromCamera, x, y);
             },
-            overlay.picture);
+            overlay);
         break;
     case ObjectsBy::Alone:
         show(
-            parts, [](int, int) { return true; }, overlay.picture);
+            parts, [](int, int) { return true; }, overlay);
         break;
     }
     overlay.depth = std::move(parts.depth);
@@ -88,14 +97,17 @@ render::Overlay ObjectOverlay::overlay(OverlayParts parts, const Rigid3& roomFro
 }
 
 template <class IsObject>
-void ObjectOverlay::show(const OverlayParts& parts, const IsObject& isObject, RgbaImage& picture) {
+void ObjectOverlay::show(const OverlayParts& parts, const IsObject& isObject, render::Overlay& overlay) {
     m_pool.run(m_camera.height, m_threads, [&](int y, int) {
         const float* depth = parts.depth.at(0, y);
         for (int x = 0; x < m_camera.width; ++x) {
             if (depth[x] > 0 && std::isfinite(depth[x]) && isObject(x, y)) {
-                std::uint8_t* rgba = picture.at(x, y);
+                std::uint8_t* rgba = overlay.picture.at(x, y);
                 std::copy_n(parts.colour.at(x, y), 3, rgba);
                 rgba[3] = 255;
+                if (m_withLabels) {
+                    *overlay.labels.at(x, y) = labelOf(parts, x, y);
+                }
             }
         }
     });

@@ -15,9 +15,9 @@ namespace spherewalk::simulator {
 /// Makes an overlay from a simulator's pictures that shows nothing but the objects. Threads: one at a time.
 class ObjectOverlay {
   public:
-    /// camera: the camera that took the pictures. Errors: InvalidInput for ObjectsBy::Depth with a dataset
-    /// that has no outline or no ceiling.
-    ObjectOverlay(const OverlayOptions& options, const render::DatasetInfo& dataset,
+    /// camera: the camera that took the pictures. withLabels: whether overlays have the objects' labels.
+    /// Errors: InvalidInput for ObjectsBy::Depth with a dataset that has no outline or no ceiling.
+    ObjectOverlay(const OverlayOptions& options, bool withLabels, const render::DatasetInfo& dataset,
                   const CameraIntrinsics& camera, int threads);
 
     const CameraIntrinsics& camera() const { return m_camera; }
@@ -28,10 +28,11 @@ class ObjectOverlay {
 
   private:
     template <class IsObject>
-    void show(const OverlayParts& parts, const IsObject& isObject, RgbaImage& picture);
+    void show(const OverlayParts& parts, const IsObject& isObject, render::Overlay& overlay);
     bool isNearer(float depth, const Rigid3& roomFromCamera, int x, int y) const;
 
     OverlayOptions m_options;
+    bool m_withLabels;
     CameraIntrinsics m_camera;
     int m_threads;
     WorkerPool m_pool;

@@ -49,7 +49,7 @@ struct FrameMaker {
     FrameMaker(const render::Renderer& renderer, const CameraModel& model, const CameraOptions& options)
         : stream(renderer, model, options.stream) {
         if (options.overlay) {
-            objects.emplace(*options.overlay, renderer.dataset().info(),
+            objects.emplace(*options.overlay, options.wantsLabels, renderer.dataset().info(),
                             options.overlay->camera.value_or(model.intrinsics()), options.view.threads);
         }
         if (options.sensor) {
@@ -193,6 +193,7 @@ void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
         view.wantsDepth = isMain && (options.wantsDepth || (with.sensor && with.sensor->needsDepth()));
         view.depthShowsOverlays = true;
         view.wantsTrust = isMain && options.view.wantsTrust;
+        view.wantsLabels = isMain && options.wantsLabels;
         with.stream.next(pose, stampS + afterS, view, into);
     };
     if (!with.sensor) {

@@ -162,9 +162,18 @@ struct CameraNode::State {
         giveFrame({frame.stamp,
                    {picture.width(), picture.height(), "rgb8", 3, picture.values().data()},
                    depthOf(frame.view.depth),
+                   labelsOf(frame.view.labels),
                    calibration(frame.camera)});
         const std::scoped_lock lock(mutex);
         diagnostics.add(frame);
+    }
+
+    static PublishedPicture labelsOf(const render::LabelImage& labels) {
+        if (labels.empty()) {
+            return {};
+        }
+        return {labels.width(), labels.height(), "16UC1", sizeof(labels.values()[0]),
+                reinterpret_cast<const std::uint8_t*>(labels.values().data())};
     }
 
     PublishedPicture depthOf(const DepthImage& depth) {
@@ -231,6 +240,10 @@ std::string CameraNode::depthTopic() const {
         break;
     }
     return "";
+}
+
+std::string CameraNode::labelsTopic() const {
+    return m_state->options.overlay == "none" ? "" : "camera/labels/image_raw";
 }
 
 void CameraNode::takeTransform(const Transform& transform, bool isStatic) {

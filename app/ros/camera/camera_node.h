@@ -70,9 +70,10 @@ struct PublishedPicture {
 
 /// A frame to be published. Its messages have the same stamp.
 struct PublishedFrame {
-    Stamp stamp{};          ///< Time of the pose that the frame shows.
-    PublishedPicture image; ///< rgb8
-    PublishedPicture depth; ///< As REP 118 says; none without NodeOptions::depth.
+    Stamp stamp{};           ///< Time of the pose that the frame shows.
+    PublishedPicture image;  ///< rgb8
+    PublishedPicture depth;  ///< As REP 118 says; none without NodeOptions::depth.
+    PublishedPicture labels; ///< 16UC1; none without NodeOptions::overlay.
     Calibration calibration;
 };
 
@@ -111,6 +112,9 @@ class CameraNode {
     /// The topic of depth images, relative to the camera's name space: camera/depth/image for 32FC1 and
     /// camera/depth/image_raw for 16UC1 (REP 118). Empty without depth images.
     std::string depthTopic() const;
+    /// The topic of pictures that tell the laid-in object of each pixel, likewise: the overlay's labels,
+    /// 65535 for an object without one, 0 for the room. Empty without an overlay.
+    std::string labelsTopic() const;
 
     /// isStatic: the transform came on /tf_static and holds at all times.
     void takeTransform(const Transform& transform, bool isStatic);

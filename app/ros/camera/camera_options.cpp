@@ -58,6 +58,7 @@ simulator::CameraOptions cameraOptions(const NodeOptions& options) {
     camera.pace = simulator::pace(options.pace);
     if (options.overlay != "none") {
         camera.overlay = overlayOptions(options);
+        camera.wantsLabels = true;
     }
     camera.wantsDepth = depthEncoding(options.depth) != DepthEncoding::None;
     if (!options.sensor.empty()) {

@@ -52,8 +52,9 @@ class DdsNode {
     dds_entity_t m_diagnostics;
     std::atomic<dds_entity_t> m_depths = 0; ///< 0 without depth
     std::atomic<dds_entity_t> m_depthInfos = 0;
-    Stamp m_clock{};   ///< what /clock said last
-    CameraNode m_node; ///< after what its thread writes to
+    std::atomic<dds_entity_t> m_labels = 0; ///< 0 without an overlay
+    Stamp m_clock{};                        ///< what /clock said last
+    CameraNode m_node;                      ///< after what its thread writes to
 };
 
 DdsNode::DdsNode(const DdsOptions& options)
@@ -71,6 +72,9 @@ DdsNode::DdsNode(const DdsOptions& options)
         m_depths = m_port.writer(topic(depth), sensor_msgs_msg_dds__Image__desc, Quality::Sensor);
         m_depthInfos = m_port.writer(topic("camera/depth/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
                                      Quality::Sensor);
+    }
+    if (const std::string labels = m_node.labelsTopic(); !labels.empty()) {
+        m_labels = m_port.writer(topic(labels), sensor_msgs_msg_dds__Image__desc, Quality::Sensor);
     }
     readPoses();
     readCamera();
@@ -141,6 +145,10 @@ void DdsNode::publish(const PublishedFrame& frame) {
         DdsPort::write(m_depthInfos, &info);
         DdsPort::write(m_depths, &depth);
     }
+    if (m_labels != 0 && frame.labels.bytes != nullptr) {
+        const ImageMessage labels = imageOf(frame, frame.labels, frameId);
+        DdsPort::write(m_labels, &labels);
+    }
 }
 
 void DdsNode::publishDiagnostics() {
@@ -174,7 +182,7 @@ Stamp DdsNode::now() const {
 
 bool DdsNode::hasReaders() const {
     const auto is = [](dds_entity_t writer) { return writer != 0 && DdsPort::readersOf(writer) > 0; };
-    return is(m_images) || is(m_infos) || is(m_depths) || is(m_depthInfos);
+    return is(m_images) || is(m_infos) || is(m_depths) || is(m_depthInfos) || is(m_labels);
 }
 
 void DdsNode::run(const std::stop_token& stop) {

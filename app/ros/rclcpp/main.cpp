@@ -103,6 +103,7 @@ class RclcppNode : public rclcpp::Node {
     rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_infos;
     rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_depths; ///< null unless depth is wanted
     rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_depthInfos;
+    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_labels; ///< null without an overlay
     rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr m_diagnostics;
     std::unique_ptr<CameraNode> m_node;
     std::vector<rclcpp::SubscriptionBase::SharedPtr>
@@ -127,6 +128,9 @@ RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
         m_depths = create_publisher<sensor_msgs::msg::Image>(depth, rclcpp::QoS(2));
         m_depthInfos =
             create_publisher<sensor_msgs::msg::CameraInfo>("camera/depth/camera_info", rclcpp::QoS(2));
+    }
+    if (const std::string labels = m_node->labelsTopic(); !labels.empty()) {
+        m_labels = create_publisher<sensor_msgs::msg::Image>(labels, rclcpp::QoS(2));
     }
     subscribePoses();
     for (const OverlayTopic topic : m_node->overlayTopics()) {
@@ -186,7 +190,8 @@ void RclcppNode::subscribe(OverlayTopic topic) {
 bool RclcppNode::hasListeners() const {
     return m_images->get_subscription_count() > 0 || m_infos->get_subscription_count() > 0 ||
            (m_depths &&
-            (m_depths->get_subscription_count() > 0 || m_depthInfos->get_subscription_count() > 0));
+            (m_depths->get_subscription_count() > 0 || m_depthInfos->get_subscription_count() > 0)) ||
+           (m_labels && m_labels->get_subscription_count() > 0);
 }
 
 void RclcppNode::publish(const PublishedFrame& frame) {
@@ -203,6 +208,12 @@ void RclcppNode::publish(const PublishedFrame& frame) {
         fillImage(*depth, frame.depth);
         m_depthInfos->publish(*info);
         m_depths->publish(std::move(depth));
+    }
+    if (m_labels && frame.labels.bytes != nullptr) {
+        auto labels = std::make_unique<sensor_msgs::msg::Image>();
+        labels->header = info->header;
+        fillImage(*labels, frame.labels);
+        m_labels->publish(std::move(labels));
     }
     m_infos->publish(std::move(info));
     m_images->publish(std::move(image));

@@ -84,6 +84,7 @@ class Ros1Node {
     image_transport::ImageTransport m_transport;
     image_transport::CameraPublisher m_publisher;
     image_transport::CameraPublisher m_depthPublisher; ///< unless no depth is wanted
+    ::ros::Publisher m_labels; ///< Unless there is no overlay. No transport that may lose pixels.
     ::ros::Publisher m_diagnostics;
     sensor_msgs::Image m_image;     ///< of the rendering thread
     sensor_msgs::CameraInfo m_info; ///< of the rendering thread
@@ -131,6 +132,9 @@ Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
         m_depthPublisher =
             m_transport.advertiseCamera(depth, frameQueue(options), changed, changed, changed, changed);
     }
+    if (const std::string labels = m_node.labelsTopic(); !labels.empty()) {
+        m_labels = m_handle.advertise<sensor_msgs::Image>(labels, frameQueue(options), changed, changed);
+    }
     m_diagnostics = m_handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
     m_service = m_handle.advertiseService("camera/set_camera_info", &Ros1Node::setCamera, this);
     m_subscribers.push_back(m_handle.subscribe<tf2_msgs::TFMessage>(
@@ -169,7 +173,8 @@ void Ros1Node::subscribe(OverlayTopic topic) {
 
 void Ros1Node::listen() {
     m_node.setListening(m_publisher.getNumSubscribers() > 0 ||
-                        (m_depthPublisher && m_depthPublisher.getNumSubscribers() > 0));
+                        (m_depthPublisher && m_depthPublisher.getNumSubscribers() > 0) ||
+                        (m_labels && m_labels.getNumSubscribers() > 0));
 }
 
 void Ros1Node::publish(const PublishedFrame& frame) {
@@ -182,6 +187,10 @@ void Ros1Node::publish(const PublishedFrame& frame) {
     if (m_depthPublisher && frame.depth.bytes != nullptr) {
         fillImage(m_image, frame.depth);
         m_depthPublisher.publish(m_image, m_info);
+    }
+    if (m_labels && frame.labels.bytes != nullptr) {
+        fillImage(m_image, frame.labels);
+        m_labels.publish(m_image);
     }
 }
 

@@ -125,6 +125,16 @@ class GazeboObjects : public Gazebo {
         m_colour.Publish(colour);
     }
 
+    /// The labels of this stamp.
+    static std::optional<gz::Image> labelled(Listener& listener, Stamp stamp) {
+        for (const gz::Image& message : listener.labels()) {
+            if (stampOf(message.header()) == stamp) {
+                return message;
+            }
+        }
+        return std::nullopt;
+    }
+
     /// The picture of this stamp, with the objects in it.
     static std::optional<gz::Image> laid(Listener& listener, Stamp stamp) {
         for (const gz::Param& report : listener.reports()) {
@@ -179,6 +189,10 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
         publish(stamp);
         simulation.robotAt(stamp, 0.8, 0.3);
         ASSERT_TRUE(waitUntil([&] { return laid(listener, stamp).has_value(); })) << program->errors();
+        ASSERT_TRUE(waitUntil([&] { return labelled(listener, stamp).has_value(); })) << program->errors();
+        const gz::Image labels = labelled(listener, stamp).value();
+        EXPECT_EQ(labels.pixel_format_type(), gz::L_INT16);
+        ASSERT_EQ(labels.data().size(), 2U * 160 * 120);
         const gz::Image picture = laid(listener, stamp).value();
         const RgbImage photo = expected(0.8, 0.3);
         for (int y = 0; y < 120; ++y) {
@@ -189,6 +203,9 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
                     isObject(x, y) ? "\x0a\xc8\x14"
                                    : std::string(reinterpret_cast<const char*>(photo.at(x, y)), 3);
                 ASSERT_EQ(seen, wanted) << x << " " << y;
+                const std::string label =
+                    labels.data().substr(static_cast<std::size_t>(2 * (160 * y + x)), 2);
+                ASSERT_EQ(label, std::string(isObject(x, y) ? "\x0a\0" : "\0\0", 2)) << x << " " << y;
             }
         }
     }

@@ -51,6 +51,7 @@ class Listener {
         listen(topic + "/image", m_images);
         listen(topic + "/camera_info", m_infos);
         listen(topic + "/report", m_reports);
+        listen(topic + "/labels", m_labels);
     }
 
     /// The messages once there are as many of each. A test fails if that takes a minute.
@@ -76,6 +77,8 @@ class Listener {
     std::vector<gz::CameraInfo> infos() { return copy(m_infos); }
 
     std::vector<gz::Param> reports() { return copy(m_reports); }
+
+    std::vector<gz::Image> labels() { return copy(m_labels); }
 
   private:
     template <class Message>
@@ -103,7 +106,8 @@ class Listener {
     std::vector<gz::Image> m_images;
     std::vector<gz::CameraInfo> m_infos;
     std::vector<gz::Param> m_reports;
-    Node m_node; ///< last: its callbacks use the others
+    std::vector<gz::Image> m_labels; ///< none without an overlay
+    Node m_node;                     ///< last: its callbacks use the others
 };
 
 /// In Gazebo's place: says where a robot is whose camera is 1 m above it.

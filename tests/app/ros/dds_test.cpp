@@ -313,13 +313,25 @@ TEST_F(DdsTest, LaysASimulatorsObjectsInBetweenTwoTransforms) {
         message.data._buffer = static_cast<std::uint8_t*>(data);
         DdsPort::write(writer, &message);
     };
+    std::vector<Image> labels;
+    DdsPort listener(domain);
+    listener.read<ImageMessage>("/robot/camera/labels/image_raw", sensor_msgs_msg_dds__Image__desc,
+                                Quality::Sensor, [&](const ImageMessage& message) {
+                                    takeImage(message);
+                                    labels.push_back(images.back());
+                                    images.pop_back();
+                                });
     moveUntil("a frame", [&] {
         send(colour, "rgb8", 480, green.data());
         send(depth, "32FC1", 640, metres.data());
-        return !images.empty();
+        listener.spinFor(20ms);
+        return !images.empty() && !labels.empty();
     });
     EXPECT_EQ(images.back().stamp.count() % 10'000'000, 5'000'000) << "that of the overlay";
     EXPECT_EQ(images.back().data, green);
+    EXPECT_EQ(labels.back().stamp.count() % 10'000'000, 5'000'000);
+    EXPECT_EQ(labels.back().encoding, "16UC1");
+    EXPECT_EQ(labels.back().data, std::vector<std::uint8_t>(2 * kPixels, 255)) << "objects without a label";
 }
 
 TEST_F(DdsTest, RefusesInASentence) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace spherewalk::simulator {
@@ -35,7 +36,7 @@ class Objects : public testing::Test {
 
     /// How many pixels are shown, all of which have the picture's colour.
     int shown(const OverlayOptions& options) {
-        ObjectOverlay objects(options, dataset, camera, 1);
+        ObjectOverlay objects(options, false, dataset, camera, 1);
         const render::Overlay overlay = objects.overlay(parts, pose, render::SceneKind::Sphere);
         int count = 0;
         for (int y = 0; y < camera.height; ++y) {
@@ -115,13 +116,31 @@ TEST_F(Objects, AreHiddenByTheScenesSurfacesAndElseByTheSimulatorsRoomAlone) {
     const auto hasOwnRoom = [this](ObjectsBy by, render::SceneKind scene) {
         OverlayOptions options;
         options.by = by;
-        return !ObjectOverlay(options, dataset, camera, 1).overlay(parts, pose, scene).roomDepth.empty();
+        return !ObjectOverlay(options, false, dataset, camera, 1)
+                    .overlay(parts, pose, scene)
+                    .roomDepth.empty();
     };
     EXPECT_TRUE(hasOwnRoom(ObjectsBy::Labels, render::SceneKind::Sphere));
     EXPECT_TRUE(hasOwnRoom(ObjectsBy::Depth, render::SceneKind::None));
     EXPECT_FALSE(hasOwnRoom(ObjectsBy::Labels, render::SceneKind::Depth));
     EXPECT_FALSE(hasOwnRoom(ObjectsBy::Depth, render::SceneKind::Room));
     EXPECT_FALSE(hasOwnRoom(ObjectsBy::Alone, render::SceneKind::Sphere));
+}
+
+TEST_F(Objects, KeepTheSimulatorsLabelsAndHaveOneWithout) {
+    put(2, 3, 1.5F, 10);
+    put(3, 3, 1.5F, 0); // a model that nobody gave a label
+    OverlayOptions options;
+    options.roomLabels = {1};
+    const auto labelsOf = [&] {
+        const render::LabelImage labels =
+            ObjectOverlay(options, true, dataset, camera, 2).overlay(parts, pose, {}).labels;
+        return std::array{*labels.at(2, 3), *labels.at(3, 3), *labels.at(4, 3)};
+    };
+    EXPECT_EQ(labelsOf(), (std::array<std::uint16_t, 3>{10, kUnlabelled, 0}));
+    parts.labels = {};
+    options.by = ObjectsBy::Depth;
+    EXPECT_EQ(labelsOf(), (std::array<std::uint16_t, 3>{kUnlabelled, kUnlabelled, 0}));
 }
 
 TEST_F(Objects, CannotBeToldByDepthWithoutAnOutline) {

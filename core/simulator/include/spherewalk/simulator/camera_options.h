@@ -43,6 +43,9 @@ enum class ObjectsBy {
     Alone,  ///< The depth camera sees objects only.
 };
 
+/// In View::labels, an object that the simulator gives no label.
+inline constexpr std::uint16_t kUnlabelled = 65535;
+
 /// The words "labels", "depth", "alone". Errors: objectsBy() throws InvalidInput for another word.
 std::string_view name(ObjectsBy by);
 ObjectsBy objectsBy(std::string_view name);
@@ -113,6 +116,9 @@ struct CameraOptions {
     /// Whether View::depth is made, with the laid-in objects and the errors of the sensor: the depth image of
     /// an RGB-D camera, at the frame's stamp. View::depth is empty where the scene model knows none.
     bool wantsDepth = false;
+    /// Whether View::labels is made of the laid-in objects: the simulator's labels, or kUnlabelled; 0 is the
+    /// room.
+    bool wantsLabels = false;
 
     /// Errors: InvalidInput.
     void validate() const;
