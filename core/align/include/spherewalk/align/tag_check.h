@@ -32,9 +32,9 @@ struct TagFrame {
 TagFrame tagFrame(std::span<const PhotoPrior> photos, std::span<const PairEstimate> estimates);
 
 /// Length of the tags' y axis over that of their x axis, by where the photos were found to be: the pictures
-/// give the shape of the solved places, whatever its scale. It is far better known than from directions alone.
-/// A few wrong tags do not change it. Empty for fewer than 6 photos, and for photos on one line. Shape: one
-/// entry a photo in both. Units: metres.
+/// give the shape of the solved places, whatever its scale. It is far better known than from directions
+/// alone. A few wrong tags do not change it. Empty for fewer than 6 photos, and for photos on one line.
+/// Shape: one entry a photo in both. Units: metres.
 std::optional<Scale> yOverX(std::span<const Eigen::Vector2d> tagged, std::span<const Eigen::Vector2d> solved);
 
 /// Length of the solved positions over their true length: how far the floor that the matches show lies below
