@@ -66,7 +66,7 @@ void setHeader(msgs::Header& header, simulator::Stamp stamp, const std::string& 
 void setImage(msgs::Image& message, const RgbImage& picture);
 /// As Gazebo's depth cameras: single precision, metres along the optical axis.
 void setDepth(msgs::Image& message, const DepthImage& depth);
-/// One channel of 16 bits, as Gazebo has no format for labels above 255.
+/// One channel of 16 bits (L_INT16): Gazebo's own pictures of labels hold 255 at most.
 void setLabels(msgs::Image& message, const render::LabelImage& labels);
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 
