@@ -27,8 +27,13 @@ constexpr double kLeastSigmaRad = 5e-5;
 constexpr double kReachSigmas = 5;
 constexpr double kReachRad = 0.003;
 constexpr int kMostSteps = 30;
-/// Beside the best pose one with such a misfit may be the right one, too.
-constexpr double kAlsoFits = 6;
+/// Beside the best pose, one is surely wrong whose squared misses, in their variances, add up to so much
+/// more.
+constexpr double kSurelyWorse = 25;
+/// Or that misses so many times as much. Deviations are stated too large where a tag's whole place is
+/// uncertain. By chance, one of a hundred does: a tag leaves two numbers of eight over.
+constexpr double kTimesWorse = 10;
+constexpr double kTinyMisfit = 0.01; ///< Rounding leaves as much.
 
 /// A tag whose place is known, as the picture shows it.
 struct CommonTag {
@@ -205,9 +210,15 @@ class Consensus {
             }
         }
         std::ranges::stable_sort(m_best, {}, &TagPose::misfit);
-        std::erase_if(m_best, [this](const TagPose& pose) {
-            return pose.misfit > kAlsoFits * std::max(1.0, m_best.front().misfit);
-        });
+        if (!m_best.empty()) {
+            const double best = m_best.front().misfit;
+            std::erase_if(m_best, [best](const TagPose& pose) {
+                const double count = 8.0 * static_cast<double>(pose.numbers.size()); // two a corner
+                const double more = count * (pose.misfit * pose.misfit - best * best);
+                return more > kSurelyWorse * std::max(1.0, best * best) ||
+                       pose.misfit > kTimesWorse * std::max(best, kTinyMisfit);
+            });
+        }
         return m_best;
     }
 

@@ -40,7 +40,7 @@ class PageTest : public testing::Test {
         QCoreApplication::processEvents();
     }
 
-    test::PhotographedSurvey survey{2, 256};
+    test::PhotographedSurvey survey{2, 512};
     TaskList tasks;
     std::unique_ptr<SurveySession> session =
         SurveySession::open(QString::fromStdString(survey.path().string()));
