@@ -69,8 +69,8 @@ TagCells tagCells(int number) {
         TagCells cells;
         for (int row = 0; row < kInner; ++row) {
             for (int column = 0; column < kInner; ++column) {
-                cells[static_cast<std::size_t>((row + 1) * kTagCells + column + 1)] =
-                    bits.at<std::uint8_t>(row, column) != 0;
+                const int cell = (row + 1) * kTagCells + column + 1;
+                cells[static_cast<std::size_t>(cell)] = bits.at<std::uint8_t>(row, column) != 0;
             }
         }
         return cells;

@@ -124,8 +124,9 @@ class Pattern {
 
   private:
     bool isWhite(int row, int column) const {
+        const int cell = row * kTagCells + column;
         return row < 0 || column < 0 || row >= kTagCells || column >= kTagCells ||
-               m_cells[static_cast<std::size_t>(row * kTagCells + column)];
+               m_cells[static_cast<std::size_t>(cell)];
     }
 
     TagCells m_cells;

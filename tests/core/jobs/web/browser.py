@@ -23,7 +23,7 @@ def program():
 
 
 class Browser:
-    def __init__(self, width=1280, height=800):
+    def __init__(self, width=1000, height=600):  # a larger picture is slow without a graphics card
         self.profile = tempfile.TemporaryDirectory(prefix="spherewalk-browser-", ignore_cleanup_errors=True)
         to_browser, self.writes = os.pipe()
         self.reads, from_browser = os.pipe()
