@@ -43,7 +43,8 @@ void drawTag(PdfPages& pages, const Vector2d& at, double sizeMm, int number) {
     std::vector<Polygon> white;
     for (int row = 0; row < photo::kTagCells; ++row) {
         for (int column = 0; column < photo::kTagCells; ++column) {
-            if (cells[static_cast<std::size_t>(row * photo::kTagCells + column)]) {
+            const int cell = row * photo::kTagCells + column;
+            if (cells[static_cast<std::size_t>(cell)]) {
                 white.push_back(square(at + cellMm * Vector2d(column, row), cellMm));
             }
         }
