@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/geometry/rotation_vector.h"
 
 #include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>
@@ -46,9 +47,7 @@ struct CommonTag {
 };
 
 Rigid3 stepped(const Rigid3& pose, const PoseStep& change) {
-    const double angle = change.head<3>().norm();
-    const Vector3d axis = angle > 0 ? Vector3d(change.head<3>() / angle) : Vector3d::UnitX();
-    return pose * Rigid3{Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)), change.tail<3>()};
+    return pose * Rigid3{turn(change.head<3>()), change.tail<3>()};
 }
 
 Vector3d missOf(const Rigid3& cameraFromRoom, const Vector3d& pInRoom, const Vector3d& direction) {
@@ -90,10 +89,8 @@ TagSums tagSums(const Rigid3& pose, std::span<const CommonTag> tags) {
             const double range = std::max(p.norm(), 1e-9);
             const Vector3d unit = p / range;
             const Matrix3d across = (Matrix3d::Identity() - unit * unit.transpose()) / (range * sigma);
-            Matrix3d skew;
-            skew << 0, -p.z(), p.y(), p.z(), 0, -p.x(), -p.y(), p.x(), 0;
             Eigen::Matrix<double, 3, 6> slopes;
-            slopes << across * skew, -across;
+            slopes << across * skew(p), -across;
             const Vector3d miss = (unit - tag.seen->directions[i]) / sigma;
             sums.normal += slopes.transpose() * slopes;
             sums.gradient += slopes.transpose() * miss;
@@ -173,12 +170,9 @@ std::vector<Rigid3> posesBy(const CommonTag& tag) {
     }
     std::vector<Rigid3> poses;
     for (std::size_t i = 0; i < turns.size(); ++i) {
-        const Vector3d turn(turns[i].at<double>(0), turns[i].at<double>(1), turns[i].at<double>(2));
+        const Vector3d turned(turns[i].at<double>(0), turns[i].at<double>(1), turns[i].at<double>(2));
         const Vector3d shift(shifts[i].at<double>(0), shifts[i].at<double>(1), shifts[i].at<double>(2));
-        const double angle = turn.norm();
-        const Rigid3 turnedFromTag{Eigen::Quaterniond(Eigen::AngleAxisd(
-                                       angle, angle > 0 ? Vector3d(turn / angle) : Vector3d::UnitX())),
-                                   shift};
+        const Rigid3 turnedFromTag{turn(turned), shift};
         const Rigid3 pose =
             roomFromTag * (Rigid3{cameraFromTurned, Vector3d::Zero()} * turnedFromTag).inverse();
         if (isPose(pose)) {

@@ -92,11 +92,11 @@ std::string roomModel(const WorldRoom& room) {
         surfaces += surface(one.name, pose(one.middle.x(), one.middle.y(), one.middle.z(), one.yaw),
                             box(one.sizeM.x(), one.sizeM.y(), one.sizeM.z()));
     }
-    if (!room.furniture.empty()) {
+    if (!room.furnitureMesh.empty()) {
         surfaces +=
             surface("furniture", pose(0, 0, 0), tag("geometry", tag("mesh", tag("uri", kFurnitureFile))));
     }
-    for (std::size_t i = 0; i < room.obstacles.size() && room.furniture.empty(); ++i) {
+    for (std::size_t i = 0; i < room.obstacles.size() && !room.hasFurniture(); ++i) {
         surfaces += surface(text("obstacle_", i), pose(0, 0, room.floorM),
                             prism(room.obstacles[i].outline, room.obstacles[i].heightM));
     }
@@ -255,26 +255,6 @@ std::vector<WorldBox> boxesOf(const WorldRoom& room) {
         boxes.push_back(wall(room, outline, i));
     }
     return boxes;
-}
-
-std::string furnitureMesh(const WorldRoom& room) {
-    // Corners have bit 0 for the greater x, 1 for y and 2 for z.
-    constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
-        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-    std::string mesh = "# spherewalk, metres, z up\n";
-    for (std::size_t i = 0; i < room.furniture.size(); ++i) {
-        mesh += text("o furniture_", i, "\n");
-        for (int k = 0; k < 8; ++k) {
-            const Eigen::Vector3d at = room.furniture[i].corner(Eigen::AlignedBox3d::CornerType(k));
-            mesh += text("v ", fixed(at.x(), 4), " ", fixed(at.y(), 4), " ", fixed(at.z(), 4), "\n");
-        }
-        for (const auto& [a, b, c, d] : kFaces) {
-            const std::size_t first = 8 * i + 1;
-            mesh += text("f ", first + a, " ", first + b, " ", first + c, "\n", "f ", first + a, " ",
-                         first + c, " ", first + d, "\n");
-        }
-    }
-    return mesh;
 }
 
 std::string worldIdentifier(std::string_view name) {

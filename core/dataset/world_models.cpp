@@ -40,7 +40,7 @@ std::vector<WorldBox> solidsOf(const WorldRoom& room) {
     for (std::size_t i = 0; i < room.furniture.size(); ++i) {
         boxes.push_back({text("furniture_", i), room.furniture[i].center(), 0, room.furniture[i].sizes()});
     }
-    for (std::size_t i = 0; i < room.obstacles.size() && room.furniture.empty(); ++i) {
+    for (std::size_t i = 0; i < room.obstacles.size() && !room.hasFurniture(); ++i) {
         addSides(room.obstacles[i], text("obstacle_", i), room.floorM, boxes);
     }
     return boxes;

@@ -42,7 +42,7 @@
     part("state").className = photo.state;
     part("state").textContent = place.has_review ? verdict.join("; ") : "";
     part("place").textContent = photo.sigma_position_m > 0
-      ? filled(words.within, x, y, z, number(photo.sigma_position_m, 3)) : filled(words.at, x, y, z);
+      ? filled(words.within, x, y, z, number(Math.max(photo.sigma_position_m, 0.001), 3)) : filled(words.at, x, y, z);
     part("note").textContent = photo.note === "" ? "" : filled(words.note, photo.note);
     list("findings", [
       ...photo.findings,

@@ -30,24 +30,15 @@ bool PagePresenter::canExport() const {
     return session() != nullptr && session()->state().counts.stationsWithPhoto > 0 && task() == nullptr;
 }
 
-/// A folder beside the survey that does not exist yet.
-QString PagePresenter::freeFolder() const {
-    const QFileInfo survey(QString::fromStdString(session()->path().string()));
-    const QString base = survey.dir().filePath(survey.completeBaseName());
-    QString folder = base + QStringLiteral(".web");
-    for (int i = 2; QFileInfo::exists(folder); ++i) {
-        folder = base + QStringLiteral("-%1.web").arg(i);
-    }
-    return folder;
-}
-
 void PagePresenter::exportNow() {
     if (!canExport()) {
         return;
     }
     m_words.clear();
     m_page.clear();
-    const QString folder = freeFolder();
+    const QFileInfo survey(QString::fromStdString(session()->path().string()));
+    const QString folder =
+        freeFolder(survey.dir().filePath(survey.completeBaseName()), QStringLiteral(".web"));
     const QString measured =
         Settings().measuredReport(QString::fromStdString(session()->store().info().uuid));
     const jobs::WebOptions options{QLocale().bcp47Name().toStdString(), pageWord, measured.toStdString()};

@@ -46,7 +46,6 @@ class PagePresenter : public SurveyPresenter {
   private:
     void read() override { emit changed(); }
 
-    QString freeFolder() const;
     void show(const QString& folder, const jobs::WebReport& report);
     void ended(const Task& task);
 

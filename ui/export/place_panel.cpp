@@ -35,17 +35,6 @@ void PlacePresenter::setDataset(const QString& folder) {
     emit changed();
 }
 
-/// A folder beside the dataset that does not exist yet.
-QString PlacePresenter::freeFolder() const {
-    const QFileInfo dataset(m_dataset);
-    const QString base = dataset.path() + QLatin1Char('/') + dataset.completeBaseName();
-    QString folder = base + QStringLiteral(".place");
-    for (int i = 2; QFileInfo::exists(folder); ++i) {
-        folder = base + QStringLiteral("-%1.place").arg(i);
-    }
-    return folder;
-}
-
 void PlacePresenter::exportNow(const std::set<jobs::PlaceFormat>& formats) {
     if (!canExport()) {
         return;
@@ -54,7 +43,9 @@ void PlacePresenter::exportNow(const std::set<jobs::PlaceFormat>& formats) {
     m_exported.clear();
     jobs::PlaceOptions options;
     options.formats = formats;
-    const QString folder = freeFolder();
+    const QFileInfo dataset(m_dataset);
+    const QString folder =
+        freeFolder(dataset.dir().filePath(dataset.completeBaseName()), QStringLiteral(".place"));
     m_task = m_tasks.start(
         tr("Writing the place of %1").arg(QFileInfo(m_dataset).fileName()), this,
         [dataset = fs::path(m_dataset.toStdString()), to = fs::path(folder.toStdString()),

@@ -53,7 +53,6 @@ class PlacePresenter : public QObject {
     void changed();
 
   private:
-    QString freeFolder() const;
     void show(const QString& folder, const jobs::PlaceReport& report);
     void ended(const Task& task);
 

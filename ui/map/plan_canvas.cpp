@@ -224,4 +224,13 @@ void PlanCanvas::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+double distanceTo(const QPointF& point, const QLineF& line) {
+    if (line.length() == 0) {
+        return QLineF(point, line.p1()).length();
+    }
+    const QPointF along = line.p2() - line.p1();
+    const double t = QPointF::dotProduct(point - line.p1(), along) / QPointF::dotProduct(along, along);
+    return QLineF(point, line.pointAt(std::clamp(t, 0.0, 1.0))).length();
+}
+
 } // namespace spherewalk::ui

@@ -82,4 +82,7 @@ class PlanCanvas : public QWidget {
 QPointF mapped(const Eigen::Vector2d& place, const QTransform& widgetFromRoom);
 QPolygonF mapped(const Polygon& polygon, const QTransform& widgetFromRoom);
 
+/// Returns the distance from the point to the line, which ends at its two points.
+double distanceTo(const QPointF& point, const QLineF& line);
+
 } // namespace spherewalk::ui

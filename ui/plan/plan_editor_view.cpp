@@ -23,14 +23,6 @@ QPointF pointOf(const Vector2d& vector) {
     return {vector.x(), vector.y()};
 }
 
-/// Returns the distance from the point to the segment.
-double distanceTo(const QPointF& point, const QPointF& begin, const QPointF& end) {
-    const Vector2d along = vectorOf(end - begin);
-    const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? std::clamp(vectorOf(point - begin).dot(along) / length2, 0.0, 1.0) : 0;
-    return (vectorOf(point - begin) - t * along).norm();
-}
-
 } // namespace
 
 PlanEditorView::PlanEditorView(PlanEditor& editor, QWidget* parent)
@@ -106,7 +98,7 @@ PlanPart PlanEditorView::wallAt(const QPointF& at) const {
     for (int i = count - 1; i >= 0; --i) {
         const QPolygonF corners = mapped(m_editor.polygon(i), transform);
         for (qsizetype k = 0; k < corners.size(); ++k) {
-            if (distanceTo(at, corners[k], corners[(k + 1) % corners.size()]) <= kReachPx) {
+            if (distanceTo(at, QLineF(corners[k], corners[(k + 1) % corners.size()])) <= kReachPx) {
                 return {i, static_cast<int>(k)};
             }
         }

@@ -29,15 +29,6 @@ Vector2d onLine(const RailPlacement& rail, const Vector2d& place) {
     return rail.origin + (place - rail.origin).dot(directionOf(rail)) * directionOf(rail);
 }
 
-double distanceTo(const QPointF& point, const QLineF& line) {
-    if (line.length() == 0) {
-        return QLineF(point, line.p1()).length();
-    }
-    const QPointF along = line.p2() - line.p1();
-    const double t = QPointF::dotProduct(point - line.p1(), along) / QPointF::dotProduct(along, along);
-    return QLineF(point, line.pointAt(std::clamp(t, 0.0, 1.0))).length();
-}
-
 } // namespace
 
 QString RailTool::hint() {

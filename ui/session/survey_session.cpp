@@ -3,6 +3,8 @@
 
 #include "spherewalk/base/error.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 
 namespace spherewalk::ui {
@@ -136,6 +138,14 @@ void SurveyPresenter::refresh() {
     if (m_isShown) {
         read();
     }
+}
+
+QString freeFolder(const QString& base, const QString& ending) {
+    QString folder = base + ending;
+    for (int i = 2; QFileInfo::exists(folder); ++i) {
+        folder = QStringLiteral("%1-%2%3").arg(base).arg(i).arg(ending);
+    }
+    return folder;
 }
 
 } // namespace spherewalk::ui

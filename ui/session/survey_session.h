@@ -172,4 +172,7 @@ class SurveyPresenter : public QObject {
     bool m_isStale = false;
 };
 
+/// Returns base + ending, or base-2 + ending and so on: a folder that does not exist yet.
+QString freeFolder(const QString& base, const QString& ending);
+
 } // namespace spherewalk::ui

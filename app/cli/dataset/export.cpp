@@ -128,19 +128,21 @@ Result exportWorld(const ExportArguments& options, jobs::WorldFormat format, Con
                                                            : render::readCameraInfo(options.camera);
     dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
     room.validate();
-    std::string mesh;
     if (jobs::hasDepths(options.survey)) {
         requireAbsent(options.dataset, "the world");
         jobs::Furniture furniture =
             jobs::furnitureOf(options.survey, {room.outline, room.floorM, room.ceilingM}, options.place,
                               context.progress, context.stop);
-        mesh = place::objFile(furniture.mesh);
+        if (!furniture.mesh.triangles.empty()) {
+            room.furnitureMesh = place::objFile(furniture.mesh);
+        }
         room.furniture = std::move(furniture.boxes);
     }
-    const std::string file = jobs::exportWorld(room, camera, format, options.dataset, mesh);
-    const std::size_t obstacles = room.furniture.empty() ? room.obstacles.size() : 0;
-    const std::string things = room.furniture.empty()
-                                   ? counted(obstacles, "obstacle", "obstacles")
+    const std::string file = jobs::exportWorld(room, camera, format, options.dataset);
+    const std::size_t obstacles = room.hasFurniture() ? 0 : room.obstacles.size();
+    const std::string things = !room.hasFurniture() ? counted(obstacles, "obstacle", "obstacles")
+                               : format == jobs::WorldFormat::Sdf
+                                   ? "furniture as a mesh"
                                    : text("furniture of ", counted(room.furniture.size(), "box", "boxes"));
     return {{{"folder", options.dataset},
              {"file", file},
@@ -178,12 +180,14 @@ Result exportWeb(const ExportArguments& options, Context& context) {
         jobs::exportWeb(options.survey, options.dataset, page, context.progress, context.stop);
     Json json = jobs::toJson(report);
     json["folder"] = options.dataset;
-    return {json,
-            text("Wrote a page of ", counted(report.photos, "photo", "photos"), " to ", options.dataset, ": ",
-                 humanBytes(report.totalBytes), " in ",
-                 humanDuration(std::chrono::duration<double>(report.depthSeconds + report.seconds)),
-                 ". Open index.html in a browser.\nDistances can be measured in ", report.withDepth,
-                 " of them. ", counted(report.leftOut, "station has", "stations have"), " no photo on it.")};
+    return {json, text("Wrote a page of ", counted(report.photos, "photo", "photos"), " to ", options.dataset,
+                       ": ", humanBytes(report.totalBytes), " in ",
+                       humanDuration(std::chrono::duration<double>(report.depthSeconds + report.seconds)),
+                       ". Open index.html in a browser.\nDistances can be measured in ", report.withDepth,
+                       " of them.",
+                       report.leftOut > 0 ? text(" ", counted(report.leftOut, "station has", "stations have"),
+                                                 " no photo on it.")
+                                          : "")};
 }
 
 /// Errors: InvalidInput for what learners want, in an export that is not for them.

@@ -10,14 +10,6 @@
 
 namespace spherewalk::align {
 
-Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad) {
-    const double angle = turnRad.norm();
-    const double half = angle / 2;
-    // Near zero the division loses all digits; the series of sin(angle / 2) / angle keeps them.
-    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48 : std::sin(half) / angle;
-    return {std::cos(half), scale * turnRad.x(), scale * turnRad.y(), scale * turnRad.z()};
-}
-
 Eigen::Vector3d turnVector(const Eigen::Quaterniond& rotation) {
     const double sign = rotation.w() < 0 ? -1 : 1;
     const Eigen::Vector3d axis = sign * rotation.vec();

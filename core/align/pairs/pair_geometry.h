@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/align/photo_pair.h"
+#include "spherewalk/geometry/rotation_vector.h"
 
 #include <Eigen/Geometry>
 
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace spherewalk::align {
-
-/// The matrix of the cross product: skew(a) * b = a x b.
-inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
-    Eigen::Matrix3d matrix;
-    matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-    return matrix;
-}
-
-/// The rotation about this vector by its length, in radians.
-Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad);
 
 /// The vector that turn() takes to the rotation. Its length is in [0, pi].
 Eigen::Vector3d turnVector(const Eigen::Quaterniond& rotation);

@@ -23,7 +23,7 @@ Eigen::Vector3d vectorOf(const Unknowns::Block& block) {
 } // namespace
 
 PhotoState Unknowns::state(std::size_t i) const {
-    PhotoState state{align::turn(vectorOf(turn[i])) * reference[i], plannedM[i] + vectorOf(offset[i]),
+    PhotoState state{spherewalk::turn(vectorOf(turn[i])) * reference[i], plannedM[i] + vectorOf(offset[i]),
                      lenses};
     if (rail[i] >= 0) {
         const auto on = static_cast<std::size_t>(rail[i]);
@@ -59,7 +59,7 @@ Eigen::Matrix3d Unknowns::positionByPlacement(std::size_t i) const {
 
 void Unknowns::rebase() {
     for (std::size_t i = 0; i < photo.size(); ++i) {
-        reference[i] = (align::turn(vectorOf(turn[i])) * reference[i]).normalized();
+        reference[i] = (spherewalk::turn(vectorOf(turn[i])) * reference[i]).normalized();
         turn[i] = {};
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/export_foreign.h"
 
+#include "export/source_dataset.h"
 #include "parts/csv.h"
 
 #include "spherewalk/base/enum_names.h"
@@ -206,15 +207,14 @@ class WithoutWarnings : public ProgressSink {
 /// What the photos that are no tests show.
 place::Surface trainingSurface(const store::SurveyStore& store, const ForeignOptions& options,
                                ProgressSink& progress, const std::stop_token& stop) {
-    const TemporaryFolder temporary("spherewalk-points");
     ExportOptions wanted;
     wanted.scene = render::SceneKind::Depth;
     wanted.testEvery = options.testEvery;
     WithoutWarnings quiet(progress);
     ProgressStep estimating(quiet, 0, 0.7);
-    exportDataset(store, temporary.path() / "dataset", wanted, estimating, stop);
+    const SourceDataset dataset(store, wanted, estimating, stop);
     ProgressStep fusing(quiet, 0.7, 1);
-    return paintedSurfaceOf(temporary.path() / "dataset", options.place, fusing, stop);
+    return paintedSurfaceOf(dataset.path(), options.place, fusing, stop);
 }
 
 } // namespace
@@ -358,13 +358,12 @@ std::optional<WorldFormat> worldFormat(std::string_view name) {
 }
 
 std::string exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera, WorldFormat format,
-                        const fs::path& folder, const std::string& mesh) {
+                        const fs::path& folder) {
     const dataset::TextFile world = worldFile(room, camera, format);
     makeFolder(folder, "the world", [&](const fs::path& unfinished) {
         writeFile(unfinished / world.path, bytesOf(world.text));
-        if (format == WorldFormat::Sdf && !room.furniture.empty()) {
-            writeFile(unfinished / dataset::kFurnitureFile,
-                      bytesOf(mesh.empty() ? dataset::furnitureMesh(room) : mesh));
+        if (format == WorldFormat::Sdf && !room.furnitureMesh.empty()) {
+            writeFile(unfinished / dataset::kFurnitureFile, bytesOf(room.furnitureMesh));
         }
         writeFile(unfinished / "camera.yaml", bytesOf(render::cameraInfoYaml(camera, "robot")));
     });

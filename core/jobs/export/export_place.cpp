@@ -221,7 +221,9 @@ SourceDataset sourceOf(const fs::path& source, ProgressSink& progress, const std
         return SourceDataset(source);
     }
     const auto survey = store::SurveyStore::open(source, store::Access::Read);
-    return {survey, render::SceneKind::Depth, progress, stop};
+    ExportOptions options;
+    options.scene = render::SceneKind::Depth;
+    return {survey, options, progress, stop};
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 
 #include "spherewalk/base/folder.h"
 #include "spherewalk/base/progress.h"
-#include "spherewalk/render/ladder.h"
+#include "spherewalk/jobs/export_dataset.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,8 +21,8 @@ class SourceDataset {
   public:
     explicit SourceDataset(std::filesystem::path dataset) : m_path(std::move(dataset)) {}
 
-    /// scene: the richest scene model. Errors: those of exportDataset(). Stop: Stopped.
-    SourceDataset(const store::SurveyStore& survey, render::SceneKind scene, ProgressSink& progress,
+    /// Errors: those of exportDataset(). Stop: Stopped.
+    SourceDataset(const store::SurveyStore& survey, const ExportOptions& options, ProgressSink& progress,
                   const std::stop_token& stop);
 
     const std::filesystem::path& path() const { return m_path; }

@@ -322,9 +322,10 @@ WebReport exportWeb(const fs::path& source, const fs::path& folder, const WebOpt
     } else {
         const auto store = store::SurveyStore::open(source, store::Access::Read);
         const SurveyWords survey(store);
-        const auto scene = survey.isAligned() ? render::SceneKind::Depth : render::SceneKind::Sphere;
+        ExportOptions wanted;
+        wanted.scene = survey.isAligned() ? render::SceneKind::Depth : render::SceneKind::Sphere;
         ProgressStep exporting(progress, 0, 0.7);
-        const SourceDataset dataset(store, scene, exporting, stop);
+        const SourceDataset dataset(store, wanted, exporting, stop);
         ProgressStep writing(progress, 0.7, 1);
         report = write(dataset.path(), &survey, folder, options, writing, stop);
         report.depthSeconds = dataset.depthSeconds();

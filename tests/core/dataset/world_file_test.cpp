@@ -214,7 +214,7 @@ class MeshedWorldFile : public WorldFile {
     static WorldRoom meshed() {
         WorldRoom room = roomWithACorner();
         room.obstacles = {{{{3, 0.5}, {4, 0.5}, {4, 1.5}, {3, 1.5}}, 0.75}};
-        room.furniture.emplace_back(Eigen::Vector3d(3, 0.5, 0), Eigen::Vector3d(4, 1.5, 0.7));
+        room.furnitureMesh = "v 0 0 0\n";
         return room;
     }
 };

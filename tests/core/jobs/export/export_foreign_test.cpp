@@ -236,13 +236,12 @@ TEST(ExportWorld, WritesTheWorldAndTheCameraThatItIsFor) {
 TEST(ExportWorld, WritesItsFurnitureBesideIt) {
     const test::TemporaryFolder folder;
     dataset::WorldRoom room = smallRoom();
-    room.furniture.emplace_back(Eigen::Vector3d(2, 1, 0), Eigen::Vector3d(3, 2, 0.7));
+    room.furnitureMesh = "v 0 0 0\n";
     exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf, folder / "world");
-    EXPECT_EQ(readTextFile(folder / "world/furniture.obj"), dataset::furnitureMesh(room));
+    EXPECT_EQ(readTextFile(folder / "world/furniture.obj"), room.furnitureMesh);
     EXPECT_THAT(readTextFile(folder / "world/world.sdf"), HasSubstr("<uri>furniture.obj</uri>"));
-    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Sdf, folder / "finer",
-                "v 0 0 0\n");
-    EXPECT_EQ(readTextFile(folder / "finer/furniture.obj"), "v 0 0 0\n");
+    exportWorld(room, CameraIntrinsics::pinhole(320, 240, 1.1), WorldFormat::Mjcf, folder / "boxes");
+    EXPECT_FALSE(std::filesystem::exists(folder / "boxes/furniture.obj"));
 }
 
 TEST(ExportWorld, ReplacesNothing) {

@@ -33,9 +33,13 @@ struct WorldRoom {
     Eigen::Vector3d cameraAt =
         Eigen::Vector3d::Zero(); ///< First place of the robot's camera, which looks along x.
     std::vector<WorldObstacle> obstacles;
-    /// Boxes that are all that stands in the room. If there are any, they take the place of the obstacles,
-    /// which still say where the robot cannot begin.
+    /// All that stands in the room, as boxes, and as a mesh (Wavefront OBJ, frame: room), which worlds for
+    /// Gazebo have. Where either is known, furniture takes the place of the obstacles, which still say where
+    /// the robot cannot begin.
     std::vector<Eigen::AlignedBox3d> furniture = {};
+    std::string furnitureMesh = {};
+
+    bool hasFurniture() const { return !furniture.empty() || !furnitureMesh.empty(); }
 
     /// Errors: InvalidInput for a defect of an outline, a ceiling that is not above the floor, an obstacle
     /// without height, and a camera that is not inside of the room.
@@ -53,10 +57,7 @@ struct WorldBox {
 /// Floor, ceiling and walls, which lie outside of the room and leave no gap. Range: a valid room.
 std::vector<WorldBox> boxesOf(const WorldRoom& room);
 
-/// The furniture as a mesh, Wavefront OBJ; each box is an object of its own. Frames: room.
-std::string furnitureMesh(const WorldRoom& room);
-
-/// The file beside the world that the world takes furnitureMesh() from.
+/// The file beside the world that the world takes its furniture's mesh from.
 inline constexpr const char* kFurnitureFile = "furniture.obj";
 
 /// A name of letters, digits, - and _ only.

@@ -83,10 +83,10 @@ enum class WorldFormat {
 std::string_view name(WorldFormat format);
 std::optional<WorldFormat> worldFormat(std::string_view name);
 
-/// Writes the world's file, and camera.yaml for the camera in it, into a new folder. mesh: with Sdf, an OBJ
-/// of the furniture that is finer than its boxes. Returns the name of the world's file. Errors: Exists, Full,
-/// Io; those of dataset::sdfWorld() and dataset::mjcfWorld(). After an error nothing is left.
+/// Writes the world's file, and camera.yaml for the camera in it, into a new folder. Returns the name of the
+/// world's file. Errors: Exists, Full, Io; those of dataset::sdfWorld() and dataset::mjcfWorld(). After an
+/// error nothing is left.
 std::string exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& camera, WorldFormat format,
-                        const std::filesystem::path& folder, const std::string& mesh = {});
+                        const std::filesystem::path& folder);
 
 } // namespace spherewalk::jobs
