@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes surveys with a practice camera while everything goes wrong that can, and compares each with the
 // camera's own truth at the end. Usage: spherewalk_campaign CLI [--runs N] [--first SEED] [--jobs N]
-// [--minutes N]
+// [--minutes N] [--keep FOLDER]
 #include "campaign_run.h"
 #include "fault_script.h"
 #include "program.h"
@@ -27,6 +27,7 @@ struct Options {
     unsigned first = 1;
     unsigned jobs = 4;
     unsigned minutes = 24 * 60; ///< No run begins later.
+    std::string keepIn;         ///< A folder for what runs leave that broke a rule.
 };
 
 Options parse(const std::vector<std::string>& words) {
@@ -41,6 +42,8 @@ Options parse(const std::vector<std::string>& words) {
             options.jobs = number();
         } else if (words[i] == "--minutes") {
             options.minutes = number();
+        } else if (words[i] == "--keep") {
+            options.keepIn = words.at(++i);
         } else {
             options.cli = words[i];
         }
@@ -130,7 +133,7 @@ int runAll(const Options& options) {
         for (unsigned i = next++; i < options.runs && std::chrono::steady_clock::now() < end; i = next++) {
             RunReport report;
             try {
-                report = run({options.cli, survey, options.first + i});
+                report = run({options.cli, survey, options.first + i, options.keepIn});
             } catch (const std::exception& failure) {
                 report.seed = options.first + i;
                 report.findings.violations.push_back(failure.what());

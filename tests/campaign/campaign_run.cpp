@@ -9,6 +9,7 @@
 #include "temporary_folder.h"
 #include "terminal_person.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/store/survey_store.h"
@@ -79,6 +80,9 @@ class Run {
         m_cameras.look();
         conclude();
         m_cameras.stop();
+        if (!m_options.keepIn.empty() && !m_report.findings.violations.empty()) {
+            keep(m_options.keepIn / std::to_string(m_options.seed));
+        }
         return std::move(m_report);
     }
 
@@ -366,6 +370,16 @@ class Run {
         for (const auto& [deed, count] : m_people.counts()) {
             m_report.deeds[deed] += count;
         }
+    }
+
+    /// The survey, the dataset, the cameras' pictures with their truth, and all that the programs said.
+    void keep(const fs::path& folder) const {
+        fs::create_directories(folder);
+        fs::copy(m_folder.path(), folder, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+        if (m_survey.parent_path() != m_folder.path()) {
+            fs::copy(m_survey, folder / m_name, fs::copy_options::recursive);
+        }
+        writeFile(folder / "said.txt", bytesOf(m_said));
     }
 
     RunOptions m_options;

@@ -18,6 +18,7 @@ struct RunOptions {
     std::string cli;
     std::filesystem::path templateSurvey; ///< copied for each run
     unsigned seed = 0;
+    std::filesystem::path keepIn; ///< where what a run leaves is kept that broke a rule; nowhere if empty
 };
 
 struct RunReport {

@@ -199,10 +199,13 @@ void examineDataset(const std::filesystem::path& folder, const RunCameras& camer
                                                " was taken at ", inWords(truth.positionM), ", not at ",
                                                inWords(pose.translation)));
         }
-        if (isTurned && !isNamed &&
-            angleBetween(pose.rotation, truth.roomFromPhoto.value()).value() > Radians(kSolvedTurn).value()) {
-            findings.violations.push_back(
-                text("the dataset's photo ", photo.file, " of ", photo.station, " is turned otherwise"));
+        const Degrees turn(angleBetween(pose.rotation, truth.roomFromPhoto.value()));
+        if (isTurned && !isNamed && turn > kSolvedTurn) {
+            const Radians stated = photo.rotationSigma ? photo.rotationSigma->yaw : Radians(0);
+            findings.violations.push_back(text("the dataset's photo ", photo.file, " of ", photo.station,
+                                               " is turned ", fixed(turn.value(), 2),
+                                               " degrees otherwise, and states ",
+                                               fixed(Degrees(stated).value(), 2), " for its yaw"));
         }
     }
 }
