@@ -110,6 +110,15 @@ std::map<std::int64_t, Known> knownOf(const store::SurveyStore& store, const Evi
     return known;
 }
 
+/// Standard deviation of the angle between the photo's rotation and the true one; zero if none is stated.
+Degrees statedTurn(const render::DatasetPhoto& photo) {
+    if (!photo.rotationSigma) {
+        return {};
+    }
+    const auto& [yaw, pitch, roll] = *photo.rotationSigma;
+    return Radians(std::hypot(yaw.value(), pitch.value(), roll.value()));
+}
+
 } // namespace
 
 std::string exposureDifference(const Json& wanted, const practice::Truth& truth) {
@@ -200,12 +209,11 @@ void examineDataset(const std::filesystem::path& folder, const RunCameras& camer
                                                inWords(pose.translation)));
         }
         const Degrees turn(angleBetween(pose.rotation, truth.roomFromPhoto.value()));
-        if (isTurned && !isNamed && turn > kSolvedTurn) {
-            const Radians stated = photo.rotationSigma ? photo.rotationSigma->yaw : Radians(0);
+        const Degrees stated = statedTurn(photo);
+        if (isTurned && !isNamed && turn > std::max(kSolvedTurn, Degrees(3 * stated.value()))) {
             findings.violations.push_back(text("the dataset's photo ", photo.file, " of ", photo.station,
                                                " is turned ", fixed(turn.value(), 2),
-                                               " degrees otherwise, and states ",
-                                               fixed(Degrees(stated).value(), 2), " for its yaw"));
+                                               " degrees otherwise, and states ", fixed(stated.value(), 2)));
         }
     }
 }
