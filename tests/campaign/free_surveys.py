@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surveys by hand without any position, through the real command line: the table of resources/docs/testing.md.
 
-    python3 free_surveys.py CLI [--surveys N] [--first SEED] [--photos N] [--width PIXELS]
+    python3 free_surveys.py CLI [--surveys N] [--first SEED] [--photos N] [--width PIXELS] [--unrelated FOLDER]
 
 Each seed walks through the two rooms of the practice flat with steps of 0.3 to 1.5 m and a camera that leans in the hand, and adds
-a tenth of photos of another room. It imports the photos without positions, aligns them with --positions free, and compares with
-the truth after the best common motion and scale. A photo is wrong by more than 5 cm or 1 degree; it is missed if nothing names it.
+a tenth of photos of another place: those of FOLDER, else of another practice room. All practice rooms have the same furniture, so
+that one is the harder test: only what stands around the furniture tells it from the flat. It imports the photos without positions, aligns them with --positions free, and compares with
+the truth after the best common motion and scale of the photos that nothing names. A photo is wrong by more than 5 cm or 1 degree; it is missed if nothing names it.
 """
 
 import argparse
@@ -13,6 +14,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import socket
 import subprocess
 import sys
@@ -140,7 +142,7 @@ def judged(report, truth, unrelated):
     """The errors of all photos of the place, and what was missed."""
     solved, named, errors = {}, set(), {}
     for photo in report["photos"]:
-        name = photo["file"]
+        name = re.sub(r"_[0-9a-f]{8}(?=\.)", "", photo["file"])
         if photo["status"] == "good":
             solved[name] = photo
         else:
@@ -148,14 +150,15 @@ def judged(report, truth, unrelated):
             if photo["status"] == "doubtful":
                 solved[name] = photo
     here = sorted(name for name in solved if name in truth)
-    made = [solved[name]["position_m"] for name in here]
-    true = [truth[name][0] for name in here]
     result = {"photos": len(truth), "placed": len(here), "named": len(named - unrelated), "unrelated": len(unrelated),
               "unrelated_missed": len(unrelated - named), "seconds": report["seconds"], "missed": []}
-    if len(here) < 3:
+    trusted = [name for name in here if name not in named]
+    if len(trusted) < 3:
         return result
-    scale, turn, mean_made, mean_true = similarity(made, true)
-    for name, one, other in zip(here, made, true):
+    scale, turn, mean_made, mean_true = similarity([solved[name]["position_m"] for name in trusted],
+                                                   [truth[name][0] for name in trusted])
+    for name in here:
+        one, other = solved[name]["position_m"], truth[name][0]
         there = times(turn, [one[k] - mean_made[k] for k in range(3)])
         metres = math.dist([scale * value for value in there], [other[k] - mean_true[k] for k in range(3)])
         q = solved[name]["roomFromPhoto"]
@@ -164,13 +167,13 @@ def judged(report, truth, unrelated):
         errors[name] = (metres, degrees)
         if (metres > WRONG_M or degrees > WRONG_DEG) and name not in named:
             result["missed"].append(name)
-    off, turned = zip(*errors.values())
+    off, turned = zip(*(errors[name] for name in trusted))
     result.update(scale=scale, rms_mm=1000 * math.sqrt(mean_square(off)), worst_mm=1000 * max(off),
                   rms_deg=math.sqrt(mean_square(turned)), worst_deg=max(turned))
     return result
 
 
-def survey(cli, seed, count, width):
+def survey(cli, seed, count, width, foreign):
     dice = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="free-") as name:
         folder = pathlib.Path(name)
@@ -184,12 +187,14 @@ def survey(cli, seed, count, width):
         for name, line in zip(sorted(truth), flat.end()):
             turned = line["roomFromPhoto"]
             truth[name] = (line["position_m"], matrix(*(turned[key] for key in "wxyz")))
-        elsewhere = Camera(cli, folder, "bare" if seed % 2 else "lively", seed + 1000, width, 5)
+        elsewhere = None if foreign else Camera(cli, folder, "bare" if seed % 2 else "lively", seed + 1000, width, 5)
         for i in range(strangers):
             name = f"E{i:03}.JPG"
-            (folder / "in" / name).write_bytes(elsewhere.photo(dice.uniform(1, 3), dice.uniform(1, 3), LENS_M))
+            (folder / "in" / name).write_bytes(foreign[(seed + i) % len(foreign)].read_bytes() if foreign else
+                                               elsewhere.photo(dice.uniform(1, 3), dice.uniform(1, 3), LENS_M))
             unrelated.add(name)
-        elsewhere.end()
+        if elsewhere:
+            elsewhere.end()
         room = folder / "s.spherewalk"
         for command in (["new", room, "--rect", "0,0,8,6", "--ceiling", "2.6", "--step", "1", "--height", str(LENS_M)],
                         ["import", room, "--photos", folder / "in"]):
@@ -205,12 +210,14 @@ def main():
     options.add_argument("--first", type=int, default=1)
     options.add_argument("--photos", type=int, default=40)
     options.add_argument("--width", type=int, default=2048)
+    options.add_argument("--unrelated", type=pathlib.Path)
     given = options.parse_args()
+    foreign = sorted(given.unrelated.glob("*.[jJ][pP]*[gG]")) if given.unrelated else []
     print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | scale | s | missed |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|")
     missed = 0
     for seed in range(given.first, given.first + given.surveys):
-        row = survey(given.cli, seed, given.photos, given.width)
+        row = survey(given.cli, seed, given.photos, given.width, foreign)
         missed += len(row["missed"]) + row["unrelated_missed"]
         cells = [seed, row["photos"], row["placed"], row["named"], row["unrelated_missed"]]
         cells += [f"{row[key]:.4g}" if key in row else "-" for key in ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "scale")]

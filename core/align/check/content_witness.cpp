@@ -118,7 +118,9 @@ Eigen::Vector3d Sightings::positionInPhoto(int photo, int other) const {
 PhotoWitnesses Sightings::witnesses(int photo) const {
     PhotoWitnesses result;
     for (const int neighbour : m_neighbours[static_cast<std::size_t>(photo)]) {
+        const std::size_t first = result.witnesses.size();
         witness(photo, neighbour, result);
+        setChances(std::span(result.witnesses).subspan(first));
         ++result.neighbours;
     }
     return result;
@@ -126,7 +128,6 @@ PhotoWitnesses Sightings::witnesses(int photo) const {
 
 void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const {
     const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(neighbour)];
-    const std::size_t first = result.witnesses.size();
     for (auto from = all.begin(); from != all.end();) {
         const auto to = std::find_if(
             from, all.end(), [&](const Sighting& sighting) { return sighting.feature != from->feature; });
@@ -135,7 +136,17 @@ void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const 
         }
         from = to;
     }
-    setChances(std::span(result.witnesses).subspan(first));
+}
+
+ExpectedThings Sightings::expected(int photo, int neighbour) const {
+    PhotoWitnesses found;
+    witness(photo, neighbour, found);
+    ExpectedThings things;
+    for (const Witness& witness : found.witnesses) {
+        things.expected += witness.chance;
+        things.seen += witness.isSeen ? 1 : 0;
+    }
+    return things;
 }
 
 /// The witness that one feature of the neighbour gives, by all photos that it was found in.

@@ -35,6 +35,12 @@ struct PhotoWitnesses {
     int neighbours = 0;
 };
 
+/// What a neighbour lets expect in a photo, in numbers of things.
+struct ExpectedThings {
+    double expected = 0; ///< As many as the neighbour's usual neighbours show.
+    double seen = 0;     ///< The photo shows them where they belong.
+};
+
 /// All matches by photo and feature, with the distances that inliers give. Owner: the pairs must outlive it.
 /// Errors: InvalidInput if the lists' lengths differ or a pair names a photo that does not exist.
 class Sightings {
@@ -44,6 +50,11 @@ class Sightings {
 
     /// The witnesses of all neighbours of a photo. Cost: grows with their matches. Threads: any.
     PhotoWitnesses witnesses(int photo) const;
+
+    /// What the neighbour shares with third photos, and how much of it this photo shows. Threads: any.
+    ExpectedThings expected(int photo, int neighbour) const;
+
+    bool isPlaced(int photo) const { return m_roomFromPhoto[static_cast<std::size_t>(photo)].has_value(); }
 
     /// Where another photo was taken, in the photo's frame. Range: both photos are solved.
     Eigen::Vector3d positionInPhoto(int photo, int other) const;
@@ -62,6 +73,7 @@ class Sightings {
 
     void add(int photo, int other, const Correspondence& match, bool isFromA, bool isInlier);
     double rangeM(int photo, int other, const Eigen::Vector3d& own, const Eigen::Vector3d& others) const;
+    /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance.
     void witness(int photo, int neighbour, PhotoWitnesses& result) const;
     std::optional<Witness> witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
                                    PhotoWitnesses& result) const;

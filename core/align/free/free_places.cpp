@@ -8,6 +8,8 @@
 #include "pairs/pair_geometry.h"
 #include "solve/unknowns.h"
 
+#include "spherewalk/align/agreeing_parts.h"
+#include "spherewalk/align/content_check.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
@@ -28,11 +30,8 @@ constexpr int kLeastPoints = 20;
 constexpr double kDoubtfulSigmaM = 0.015;
 constexpr double kDoubtfulSigmaRad = 0.006;
 constexpr double kUnknownScaleSigma = 0.3;
-
-void warn(FreePlaces& made, ProgressSink& progress, std::string sentence) {
-    progress.warning(sentence);
-    made.warnings.push_back(std::move(sentence));
-}
+/// Below this share of what neighbours let expect, two parts of a survey are two places.
+constexpr double kOnePlaceShare = 0.3;
 
 /// The largest part, while it is placed.
 struct Part {
@@ -42,8 +41,7 @@ struct Part {
 };
 
 /// What is said of photos outside of the largest part.
-void nameParts(const PoseGraph& graph, std::span<const PhotoPrior> priors, FreePlaces& made,
-               ProgressSink& progress) {
+void nameParts(const PoseGraph& graph, std::span<const PhotoPrior> priors, FreePlaces& made) {
     made.parts = static_cast<int>(graph.components.size());
     for (FreePlace& place : made.photos) {
         place.part = -1;
@@ -55,14 +53,15 @@ void nameParts(const PoseGraph& graph, std::span<const PhotoPrior> priors, FreeP
         for (const int photo : graph.components[part].photos) {
             FreePlace& place = made.photos[static_cast<std::size_t>(photo)];
             place.part = static_cast<int>(part);
-            place.why = text("It belongs to part ", part + 1, " of ", made.parts,
-                             ", which shares nothing with the largest part: take photos between the parts.");
+            place.why =
+                text("It belongs to part ", part + 1, " of ", made.parts,
+                     ", which shares nothing certain with the largest part: take photos between the parts.");
         }
         if (part > 0) {
-            warn(made, progress,
-                 text("The photos fall into ", made.parts, " parts that share nothing; part ", part + 1,
-                      " is ", namesOf(graph.components[part].photos, priors),
-                      ". Only the largest part is placed: take photos between the parts."));
+            made.warnings.push_back(
+                text("The photos fall into ", made.parts, " parts that share nothing certain; part ",
+                     part + 1, " is ", namesOf(graph.components[part].photos, priors),
+                     ". Only the largest part is placed: take photos between the parts."));
         }
     }
 }
@@ -190,12 +189,12 @@ constexpr double kLeastShare = 0.005; ///< Below it, tapes and rulers may differ
 
 /// Says it where what gives the scale contradicts the tags, or the tags the height of the lens.
 void tellScales(double metres, const RoomTags& tags, const std::optional<FloorPlane>& floor,
-                const FreeOptions& options, FreePlaces& made, ProgressSink& progress) {
+                const FreeOptions& options, FreePlaces& made) {
     const auto tell = [&](double ratio, double sigma, std::string_view what, std::string_view cure) {
         if (std::abs(ratio - 1) > std::max(kLeastShare, kSigmas * sigma)) {
-            warn(made, progress,
-                 text("By the printed size of the tags, ", what, " is ", fixed(100 * std::abs(ratio - 1), 1),
-                      " % too ", ratio > 1 ? "long" : "short", ". ", cure));
+            made.warnings.push_back(text("By the printed size of the tags, ", what, " is ",
+                                         fixed(100 * std::abs(ratio - 1), 1), " % too ",
+                                         ratio > 1 ? "long" : "short", ". ", cure));
         }
     };
     if (tags.scale && made.scaleBy == ScaleBy::Distance) {
@@ -211,20 +210,19 @@ void tellScales(double metres, const RoomTags& tags, const std::optional<FloorPl
 
 /// Says it where the known tags contradict the printed size. Two tags, one of which was moved, may fit well
 /// in another scale.
-void tellJoinedScale(const TagJoin& join, const Scale& printed, FreePlaces& made, ProgressSink& progress) {
+void tellJoinedScale(const TagJoin& join, const Scale& printed, FreePlaces& made) {
     const double ratio = join.scale * printed.value;
     const double sigma = std::hypot(join.scaleSigma, printed.sigma / printed.value);
     if (std::abs(ratio - 1) > std::max(kLeastShare, kSigmas * sigma)) {
-        warn(made, progress,
-             text("By the printed size of the tags, lengths in the other survey's frame are ",
-                  fixed(100 * std::abs(ratio - 1), 1), " % too ", ratio > 1 ? "long" : "short",
-                  ". Perhaps a tag was moved between the surveys, or their --tag-size differs."));
+        made.warnings.push_back(
+            text("By the printed size of the tags, lengths in the other survey's frame are ",
+                 fixed(100 * std::abs(ratio - 1), 1), " % too ", ratio > 1 ? "long" : "short",
+                 ". Perhaps a tag was moved between the surveys, or their --tag-size differs."));
     }
 }
 
 /// Puts the part into the frame of known tags. False without any.
-bool joinKnown(Part& part, const RoomTags& tags, const FreeOptions& options, FreePlaces& made,
-               ProgressSink& progress) {
+bool joinKnown(Part& part, const RoomTags& tags, const FreeOptions& options, FreePlaces& made) {
     if (options.knownTags.empty()) {
         return false;
     }
@@ -235,12 +233,11 @@ bool joinKnown(Part& part, const RoomTags& tags, const FreeOptions& options, Fre
                     "cannot be joined: take photos near the tags.");
     }
     for (const int number : made.join->moved) {
-        warn(made, progress,
-             text("AprilTag ", number,
-                  " hangs elsewhere than in the other survey, and was not used to join "
-                  "them. Hang tags where nobody moves them."));
+        made.warnings.push_back(text("AprilTag ", number,
+                                     " hangs elsewhere than in the other survey, and was not used to join "
+                                     "them. Hang tags where nobody moves them."));
     }
-    tellJoinedScale(*made.join, *tags.scale, made, progress);
+    tellJoinedScale(*made.join, *tags.scale, made);
     made.scaleBy = ScaleBy::Tags;
     made.scaleSigma = made.join->scaleSigma;
     move(part.bundle, made.join->otherFromOwn.rotation, made.join->scale,
@@ -250,22 +247,21 @@ bool joinKnown(Part& part, const RoomTags& tags, const FreeOptions& options, Fre
 
 /// Puts the part into the room: metres, the floor at zero, the first photo above the origin, walls along the
 /// axes.
-void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made, ProgressSink& progress) {
+void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made) {
     const std::optional<FloorPlane> floor = levelledFloor(part, made);
     const RoomTags tags = tagsOf(part, made.photos.size(), options);
-    if (joinKnown(part, tags, options, made, progress)) {
+    if (joinKnown(part, tags, options, made)) {
         return;
     }
     const double metres = metresPerUnit(part, floor, tags, options, made);
-    tellScales(metres, tags, floor, options, made, progress);
+    tellScales(metres, tags, floor, options, made);
     move(part.bundle, Eigen::Quaterniond::Identity(), metres, Eigen::Vector3d::Zero());
     move(part.bundle, yawRotation(wallHeading(part.bundle.seen)), 1, Eigen::Vector3d::Zero());
     Eigen::Vector3d shift = -part.bundle.photos.front().positionM;
     shift.z() = floor ? -metres * floor->at : options.lensHeightM - positionsOf(part.bundle).front().z();
     move(part.bundle, Eigen::Quaterniond::Identity(), 1, shift);
     if (made.scaleBy == ScaleBy::Nothing) {
-        warn(
-            made, progress,
+        made.warnings.push_back(
             "The scale is not known: the photos show too little of the floor below them, and no distance was "
             "given. Give --distance with two photos and the metres between them.");
     }
@@ -319,6 +315,69 @@ void report(const Part& part, FreePlaces& made) {
     made.ceilingM = ceilingAbove(positionsOf(part.bundle), made.pointsM);
 }
 
+/// Places the largest part that the estimates join.
+FreePlaces placesBy(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
+                    std::span<const PhotoPair> pairs, const FreeOptions& options, ProgressSink& progress,
+                    const std::stop_token& stop) {
+    progress.progress(0, "Averaging rotations");
+    FreePlaces made;
+    made.photos.resize(photos.size());
+    const PoseGraph graph =
+        poseGraph(static_cast<int>(photos.size()), estimates, photos.size() >= kChecked ? 1 : 0);
+    nameParts(graph, photos, made);
+    if (graph.components.empty()) {
+        return made;
+    }
+    Part part = startOf(graph.components.front(), photos, pairs, estimates, made);
+    if (part.photos.empty()) {
+        return made;
+    }
+    ProgressStep step(progress, 0.05, 0.95);
+    adjust(part.bundle, part.priors, step, stop);
+    placeInRoom(part, options, made);
+    report(part, made);
+    return made;
+}
+
+/// The estimates that join no photos of different parts. Empty if there is but one part.
+std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates) {
+    std::vector<PairEstimate> cut(estimates.begin(), estimates.end());
+    bool isAnyCut = false;
+    for (PairEstimate& estimate : cut) {
+        const int partOfA = parts[static_cast<std::size_t>(estimate.a)];
+        const int partOfB = parts[static_cast<std::size_t>(estimate.b)];
+        if (partOfA >= 0 && partOfB >= 0 && partOfA != partOfB) {
+            estimate.verdict = PairVerdict::NoAgreement;
+            isAnyCut = true;
+        }
+    }
+    return isAnyCut ? cut : std::vector<PairEstimate>();
+}
+
+/// What is there twice, as furniture is, may join photos of two places, or bend a place.
+FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
+                           std::span<const PhotoPair> pairs, const FreeOptions& options,
+                           ProgressSink& progress, const std::stop_token& stop) {
+    ProgressStep first(progress, 0, 0.5);
+    FreePlaces made = placesBy(estimates, photos, pairs, options, first, stop);
+    const std::vector<int> parts =
+        agreeingParts(posesOf(made), pairs, fittingMatches(posesOf(made), pairs), kOnePlaceShare);
+    if (const auto certain = cutBetween(parts, estimates); !certain.empty()) {
+        ProgressStep second(progress, 0.5, 1);
+        made = placesBy(certain, photos, pairs, options, second, stop);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (parts[i] > 0 && !made.photos[i].roomFromPhoto) {
+                made.photos[i].why =
+                    "It shows some things that the largest part shows, but not what stands "
+                    "around them: it seems to be of another place that looks alike. Leave it "
+                    "out, or take photos between it and the others.";
+            }
+        }
+    }
+    doubtLooseParts(made, pairs);
+    return made;
+}
+
 } // namespace
 
 void FreeOptions::validate(int photos) const {
@@ -340,23 +399,10 @@ FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoP
                       ProgressSink& progress, const std::stop_token& stop) {
     options.validate(static_cast<int>(photos.size()));
     throwIfStopped(stop);
-    progress.progress(0, "Averaging rotations");
-    FreePlaces made;
-    made.photos.resize(photos.size());
-    const PoseGraph graph =
-        poseGraph(static_cast<int>(photos.size()), estimates, photos.size() >= kChecked ? 1 : 0);
-    nameParts(graph, photos, made, progress);
-    if (graph.components.empty()) {
-        return made;
+    FreePlaces made = placesThatAgree(estimates, photos, pairs, options, progress, stop);
+    for (const std::string& warning : made.warnings) {
+        progress.warning(warning);
     }
-    Part part = startOf(graph.components.front(), photos, pairs, estimates, made);
-    if (part.photos.empty()) {
-        return made;
-    }
-    ProgressStep step(progress, 0.05, 0.95);
-    adjust(part.bundle, part.priors, step, stop);
-    placeInRoom(part, options, made, progress);
-    report(part, made);
     progress.progress(1, "Placed");
     return made;
 }

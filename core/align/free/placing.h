@@ -4,6 +4,7 @@
 #include "graph/pose_graph.h"
 #include "solve/pair_normal.h"
 
+#include "spherewalk/align/free_places.h"
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/angle.h"
@@ -108,5 +109,13 @@ Polygon wallsAround(std::span<const Eigen::Vector3d> photosM, std::span<const Ei
 
 /// Height of the ceiling: nearly the highest point, and above all photos.
 double ceilingAbove(std::span<const Eigen::Vector3d> photosM, std::span<const Eigen::Vector3d> pointsM);
+
+/// One entry a photo, empty where it is not placed.
+std::vector<std::optional<Rigid3>> posesOf(const FreePlaces& places);
+
+/// Says it of photos that hang together with the largest part too loosely: little of what either side lets
+/// expect is seen from the other, or the floors of both lie at different heights, as where one side's lengths
+/// are wrong.
+void doubtLooseParts(FreePlaces& places, std::span<const PhotoPair> pairs);
 
 } // namespace spherewalk::align

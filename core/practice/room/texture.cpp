@@ -269,7 +269,7 @@ Rgb tag(const Finish& finish, const SurfacePoint& s, float w) {
                 const auto first = static_cast<float>(cell);
                 return std::max(0.0F, std::min(first + 1, middle + half) - std::max(first, middle - half));
             };
-            black += finish.cells[static_cast<std::size_t>(row * kCells + column)]
+            black += finish.cells[static_cast<std::size_t>(row) * kCells + static_cast<std::size_t>(column)]
                          ? 0
                          : overlap(x, column) * overlap(y, row);
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "free/placing.h"
 #include "made/hung_tags.h"
 #include "made/synthetic_survey.h"
 #include "pairs/pair_geometry.h"
@@ -270,6 +271,54 @@ TEST(Retrieval, PairsPhotosThatLookAlikeAndJoinsWhatItCan) {
     EXPECT_THAT(pairs, testing::Not(testing::Contains(std::pair(0, 9))));
     EXPECT_THAT(pairs, testing::Each(testing::Field(&std::pair<int, int>::second, testing::Lt(29))));
     EXPECT_LE(pairs.size(), 29U * 4U);
+}
+
+namespace {
+
+/// Two rooms with four photos each, which are taken for one place that nothing joins. The second floor lies
+/// `stepM` above the first.
+FreePlaces twoRooms(double stepM) {
+    FreePlaces places;
+    FixedRandom random(5);
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d middle(i < 4 ? 0 : 5, 0, i < 4 ? 0 : stepM);
+        FreePlace& place = places.photos.emplace_back();
+        place.roomFromPhoto =
+            Rigid3{Eigen::Quaterniond::Identity(), middle + Eigen::Vector3d(0.4 * (i % 4), 0, 1.5)};
+        for (int point = 0; point < 40; ++point) {
+            places.pointsM.emplace_back(
+                middle + Eigen::Vector3d(3 * random.uniform() - 1, 3 * random.uniform() - 1.5, 0));
+        }
+    }
+    return places;
+}
+
+std::vector<PhotoPair> alongEachRoom() {
+    return {{0, 1, {}}, {1, 2, {}}, {2, 3, {}}, {4, 5, {}}, {5, 6, {}}, {6, 7, {}}};
+}
+
+} // namespace
+
+TEST(LooseParts, NameARoomWhoseFloorLiesElsewhere) {
+    FreePlaces places = twoRooms(0.045);
+    doubtLooseParts(places, alongEachRoom());
+    EXPECT_EQ(places.photos[0].doubt, "");
+    EXPECT_THAT(places.photos[7].doubt, HasSubstr("4.5 cm above that of the largest part"));
+    EXPECT_THAT(places.photos[7].doubt, HasSubstr("lengths around it are 3.0 % too short"));
+}
+
+TEST(LooseParts, SayOfALevelFloorOnlyThatLittleJoinsTheRooms) {
+    FreePlaces places = twoRooms(0);
+    doubtLooseParts(places, alongEachRoom());
+    EXPECT_EQ(places.photos[3].doubt, "");
+    EXPECT_THAT(places.photos[4].doubt, HasSubstr("Little of what the largest part lets expect"));
+}
+
+TEST(LooseParts, SayNothingWithoutPhotos) {
+    FreePlaces none;
+    none.photos.resize(3);
+    doubtLooseParts(none, {});
+    EXPECT_EQ(none.photos[0].doubt, "");
 }
 
 } // namespace spherewalk::align

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "free/placing.h"
+
+#include "spherewalk/align/agreeing_parts.h"
+#include "spherewalk/align/content_check.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherewalk::align {
+
+namespace {
+
+/// Doorways and steps of two metres may show as little of what neighbours let expect.
+constexpr double kSurePlaceShare = 0.5;
+/// Within a room, photos show more of what each other sees.
+constexpr double kRoomShare = 1;
+constexpr std::size_t kLeastInRoom = 4;
+constexpr double kUneven = 0.004; ///< Of a floor, as a share of the lens's height.
+constexpr Radians kLean = Degrees(0.1);
+constexpr double kSigmas = 3;
+constexpr double kLeastStepM = 0.01;
+
+/// The photos of a room and the points that lie nearest to them.
+struct Room {
+    std::vector<std::size_t> photos;
+    std::vector<Eigen::Vector3d> positionsM;
+    std::vector<Eigen::Vector3d> pointsM;
+
+    Eigen::Vector3d middle() const {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& position : positionsM) {
+            sum += position;
+        }
+        return sum / static_cast<double>(positionsM.size());
+    }
+};
+
+std::vector<Room> roomsOf(const FreePlaces& places, std::span<const int> roomOf) {
+    std::vector<Room> rooms(static_cast<std::size_t>(std::ranges::max(roomOf) + 1));
+    for (std::size_t i = 0; i < roomOf.size(); ++i) {
+        if (roomOf[i] >= 0) {
+            Room& room = rooms[static_cast<std::size_t>(roomOf[i])];
+            room.photos.push_back(i);
+            room.positionsM.push_back(places.photos[i].roomFromPhoto->translation);
+        }
+    }
+    for (const Eigen::Vector3d& point : places.pointsM) {
+        const auto distance = [&](const Room& room) {
+            double nearest = 1e300;
+            for (const Eigen::Vector3d& position : room.positionsM) {
+                nearest = std::min(nearest, (position - point).norm());
+            }
+            return nearest;
+        };
+        std::ranges::min_element(rooms, {}, distance)->pointsM.push_back(point);
+    }
+    return rooms;
+}
+
+std::optional<FloorPlane> floorOf(const Room& room) {
+    return room.photos.size() < kLeastInRoom
+               ? std::nullopt
+               : floorBelow(room.positionsM, room.pointsM, Eigen::Vector3d::UnitZ(), Degrees(3));
+}
+
+/// Height of a floor below the middle of a room's photos.
+double heightAt(const FloorPlane& floor, const Eigen::Vector3d& placeM) {
+    return (floor.at - floor.up.x() * placeM.x() - floor.up.y() * placeM.y()) / floor.up.z();
+}
+
+std::string stepOf(const Room& room, const FloorPlane& floor, const Room& largest, const FloorPlane& below) {
+    const Eigen::Vector3d middle = room.middle();
+    const double stepM = heightAt(floor, middle) - heightAt(below, largest.middle());
+    const double sigmaM = std::hypot(
+        floor.heightSigma, below.heightSigma,
+        std::hypot(kUneven * below.lensHeight, kLean.value() * (middle - largest.middle()).norm()));
+    if (std::abs(stepM) < std::max(kLeastStepM, kSigmas * sigmaM)) {
+        return {};
+    }
+    return text("The floor around it lies ", fixed(100 * std::abs(stepM), 1), " cm ",
+                stepM > 0 ? "above" : "below",
+                " that of the largest part: if there is no step, lengths around it are ",
+                fixed(100 * std::abs(stepM) / below.lensHeight, 1), " % too ", stepM > 0 ? "short" : "long",
+                ". Take photos between it and the others.");
+}
+
+void doubt(FreePlace& place, const std::string& sentence) {
+    place.doubt = place.doubt.empty() ? sentence : place.doubt;
+}
+
+void tellSteps(const std::vector<Room>& rooms, FreePlaces& places) {
+    const std::optional<FloorPlane> below = floorOf(rooms.front());
+    for (const Room& room : std::span(rooms).subspan(1)) {
+        const std::optional<FloorPlane> floor = below ? floorOf(room) : std::nullopt;
+        const std::string step = floor ? stepOf(room, *floor, rooms.front(), *below) : "";
+        for (const std::size_t photo : room.photos) {
+            doubt(places.photos[photo], step);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::optional<Rigid3>> posesOf(const FreePlaces& places) {
+    std::vector<std::optional<Rigid3>> poses;
+    for (const FreePlace& place : places.photos) {
+        poses.push_back(place.roomFromPhoto);
+    }
+    return poses;
+}
+
+void doubtLooseParts(FreePlaces& places, std::span<const PhotoPair> pairs) {
+    const std::vector<std::optional<Rigid3>> poses = posesOf(places);
+    if (std::ranges::none_of(poses, [](const auto& pose) { return pose.has_value(); })) {
+        return;
+    }
+    const std::vector<std::vector<bool>> fitting = fittingMatches(poses, pairs);
+    tellSteps(roomsOf(places, agreeingParts(poses, pairs, fitting, kRoomShare)), places);
+    const std::vector<int> sure = agreeingParts(poses, pairs, fitting, kSurePlaceShare);
+    for (std::size_t i = 0; i < sure.size(); ++i) {
+        if (sure[i] > 0) {
+            doubt(places.photos[i],
+                  "Little of what the largest part lets expect around it is there, so how it "
+                  "stands to the others is not certain: take photos between it and them.");
+        }
+    }
+}
+
+} // namespace spherewalk::align

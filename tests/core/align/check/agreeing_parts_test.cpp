@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/furnished_survey.h"
+#include "expect_error.h"
+#include "random.h"
+
+#include "spherewalk/align/agreeing_parts.h"
+#include "spherewalk/align/content_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace spherewalk::align {
+
+using test::expectError;
+using ::testing::Each;
+
+namespace {
+
+const Eigen::Vector3d kMoved(0.5, 0.3, 0);
+
+/// The place on the first ray that is nearest to the second.
+Eigen::Vector3d nearestToBoth(const Rigid3& a, const Eigen::Vector3d& inA, const Rigid3& b,
+                              const Eigen::Vector3d& inB) {
+    const Eigen::Vector3d ray = a.rotation * inA;
+    const Eigen::Vector3d other = b.rotation * inB;
+    const Eigen::Vector3d way = b.translation - a.translation;
+    const double cosine = ray.dot(other);
+    const double along = (ray.dot(way) - cosine * other.dot(way)) / std::max(1 - cosine * cosine, 1e-12);
+    return a.translation + along * ray;
+}
+
+} // namespace
+
+class AgreeingParts : public ::testing::Test {
+  protected:
+    AgreeingParts() { survey.expose(random); }
+
+    std::vector<int> parts(double leastShare) const {
+        return agreeingParts(survey.roomFromPhoto, survey.pairs,
+                             fittingMatches(survey.roomFromPhoto, survey.pairs), leastShare);
+    }
+
+    /// Moves all photos from this one on, as if they had been joined by something that is there twice.
+    void moveFrom(std::size_t first) {
+        for (std::size_t i = first; i < survey.roomFromPhoto.size(); ++i) {
+            survey.roomFromPhoto[i]->translation += kMoved;
+        }
+    }
+
+    test::Random random{77};
+    FurnishedSurvey survey{{4, 5, 0.4}, random};
+};
+
+TEST_F(AgreeingParts, AreOneWherePhotosShowTheSame) {
+    EXPECT_THAT(parts(0.3), Each(0));
+    EXPECT_THAT(parts(0.5), Each(0));
+}
+
+TEST_F(AgreeingParts, AreTwoWhereHalfOfThePhotosStandElsewhere) {
+    moveFrom(12);
+    const std::vector<int> found = parts(0.3);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i], i < 12 ? 0 : 1) << i;
+    }
+}
+
+TEST_F(AgreeingParts, AreTwoAlsoWhereOnePhotoAgreesWithBothSides) {
+    const std::vector<std::optional<Rigid3>> truth = survey.roomFromPhoto;
+    moveFrom(12);
+    // A photo at the place of the seventh, that also shows the things of the other side where they would
+    // stand.
+    const auto between = static_cast<int>(truth.size());
+    const Rigid3 pose = *truth[6];
+    survey.roomFromPhoto.emplace_back(pose);
+    std::vector<PhotoPair> more;
+    for (PhotoPair pair : survey.pairs) {
+        if (pair.a == 6 && pair.b < 12) {
+            pair.a = between;
+            more.push_back(pair);
+        } else if (pair.a == 13) {
+            pair.a = between;
+            for (Correspondence& match : pair.matches) {
+                const auto& other = *truth[static_cast<std::size_t>(pair.b)];
+                const Eigen::Vector3d thing = nearestToBoth(*truth[13], match.inA, other, match.inB);
+                match.inA = (pose.inverse() * (thing + kMoved)).normalized();
+                match.featureA += 100000;
+            }
+            more.push_back(pair);
+        }
+    }
+    survey.pairs.insert(survey.pairs.end(), more.begin(), more.end());
+    const std::vector<int> found = parts(0.3);
+    EXPECT_THAT(std::set(found.begin(), found.begin() + 12), ::testing::SizeIs(1));
+    EXPECT_THAT(std::set(found.begin() + 12, found.begin() + between), ::testing::SizeIs(1));
+    EXPECT_NE(found[0], found[12]);
+}
+
+TEST_F(AgreeingParts, LeaveOutPhotosWithoutAPose) {
+    survey.roomFromPhoto[3].reset();
+    EXPECT_EQ(parts(0.3)[3], -1);
+    EXPECT_EQ(parts(0.3)[4], 0);
+}
+
+TEST_F(AgreeingParts, JoinPhotosThatNothingSpeaksAgainst) {
+    survey.pairs = {survey.pairs.front()}; // no third photo tells what to expect
+    survey.roomFromPhoto.resize(2);
+    EXPECT_THAT(parts(0.5), Each(0));
+}
+
+TEST_F(AgreeingParts, RefuseListsOfDifferentLengths) {
+    expectError(ErrorKind::InvalidInput, "inliers of",
+                [&] { agreeingParts(survey.roomFromPhoto, survey.pairs, {}, 0.3); });
+}
+
+} // namespace spherewalk::align
