@@ -4,7 +4,7 @@
 
 # Layers, lowest first. See resources/docs/architecture.md.
 set(SPHEREWALK_LAYER_0 base)
-set(SPHEREWALK_LAYER_1 geometry jpeg)
+set(SPHEREWALK_LAYER_1 geometry jpeg http)
 set(SPHEREWALK_LAYER_2 survey)
 set(SPHEREWALK_LAYER_3 photo render)
 set(SPHEREWALK_LAYER_4 store camera dataset practice align scene compare place report simulator)

@@ -25,13 +25,13 @@ bool isLocal(const QHostAddress& address) {
     return std::ranges::any_of(kNetworks, [&](const auto& network) { return address.isInSubnet(network); });
 }
 
-practice::HttpAnswer refusal(int status) {
-    return {status, "text/plain", std::string(practice::reasonPhrase(status))};
+http::Answer refusal(int status) {
+    return {status, "text/plain", std::string(http::reasonPhrase(status))};
 }
 
-QByteArray bytesOf(const practice::HttpAnswer& answer) {
+QByteArray bytesOf(const http::Answer& answer) {
     std::string head = "HTTP/1.1 " + std::to_string(answer.status) + " ";
-    head += practice::reasonPhrase(answer.status);
+    head += http::reasonPhrase(answer.status);
     for (const auto& [name, value] : answer.headers) {
         head += "\r\n" + name + ": " + value;
     }
@@ -122,8 +122,7 @@ void LocalServer::read(QTcpSocket* socket) {
 }
 
 /// Returns nothing as long as the request is not whole.
-std::optional<practice::HttpAnswer> LocalServer::answer(std::string_view received,
-                                                        const QHostAddress& peer) const {
+std::optional<http::Answer> LocalServer::answer(std::string_view received, const QHostAddress& peer) const {
     const std::size_t end = received.find(kHeadEnd);
     if (end == std::string_view::npos && received.size() <= kMostHead) {
         return std::nullopt;
@@ -131,8 +130,8 @@ std::optional<practice::HttpAnswer> LocalServer::answer(std::string_view receive
     if (end > kMostHead) {
         return refusal(431);
     }
-    auto request = practice::parseRequestHead(received.substr(0, end));
-    const auto length = request ? practice::contentLength(*request) : std::nullopt;
+    auto request = http::parseRequestHead(received.substr(0, end));
+    const auto length = request ? http::contentLength(*request) : std::nullopt;
     if (!length) {
         return refusal(400);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/practice/http_message.h"
+#include "spherewalk/http/message.h"
 
 #include <QHostAddress>
 #include <QList>
@@ -33,7 +33,7 @@ class LocalServer : public QObject {
     static constexpr std::chrono::milliseconds kMostTime{10'000};
 
     /// Returns the answer to a whole request. Errors: it must throw none.
-    using Handler = std::function<practice::HttpAnswer(const practice::HttpRequest&, const QHostAddress&)>;
+    using Handler = std::function<http::Answer(const http::Request&, const QHostAddress&)>;
 
     explicit LocalServer(Handler handler, std::chrono::milliseconds mostTime = kMostTime);
     ~LocalServer() override;
@@ -59,7 +59,7 @@ class LocalServer : public QObject {
   private:
     void accept();
     void read(QTcpSocket* socket);
-    std::optional<practice::HttpAnswer> answer(std::string_view received, const QHostAddress& peer) const;
+    std::optional<http::Answer> answer(std::string_view received, const QHostAddress& peer) const;
 
     Handler m_handler;
     std::chrono::milliseconds m_mostTime;

@@ -20,13 +20,10 @@ namespace spherewalk::ui {
 
 namespace {
 
-using practice::HttpAnswer;
-using practice::HttpRequest;
-
 constexpr std::string_view kCookie = "spherewalk_remote";
 
 /// Headers of every answer: nothing is kept, framed or guessed, and the page loads nothing from elsewhere.
-HttpAnswer guarded(HttpAnswer answer) {
+http::Answer guarded(http::Answer answer) {
     answer.headers.insert(answer.headers.end(), {{"Cache-Control", "no-store"},
                                                  {"X-Content-Type-Options", "nosniff"},
                                                  {"X-Frame-Options", "DENY"},
@@ -35,11 +32,11 @@ HttpAnswer guarded(HttpAnswer answer) {
     return answer;
 }
 
-HttpAnswer json(int status, const QJsonObject& content) {
+http::Answer json(int status, const QJsonObject& content) {
     return {status, "application/json", QJsonDocument(content).toJson(QJsonDocument::Compact).toStdString()};
 }
 
-HttpAnswer told(int status, const QString& sentence) {
+http::Answer told(int status, const QString& sentence) {
     return json(status, {{"sentence", sentence}});
 }
 
@@ -71,7 +68,7 @@ std::optional<DeskRemote::Press> pressIn(const std::string& body) {
 PhoneRemote::PhoneRemote(CaptureDesk& desk, const Clock& clock, quint16 port, QObject* parent)
     : QObject(parent),
       m_desk(desk, clock),
-      m_server([this](const HttpRequest& request, const QHostAddress& peer) {
+      m_server([this](const http::Request& request, const QHostAddress& peer) {
           return guarded(answer(request, peer));
       }),
       m_port(port) {
@@ -99,13 +96,13 @@ void PhoneRemote::renewCode() {
 
 /// Whether the request names this server as the browser's address line does, and comes from no other site. A
 /// name that somebody points at this address (DNS rebinding) is refused.
-bool PhoneRemote::isFromHere(const HttpRequest& request) const {
+bool PhoneRemote::isFromHere(const http::Request& request) const {
     const std::string host = m_server.host().toStdString();
     const std::string origin = request.header("Origin");
     return request.header("Host") == host && (origin.empty() || origin == "http://" + host);
 }
 
-HttpAnswer PhoneRemote::answer(const HttpRequest& request, const QHostAddress& peer) {
+http::Answer PhoneRemote::answer(const http::Request& request, const QHostAddress& peer) {
     if (!isFromHere(request)) {
         return told(403, tr("This is not the address that the window shows."));
     }
@@ -125,7 +122,7 @@ HttpAnswer PhoneRemote::answer(const HttpRequest& request, const QHostAddress& p
     return forDevice(request);
 }
 
-HttpAnswer PhoneRemote::forDevice(const HttpRequest& request) {
+http::Answer PhoneRemote::forDevice(const http::Request& request) {
     if (request.method == "GET" && request.path == "/state") {
         QJsonObject state = m_desk.state();
         state["token"] = QString::fromStdString(m_pairing.token());
@@ -141,7 +138,7 @@ HttpAnswer PhoneRemote::forDevice(const HttpRequest& request) {
     return {404, "text/plain", {}};
 }
 
-HttpAnswer PhoneRemote::press(DeskRemote::Wish wish, const HttpRequest& request) {
+http::Answer PhoneRemote::press(DeskRemote::Wish wish, const http::Request& request) {
     if (!m_pairing.isToken(request.header("X-Spherewalk-Token"))) {
         return told(403, tr("This device is not paired."));
     }
@@ -153,7 +150,7 @@ HttpAnswer PhoneRemote::press(DeskRemote::Wish wish, const HttpRequest& request)
     return told(answer.isDone ? 200 : 409, answer.sentence);
 }
 
-HttpAnswer PhoneRemote::pair(const HttpRequest& request, const QHostAddress& peer) {
+http::Answer PhoneRemote::pair(const http::Request& request, const QHostAddress& peer) {
     switch (m_pairing.pair(request.body)) {
     case Pairing::Answer::Wrong:
         return told(403, tr("The code is wrong."));
@@ -167,14 +164,14 @@ HttpAnswer PhoneRemote::pair(const HttpRequest& request, const QHostAddress& pee
     }
     m_device = peer;
     emit changed();
-    HttpAnswer paired = json(200, {});
+    http::Answer paired = json(200, {});
     paired.headers.emplace_back("Set-Cookie", std::string(kCookie) + "=" + m_pairing.session() +
                                                   "; Path=/; HttpOnly; SameSite=Strict");
     return paired;
 }
 
 /// The page, with its words in the window's language. It has no content before the device is paired.
-HttpAnswer PhoneRemote::page() const {
+http::Answer PhoneRemote::page() const {
     const QString nonce = QString::number(QRandomGenerator::system()->generate64(), 16);
     const std::pair<QString, QString> words[] = {
         {"language", tr("en", "the code of the language of these words")},
@@ -198,7 +195,7 @@ HttpAnswer PhoneRemote::page() const {
     for (const auto& [name, word] : words) {
         text.replace("{{" + name + "}}", word.toHtmlEscaped());
     }
-    HttpAnswer page{200, "text/html; charset=utf-8", text.toStdString()};
+    http::Answer page{200, "text/html; charset=utf-8", text.toStdString()};
     page.headers.emplace_back(
         "Content-Security-Policy",
         QString("default-src 'none'; script-src 'nonce-%1'; style-src 'nonce-%1'; "

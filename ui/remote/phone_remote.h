@@ -48,12 +48,12 @@ class PhoneRemote : public QObject {
     void changed();
 
   private:
-    practice::HttpAnswer answer(const practice::HttpRequest& request, const QHostAddress& peer);
-    practice::HttpAnswer page() const;
-    practice::HttpAnswer pair(const practice::HttpRequest& request, const QHostAddress& peer);
-    practice::HttpAnswer forDevice(const practice::HttpRequest& request);
-    practice::HttpAnswer press(DeskRemote::Wish wish, const practice::HttpRequest& request);
-    bool isFromHere(const practice::HttpRequest& request) const;
+    http::Answer answer(const http::Request& request, const QHostAddress& peer);
+    http::Answer page() const;
+    http::Answer pair(const http::Request& request, const QHostAddress& peer);
+    http::Answer forDevice(const http::Request& request);
+    http::Answer press(DeskRemote::Wish wish, const http::Request& request);
+    bool isFromHere(const http::Request& request) const;
 
     DeskRemote m_desk;
     Pairing m_pairing;

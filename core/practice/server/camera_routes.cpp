@@ -61,7 +61,7 @@ Json positionJson(const Eigen::Vector3d& v) {
 
 } // namespace
 
-void CameraServer::answerUnknown(const HttpRequest& request, HttpConnection& connection) {
+void CameraServer::answerUnknown(const http::Request& request, HttpConnection& connection) {
     constexpr std::array<std::string_view, 8> kOtherMethod = {"/osc/info",
                                                               "/osc/state",
                                                               "/osc/checkForUpdates",
@@ -76,7 +76,7 @@ void CameraServer::answerUnknown(const HttpRequest& request, HttpConnection& con
     reply(connection, {isKnown ? 405 : 404, refusal("unknown", OscCode::NotFound).body});
 }
 
-bool CameraServer::admits(const HttpRequest& request, HttpConnection& connection) {
+bool CameraServer::admits(const http::Request& request, HttpConnection& connection) {
     count(request);
     if (m_faults.take(FaultKind::StaleNonce, request.path)) {
         m_gate.renew();
@@ -169,7 +169,7 @@ void CameraServer::deliver(const std::string& call, const OscReply& given, HttpC
 
 void CameraServer::routeCamera() {
     const auto route = [this](const char* call, Handle handle) {
-        m_handlers[call] = [this, handle = std::move(handle)](const HttpRequest& request,
+        m_handlers[call] = [this, handle = std::move(handle)](const http::Request& request,
                                                               HttpConnection& connection) {
             if (admits(request, connection)) {
                 handle(request, connection);
@@ -177,31 +177,32 @@ void CameraServer::routeCamera() {
         };
     };
     const auto answered = [&](const char* call, auto act) {
-        route(call, [this, act](const HttpRequest& request, HttpConnection& connection) {
+        route(call, [this, act](const http::Request& request, HttpConnection& connection) {
             answer(request.path, connection, [&] {
                 m_device.pause(kQuick);
                 return act(request);
             });
         });
     };
-    answered("GET /osc/info", [this](const HttpRequest&) { return OscReply{200, m_device.info(m_port)}; });
-    answered("POST /osc/state", [this](const HttpRequest& request) {
+    answered("GET /osc/info", [this](const http::Request&) { return OscReply{200, m_device.info(m_port)}; });
+    answered("POST /osc/state", [this](const http::Request& request) {
         return OscReply{200, m_device.state(baseUrl(request))};
     });
     answered("POST /osc/checkForUpdates",
-             [this](const HttpRequest& request) { return m_device.checkForUpdates(request.body); });
-    answered("POST /osc/commands/status",
-             [this](const HttpRequest& request) { return m_device.status(request.body, baseUrl(request)); });
+             [this](const http::Request& request) { return m_device.checkForUpdates(request.body); });
+    answered("POST /osc/commands/status", [this](const http::Request& request) {
+        return m_device.status(request.body, baseUrl(request));
+    });
     route("POST /osc/commands/execute",
-          [this](const HttpRequest& request, HttpConnection& connection) { execute(request, connection); });
-    route("GET /files/", [this](const HttpRequest& request, HttpConnection& connection) {
+          [this](const http::Request& request, HttpConnection& connection) { execute(request, connection); });
+    route("GET /files/", [this](const http::Request& request, HttpConnection& connection) {
         const auto type = request.query.find("type");
         serveFile(m_device.fileOf(request.path), type != request.query.end() && type->second == "thumb",
                   connection);
     });
 }
 
-void CameraServer::execute(const HttpRequest& request, HttpConnection& connection) {
+void CameraServer::execute(const http::Request& request, HttpConnection& connection) {
     const Json body = requestOf(request.body);
     const std::string command = commandOf(body);
     {
@@ -226,8 +227,8 @@ void CameraServer::execute(const HttpRequest& request, HttpConnection& connectio
 }
 
 void CameraServer::routePractice() {
-    const auto route = [this](const char* call, const std::function<Json(const HttpRequest&)>& act) {
-        m_handlers[call] = [act](const HttpRequest& request, HttpConnection& connection) {
+    const auto route = [this](const char* call, const std::function<Json(const http::Request&)>& act) {
+        m_handlers[call] = [act](const http::Request& request, HttpConnection& connection) {
             try {
                 reply(connection, {200, act(request)});
             } catch (const Error& error) {
@@ -235,19 +236,19 @@ void CameraServer::routePractice() {
             }
         };
     };
-    route("GET /practice/pose", [this](const HttpRequest&) { return positionJson(m_device.position()); });
-    route("POST /practice/pose", [this](const HttpRequest& request) {
+    route("GET /practice/pose", [this](const http::Request&) { return positionJson(m_device.position()); });
+    route("POST /practice/pose", [this](const http::Request& request) {
         const Json body = parseJson(request.body, "the pose");
         const JsonReader reader(body, "the pose");
         m_device.setPosition({reader.number("x"), reader.number("y"), reader.number("z")});
         return positionJson(m_device.position());
     });
-    route("GET /practice/stats", [this](const HttpRequest&) {
+    route("GET /practice/stats", [this](const http::Request&) {
         const PracticeCameraStats given = stats();
         return Json{
             {"commands", given.commands}, {"requests", given.requests}, {"exposures", given.exposures}};
     });
-    route("POST /practice/faults", [this](const HttpRequest& request) { return armed(request.body); });
+    route("POST /practice/faults", [this](const http::Request& request) { return armed(request.body); });
 }
 
 Json CameraServer::armed(const std::string& script) {

@@ -109,7 +109,7 @@ void CameraServer::endure(const Fault& outage, const std::stop_token& stop) {
 }
 
 void CameraServer::serve(HttpConnection& connection) {
-    while (std::optional<HttpRequest> request = connection.nextHead(kKeepAlive)) {
+    while (std::optional<http::Request> request = connection.nextHead(kKeepAlive)) {
         if (m_faults.take(FaultKind::DropAfterHeader, request->path) ||
             !connection.readBody(*request, kMaxBody)) {
             return;
@@ -118,7 +118,7 @@ void CameraServer::serve(HttpConnection& connection) {
     }
 }
 
-void CameraServer::dispatch(const HttpRequest& request, HttpConnection& connection) {
+void CameraServer::dispatch(const http::Request& request, HttpConnection& connection) {
     const bool isFile = request.method == "GET" && request.path.starts_with("/files/");
     const auto handler = m_handlers.find(request.method + " " + (isFile ? "/files/" : request.path));
     try {
@@ -132,7 +132,7 @@ void CameraServer::dispatch(const HttpRequest& request, HttpConnection& connecti
     }
 }
 
-void CameraServer::count(const HttpRequest& request) {
+void CameraServer::count(const http::Request& request) {
     const std::string path = request.path.starts_with("/files/") ? "/files" : printable(request.path);
     const std::scoped_lock lock(m_statsMutex);
     ++m_stats.requests[request.method + " " + path];
@@ -145,7 +145,7 @@ PracticeCameraStats CameraServer::stats() const {
     return stats;
 }
 
-std::string CameraServer::baseUrl(const HttpRequest& request) const {
+std::string CameraServer::baseUrl(const http::Request& request) const {
     if (m_options.urlsOfAccessPoint) {
         return std::string(kRealAddress);
     }

@@ -65,20 +65,20 @@ class CameraServer {
 
   private:
     using Act = std::function<OscReply()>;
-    using Handle = std::function<void(const HttpRequest&, HttpConnection&)>;
+    using Handle = std::function<void(const http::Request&, HttpConnection&)>;
 
     void serve(HttpConnection& connection);
-    void dispatch(const HttpRequest& request, HttpConnection& connection);
+    void dispatch(const http::Request& request, HttpConnection& connection);
     void endure(const Fault& outage, const std::stop_token& stop);
 
     void routeCamera();
     void routePractice();
-    void answerUnknown(const HttpRequest& request, HttpConnection& connection);
-    void execute(const HttpRequest& request, HttpConnection& connection);
+    void answerUnknown(const http::Request& request, HttpConnection& connection);
+    void execute(const http::Request& request, HttpConnection& connection);
     /// Arms the faults of POST /practice/faults. Errors: Corrupt, InvalidInput.
     Json armed(const std::string& script);
     /// Counts the request. Returns true if it may pass; otherwise it is answered with a challenge.
-    bool admits(const HttpRequest& request, HttpConnection& connection);
+    bool admits(const http::Request& request, HttpConnection& connection);
     /// Returns true if a fault keeps the call from being done. The client then has its answer, or never gets
     /// one.
     bool isRefused(const std::string& call, HttpConnection& connection);
@@ -92,8 +92,8 @@ class CameraServer {
                    HttpConnection& connection);
     void sendFile(Bytes bytes, HttpConnection& connection);
 
-    void count(const HttpRequest& request);
-    std::string baseUrl(const HttpRequest& request) const;
+    void count(const http::Request& request);
+    std::string baseUrl(const http::Request& request) const;
 
     OscDevice& m_device;
     FaultPlan& m_faults;

@@ -68,7 +68,7 @@ void HttpConnection::refuse(int status) {
     drop();
 }
 
-std::optional<HttpRequest> HttpConnection::nextHead(std::chrono::milliseconds timeout) {
+std::optional<http::Request> HttpConnection::nextHead(std::chrono::milliseconds timeout) {
     if (m_isLast || !isOpen() || (m_received.empty() && !receive(timeout))) {
         return std::nullopt;
     }
@@ -79,9 +79,9 @@ std::optional<HttpRequest> HttpConnection::nextHead(std::chrono::milliseconds ti
             return std::nullopt;
         }
     }
-    std::optional<HttpRequest> request;
+    std::optional<http::Request> request;
     if (end <= kMaxHead) {
-        request = parseRequestHead(std::string_view(m_received).substr(0, end));
+        request = http::parseRequestHead(std::string_view(m_received).substr(0, end));
     }
     if (!request) {
         refuse(end <= kMaxHead ? 400 : 431);
@@ -93,9 +93,9 @@ std::optional<HttpRequest> HttpConnection::nextHead(std::chrono::milliseconds ti
     return request;
 }
 
-bool HttpConnection::readBody(HttpRequest& request, std::size_t maxBytes) {
+bool HttpConnection::readBody(http::Request& request, std::size_t maxBytes) {
     const bool isChunked = request.headers.contains("Transfer-Encoding");
-    const std::optional<std::size_t> length = contentLength(request);
+    const std::optional<std::size_t> length = http::contentLength(request);
     if (isChunked || !length || *length > maxBytes) {
         refuse(isChunked ? 411 : length ? 413 : 400);
         return false;
@@ -128,7 +128,7 @@ bool HttpConnection::send(std::string_view bytes) {
 }
 
 void HttpConnection::sendHead(int status, const std::vector<std::pair<std::string, std::string>>& headers) {
-    std::string head = text("HTTP/1.1 ", status, " ", reasonPhrase(status), "\r\n");
+    std::string head = text("HTTP/1.1 ", status, " ", http::reasonPhrase(status), "\r\n");
     for (const auto& [name, value] : headers) {
         head += text(name, ": ", value, "\r\n");
     }
@@ -136,7 +136,7 @@ void HttpConnection::sendHead(int status, const std::vector<std::pair<std::strin
     send(head);
 }
 
-void HttpConnection::answer(const HttpAnswer& answer) {
+void HttpConnection::answer(const http::Answer& answer) {
     auto headers = answer.headers;
     if (!answer.type.empty()) {
         headers.emplace_back("Content-Type", answer.type);

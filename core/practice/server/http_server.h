@@ -3,7 +3,7 @@
 #pragma once
 
 #include "spherewalk/base/bytes.h"
-#include "spherewalk/practice/http_message.h"
+#include "spherewalk/http/message.h"
 
 #include <atomic>
 #include <chrono>
@@ -30,13 +30,13 @@ class HttpConnection {
 
     /// Waits for the head of the next request. Returns nothing at the end of the connection, and after a bad
     /// or too long head, which is answered with its status.
-    std::optional<HttpRequest> nextHead(std::chrono::milliseconds timeout);
+    std::optional<http::Request> nextHead(std::chrono::milliseconds timeout);
     /// Reads the body that the head announces. Without a Content-Length there is none (RFC 9112, 6.3).
     /// Returns false at the end of the connection, and for a body that is too long or chunked, which is
     /// answered with its status.
-    bool readBody(HttpRequest& request, std::size_t maxBytes);
+    bool readBody(http::Request& request, std::size_t maxBytes);
 
-    void answer(const HttpAnswer& answer);
+    void answer(const http::Answer& answer);
     /// Sends a status line and headers that announce a body of this length; send() sends the body.
     void beginAnswer(const std::string& type, std::size_t bytes);
     /// Sends headers that announce a body in chunks, of which sendChunk() sends one. An empty chunk ends the

@@ -21,14 +21,14 @@ class LocalServerTest : public testing::Test {
 
     int statusOf(const QByteArray& request) const { return sendRaw(url(), request).status; }
 
-    practice::HttpAnswer remember(const practice::HttpRequest& request) {
+    http::Answer remember(const http::Request& request) {
         served.push_back(request);
         return {200, "text/plain", "served"};
     }
 
-    std::vector<practice::HttpRequest> served;
+    std::vector<http::Request> served;
     LocalServer server{
-        [this](const practice::HttpRequest& request, const QHostAddress&) { return remember(request); }};
+        [this](const http::Request& request, const QHostAddress&) { return remember(request); }};
 };
 
 } // namespace
@@ -98,16 +98,14 @@ TEST_F(LocalServerTest, OneDeviceCannotTakeAllConnections) {
 }
 
 TEST(LocalServer, DropsAClientThatDoesNotComeToAnEnd) {
-    LocalServer server(
-        [](const practice::HttpRequest&, const QHostAddress&) { return practice::HttpAnswer(); },
-        std::chrono::milliseconds(50));
+    LocalServer server([](const http::Request&, const QHostAddress&) { return http::Answer(); },
+                       std::chrono::milliseconds(50));
     ASSERT_TRUE(server.open(QHostAddress(QHostAddress::LocalHost)));
     EXPECT_EQ(sendRaw(QUrl("http://" + server.host()), "GET / HTTP/1.1\r\n").status, 0);
 }
 
 TEST(LocalServer, AddressesOfOthersAreNotListenedAt) {
-    LocalServer server(
-        [](const practice::HttpRequest&, const QHostAddress&) { return practice::HttpAnswer(); });
+    LocalServer server([](const http::Request&, const QHostAddress&) { return http::Answer(); });
     EXPECT_FALSE(server.open(QHostAddress("192.0.2.1"))); // no computer has it: RFC 5737
     EXPECT_FALSE(server.isOpen());
     EXPECT_FALSE(server.sentence().isEmpty());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/practice/http_message.h"
+#include "spherewalk/http/message.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 
-namespace spherewalk::practice {
+namespace spherewalk::http {
 
 namespace {
 
@@ -56,18 +56,18 @@ bool HeaderOrder::operator()(const std::string& a, const std::string& b) const {
                                         [](char x, char y) { return lowered(x) < lowered(y); });
 }
 
-std::string HttpRequest::header(const std::string& name) const {
+std::string Request::header(const std::string& name) const {
     const auto found = headers.find(name);
     return found == headers.end() ? std::string() : found->second;
 }
 
-bool HttpRequest::says(const std::string& name, std::string_view word) const {
+bool Request::says(const std::string& name, std::string_view word) const {
     return isSameWord(header(name), word);
 }
 
-std::optional<HttpRequest> parseRequestHead(std::string_view head) {
+std::optional<Request> parseRequestHead(std::string_view head) {
     std::string_view line = cutUntil(head, "\r\n");
-    HttpRequest request;
+    Request request;
     request.method = cutUntil(line, " ");
     request.target = cutUntil(line, " ");
     const bool isMethod = !request.method.empty() && std::all_of(request.method.begin(), request.method.end(),
@@ -97,7 +97,7 @@ std::optional<HttpRequest> parseRequestHead(std::string_view head) {
     return request;
 }
 
-std::optional<std::size_t> contentLength(const HttpRequest& request) {
+std::optional<std::size_t> contentLength(const Request& request) {
     const std::string spelled = request.header("Content-Length");
     std::size_t length = 0;
     const char* const end = spelled.data() + spelled.size();
@@ -135,4 +135,4 @@ std::string_view reasonPhrase(int status) {
     }
 }
 
-} // namespace spherewalk::practice
+} // namespace spherewalk::http

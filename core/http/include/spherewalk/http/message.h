@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests and answers of HTTP/1.1, for small servers such as the practice camera's.
+// Requests and answers of HTTP/1.1, for small servers: the practice camera and the remote on a phone.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-namespace spherewalk::practice {
+namespace spherewalk::http {
 
 /// The order of header names, which do not distinguish capital letters.
 struct HeaderOrder {
     bool operator()(const std::string& a, const std::string& b) const;
 };
 
-struct HttpRequest {
+struct Request {
     std::string method; ///< In capital letters, as the client sent it.
     std::string target; ///< Path and query, as the client sent them.
     std::string path;   ///< Without the query; %41 stands for its byte.
@@ -34,13 +34,13 @@ struct HttpRequest {
 
 /// The request that starts with these lines, without its body. head: ends before the empty line. Returns
 /// nothing for text that is no HTTP/1.0 or HTTP/1.1 request. Source: RFC 9112, sections 3 and 5.
-std::optional<HttpRequest> parseRequestHead(std::string_view head);
+std::optional<Request> parseRequestHead(std::string_view head);
 
 /// The length of the body that the request announces: 0 without a Content-Length, and nothing for a length
 /// that is no number. Source: RFC 9110, 8.6.
-std::optional<std::size_t> contentLength(const HttpRequest& request);
+std::optional<std::size_t> contentLength(const Request& request);
 
-struct HttpAnswer {
+struct Answer {
     int status = 200;
     std::string type; ///< Content-Type; empty for none.
     std::string body;
@@ -50,4 +50,4 @@ struct HttpAnswer {
 /// The reason phrase of a status code, for the first line of an answer.
 std::string_view reasonPhrase(int status);
 
-} // namespace spherewalk::practice
+} // namespace spherewalk::http
