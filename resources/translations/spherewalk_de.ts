@@ -428,6 +428,10 @@
             <numerusform>%n Fotos umgesetzt; richten Sie zur Sicherheit erneut aus.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no photo to align yet; capture or import some first.</source>
+        <translation>Es gibt noch kein Foto auszurichten; nehmen Sie erst welche auf, oder importieren Sie sie.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::Application</name>
@@ -1653,6 +1657,26 @@
     <message>
         <source>Rails %1 and %2 have a stop at the same place; move one of them.</source>
         <translation>Die Schienen %1 und %2 haben einen Halt an derselben Stelle; verschieben Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>No photo is left to export; capture some first, or accept some.</source>
+        <translation>Kein Foto ist zum Exportieren übrig; nehmen Sie erst welche auf, oder nehmen Sie welche an.</translation>
+    </message>
+    <message>
+        <source>How much space is left at %1 cannot be told.</source>
+        <translation>Wie viel Platz bei %1 frei ist, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>The dataset needs about %1, and %2 are free at %3; make space, or choose another place.</source>
+        <translation>Der Datensatz braucht etwa %1, und bei %3 sind %2 frei; schaffen Sie Platz, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The survey is not aligned: photos would be exported as if each looked along the room&apos;s x axis; align it first.</source>
+        <translation>Das Projekt ist nicht ausgerichtet: Fotos würden exportiert, als blickte jedes entlang der x-Achse des Raums; richten Sie es erst aus.</translation>
+    </message>
+    <message>
+        <source>1 photo has no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <translation>1 Foto hat keine bekannte Richtung: es würde exportiert, als blickte es entlang der x-Achse des Raums; richten Sie erneut aus, oder weisen Sie es zurück.</translation>
     </message>
 </context>
 <context>
@@ -3907,6 +3931,13 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Positions (*.csv)</source>
         <translation>Positionen (*.csv)</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), without depth.</source>
+        <translation>
+            <numerusform>%1: %n Foto, ohne Tiefe.</numerusform>
+            <numerusform>%1: %n Fotos, ohne Tiefe.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -4696,6 +4727,49 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Nothing runs.</source>
         <translation>Nichts läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Told</name>
+    <message>
+        <source>Open a survey</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Go to Plan</source>
+        <translation>Zu Planen</translation>
+    </message>
+    <message>
+        <source>Go to Capture</source>
+        <translation>Zu Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Change the address</source>
+        <translation>Adresse ändern</translation>
+    </message>
+    <message>
+        <source>What the guide says</source>
+        <translation>Was die Anleitung sagt</translation>
+    </message>
+    <message>
+        <source>Change the exposure</source>
+        <translation>Belichtung ändern</translation>
+    </message>
+    <message>
+        <source>Go to Review</source>
+        <translation>Zu Sichten</translation>
+    </message>
+    <message>
+        <source>Go to Align</source>
+        <translation>Zu Ausrichten</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Export with depth</source>
+        <translation>Mit Tiefe exportieren</translation>
     </message>
 </context>
 <context>

@@ -258,6 +258,13 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
             <numerusform>%n photos in the dataset</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), without depth.</source>
+        <translation>
+            <numerusform>%1: %n photo, without depth.</numerusform>
+            <numerusform>%1: %n photos, without depth.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>

@@ -434,6 +434,10 @@
         <source>Moved to this station since; align again.</source>
         <translation>Przeniesiono od tego czasu na to stanowisko; wyznacz ponownie.</translation>
     </message>
+    <message>
+        <source>There is no photo to align yet; capture or import some first.</source>
+        <translation>Nie ma jeszcze czego orientować; najpierw zrób lub zaimportuj zdjęcia.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::Application</name>
@@ -1663,6 +1667,26 @@
     <message>
         <source>Rails %1 and %2 have a stop at the same place; move one of them.</source>
         <translation>Szyny %1 i %2 mają postój w tym samym miejscu; przesuń jedną z nich.</translation>
+    </message>
+    <message>
+        <source>No photo is left to export; capture some first, or accept some.</source>
+        <translation>Nie zostało żadne zdjęcie do eksportu; najpierw zrób zdjęcia albo jakieś zaakceptuj.</translation>
+    </message>
+    <message>
+        <source>How much space is left at %1 cannot be told.</source>
+        <translation>Nie wiadomo, ile miejsca zostało w %1.</translation>
+    </message>
+    <message>
+        <source>The dataset needs about %1, and %2 are free at %3; make space, or choose another place.</source>
+        <translation>Zbiór danych potrzebuje około %1, a w %3 wolne jest %2; zwolnij miejsce albo wybierz inne.</translation>
+    </message>
+    <message>
+        <source>The survey is not aligned: photos would be exported as if each looked along the room&apos;s x axis; align it first.</source>
+        <translation>Orientacja zdjęć nie jest wyznaczona: zdjęcia byłyby wyeksportowane tak, jakby każde patrzyło wzdłuż osi x pomieszczenia; najpierw ją wyznacz.</translation>
+    </message>
+    <message>
+        <source>1 photo has no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <translation>1 zdjęcie ma nieznany kierunek: byłoby wyeksportowane tak, jakby patrzyło wzdłuż osi x pomieszczenia; wyznacz orientację ponownie albo je odrzuć.</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +3962,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Positions (*.csv)</source>
         <translation>Pozycje (*.csv)</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n photo(s), without depth.</source>
+        <translation>
+            <numerusform>%1: %n zdjęcie, bez głębi.</numerusform>
+            <numerusform>%1: %n zdjęcia, bez głębi.</numerusform>
+            <numerusform>%1: %n zdjęć, bez głębi.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -4734,6 +4766,49 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Nothing runs.</source>
         <translation>Nic nie trwa.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::Told</name>
+    <message>
+        <source>Open a survey</source>
+        <translation>Otwórz pomiar</translation>
+    </message>
+    <message>
+        <source>Go to Plan</source>
+        <translation>Przejdź do: Plan</translation>
+    </message>
+    <message>
+        <source>Go to Capture</source>
+        <translation>Przejdź do: Zdjęcia</translation>
+    </message>
+    <message>
+        <source>Change the address</source>
+        <translation>Zmień adres</translation>
+    </message>
+    <message>
+        <source>What the guide says</source>
+        <translation>Co mówi przewodnik</translation>
+    </message>
+    <message>
+        <source>Change the exposure</source>
+        <translation>Zmień ekspozycję</translation>
+    </message>
+    <message>
+        <source>Go to Review</source>
+        <translation>Przejdź do: Ocena</translation>
+    </message>
+    <message>
+        <source>Go to Align</source>
+        <translation>Przejdź do: Orientacja</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Wybierz folder</translation>
+    </message>
+    <message>
+        <source>Export with depth</source>
+        <translation>Eksportuj z głębią</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 #include "ui/align/align_mode.h"
 
 #include "ui/align/align_presenter.h"
-#include "ui/look/core_words.h"
+#include "ui/look/told_label.h"
 #include "ui/review/coverage_view.h"
 #include "ui/tasks/task_panel.h"
 
@@ -166,9 +166,8 @@ QWidget* AlignMode::makeTable() {
     auto* column = new QWidget(this);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_summary = new QLabel(column);
+    m_summary = new ToldLabel(column);
     m_summary->setObjectName("summary");
-    m_summary->setWordWrap(true);
     auto* onlyFlagged = new QCheckBox(tr("Only photos with a fla&g"), column);
     onlyFlagged->setObjectName("onlyFlagged");
     connect(onlyFlagged, &QCheckBox::toggled, &m_presenter->table(), &AlignProxy::setOnlyFlagged);
@@ -194,9 +193,8 @@ QWidget* AlignMode::makeTable() {
                         index.data(AlignModel::StationRole).toLongLong());
                 }
             });
-    m_reason = new QLabel(column);
+    m_reason = new ToldLabel(column);
     m_reason->setObjectName("reason");
-    m_reason->setWordWrap(true);
     auto* buttons = new QHBoxLayout;
     const auto add = [&](const QString& text, const QString& name, const QString& toolTip) {
         auto* button = new QPushButton(text, column);
@@ -268,14 +266,14 @@ void AlignMode::setMask(const std::filesystem::path& mask) {
 
 void AlignMode::showFindings() {
     const auto& findings = m_presenter->findings();
-    m_summary->setText(m_presenter->summary());
+    m_summary->tell(m_presenter->summary());
     m_headings.setPhotos(findings ? findings->photos : std::vector<jobs::PhotoFinding>());
     try {
         m_plan->setRows(m_presenter->session() != nullptr
                             ? reviewRows(m_presenter->session()->store(), findings)
                             : std::vector<ReviewRow>());
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
     m_legend->setHottest(m_plan->hottest());
     sizeColumns();
@@ -313,16 +311,19 @@ std::vector<std::int64_t> AlignMode::chosen() const {
 void AlignMode::showProposals() {
     const std::vector<std::int64_t> photos = chosen();
     bool hasRetag = false;
-    QStringList reasons;
+    QList<Told> reasons;
     for (const std::int64_t id : photos) {
         const jobs::PhotoFinding* photo = m_presenter->model().photo(id);
         hasRetag = hasRetag || (photo != nullptr && photo->fits);
         for (const std::string& flag : photo != nullptr ? photo->flags : std::vector<std::string>()) {
-            reasons << coreWords(flag);
+            const Told reason = coreTold(flag);
+            const auto isSame = [&](const Told& other) { return other.text == reason.text; };
+            if (std::none_of(reasons.cbegin(), reasons.cend(), isSame)) {
+                reasons << reason;
+            }
         }
     }
-    reasons.removeDuplicates();
-    m_reason->setText(reasons.mid(0, 4).join(QLatin1Char('\n')));
+    m_reason->tell(reasons.mid(0, 4));
     const bool isFree = m_presenter->canRun();
     const auto& findings = m_presenter->findings();
     m_retag->setEnabled(isFree && hasRetag);

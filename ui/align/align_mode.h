@@ -11,7 +11,6 @@
 
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QPushButton;
 class QTableView;
 
@@ -22,6 +21,7 @@ class CoverageLegend;
 class CoverageView;
 class TaskBar;
 class TaskList;
+class ToldLabel;
 
 /// Draws the solved pose of each photo on the plan: a line along its heading, and a fan of three standard
 /// deviations, which is magnified to be visible.
@@ -72,9 +72,9 @@ class AlignMode : public Mode {
     QPushButton* m_maskButton = nullptr;
     QPushButton* m_run = nullptr;
     TaskBar* m_progress = nullptr;
-    QLabel* m_summary = nullptr;
+    ToldLabel* m_summary = nullptr;
     QTableView* m_table = nullptr;
-    QLabel* m_reason = nullptr;
+    ToldLabel* m_reason = nullptr;
     QPushButton* m_retag = nullptr;
     QPushButton* m_retagAll = nullptr;
     QPushButton* m_retake = nullptr;

@@ -77,7 +77,7 @@ void AlignPresenter::read() {
     } catch (const Error& error) {
         m_findings.reset();
         m_model.setPhotos({});
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
     emit findingsChanged();
 }
@@ -98,12 +98,14 @@ void AlignPresenter::forgetOfMoved() {
     }
 }
 
-QString AlignPresenter::summary() const {
+Told AlignPresenter::summary() const {
     if (!session()) {
         return {};
     }
     if (!m_findings) {
-        return tr("The survey is not aligned yet.");
+        return session()->state().counts.stationsWithPhoto > 0
+                   ? Told(tr("The survey is not aligned yet."))
+                   : Told(tr("There is no photo to align yet; capture or import some first."), Cure::Capture);
     }
     std::map<std::optional<survey::Quality>, int> counts;
     for (const jobs::PhotoFinding& photo : m_findings->photos) {
@@ -126,10 +128,13 @@ QString AlignPresenter::summary() const {
     }
     sentences << tr("Model %1.").arg(QString::fromStdString(m_findings->solution.model))
               << coreWords(m_findings->reason);
+    Cure cure = Cure::None;
     for (const std::string& warning : m_findings->warnings) {
-        sentences << coreWords(warning);
+        const Told told = coreTold(warning);
+        sentences << told.text;
+        cure = cure == Cure::None ? told.cure : cure;
     }
-    return sentences.join(QLatin1Char(' ')).simplified();
+    return {sentences.join(QLatin1Char(' ')).simplified(), cure};
 }
 
 bool AlignPresenter::canRun() const {

@@ -30,7 +30,7 @@ class AlignPresenter : public SurveyPresenter {
     const std::optional<jobs::SolutionFindings>& findings() const { return m_findings; }
 
     /// Returns "29 photos: 27 good, 2 doubtful. Model tilt. ...".
-    QString summary() const;
+    Told summary() const;
 
     bool canRun() const;
     /// Starts the alignment, unless one runs.

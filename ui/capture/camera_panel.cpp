@@ -6,6 +6,7 @@
 #include "ui/capture/profile_form.h"
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
+#include "ui/look/told_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -107,6 +108,15 @@ void CameraPanel::showRemote(bool isOn) {
     m_remote->setText(isOn ? tr("Phone as remote: on...") : tr("Phone as remote..."));
 }
 
+void CameraPanel::showPart(const QString& part) {
+    if (part == QLatin1String("address")) {
+        m_address->setFocus(Qt::ShortcutFocusReason);
+        m_address->selectAll();
+    } else if (part == QLatin1String("exposure")) {
+        m_profile->setFocus(Qt::ShortcutFocusReason);
+    }
+}
+
 /// Asks first where practice photos would come into a survey of a real room.
 void CameraPanel::togglePractice() {
     if (m_desk.hasPracticeCamera()) {
@@ -146,9 +156,8 @@ QWidget* CameraPanel::makeFinder() {
     m_found->setObjectName("foundCameras");
     m_found->setAccessibleName(tr("Cameras that were found"));
     m_found->setToolTip(tr("Choose the camera to connect to."));
-    m_findWords = new QLabel(finder);
+    m_findWords = new ToldLabel(finder);
     m_findWords->setObjectName("findWords");
-    m_findWords->setWordWrap(true);
     row->addWidget(m_find);
     row->addWidget(m_found);
     row->addWidget(m_findWords, 1);
@@ -206,7 +215,7 @@ void CameraPanel::askLogin(const camera::Endpoint& endpoint, bool wasRefused) {
 
 void CameraPanel::showFound() {
     m_find->setEnabled(!m_finder.isLooking());
-    m_findWords->setText(m_finder.sentence());
+    m_findWords->tell(m_finder.told());
     m_found->clear();
     m_found->addItem(tr("Choose..."));
     for (const camera::FoundCamera& camera : m_finder.cameras()) {

@@ -18,6 +18,7 @@ class QSpinBox;
 namespace spherewalk::ui {
 
 class LoginForm;
+class ToldLabel;
 
 /// Connects a camera, and shows its status, its exposure settings and its live preview. An operator edits
 /// here what CaptureDesk works with.
@@ -29,6 +30,9 @@ class CameraPanel : public QWidget {
 
     /// Shows whether a phone can be the remote.
     void showRemote(bool isOn);
+
+    /// Puts the focus on the field of the address ("address") or on the settings of the photos ("exposure").
+    void showPart(const QString& part);
 
   signals:
     void remoteWanted();
@@ -59,7 +63,7 @@ class CameraPanel : public QWidget {
     QLabel* m_heat = nullptr;
     QPushButton* m_find = nullptr;
     QComboBox* m_found = nullptr;
-    QLabel* m_findWords = nullptr;
+    ToldLabel* m_findWords = nullptr;
     QPushButton* m_profile = nullptr;
     QPushButton* m_showPreview = nullptr;
     PreviewView* m_preview = nullptr;

@@ -47,9 +47,9 @@ void CameraPulse::beat() {
                               }
                           };
                       } catch (const Error& error) {
-                          return [this, number, sentence = coreWords(error.sentence())] {
+                          return [this, number, told = coreTold(error.sentence())] {
                               if (number == m_begun) {
-                                  emit silent(sentence);
+                                  emit silent(told);
                               }
                           };
                       }

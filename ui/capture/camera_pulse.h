@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/told.h"
 #include "ui/tasks/background_worker.h"
 
 #include "spherewalk/camera/endpoint.h"
@@ -33,7 +34,7 @@ class CameraPulse : public QObject {
   signals:
     void answered(const spherewalk::camera::CameraState& state);
     /// The camera gave no answer; the sentence says why.
-    void silent(const QString& sentence);
+    void silent(const spherewalk::ui::Told& told);
 
   private:
     void beat();

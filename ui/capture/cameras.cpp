@@ -59,7 +59,7 @@ void CameraFinder::find() {
         return;
     }
     m_report = {};
-    m_sentence = tr("Looking for cameras...");
+    m_told = tr("Looking for cameras...");
     m_task = m_tasks.start(
         tr("Looking for cameras"), this,
         [options = m_options](ProgressSink& /*progress*/, const std::stop_token& stop) {
@@ -68,7 +68,7 @@ void CameraFinder::find() {
         [this](camera::FindReport report) { found(std::move(report)); });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] {
         if (task->state() != Task::State::Done) {
-            m_sentence = task->sentence();
+            m_told = task->told();
         }
         emit changed();
     });
@@ -77,12 +77,13 @@ void CameraFinder::find() {
 
 void CameraFinder::found(camera::FindReport report) {
     m_report = std::move(report);
-    m_sentence =
+    m_told =
         m_report.cameras.empty()
-            ? tr("No camera answers. Switch it on, connect this computer to its WiFi, and look again.")
-            : tr("%n camera(s) found", nullptr, static_cast<int>(m_report.cameras.size()));
+            ? Told(tr("No camera answers. Switch it on, connect this computer to its WiFi, and look again."),
+                   Cure::Connecting)
+            : Told(tr("%n camera(s) found", nullptr, static_cast<int>(m_report.cameras.size())));
     if (m_report.cameras.empty() && !m_report.note.empty()) {
-        m_sentence += " " + QString::fromStdString(m_report.note);
+        m_told.text += " " + QString::fromStdString(m_report.note);
     }
 }
 

@@ -60,7 +60,10 @@ class CameraFinder : public QObject {
     const std::vector<camera::FoundCamera>& cameras() const { return m_report.cameras; }
 
     /// Says what the search found or why it failed; empty before the first search.
-    const QString& sentence() const { return m_sentence; }
+    QString sentence() const { return m_told.text; }
+
+    /// Returns sentence(), with the place of its cure.
+    const Told& told() const { return m_told; }
 
     /// "RICOH THETA V 00123456, 192.168.1.1:80 (its own WiFi)".
     static QString words(const camera::FoundCamera& camera);
@@ -75,7 +78,7 @@ class CameraFinder : public QObject {
     QPointer<Task> m_task;
     camera::FindOptions m_options;
     camera::FindReport m_report;
-    QString m_sentence;
+    Told m_told;
 };
 
 /// The practice camera of this program, and the plan of its room.

@@ -50,7 +50,7 @@ void CaptureDesk::setSession(SurveySession* session) {
     }
     m_session = session;
     m_verdict.reset();
-    m_sentence.clear();
+    m_told = {};
     if (session != nullptr) {
         connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
             if (what.testFlag(SurveySession::Plan)) {
@@ -85,7 +85,7 @@ void CaptureDesk::setProfile(const std::optional<survey::CaptureProfile>& profil
         m_session->write(SurveySession::Profile,
                          [&](store::SurveyStore& store) { store.setCaptureProfile(profile); });
     } catch (const Error& error) {
-        failed(coreWords(error.sentence()));
+        failed(coreTold(error.sentence()));
     }
 }
 
@@ -132,12 +132,12 @@ void CaptureDesk::hear(const camera::CameraState& state) {
     emit changed();
 }
 
-void CaptureDesk::hearNothing(const QString& sentence) {
+void CaptureDesk::hearNothing(const Told& told) {
     if (m_status) {
         m_status->batteryFraction.reset();
     }
     m_isSilent = true;
-    failed(sentence);
+    failed(told);
 }
 
 void CaptureDesk::connectTo(const QString& address) {
@@ -151,7 +151,7 @@ void CaptureDesk::connectTo(const QString& address) {
         }
         m_endpoint = endpoint;
     } catch (const Error& error) {
-        return failed(coreWords(error.sentence()));
+        return failed(coreTold(error.sentence()));
     }
     m_isPractice = m_practice && m_practice->endpoint() == m_endpoint;
     m_isAutomatic = m_isAutomatic && m_isPractice;
@@ -185,7 +185,7 @@ void CaptureDesk::disconnectCamera() {
     m_connectsAgain = false;
     m_status.reset();
     m_verdict.reset();
-    m_sentence.clear();
+    m_told = {};
     setState(wasRunning ? m_state : State::NoCamera);
 }
 
@@ -234,7 +234,7 @@ void CaptureDesk::connectingEnded(const Task* task) {
     if (m_task == task && m_state == State::Connecting) { // else it has led on
         m_state = State::NoCamera;
         m_isPractice = false;
-        failed(task->sentence());
+        failed(task->told());
         if (std::exchange(m_connectsAgain, false)) {
             connectTo(QString::fromStdString(m_endpoint.name()));
         } else {
@@ -247,7 +247,7 @@ void CaptureDesk::connected(const CameraStatus& status) {
     m_connectsAgain = false;
     m_status = status;
     m_verdict.reset();
-    m_sentence = coreWords(status.troubles.join(" "));
+    m_told = coreTold(status.troubles.join(" "));
     setState(State::Ready);
     if (std::exchange(m_startsWhenReady, false)) {
         start();
@@ -261,9 +261,9 @@ void CaptureDesk::setAutomatic(bool isAutomatic) {
     }
 }
 
-void CaptureDesk::failed(const QString& sentence) {
-    m_verdict = sentence.isEmpty() ? std::nullopt : std::optional(survey::Quality::Failed);
-    m_sentence = coreWords(sentence);
+void CaptureDesk::failed(const Told& told) {
+    m_verdict = told.isEmpty() ? std::nullopt : std::optional(survey::Quality::Failed);
+    m_told = told;
     emit changed();
 }
 
@@ -289,7 +289,7 @@ void CaptureDesk::atStation(const store::StationRecord& station, bool waitsForKe
 void CaptureDesk::askAgain(const store::StationRecord& station, const QString& sentence) {
     m_queue.goTo(station);
     m_state = State::AskAgain;
-    failed(sentence);
+    failed(coreTold(sentence));
     emit verdictGiven(survey::Quality::Failed);
 }
 
@@ -309,7 +309,7 @@ void CaptureDesk::start() {
         return;
     }
     m_verdict.reset();
-    m_sentence.clear();
+    m_told = {};
     m_queue.pace().begin(systemClock().now());
     setState(State::Preparing);
     DeskOptions options;
@@ -384,8 +384,8 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
                         const QString& sentence) {
     m_verdict = quality;
     // The cart may stand elsewhere by now.
-    m_sentence =
-        sentence.isEmpty() ? sentence : tr("%1: %2").arg(stationWords(station.name), coreWords(sentence));
+    const Told told = coreTold(sentence);
+    m_told = told.isEmpty() ? told : Told(tr("%1: %2").arg(stationWords(station.name), told.text), told.cure);
     if (isThere || quality != survey::Quality::Failed) {
         m_queue.pace().photo(systemClock().now());
         m_queue.setAgain(station.id, false);
@@ -405,7 +405,7 @@ void CaptureDesk::runDone(const Task* task) {
     m_timer.stop();
     m_state = m_status ? State::Ready : State::NoCamera;
     if (task->state() == Task::State::Failed) {
-        failed(task->sentence());
+        failed(task->told());
         emit verdictGiven(survey::Quality::Failed);
     }
     if (m_session) {

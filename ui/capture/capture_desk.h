@@ -159,7 +159,10 @@ class CaptureDesk : public QObject {
     std::optional<survey::Quality> verdict() const { return m_verdict; }
 
     /// Explains verdict(), or says what went wrong; empty if there is nothing to say.
-    QString sentence() const { return m_sentence; }
+    QString sentence() const { return m_told.text; }
+
+    /// Returns sentence(), with the place of its cure.
+    const Told& told() const { return m_told; }
 
     /// Returns the stations that are photographed again although they have a photo, in walking order.
     std::vector<store::StationRecord> again() const { return m_queue.again(); }
@@ -188,12 +191,12 @@ class CaptureDesk : public QObject {
     void followWithPreview();
     void followWithPulse();
     void hear(const camera::CameraState& state);
-    void hearNothing(const QString& sentence);
+    void hearNothing(const Told& told);
     void read();
     void connectAgain(const camera::Endpoint& endpoint);
     void connected(const CameraStatus& status);
     void connectingEnded(const Task* task);
-    void failed(const QString& sentence);
+    void failed(const Told& told);
     void shoot();
     void tick();
     void showStatus(const CameraStatus& status);
@@ -234,7 +237,7 @@ class CaptureDesk : public QObject {
     StationQueue m_queue;
     std::optional<CameraStatus> m_status;
     std::optional<survey::Quality> m_verdict;
-    QString m_sentence;
+    Told m_told;
 };
 
 } // namespace spherewalk::ui

@@ -7,6 +7,7 @@
 #include "ui/look/icon.h"
 #include "ui/look/side_panel.h"
 #include "ui/look/theme.h"
+#include "ui/look/told_label.h"
 #include "ui/look/words.h"
 #include "ui/map/station_words.h"
 
@@ -109,6 +110,10 @@ void CaptureMode::activated() {
     setFocus();
 }
 
+void CaptureMode::showPart(const QString& part) {
+    m_camera->showPart(part);
+}
+
 QWidget* CaptureMode::makeTarget() {
     auto* target = new QWidget(this);
     auto* column = new QVBoxLayout(target);
@@ -179,10 +184,8 @@ QWidget* CaptureMode::makeVerdict() {
     auto* row = new QHBoxLayout(verdict);
     row->setContentsMargins(0, 0, 0, 0);
     m_verdictIcon = new QLabel(verdict);
-    m_verdict = new QLabel(verdict);
+    m_verdict = new ToldLabel(verdict);
     m_verdict->setObjectName("verdict");
-    m_verdict->setWordWrap(true);
-    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     QFont font = m_verdict->font();
     font.setPointSizeF(1.35 * font.pointSizeF());
     m_verdict->setFont(font);
@@ -350,7 +353,7 @@ void CaptureMode::showVerdict() {
         m_shownVerdict = verdict;
         update(); // the edge has its colour
     }
-    m_verdict->setText(resultWords(m_desk));
+    m_verdict->tell(resultWords(m_desk));
     m_verdictIcon->setVisible(!m_verdict->text().isEmpty()); // a sign alone tells nothing
 }
 

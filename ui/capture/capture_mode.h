@@ -17,6 +17,7 @@ namespace spherewalk::ui {
 class BigText;
 class CapturePlanView;
 class CameraPanel;
+class ToldLabel;
 
 /// The page that takes the photos. It shows the next station, one key and the result of each shot, readable
 /// from three metres. Space, Return, Page Down or a presenter's button is the key. Once every station has its
@@ -31,6 +32,8 @@ class CaptureMode : public Mode {
 
     void setSession(SurveySession* session) override;
     void activated() override;
+    /// Shows the field of the camera's address ("address") or the settings of its photos ("exposure").
+    void showPart(const QString& part) override;
 
     bool takesWholeScreen() const override { return true; }
 
@@ -89,7 +92,7 @@ class CaptureMode : public Mode {
     QWidget* m_againSection = nullptr;
     bool m_isWhole = false;
     QLabel* m_verdictIcon = nullptr;
-    QLabel* m_verdict = nullptr;
+    ToldLabel* m_verdict = nullptr;
     BigText* m_photosLeft = nullptr;
     BigText* m_timeLeft = nullptr;
     BigText* m_pace = nullptr;

@@ -86,7 +86,7 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
             // If the camera stays silent, the next shot will say more.
             m_status.batteryFraction.reset();
             postStatus();
-            post([sentence = coreWords(error.sentence())](CaptureDesk& desk) { desk.failed(sentence); });
+            post([told = coreTold(error.sentence())](CaptureDesk& desk) { desk.failed(told); });
         }
     }
     if (m_desk.m_preview.endAndWait()) {

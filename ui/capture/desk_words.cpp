@@ -56,10 +56,10 @@ QString keyWords(const CaptureDesk& desk) {
     }
 }
 
-QString resultWords(const CaptureDesk& desk) {
-    const QString sentence = desk.sentence();
-    const bool isStored = desk.verdict() == survey::Quality::Good && sentence.isEmpty() && !desk.isComplete();
-    return isStored ? CaptureWords::tr("The photo is stored.") : sentence;
+Told resultWords(const CaptureDesk& desk) {
+    const bool isStored =
+        desk.verdict() == survey::Quality::Good && desk.told().isEmpty() && !desk.isComplete();
+    return isStored ? Told(CaptureWords::tr("The photo is stored.")) : desk.told();
 }
 
 QString practiceWords() {

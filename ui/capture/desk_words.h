@@ -15,7 +15,7 @@ QString stateWords(const CaptureDesk& desk);
 QString keyWords(const CaptureDesk& desk);
 
 /// Returns what there is to say of the latest shot, or what went wrong; empty if there is nothing to say.
-QString resultWords(const CaptureDesk& desk);
+Told resultWords(const CaptureDesk& desk);
 
 /// Returns the warning that goes with the practice camera.
 QString practiceWords();

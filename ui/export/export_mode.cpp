@@ -7,7 +7,7 @@
 #include "ui/export/place_panel.h"
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
-#include "ui/look/core_words.h"
+#include "ui/look/told_label.h"
 #include "ui/look/words.h"
 #include "ui/tasks/task_panel.h"
 
@@ -34,8 +34,8 @@ QString secondsText(double seconds) {
 }
 
 /// Puts the sign of a finding before its sentence.
-QString marked(Standing standing, const QString& sentence) {
-    return standingSign(standing) + QLatin1Char(' ') + sentence;
+Told marked(Standing standing, const Told& told) {
+    return {standingSign(standing) + QLatin1Char(' ') + told.text, told.cure};
 }
 
 /// Lets the box be narrower than its longest item, so that the page fits a small window in any language.
@@ -45,11 +45,9 @@ void makeNarrow(QComboBox* box) {
     box->setMinimumContentsLength(kLeastCharacters);
 }
 
-QLabel* wrapped(QWidget* parent, const char* name) {
-    auto* label = new QLabel(parent);
+ToldLabel* wrapped(QWidget* parent, const char* name) {
+    auto* label = new ToldLabel(parent);
     label->setObjectName(name);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
 }
 
@@ -112,6 +110,15 @@ void ExportMode::activated() {
     proposeScene();
     m_presenter->check();
     m_folder->setFocus();
+}
+
+void ExportMode::showPart(const QString& part) {
+    if (part == QLatin1String("scene")) {
+        m_scene->setFocus(Qt::ShortcutFocusReason);
+    } else if (part == QLatin1String("folder")) {
+        m_folder->setFocus(Qt::ShortcutFocusReason);
+        m_folder->selectAll();
+    }
 }
 
 QWidget* ExportMode::makeWhere() {
@@ -276,20 +283,21 @@ void ExportMode::showAll() {
         return;
     }
     const jobs::ExportReport& report = m_presenter->report();
-    QString words =
+    Told told =
         marked(Standing::Accepted,
                tr("%1: %n photo(s), %2, in %3.", nullptr, static_cast<int>(report.written.photos))
                    .arg(exported, bytesText(report.written.totalBytes), secondsText(m_presenter->seconds())));
     if (const QString reason = m_presenter->reason(); !reason.isEmpty()) {
-        words += QLatin1Char('\n') + coreWords(reason);
+        told.text += QLatin1Char('\n') + coreTold(reason).text;
+        told.cure = coreTold(reason).cure;
     }
     if (report.carriedShare > 0) {
-        words +=
+        told.text +=
             QLatin1Char('\n') + tr("What the camera carries along covers %1 % of each photo. The dataset "
                                    "shows floor and walls there, as other photos see them.")
                                     .arg(100 * report.carriedShare, 0, 'f', 1);
     }
-    m_result->setText(words);
+    m_result->tell(told);
     if (m_opens->isChecked() && m_opened != exported) {
         m_opened = exported;
         open(exported);
@@ -302,21 +310,21 @@ void ExportMode::showFound() {
     m_review->setVisible(found && undecided > 0);
     m_check->setEnabled(m_presenter->session() != nullptr && !m_presenter->isChecking());
     if (!found) {
-        m_amount->setText(m_presenter->session() == nullptr ? tr("No survey is open.")
-                          : m_presenter->isChecking()       ? tr("Trying one photo...")
-                                                            : tr("Not checked yet."));
-        m_findings->clear();
+        m_amount->tell(m_presenter->session() == nullptr ? Told(tr("No survey is open."), Cure::Start)
+                       : m_presenter->isChecking()       ? Told(tr("Trying one photo..."))
+                                                         : Told(tr("Not checked yet.")));
+        m_findings->tell(Told());
         return;
     }
-    m_amount->setText(
+    m_amount->tell(
         tr("%n photo(s), about %1 and %2; %3 are free.", nullptr, static_cast<int>(found->photos))
             .arg(bytesText(found->totalBytes), secondsText(found->seconds), bytesText(found->freeBytes)));
-    QStringList sentences;
+    QList<Told> sentences;
     for (const std::string& obstacle : found->obstacles) {
-        sentences << marked(Standing::Failed, coreWords(obstacle));
+        sentences << marked(Standing::Failed, coreTold(obstacle));
     }
     for (const std::string& doubt : found->doubts) {
-        sentences << marked(Standing::Doubtful, coreWords(doubt));
+        sentences << marked(Standing::Doubtful, coreTold(doubt));
     }
     if (undecided > 0) {
         sentences << marked(
@@ -326,7 +334,7 @@ void ExportMode::showFound() {
     if (sentences.isEmpty()) {
         sentences << marked(Standing::Accepted, tr("Nothing is missing or doubtful."));
     }
-    m_findings->setText(sentences.join(QLatin1Char('\n')));
+    m_findings->tell(sentences);
 }
 
 void ExportMode::showTask() {

@@ -7,7 +7,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QLineEdit;
 class QPushButton;
 class QUrl;
@@ -21,6 +20,7 @@ class PagePresenter;
 class PlacePresenter;
 class TaskBar;
 class TaskList;
+class ToldLabel;
 class ToleranceBox;
 
 /// The page that exports the survey as a dataset and measures it.
@@ -32,6 +32,8 @@ class ExportMode : public Mode {
 
     void setSession(SurveySession* session) override;
     void activated() override;
+    /// Puts the focus on the dataset's folder ("folder") or on the choice of the scene model ("scene").
+    void showPart(const QString& part) override;
 
     bool wantsPlan() const override { return true; }
 
@@ -64,14 +66,14 @@ class ExportMode : public Mode {
     ToleranceBox* m_tolerance = nullptr;
     QComboBox* m_markers = nullptr;
     QCheckBox* m_opens = nullptr;
-    QLabel* m_amount = nullptr;
-    QLabel* m_findings = nullptr;
+    ToldLabel* m_amount = nullptr;
+    ToldLabel* m_findings = nullptr;
     bool m_isSceneChosen = false; ///< Somebody has chosen the scene model.
     QPushButton* m_review = nullptr;
     QPushButton* m_check = nullptr;
     QPushButton* m_export = nullptr;
     TaskBar* m_progress = nullptr;
-    QLabel* m_result = nullptr;
+    ToldLabel* m_result = nullptr;
     QPushButton* m_openButton = nullptr;
     QString m_opened; ///< Folder that has been opened after its export.
 };

@@ -4,7 +4,7 @@
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
 #include "ui/frame/settings.h"
-#include "ui/look/core_words.h"
+#include "ui/look/told_label.h"
 #include "ui/tasks/task_panel.h"
 
 #include "spherewalk/jobs/measure_dataset.h"
@@ -62,7 +62,7 @@ MeasurePresenter::MeasurePresenter(TaskList& tasks, QObject* parent) : QObject(p
 void MeasurePresenter::setDataset(const QString& folder) {
     if (folder != m_dataset) {
         m_dataset = folder;
-        m_words.clear();
+        m_told = {};
         emit changed();
     }
 }
@@ -71,7 +71,7 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
     if (!canMeasure()) {
         return;
     }
-    m_words.clear();
+    m_told = {};
     m_task = m_tasks.start(
         tr("Measuring %1").arg(QFileInfo(m_dataset).fileName()), this,
         [folder = fs::path(m_dataset.toStdString()), camera, tolerancePx](ProgressSink& progress,
@@ -82,11 +82,11 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
             Settings().setMeasuredReport(QString::fromStdString(found.surveyId),
                                          folder + "/" + kReportFolder + "/report.json");
             if (folder == m_dataset) {
-                const QString reason = coreWords(found.reason);
-                m_words =
-                    found.isStored
-                        ? tr("%1\nStored: views whose choice is left to the dataset are made so.").arg(reason)
-                        : reason;
+                m_told = coreTold(found.reason);
+                if (found.isStored) {
+                    m_told.text = tr("%1\nStored: views whose choice is left to the dataset are made so.")
+                                      .arg(m_told.text);
+                }
             }
         });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] { ended(*task); });
@@ -95,9 +95,9 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
 
 void MeasurePresenter::ended(const Task& task) {
     if (task.state() == Task::State::Failed) {
-        m_words = task.sentence();
+        m_told = task.told();
     } else if (task.state() == Task::State::Stopped) {
-        m_words = tr("Stopped. What was found is kept: measuring again goes on from there.");
+        m_told = tr("Stopped. What was found is kept: measuring again goes on from there.");
     }
     emit changed();
 }
@@ -111,10 +111,8 @@ MeasurePanel::MeasurePanel(MeasurePresenter& presenter, QWidget* parent)
     : QGroupBox(tr("How right its views are"), parent), m_presenter(presenter) {
     auto* layout = new QVBoxLayout(this);
     makeQuestion();
-    m_words = new QLabel(this);
+    m_words = new ToldLabel(this);
     m_words->setObjectName("measureWords");
-    m_words->setWordWrap(true);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_open = new QPushButton(tr("Open &report"), this);
     m_open->setObjectName("openReport");
     m_open->setToolTip(tr("The page with error maps and trade-offs; the same as PDF lies beside it"));
@@ -158,8 +156,9 @@ void MeasurePanel::showAll() {
         widget->setEnabled(m_presenter.canMeasure());
     }
     m_progress->setTask(task);
-    m_words->setText(isNone ? tr("Export a dataset first, or name the folder of one that is there.")
-                            : m_presenter.words());
+    m_words->tell(isNone ? Told(tr("Export a dataset first, or name the folder of one that is there."),
+                                Cure::ExportFolder)
+                         : m_presenter.told());
     m_words->setVisible(!m_words->text().isEmpty());
     m_open->setVisible(task == nullptr && !m_presenter.page().isEmpty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/told.h"
 #include "ui/tasks/task.h"
 
 #include "spherewalk/geometry/camera_model.h"
@@ -9,7 +10,6 @@
 #include <QObject>
 #include <QPointer>
 
-class QLabel;
 class QPushButton;
 
 namespace spherewalk::ui {
@@ -19,6 +19,7 @@ inline constexpr const char* kReportFolder = "report";
 
 class CameraBox;
 class TaskBar;
+class ToldLabel;
 class ToleranceBox;
 
 /// Measures error and speed of the views of a dataset, and chooses what suffices for a tolerance. The choice
@@ -43,7 +44,7 @@ class MeasurePresenter : public QObject {
     Task* task() const { return m_task && m_task->isRunning() ? m_task.data() : nullptr; }
 
     /// Says the choice and its reason, or why there is no choice; empty before a measurement.
-    QString words() const { return m_words; }
+    const Told& told() const { return m_told; }
 
     /// Returns the file of the report, also of an earlier measurement; empty without one.
     QString page() const;
@@ -56,7 +57,7 @@ class MeasurePresenter : public QObject {
 
     TaskList& m_tasks;
     QString m_dataset;
-    QString m_words;
+    Told m_told;
     QPointer<Task> m_task;
 };
 
@@ -69,7 +70,7 @@ class MeasurePanel : public QGroupBox {
 
   signals:
     /// Carries a sentence for the status line.
-    void message(const QString& sentence);
+    void message(const Told& sentence);
     /// The user wants to see the report.
     void openRequested(const QString& file);
 
@@ -82,7 +83,7 @@ class MeasurePanel : public QGroupBox {
     ToleranceBox* m_tolerance = nullptr;
     QPushButton* m_measure = nullptr;
     TaskBar* m_progress = nullptr;
-    QLabel* m_words = nullptr;
+    ToldLabel* m_words = nullptr;
     QPushButton* m_open = nullptr;
 };
 

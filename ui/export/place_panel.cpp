@@ -2,6 +2,7 @@
 #include "ui/export/place_panel.h"
 
 #include "ui/look/core_words.h"
+#include "ui/look/told_label.h"
 #include "ui/tasks/task_panel.h"
 
 #include "spherewalk/base/error.h"
@@ -100,10 +101,8 @@ PlacePanel::PlacePanel(PlacePresenter& presenter, QWidget* parent)
     row->addWidget(m_progress, 1);
     row->addStretch(0);
     layout->addLayout(row);
-    m_words = new QLabel(this);
+    m_words = new ToldLabel(this);
     m_words->setObjectName("placeWords");
-    m_words->setWordWrap(true);
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_open = new QPushButton(tr("Open its folder"), this);
     m_open->setObjectName("openPlace");
     connect(m_open, &QPushButton::clicked, this, [this] { emit openRequested(m_presenter.exported()); });
@@ -143,9 +142,11 @@ void PlacePanel::showAll() {
     m_export->setEnabled(canExport && !chosen().empty());
     m_progress->setTask(m_presenter.task());
     const bool isTold = m_presenter.hasDepths() || !m_presenter.words().isEmpty();
-    m_words->setText(isTold ? m_presenter.words()
-                            : tr("A dataset with the depths of two photos or more is needed: export one with "
-                                 "depth as its scene model."));
+    m_words->tell(isTold
+                      ? Told(m_presenter.words())
+                      : Told(tr("A dataset with the depths of two photos or more is needed: export one with "
+                                "depth as its scene model."),
+                             Cure::ExportDepth));
     m_words->setVisible(!m_words->text().isEmpty());
     m_open->setVisible(!m_presenter.exported().isEmpty());
 }

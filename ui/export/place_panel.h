@@ -14,12 +14,12 @@
 #include <vector>
 
 class QCheckBox;
-class QLabel;
 class QPushButton;
 
 namespace spherewalk::ui {
 
 class TaskBar;
+class ToldLabel;
 
 /// Writes what the depths of a dataset show of the place, as files for other programs, into a new folder
 /// beside the dataset.
@@ -84,7 +84,7 @@ class PlacePanel : public QGroupBox {
     std::vector<std::pair<jobs::PlaceFormat, QCheckBox*>> m_formats;
     QPushButton* m_export = nullptr;
     TaskBar* m_progress = nullptr;
-    QLabel* m_words = nullptr;
+    ToldLabel* m_words = nullptr;
     QPushButton* m_open = nullptr;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/told.h"
+
 #include <QIcon>
 #include <QList>
 #include <QString>
@@ -76,7 +78,7 @@ class Mode : public QWidget {
     /// subject() returns another one.
     void subjectChanged();
     /// Carries a sentence for the status line.
-    void message(const QString& sentence);
+    void message(const Told& sentence);
     /// Asks the window to open the survey in this folder.
     void openRequested(const QString& folder);
     /// Asks the window to begin a new survey.

@@ -107,6 +107,18 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "There is something by the name %1 already; choose another name, or remove it."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "No photo is left to export; capture some first, or accept some."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "How much space is left at %1 cannot be told."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "The dataset needs about %1, and %2 are free at %3; make space, or choose another place."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The survey is not aligned: photos would be exported as if each looked along the "
+                      "room's x axis; align it first."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "1 photo has no known heading: it would be exported as if it looked along the room's x "
+                      "axis; align again, or reject it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "1 station has no photo: near them, views come from farther away."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "%1 stations have no photo: near them, views come from farther away."),
@@ -171,21 +183,24 @@ const std::vector<Pattern>& patterns() {
     return all;
 }
 
-QString translatedSentence(const QString& sentence);
+QString translatedSentence(const QString& sentence, const KnownSentence& told);
 
 /// Translates a value that is a part of a sentence itself, and writes numbers as the language does.
 QString localValue(const QString& value) {
     static const QRegularExpression decimal("(?<=\\d)\\.(?=\\d)");
     static const QRegularExpression number("^[-+]?\\d+\\.\\d+( .*)?$");
     return number.match(value).hasMatch() ? QString(value).replace(decimal, QLocale().decimalPoint())
-                                          : translatedSentence(value);
+                                          : translatedSentence(value, {});
 }
 
-QString translatedSentence(const QString& sentence) {
+QString translatedSentence(const QString& sentence, const KnownSentence& told) {
     for (const Pattern& pattern : patterns()) {
         const QRegularExpressionMatch match = pattern.expression.match(sentence);
         if (!match.hasMatch()) {
             continue;
+        }
+        if (told) {
+            told(pattern.sentence);
         }
         const QString words = QCoreApplication::translate(kContext, pattern.sentence);
         QString result;
@@ -204,11 +219,11 @@ QString translatedSentence(const QString& sentence) {
 
 } // namespace
 
-QString coreWords(const QString& text) {
+QString coreWords(const QString& text, const KnownSentence& told) {
     static const QRegularExpression between("(?<=[.!?])\\s+(?=[A-Z0-9])");
     QStringList sentences = text.split(between);
     for (QString& sentence : sentences) {
-        sentence = translatedSentence(sentence);
+        sentence = translatedSentence(sentence, told);
     }
     return sentences.join(' ');
 }

@@ -254,7 +254,7 @@ void PlanMode::create(const QString& folder) {
             keepPicture();
         }
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
 }
 
@@ -281,7 +281,7 @@ void PlanMode::layPicture(const QString& file) {
         m_view->setTool(isMap ? PlanEditorView::Tool::Select : PlanEditorView::Tool::Scale);
         m_view->fitRoom();
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
 }
 

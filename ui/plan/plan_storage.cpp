@@ -114,7 +114,7 @@ void PlanStorage::flush() {
         });
         setState(State::Stored);
     } catch (const Error& error) {
-        emit problem(coreWords(error.sentence()));
+        emit problem(coreTold(error.sentence()));
     }
     m_isWriting = false;
 }

@@ -47,7 +47,7 @@ class PlanStorage : public QObject {
     void stateChanged();
     void created(const QString& folder);
     /// The plan could not be stored; the sentence says why.
-    void problem(const QString& sentence);
+    void problem(const Told& sentence);
 
   private:
     void setState(State state);

@@ -3,6 +3,7 @@
 
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
+#include "ui/look/told_label.h"
 #include "ui/preview/drive_view.h"
 #include "ui/preview/path_player.h"
 #include "ui/preview/preview_presenter.h"
@@ -115,7 +116,7 @@ QWidget* PreviewMode::makeBar() {
     m_depth->setToolTip(tr("The depth of each pixel follows while you drive, in surveys of up to %1 photos")
                             .arg(PreviewPresenter::kMostDeepened));
     connect(m_depth, &QCheckBox::toggled, m_presenter, &PreviewPresenter::setWantsDepth);
-    m_what = new QLabel(bar);
+    m_what = new ToldLabel(bar);
     m_what->setObjectName("what");
     m_rate = new QLabel(bar);
     m_rate->setObjectName("rate");
@@ -352,19 +353,29 @@ void PreviewMode::showDataset() {
     showRungs();
     takeMeasured();
     if (dataset == nullptr) {
-        m_what->setText(m_presenter->isPreparing() ? tr("Preparing the preview...")
-                                                   : tr("No dataset is open."));
+        const SurveySession* session = m_presenter->session();
+        const bool hasPhoto = session == nullptr || session->state().counts.stationsWithPhoto > 0;
+        m_what->tell(m_presenter->isPreparing() ? Told(tr("Preparing the preview..."))
+                     : hasPhoto                 ? Told(tr("No dataset is open."))
+                                                : Told(PreviewPresenter::tr(
+                                                           "There is no photo to preview yet; capture or import some first."),
+                                                       Cure::Capture));
         return;
     }
     const render::DatasetInfo& info = dataset->info();
     const bool isOutdated = m_presenter->isOutdated();
-    m_what->setText(
-        isOutdated
-            ? tr("%1: the survey has changed since; preview it again.").arg(QString::fromStdString(info.name))
-        : m_presenter->isDeepening()
-            ? tr("%1: a sphere stands for the room; depth follows.").arg(QString::fromStdString(info.name))
-            : tr("%1: %n photo(s)", nullptr, static_cast<int>(info.photos.size()))
-                  .arg(QString::fromStdString(info.name)));
+    const QString name = QString::fromStdString(info.name);
+    const auto photos = static_cast<int>(info.photos.size());
+    const std::vector<render::SceneKind> scenes = render::scenesOf(info);
+    const bool hasDepth = std::find(scenes.begin(), scenes.end(), render::SceneKind::Depth) != scenes.end();
+    const SurveySession* session = m_presenter->session();
+    const bool isOurs = session != nullptr && session->store().info().uuid == info.surveyId;
+    m_what->tell(
+        isOutdated ? Told(tr("%1: the survey has changed since; preview it again.").arg(name))
+        : m_presenter->isDeepening() ? Told(tr("%1: a sphere stands for the room; depth follows.").arg(name))
+        : hasDepth || !isOurs
+            ? Told(tr("%1: %n photo(s)", nullptr, photos).arg(name))
+            : Told(tr("%1: %n photo(s), without depth.", nullptr, photos).arg(name), Cure::ExportDepth));
     const QSignalBlocker blocker(m_height);
     m_height->setValue(m_presenter->mount().heightM);
 }

@@ -23,6 +23,7 @@ class DriveView;
 class PreviewPresenter;
 class RobotMap;
 class TaskList;
+class ToldLabel;
 struct ViewSide;
 
 /// The page where a person drives a robot through a dataset, as a simulator would.
@@ -76,7 +77,7 @@ class PreviewMode : public Mode {
     QPushButton* m_make = nullptr;
     const render::Dataset* m_shownDataset = nullptr; ///< The one whose measured choice was taken.
     QCheckBox* m_depth = nullptr;
-    QLabel* m_what = nullptr;
+    ToldLabel* m_what = nullptr;
     QLabel* m_rate = nullptr;
     CameraBox* m_camera = nullptr;
     QDoubleSpinBox* m_height = nullptr;

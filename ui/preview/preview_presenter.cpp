@@ -99,7 +99,7 @@ void PreviewPresenter::openDataset(const QString& folder) {
 
 void PreviewPresenter::makeDataset() {
     if (!canMakeDataset()) {
-        emit message(tr("There is no photo to preview yet; capture or import some first."));
+        emit message({tr("There is no photo to preview yet; capture or import some first."), Cure::Capture});
         return;
     }
 
@@ -254,7 +254,7 @@ void PreviewPresenter::openRobotPictures(const QString& file) {
         }
         m_ownPictures = std::move(pictures);
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
         return;
     }
     emit recordingChanged();
@@ -287,8 +287,7 @@ void PreviewPresenter::order() {
                 }
             };
         } catch (const Error& error) {
-            const QString sentence = coreWords(error.sentence());
-            return [this, sentence] { emit message(sentence); };
+            return [this, told = coreTold(error.sentence())] { emit message(told); };
         }
     });
 }
@@ -366,7 +365,7 @@ void PreviewPresenter::keepPath() {
         std::filesystem::create_directories(keptPath().parent_path(), none);
         writeFile(keptPath(), bytesOf(tumText(m_path)));
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
 }
 

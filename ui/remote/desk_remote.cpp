@@ -81,7 +81,7 @@ void DeskRemote::note(const store::StationRecord& station) {
     }
     m_latest = station;
     m_quality = m_desk.verdict();
-    m_words = resultWords(m_desk);
+    m_words = resultWords(m_desk).text;
     m_photo.clear();
     ++m_photoNumber;
     readPhoto(station.id);
@@ -123,7 +123,7 @@ QJsonObject DeskRemote::state() {
     follow();
     const bool hasSurvey = m_desk.session() != nullptr;
     const bool takesKey = hasSurvey && m_desk.takesKey();
-    const QString result = resultWords(m_desk);
+    const QString result = resultWords(m_desk).text;
     return {{"seen", now()},
             {"turn", m_turn},
             {"survey", hasSurvey ? m_desk.session()->name() : tr("Open a survey in the window.")},

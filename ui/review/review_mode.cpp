@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_mode.h"
 
-#include "ui/look/core_words.h"
+#include "ui/look/told_label.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
 #include "ui/review/review_model.h"
@@ -181,10 +181,8 @@ QWidget* ReviewMode::makeViewer() {
                 }
             });
 
-    m_reasons = new QLabel(column);
+    m_reasons = new ToldLabel(column);
     m_reasons->setObjectName("reasons");
-    m_reasons->setWordWrap(true);
-    m_reasons->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     m_note = new QLineEdit(column);
     m_note->setObjectName("note");
@@ -326,14 +324,14 @@ void ReviewMode::showCurrent() {
             m_list->setCurrentIndex(index);
         }
     }
-    QStringList reasons;
+    QList<Told> reasons;
     if (hasPhoto) {
         reasons << tr("%1 %2").arg(standingSign(row->standing), standingText(row->standing));
         for (const QString& flag : row->flags) {
-            reasons << coreWords(flag);
+            reasons << coreTold(flag);
         }
     }
-    m_reasons->setText(reasons.join(QLatin1Char('\n')));
+    m_reasons->tell(reasons);
     showNote();
     m_note->setEnabled(hasPhoto && m_presenter->canDecide());
     for (QAction* action : std::as_const(m_decisions)) {

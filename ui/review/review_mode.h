@@ -26,6 +26,7 @@ class CoverageView;
 class PanoramaView;
 class ReviewPresenter;
 class TaskList;
+class ToldLabel;
 
 /// The page where a person looks at photos, compares them, and accepts or rejects them.
 class ReviewMode : public Mode {
@@ -67,7 +68,7 @@ class ReviewMode : public Mode {
     QPushButton* m_acceptGood = nullptr;
     QPushButton* m_check = nullptr;
     QPushButton* m_align = nullptr;
-    QLabel* m_reasons = nullptr;
+    ToldLabel* m_reasons = nullptr;
     QLineEdit* m_note = nullptr;
     std::optional<std::int64_t> m_notePhoto; ///< The photo that m_note belongs to.
     QComboBox* m_neighbour = nullptr;

@@ -138,7 +138,7 @@ void ReviewPresenter::read() {
         m_viewer.setSurroundings(
             session() != nullptr ? surroundingsOf(session()->state().room, m_model.rows()) : Surroundings());
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
     m_list.invalidate();
     if (m_compared) {
@@ -171,7 +171,7 @@ void ReviewPresenter::readErrors(const QString& reportFile) {
         takeErrors(reportFile);
         Settings().setMeasuredReport(surveyId(), reportFile);
     } catch (const Error& error) {
-        emit message(coreWords(error.sentence()));
+        emit message(coreTold(error.sentence()));
     }
 }
 

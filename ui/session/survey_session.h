@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/told.h"
 #include "ui/session/standings.h"
 #include "ui/tasks/background_worker.h"
 
@@ -158,7 +159,7 @@ class SurveyPresenter : public QObject {
 
   signals:
     /// Carries a sentence for the status line.
-    void message(const QString& sentence);
+    void message(const Told& sentence);
 
   protected:
     /// Reads the survey anew. It is called for another session, for no session, and for a changed survey.

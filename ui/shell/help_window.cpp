@@ -31,9 +31,13 @@ struct Place {
 
 Place placeOf(const QString& page) {
     static const QMap<QString, Place> kPlaces = {
-        {"plan", {"plan-and-capture.md", "Plan"}},    {"capture", {"plan-and-capture.md", "Capture"}},
-        {"review", {"after-capture.md", "Review"}},   {"align", {"after-capture.md", "Align"}},
-        {"preview", {"after-capture.md", "Preview"}}, {"export", {"after-capture.md", "Export"}},
+        {"plan", {"plan-and-capture.md", "Plan"}},
+        {"capture", {"plan-and-capture.md", "Capture"}},
+        {"review", {"after-capture.md", "Review"}},
+        {"align", {"after-capture.md", "Align"}},
+        {"connecting", {"plan-and-capture.md", "The camera does not answer"}},
+        {"preview", {"after-capture.md", "Preview"}},
+        {"export", {"after-capture.md", "Export"}},
     };
     return kPlaces.value(page, {"plan-and-capture.md", {}});
 }
@@ -106,7 +110,7 @@ void HelpWindow::follow(const QUrl& link) {
     if (link.isRelative() && showFile(link.fileName())) {
         return goTo({});
     }
-    if (!link.isRelative()) {
+    if (!link.isRelative()) { // or the window, where it is one of its pages
         QDesktopServices::openUrl(link);
     }
 }

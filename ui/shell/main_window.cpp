@@ -6,8 +6,8 @@
 #include "ui/export/export_mode.h"
 #include "ui/frame/mode.h"
 #include "ui/frame/settings.h"
-#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
+#include "ui/look/told_label.h"
 #include "ui/map/plan_view.h"
 #include "ui/plan/plan_mode.h"
 #include "ui/plan/plan_storage.h"
@@ -27,6 +27,7 @@
 #include <QActionGroup>
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -61,6 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_plan(new SurveyPlanView(this)),
       m_planDock(new QDockWidget(tr("Plan of the room"), this)),
       m_tasksDock(new QDockWidget(tr("Tasks"), this)),
+      m_cure(new ToldLabel(this)),
       m_counts(new QLabel(this)),
       m_tasksButton(new QToolButton(this)) {
     setWindowTitle(tr("Spherewalk"));
@@ -74,6 +76,13 @@ MainWindow::MainWindow(QWidget* parent)
     makeMenus();
     makeStart();
     m_counts->setObjectName("counts");
+    m_cure->setObjectName("cure");
+    m_cure->setWordWrap(false);
+    m_cure->hide();
+    connect(statusBar(), &QStatusBar::messageChanged, this,
+            [this](const QString& message) { m_cure->setVisible(m_cure->hasLink() && !message.isEmpty()); });
+    QDesktopServices::setUrlHandler(kLinkScheme, this, "follow");
+    statusBar()->addPermanentWidget(m_cure);
     statusBar()->addPermanentWidget(m_counts);
     statusBar()->addPermanentWidget(m_tasksButton);
     restoreGeometry(Settings().windowGeometry());
@@ -84,6 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+    QDesktopServices::unsetUrlHandler(kLinkScheme);
     closeSurvey();
     m_tasks.stopAll();
 }
@@ -130,7 +140,7 @@ void MainWindow::makeDocks() {
     connect(&m_tasks, &TaskList::ended, this, [this](const Task* task) {
         showTasks();
         if (task->state() == Task::State::Failed) {
-            say(tr("%1: %2").arg(task->title(), task->sentence()));
+            say({tr("%1: %2").arg(task->title(), task->sentence()), task->told().cure});
         }
     });
 }
@@ -277,7 +287,7 @@ bool MainWindow::openSurvey(const QString& folder) {
         closeSurvey();
         m_session = std::move(session);
     } catch (const Error& error) {
-        say(coreWords(error.sentence()));
+        say(coreTold(error.sentence()));
         return false;
     }
     m_plan->setSession(m_session.get());
@@ -334,11 +344,30 @@ void MainWindow::showTasks() {
     m_tasksButton->setText(running == 0 ? tr("Tasks") : tr("%n task(s)", nullptr, static_cast<int>(running)));
 }
 
-void MainWindow::say(const QString& sentence) {
+void MainWindow::say(const Told& told) {
     constexpr int kGapsPx = 40; // around what always stands there
-    const int room = statusBar()->width() - m_counts->width() - m_tasksButton->width() - kGapsPx;
-    statusBar()->showMessage(statusBar()->fontMetrics().elidedText(sentence, Qt::ElideRight, room));
-    statusBar()->setToolTip(sentence);
+    const bool isHere = mode() != nullptr && linkTo(told.cure).path() == mode()->objectName();
+    m_cure->tell({{}, isHere ? Cure::None : told.cure});
+    const int taken =
+        m_counts->width() + m_tasksButton->width() + (m_cure->hasLink() ? m_cure->sizeHint().width() : 0);
+    const int room = statusBar()->width() - taken - kGapsPx;
+    statusBar()->showMessage(statusBar()->fontMetrics().elidedText(told.text, Qt::ElideRight, room));
+    statusBar()->setToolTip(told.text);
+    m_cure->setVisible(m_cure->hasLink());
+}
+
+void MainWindow::follow(const QUrl& link) {
+    const QString page = link.path().section('/', 0, 0);
+    const QString part = link.path().section('/', 1);
+    if (page == QLatin1String("guide")) {
+        return help().showPage(part);
+    }
+    const auto found = std::find_if(m_modes.cbegin(), m_modes.cend(),
+                                    [&](const Mode* mode) { return mode->objectName() == page; });
+    if (found == m_modes.cend() || !(m_session || (*found)->worksWithoutSurvey())) {
+        return showMode(nullptr); // where surveys are opened
+    }
+    showPage(page, part);
 }
 
 void MainWindow::chooseSurvey() {
@@ -368,7 +397,7 @@ bool MainWindow::openPractice() {
     try {
         jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
     } catch (const Error& error) {
-        say(coreWords(error.sentence()));
+        say(coreTold(error.sentence()));
         return false;
     }
     return openSurvey(folder);

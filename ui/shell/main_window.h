@@ -18,6 +18,7 @@ class QStackedWidget;
 class QToolBar;
 class QToolButton;
 class QUndoGroup;
+class QUrl;
 class QWidget;
 
 namespace spherewalk::ui {
@@ -29,6 +30,7 @@ class StartPage;
 class Tour;
 class SurveyPlanView;
 class TaskList;
+class ToldLabel;
 struct Dropped;
 
 /// Makes the pages of the window, in the order of the work. Owner: the parent.
@@ -66,8 +68,12 @@ class MainWindow : public QMainWindow {
     /// Takes photos into the open survey, in a task. positions: a CSV file. photos: their folder.
     void importPhotos(const QString& positions, const QString& photos);
 
-    /// Puts a sentence into the status line.
-    void say(const QString& sentence);
+    /// Puts a sentence into the status line, with the link to its cure unless that is the visible page.
+    void say(const Told& told);
+
+    /// Goes where a link of linkTo() leads. The start page stands for pages that need an open survey. Other
+    /// links of that scheme lead to the start page, too.
+    Q_INVOKABLE void follow(const QUrl& link);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -116,6 +122,7 @@ class MainWindow : public QMainWindow {
     SurveyPlanView* m_plan;
     QDockWidget* m_planDock;
     QDockWidget* m_tasksDock;
+    ToldLabel* m_cure; ///< The link of the sentence in the status line.
     QLabel* m_counts;
     QToolButton* m_tasksButton;
     HelpWindow* m_help = nullptr;

@@ -152,7 +152,7 @@ void MainWindow::take(const Dropped& dropped) {
         break;
     case Kind::Positions:
         m_session ? importPhotos(dropped.path, dropped.photos)
-                  : say(tr("Open a survey first; the photos become part of it."));
+                  : say({tr("Open a survey first; the photos become part of it."), Cure::Start});
         break;
     case Kind::FloorPicture:
         showPage("plan", dropped.path);
@@ -232,9 +232,10 @@ void MainWindow::importPhotos(const QString& positions, const QString& photos) {
             return jobs::importPhotos(store, options, progress, stop);
         },
         [this](const jobs::ImportReport& report) {
-            say(tr("%n photo(s) imported, %1 were there already. Check them in Review.", nullptr,
-                   report.imported)
-                    .arg(report.alreadyThere));
+            say({tr("%n photo(s) imported, %1 were there already. Check them in Review.", nullptr,
+                    report.imported)
+                     .arg(report.alreadyThere),
+                 Cure::Review});
         });
     connect(task, &Task::ended, m_session.get(),
             [session = m_session.get()] { session->noteChanged(SurveySession::Everything); });

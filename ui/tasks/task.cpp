@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/task.h"
 
-#include "ui/look/core_words.h"
-
 #include "spherewalk/base/error.h"
 
 #include <algorithm>
@@ -19,7 +17,7 @@ constexpr std::chrono::milliseconds kLookInterval{50};
 /// The end of the job's thread: state, sentence and delivery.
 struct Task::Ending {
     State state = State::Failed;
-    QString sentence;
+    Told told;
     Deliver deliver;
 };
 
@@ -87,9 +85,9 @@ void Task::run(const Work& work, const std::stop_token& stop) {
         ending.state = State::Done;
     } catch (const Error& error) {
         ending.state = error.kind() == ErrorKind::Stopped ? State::Stopped : State::Failed;
-        ending.sentence = coreWords(error.sentence());
+        ending.told = coreTold(error.sentence());
     } catch (const std::exception& defect) { // whatever no module translated
-        ending.sentence = tr("Spherewalk met a defect of its own: %1.").arg(QString::fromUtf8(defect.what()));
+        ending.told = tr("Spherewalk met a defect of its own: %1.").arg(QString::fromUtf8(defect.what()));
     }
     {
         const std::scoped_lock lock(m_shared->mutex);
@@ -131,7 +129,7 @@ void Task::finish() {
     }
     m_state = ending.state;
     m_left.reset();
-    m_sentence = m_state == State::Failed ? ending.sentence : QString();
+    m_told = m_state == State::Failed ? ending.told : Told();
     m_fraction = m_state == State::Done ? 1 : m_fraction;
     if (ending.deliver) {
         ending.deliver();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/look/told.h"
+
 #include "spherewalk/base/progress.h"
 
 #include <QList>
@@ -54,7 +56,10 @@ class Task : public QObject {
     std::optional<std::chrono::seconds> left() const { return m_left; }
 
     /// Says why the job failed; empty otherwise.
-    QString sentence() const { return m_sentence; }
+    QString sentence() const { return m_told.text; }
+
+    /// Returns sentence(), with the place of its cure.
+    const Told& told() const { return m_told; }
 
     /// Returns the warnings of the job, oldest first.
     QStringList warnings() const { return m_warnings; }
@@ -84,7 +89,7 @@ class Task : public QObject {
     double m_fraction = 0;
     QString m_step;
     std::optional<std::chrono::seconds> m_left;
-    QString m_sentence;
+    Told m_told;
     QStringList m_warnings;
     QTimer m_timer;
     TimeLeft m_timeLeft;

@@ -2,6 +2,7 @@
 #include "ui/tasks/task_panel.h"
 
 #include "ui/look/icon.h"
+#include "ui/look/told_label.h"
 #include "ui/look/words.h"
 
 #include <QHBoxLayout>
@@ -24,11 +25,9 @@ class TaskRow : public QWidget {
         : QWidget(parent),
           m_task(task),
           m_icon(new IconLabel(QString(), kIconPx, this)),
-          m_words(new QLabel(this)) {
+          m_words(new ToldLabel(this)) {
         auto* row = new QHBoxLayout(this);
         row->setContentsMargins(8, 2, 8, 2);
-        m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        m_words->setWordWrap(true);
         auto* bar = new TaskBar("stopTask", TaskPanel::tr("Stop; what is complete stays"), this);
         bar->setTask(task);
         row->addWidget(m_icon);
@@ -45,11 +44,12 @@ class TaskRow : public QWidget {
     void showTask() {
         using State = Task::State;
         const State state = m_task->state();
-        const QString words = state == State::Running   ? QString() // the bar says it
-                              : state == State::Done    ? TaskPanel::tr("done")
-                              : state == State::Stopped ? TaskPanel::tr("stopped")
-                                                        : m_task->sentence();
-        m_words->setText(words.isEmpty() ? m_task->title() : m_task->title() + "  –  " + words);
+        Told told = state == State::Running   ? Told() // the bar says it
+                    : state == State::Done    ? Told(TaskPanel::tr("done"))
+                    : state == State::Stopped ? Told(TaskPanel::tr("stopped"))
+                                              : m_task->told();
+        told.text = told.isEmpty() ? m_task->title() : m_task->title() + "  –  " + told.text;
+        m_words->tell(told);
         const QString name = state == State::Running   ? "play"
                              : state == State::Done    ? "good"
                              : state == State::Stopped ? "stop"
@@ -59,7 +59,7 @@ class TaskRow : public QWidget {
 
     Task* m_task;
     IconLabel* m_icon;
-    QLabel* m_words;
+    ToldLabel* m_words;
 };
 
 } // namespace

@@ -104,8 +104,9 @@ class AlignModeTest : public AlignTest {
 
 TEST_F(AlignPresenterTest, SaysWhatTheSolutionIs) {
     addFlagged();
-    EXPECT_TRUE(presenter.summary().startsWith("Alignment of 4 photo(s): 0 good, 2 doubtful, 1 failed."));
-    EXPECT_TRUE(presenter.summary().contains("Because of the matches."));
+    EXPECT_TRUE(
+        presenter.summary().text.startsWith("Alignment of 4 photo(s): 0 good, 2 doubtful, 1 failed."));
+    EXPECT_TRUE(presenter.summary().text.contains("Because of the matches."));
 }
 
 TEST_F(AlignPresenterTest, TellsEachPhotosNumbersAndTheirOrder) {

@@ -50,8 +50,8 @@ TEST_F(MeasureTest, StoresTheChoiceAndWritesTheReport) {
     presenter.measure(camera(), 4);
     EXPECT_FALSE(presenter.canMeasure());
     waitForTasks();
-    EXPECT_TRUE(presenter.words().contains("holds 4.00 px")) << presenter.words().toStdString();
-    EXPECT_TRUE(presenter.words().contains("Stored"));
+    EXPECT_TRUE(presenter.told().text.contains("holds 4.00 px")) << presenter.told().text.toStdString();
+    EXPECT_TRUE(presenter.told().text.contains("Stored"));
     const auto choice = render::Dataset::open(dataset.toStdString()).info().choice;
     ASSERT_TRUE(choice.has_value());
     EXPECT_EQ(choice->tolerancePx, 4);
@@ -68,7 +68,7 @@ TEST_F(MeasureTest, LeavesTheDatasetAsItWasWhenItIsStopped) {
     presenter.measure(camera(), 4);
     presenter.task()->stop();
     waitForTasks();
-    EXPECT_TRUE(presenter.words().startsWith("Stopped"));
+    EXPECT_TRUE(presenter.told().text.startsWith("Stopped"));
     EXPECT_FALSE(render::Dataset::open(dataset.toStdString()).info().choice.has_value());
     EXPECT_TRUE(presenter.page().isEmpty());
 }
@@ -78,7 +78,7 @@ TEST_F(MeasureTest, SaysWhatIsWrongWithADataset) {
     presenter.setDataset(dataset);
     presenter.measure(camera(), 4);
     waitForTasks();
-    EXPECT_TRUE(presenter.words().contains("dataset.json")) << presenter.words().toStdString();
+    EXPECT_TRUE(presenter.told().text.contains("dataset.json")) << presenter.told().text.toStdString();
 }
 
 TEST_F(MeasureTest, IsDoneOnTheExportPageAndOpensTheReport) {

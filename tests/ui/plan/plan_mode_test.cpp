@@ -219,7 +219,7 @@ TEST_F(PlanModeTest, TheButtonThatMakesTheSurveyIsAlwaysInSight) {
 
 TEST_F(PlanModeTest, SaysWhyAPictureCannotBeLaid) {
     QStringList said;
-    QObject::connect(&mode, &Mode::message, [&](const QString& sentence) { said << sentence; });
+    QObject::connect(&mode, &Mode::message, [&](const Told& told) { said << told.text; });
     mode.layPicture(QString::fromStdString((folder / "none.png").string()));
     ASSERT_EQ(said.size(), 1);
     EXPECT_TRUE(said.first().contains("none.png"));

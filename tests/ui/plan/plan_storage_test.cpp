@@ -58,7 +58,7 @@ TEST_F(PlanStorageTest, APlanWithAProblemIsNotStored) {
     editor.setOutline({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
     storage.flush();
     ASSERT_EQ(problems.size(), 1);
-    EXPECT_TRUE(problems[0][0].toString().startsWith("The plan is not stored: "));
+    EXPECT_TRUE(problems[0][0].value<Told>().text.startsWith("The plan is not stored: "));
     EXPECT_EQ(session->store().room().outline.size(), 4U);
     EXPECT_EQ(session->store().room().outline[1], Eigen::Vector2d(4, 0));
 }

@@ -202,7 +202,7 @@ TEST_F(PreviewTest, ReadsACameraFromARosFile) {
     EXPECT_EQ(presenter().camera().width, 320);
     QSignalSpy message(&mode, &Mode::message);
     EXPECT_FALSE(camera.readCamera("nothing.yaml"));
-    EXPECT_TRUE(message.first().first().toString().contains("nothing.yaml"));
+    EXPECT_TRUE(message.first().first().value<Told>().text.contains("nothing.yaml"));
     EXPECT_EQ(presenter().camera().width, 320);
 }
 
@@ -332,7 +332,7 @@ TEST_F(PreviewTest, SaysWhyAPictureOfTheRobotsCannotBeShown) {
     QSignalSpy message(&mode, &Mode::message);
     presenter().openRobotPictures("no such file.csv");
     ASSERT_EQ(message.size(), 1);
-    EXPECT_TRUE(message.first().first().toString().contains("no such file.csv"));
+    EXPECT_TRUE(message.first().first().value<Told>().text.contains("no such file.csv"));
 }
 
 TEST(ErrorTint, LeavesWhatIsRightAndDarkensWhatIsOff) {

@@ -83,7 +83,7 @@ TEST_F(MeasuredErrorsTest, OfAnotherSurveyAreRefused) {
     QSignalSpy messages(&presenter, &SurveyPresenter::message);
     presenter.readErrors(writeReport("another"));
     ASSERT_EQ(messages.size(), 1);
-    EXPECT_TRUE(messages[0][0].toString().contains("another survey"));
+    EXPECT_TRUE(messages[0][0].value<Told>().text.contains("another survey"));
     EXPECT_EQ(presenter.model().rows().at(0).errorPx, std::nullopt);
     EXPECT_TRUE(Settings().measuredReport(surveyId()).isEmpty());
     presenter.setSession(nullptr);

@@ -84,7 +84,7 @@ TEST_F(ReviewPresenterTest, SaysWhenAnotherProgramWrites) {
     QSignalSpy message(&presenter, &ReviewPresenter::message);
     presenter.decide(store::Decision::Accepted);
     ASSERT_EQ(message.count(), 1);
-    EXPECT_TRUE(message.first().first().toString().contains("another program"));
+    EXPECT_TRUE(message.first().first().value<Told>().text.contains("another program"));
     EXPECT_FALSE(presenter.canDecide());
     EXPECT_EQ(review(0).decision, store::Decision::Open);
     EXPECT_EQ(session->undoStack()->count(), 0);
