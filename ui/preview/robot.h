@@ -4,7 +4,7 @@
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
-#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/render/view_stream.h"
 

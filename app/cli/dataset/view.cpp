@@ -5,7 +5,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/sensor.h"

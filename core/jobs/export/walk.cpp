@@ -277,6 +277,9 @@ void WalkFrames::makeView(const Rigid3& roomFromCamera, double timeS, bool isMai
     for (const Ball& ball : m_options.balls) {
         m_overlays.push_back(ballOverlay(ball, m_camera, roomFromCamera));
     }
+    for (const PlacedMesh& mesh : m_options.meshes) {
+        m_overlays.push_back(meshOverlay(mesh, m_camera, roomFromCamera));
+    }
     options.overlays = m_overlays;
     m_stream.next(roomFromCamera, timeS, options, view);
     if ((options.wantsDepth || options.wantsLabels) && view.report.scene == render::SceneKind::None) {

@@ -10,7 +10,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/object_overlay.h"
 
 #include <gtest/gtest.h>
 

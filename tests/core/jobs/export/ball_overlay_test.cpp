@@ -2,7 +2,7 @@
 #include "expect_error.h"
 #include "random.h"
 
-#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/object_overlay.h"
 
 #include <cmath>
 

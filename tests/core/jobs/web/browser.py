@@ -22,8 +22,13 @@ def program():
     return shutil.which("chromium") or shutil.which("chromium-browser")
 
 
+def reached(host):
+    """The flag that lets the browser reach one host besides files."""
+    return ["--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE " + host] if host else []
+
+
 class Browser:
-    def __init__(self, width=1000, height=600):  # a larger picture is slow without a graphics card
+    def __init__(self, width=1000, height=600, reaches=None):  # a larger picture is slow without a graphics card
         self.profile = tempfile.TemporaryDirectory(prefix="spherewalk-browser-", ignore_cleanup_errors=True)
         to_browser, self.writes = os.pipe()
         self.reads, from_browser = os.pipe()
@@ -34,7 +39,7 @@ class Browser:
             os.dup2(13, 3)
             os.dup2(14, 4)
 
-        self.process = subprocess.Popen([program(), *FLAGS, "--user-data-dir=" + self.profile.name, "about:blank"], preexec_fn=take_pipes,
+        self.process = subprocess.Popen([program(), *FLAGS, *reached(reaches), "--user-data-dir=" + self.profile.name, "about:blank"], preexec_fn=take_pipes,
                                         close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)

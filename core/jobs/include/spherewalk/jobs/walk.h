@@ -6,7 +6,7 @@
 #include "spherewalk/dataset/bag.h"
 #include "spherewalk/dataset/pose_formats.h"
 #include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/jobs/ball_overlay.h"
+#include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/shard.h"
 #include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
@@ -40,8 +40,9 @@ struct WalkOptions {
     /// The sensor that takes the frames: without it, frames are the views. Frames before a part are rendered,
     /// too, where exposure or white balance is automatic.
     std::optional<render::SensorModel> sensor = {};
-    bool writesDepth = false;  ///< Whether depth/000000.png ... are written, with what is laid in.
-    bool writesLabels = false; ///< Whether annotations.json and labels/000000.png ... are written.
+    bool writesDepth = false;            ///< Whether depth/000000.png ... are written, with what is laid in.
+    bool writesLabels = false;           ///< Whether annotations.json and labels/000000.png ... are written.
+    std::vector<PlacedMesh> meshes = {}; ///< Meshes that are laid into each frame. They have no labels.
 };
 
 /// Counts and times are those of this part, and of the frames that were not there before.
