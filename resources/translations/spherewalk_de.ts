@@ -1659,6 +1659,30 @@
         <translation>Die Schienen %1 und %2 haben einen Halt an derselben Stelle; verschieben Sie eine davon.</translation>
     </message>
     <message>
+        <source>Could not read %1: it has no faces (lines &quot;f 1 2 3&quot;); export the mesh as OBJ.</source>
+        <translation>%1 konnte nicht gelesen werden: es hat keine Flächen (Zeilen „f 1 2 3“); exportieren Sie das Netz als OBJ.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: a face names vertex %2 of %3; export the mesh again.</source>
+        <translation>%1 konnte nicht gelesen werden: eine Fläche nennt Ecke %2 von %3; exportieren Sie das Netz erneut.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: all of its points are the same; export the mesh again.</source>
+        <translation>%1 konnte nicht gelesen werden: alle Punkte sind gleich; exportieren Sie das Netz erneut.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: line %2 is no vertex (&quot;v x y z&quot;); export the mesh again.</source>
+        <translation>%1 konnte nicht gelesen werden: Zeile %2 ist keine Ecke („v x y z“); exportieren Sie das Netz erneut.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: line %2 is no face (&quot;f 1 2 3&quot;); export the mesh again.</source>
+        <translation>%1 konnte nicht gelesen werden: Zeile %2 ist keine Fläche („f 1 2 3“); exportieren Sie das Netz erneut.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it has more than %2 triangles; make it simpler.</source>
+        <translation>%1 konnte nicht gelesen werden: es hat mehr als %2 Dreiecke; vereinfachen Sie es.</translation>
+    </message>
+    <message>
         <source>No photo is left to export; capture some first, or accept some.</source>
         <translation>Kein Foto ist zum Exportieren übrig; nehmen Sie erst welche auf, oder nehmen Sie welche an.</translation>
     </message>
@@ -1753,10 +1777,6 @@
         <translation>Was die Kamera des Roboters sieht</translation>
     </message>
     <message>
-        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn</source>
-        <translation>W A S D oder die Pfeiltasten fahren, Q und E seitwärts; Ziehen dreht</translation>
-    </message>
-    <message>
         <source>outside of what was scanned</source>
         <translation>außerhalb des Aufgenommenen</translation>
     </message>
@@ -1803,6 +1823,46 @@
     <message>
         <source>expected error: 0 to %1 px and more</source>
         <translation>erwarteter Fehler: 0 bis %1 px und mehr</translation>
+    </message>
+    <message>
+        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn. Shift and a click put the object there.</source>
+        <translation>W A S D oder die Pfeiltasten fahren, Q und E gehen seitwärts; Ziehen dreht. Umschalt und ein Klick stellen das Objekt dorthin.</translation>
+    </message>
+    <message>
+        <source>, %1 % of the size while it drives</source>
+        <translation>, %1 % der Größe während der Fahrt</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Lay the object, or take it away</source>
+        <translation>Das Objekt hinlegen oder wegnehmen</translation>
+    </message>
+    <message>
+        <source>Make the object larger or smaller</source>
+        <translation>Das Objekt größer oder kleiner machen</translation>
+    </message>
+    <message>
+        <source>Turn the object</source>
+        <translation>Das Objekt drehen</translation>
+    </message>
+    <message>
+        <source>Shift and the arrow keys</source>
+        <translation>Umschalt und die Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move the object</source>
+        <translation>Das Objekt verschieben</translation>
+    </message>
+    <message>
+        <source>Shift and a click</source>
+        <translation>Umschalt und ein Klick</translation>
+    </message>
+    <message>
+        <source>Stand the object on the surface there</source>
+        <translation>Das Objekt dort auf die Fläche stellen</translation>
     </message>
 </context>
 <context>
@@ -2558,6 +2618,64 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Where surveys are kept</source>
         <translation>Wo Projekte liegen</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ObjectFields</name>
+    <message>
+        <source>Object in the view</source>
+        <translation>Objekt in der Ansicht</translation>
+    </message>
+    <message>
+        <source>An object as a simulator would render it. With Shift, click in the view to stand it on the surface there, or on the plan. O lays it or takes it away, + and - change its size, comma and period turn it, and the arrow keys with Shift move it.</source>
+        <translation>Ein Objekt, wie es ein Simulator zeichnen würde. Mit Umschalt klicken Sie in die Ansicht, um es dort auf die Fläche zu stellen, oder in den Plan. O legt es hin oder nimmt es weg, + und - ändern seine Größe, Komma und Punkt drehen es, und die Pfeiltasten mit Umschalt verschieben es.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>Mesh (OBJ file)...</source>
+        <translation>Netz (OBJ-Datei)...</translation>
+    </message>
+    <message>
+        <source>Size of the object</source>
+        <translation>Größe des Objekts</translation>
+    </message>
+    <message>
+        <source>Its longest side</source>
+        <translation>Seine längste Seite</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>O&amp;bject</source>
+        <translation>Obj&amp;ekt</translation>
+    </message>
+    <message>
+        <source>Mesh with z up, in metres</source>
+        <translation>Netz mit z nach oben, in Metern</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj)</source>
+        <translation>Netze (*.obj)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ObjectStage</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lese %1</translation>
     </message>
 </context>
 <context>
@@ -3691,10 +3809,6 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <translation>Wo der Roboter ist</translation>
     </message>
     <message>
-        <source>Click to put the robot there, drag to turn it; with Shift, put the ball there</source>
-        <translation>Ein Klick setzt den Roboter dorthin, Ziehen dreht ihn; mit Umschalt kommt der Ball dorthin</translation>
-    </message>
-    <message>
         <source>&amp;Preview this survey</source>
         <translation>Dieses Projekt &amp;zeigen</translation>
     </message>
@@ -3835,14 +3949,6 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <translation>B</translation>
     </message>
     <message>
-        <source>Lay a &amp;ball into the view</source>
-        <translation>&amp;Einen Ball in die Ansicht legen</translation>
-    </message>
-    <message>
-        <source>An object as a simulator would render it; Shift and a click on the plan put it elsewhere</source>
-        <translation>Ein Ding, wie ein Simulator es zeigen würde; Umschalt und ein Klick auf den Plan setzen es woandershin</translation>
-    </message>
-    <message>
         <source>Sh&amp;ow the expected error</source>
         <translation>Er&amp;warteten Fehler zeigen</translation>
     </message>
@@ -3931,6 +4037,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Positions (*.csv)</source>
         <translation>Positionen (*.csv)</translation>
     </message>
+    <message>
+        <source>Click to put the robot there, drag to turn it; with Shift, put the object there</source>
+        <translation>Klicken stellt den Roboter dorthin, Ziehen dreht ihn; mit Umschalt wird das Objekt dorthin gestellt</translation>
+    </message>
     <message numerus="yes">
         <source>%1: %n photo(s), without depth.</source>
         <translation>
@@ -3974,6 +4084,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
             <numerusform>%n Bild nach %1 geschrieben.</numerusform>
             <numerusform>%n Bilder nach %1 geschrieben.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>How far away that is is not known; click at another place.</source>
+        <translation>Wie weit das entfernt ist, ist nicht bekannt; klicken Sie woanders hin.</translation>
     </message>
 </context>
 <context>

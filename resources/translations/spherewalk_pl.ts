@@ -1669,6 +1669,30 @@
         <translation>Szyny %1 i %2 mają postój w tym samym miejscu; przesuń jedną z nich.</translation>
     </message>
     <message>
+        <source>Could not read %1: it has no faces (lines &quot;f 1 2 3&quot;); export the mesh as OBJ.</source>
+        <translation>Nie udało się odczytać %1: brak ścian (wierszy „f 1 2 3”); wyeksportuj siatkę jako OBJ.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: a face names vertex %2 of %3; export the mesh again.</source>
+        <translation>Nie udało się odczytać %1: ściana podaje wierzchołek %2 z %3; wyeksportuj siatkę ponownie.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: all of its points are the same; export the mesh again.</source>
+        <translation>Nie udało się odczytać %1: wszystkie punkty są takie same; wyeksportuj siatkę ponownie.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: line %2 is no vertex (&quot;v x y z&quot;); export the mesh again.</source>
+        <translation>Nie udało się odczytać %1: wiersz %2 nie jest wierzchołkiem („v x y z”); wyeksportuj siatkę ponownie.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: line %2 is no face (&quot;f 1 2 3&quot;); export the mesh again.</source>
+        <translation>Nie udało się odczytać %1: wiersz %2 nie jest ścianą („f 1 2 3”); wyeksportuj siatkę ponownie.</translation>
+    </message>
+    <message>
+        <source>Could not read %1: it has more than %2 triangles; make it simpler.</source>
+        <translation>Nie udało się odczytać %1: ma więcej niż %2 trójkątów; uprość siatkę.</translation>
+    </message>
+    <message>
         <source>No photo is left to export; capture some first, or accept some.</source>
         <translation>Nie zostało żadne zdjęcie do eksportu; najpierw zrób zdjęcia albo jakieś zaakceptuj.</translation>
     </message>
@@ -1764,10 +1788,6 @@
         <translation>Co widzi kamera robota</translation>
     </message>
     <message>
-        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn</source>
-        <translation>W A S D albo strzałki prowadzą, Q i E przesuwają w bok; przeciągnij, by obrócić</translation>
-    </message>
-    <message>
         <source>, coarse until it is decoded</source>
         <translation>, zgrubnie, dopóki się nie zdekoduje</translation>
     </message>
@@ -1814,6 +1834,46 @@
     <message>
         <source>expected error: 0 to %1 px and more</source>
         <translation>oczekiwany błąd: od 0 do %1 px i więcej</translation>
+    </message>
+    <message>
+        <source>W A S D or the arrow keys drive, Q and E go sideways; drag to turn. Shift and a click put the object there.</source>
+        <translation>W A S D lub strzałki jadą, Q i E przesuwają w bok; przeciąganie obraca. Shift i kliknięcie stawiają tam obiekt.</translation>
+    </message>
+    <message>
+        <source>, %1 % of the size while it drives</source>
+        <translation>, %1 % wielkości podczas jazdy</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Jazda</translation>
+    </message>
+    <message>
+        <source>Lay the object, or take it away</source>
+        <translation>Połóż obiekt lub go zabierz</translation>
+    </message>
+    <message>
+        <source>Make the object larger or smaller</source>
+        <translation>Powiększ lub zmniejsz obiekt</translation>
+    </message>
+    <message>
+        <source>Turn the object</source>
+        <translation>Obróć obiekt</translation>
+    </message>
+    <message>
+        <source>Shift and the arrow keys</source>
+        <translation>Shift i strzałki</translation>
+    </message>
+    <message>
+        <source>Move the object</source>
+        <translation>Przesuń obiekt</translation>
+    </message>
+    <message>
+        <source>Shift and a click</source>
+        <translation>Shift i kliknięcie</translation>
+    </message>
+    <message>
+        <source>Stand the object on the surface there</source>
+        <translation>Postaw tam obiekt na powierzchni</translation>
     </message>
 </context>
 <context>
@@ -2579,6 +2639,64 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Where surveys are kept</source>
         <translation>Gdzie są pomiary</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ObjectFields</name>
+    <message>
+        <source>Object in the view</source>
+        <translation>Obiekt w widoku</translation>
+    </message>
+    <message>
+        <source>An object as a simulator would render it. With Shift, click in the view to stand it on the surface there, or on the plan. O lays it or takes it away, + and - change its size, comma and period turn it, and the arrow keys with Shift move it.</source>
+        <translation>Obiekt taki, jaki narysowałby symulator. Z klawiszem Shift kliknij w widoku, aby postawić go tam na powierzchni, lub na planie. O kładzie go lub zabiera, + i - zmieniają wielkość, przecinek i kropka obracają, a strzałki z Shift przesuwają.</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nic</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kula</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Sześcian</translation>
+    </message>
+    <message>
+        <source>Mesh (OBJ file)...</source>
+        <translation>Siatka (plik OBJ)...</translation>
+    </message>
+    <message>
+        <source>Size of the object</source>
+        <translation>Wielkość obiektu</translation>
+    </message>
+    <message>
+        <source>Its longest side</source>
+        <translation>Jego najdłuższy bok</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>O&amp;bject</source>
+        <translation>Obie&amp;kt</translation>
+    </message>
+    <message>
+        <source>Mesh with z up, in metres</source>
+        <translation>Siatka z osią z w górę, w metrach</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj)</source>
+        <translation>Siatki (*.obj)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::ObjectStage</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Czytanie %1</translation>
     </message>
 </context>
 <context>
@@ -3719,10 +3837,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>Gdzie jest robot</translation>
     </message>
     <message>
-        <source>Click to put the robot there, drag to turn it; with Shift, put the ball there</source>
-        <translation>Kliknij, by postawić tam robota, przeciągnij, by go obrócić; z Shiftem postawisz tam kulę</translation>
-    </message>
-    <message>
         <source>&amp;Preview this survey</source>
         <translation>Podgląd &amp;tego pomiaru</translation>
     </message>
@@ -3843,14 +3957,6 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <translation>B</translation>
     </message>
     <message>
-        <source>Lay a &amp;ball into the view</source>
-        <translation>Włóż w widok &amp;kulę</translation>
-    </message>
-    <message>
-        <source>An object as a simulator would render it; Shift and a click on the plan put it elsewhere</source>
-        <translation>Obiekt taki, jakim narysowałby go symulator; Shift i kliknięcie na planie przestawiają go</translation>
-    </message>
-    <message>
         <source>Open a dataset</source>
         <translation>Otwórz zbiór danych</translation>
     </message>
@@ -3962,6 +4068,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Positions (*.csv)</source>
         <translation>Pozycje (*.csv)</translation>
     </message>
+    <message>
+        <source>Click to put the robot there, drag to turn it; with Shift, put the object there</source>
+        <translation>Kliknij, aby postawić tam robota, przeciągnij, aby go obrócić; z Shift stawiasz tam obiekt</translation>
+    </message>
     <message numerus="yes">
         <source>%1: %n photo(s), without depth.</source>
         <translation>
@@ -4008,6 +4118,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Depth for the preview of %1</source>
         <translation>Głębia dla podglądu %1</translation>
+    </message>
+    <message>
+        <source>How far away that is is not known; click at another place.</source>
+        <translation>Nie wiadomo, jak daleko to jest; kliknij w innym miejscu.</translation>
     </message>
 </context>
 <context>

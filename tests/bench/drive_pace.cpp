@@ -2,7 +2,11 @@
 // How many views a second the preview makes of a dataset: spherewalk_drive_pace DATASET [SECONDS]
 // A robot drives along the photos at 0.8 m/s, as the preview lets it. For each size of the picture and each
 // scene model of the dataset it prints the time of a view itself, from the pose to the picture of Qt: the
-// median, the 95th percentile, and the views a second that the median allows.
+// median, the 95th percentile, and the views a second that the median allows. The sizes are those that the
+// preview chooses from while it drives. The processor's time of a view, on all of its cores together, is that
+// of a machine that does nothing else, too.
+#include "ui/preview/drive_pace.h"
+
 #include "ui/preview/robot.h"
 
 #include "spherewalk/base/error.h"
@@ -15,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 
 using namespace spherewalk;
@@ -56,7 +61,9 @@ void measure(const render::Renderer& renderer, render::SceneKind scene, const QS
     ui::ViewMaker maker(renderer, CameraIntrinsics::pinhole(size.width(), size.height(), 1.2));
     std::vector<double> timesMs;
     constexpr int kLeadIn = 10; // what is cold is made warm
+    std::clock_t begun = 0;
     for (int i = 0; i < views + kLeadIn; ++i) {
+        begun = i == kLeadIn ? std::clock() : begun;
         const auto begin = std::chrono::steady_clock::now();
         maker.make(orderAt(renderer.dataset().info(), scene, i * kFrameS, showsError));
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
@@ -65,9 +72,11 @@ void measure(const render::Renderer& renderer, render::SceneKind scene, const QS
         }
     }
     const double medianMs = quantile(timesMs, 0.5);
-    std::printf("%4d x %4d  %-7s %-6s median %6.1f ms, 95 %% %6.1f ms, %5.1f views/s\n", size.width(),
-                size.height(), std::string(render::name(scene)).c_str(), showsError ? "tinted" : "plain",
-                medianMs, quantile(timesMs, 0.95), 1000 / medianMs);
+    const double processorMs = 1000.0 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC / views;
+    std::printf("%4d x %4d  %-7s %-6s median %6.1f ms, 95 %% %6.1f ms, %5.1f views/s, processor %6.1f ms\n",
+                size.width(), size.height(), std::string(render::name(scene)).c_str(),
+                showsError ? "tinted" : "plain", medianMs, quantile(timesMs, 0.95), 1000 / medianMs,
+                processorMs);
 }
 
 } // namespace
@@ -83,7 +92,8 @@ int main(int argc, char** argv) {
             std::make_shared<const render::Dataset>(render::Dataset::open(argv[1])));
         std::printf("%d threads\n", hardwareThreads());
         for (const render::SceneKind scene : render::scenesOf(renderer.dataset().info())) {
-            for (const QSize size : {QSize(640, 480), QSize(960, 540), QSize(1280, 720)}) {
+            for (const double share : ui::DrivePace::kShares) {
+                const QSize size = QSize(1280, 720) * share;
                 for (const bool showsError : {false, true}) {
                     measure(renderer, scene, size, showsError,
                             std::max(1, static_cast<int>(seconds / kFrameS)));

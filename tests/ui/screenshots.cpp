@@ -267,8 +267,9 @@ class Album {
         preview.findChild<QCheckBox*>("withDepth")->setChecked(false); // pictures at once
         presenter.makeDataset();
         waitUntil([&] { return !presenter.views().empty(); });
-        preview.findChild<QCheckBox*>("ball")->setChecked(true);
+        presenter.objects().lay(LaidObject::Shape::Box, presenter.beforeRobot());
         shoot("preview");
+        presenter.objects().lay(LaidObject::Shape::Ball, presenter.beforeRobot());
         preview.findChild<QCheckBox*>("split")->setChecked(true);
         presenter.setRecording(true);
         presenter.drive({.forward = 1, .turnLeft = 0.3});

@@ -95,7 +95,7 @@ void preview(Person& person, const fs::path& frames) {
     person.press("make");
     PreviewPresenter& presenter = person.page<PreviewMode>().presenter();
     person.waitUntil([&] { return !presenter.views().empty(); });
-    person.press("ball");
+    presenter.objects().lay(LaidObject::Shape::Ball, presenter.beforeRobot());
     person.press("record");
     auto& view = person.widget<DriveView>("view");
     view.setFocus();

@@ -267,6 +267,18 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "A room cannot be called \"%1\": give one line of up to %2 letters."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The plan names %1 rooms, more than the %2 allowed."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: it has no faces (lines \"f 1 2 3\"); export the mesh as OBJ."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: a face names vertex %2 of %3; export the mesh again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: all of its points are the same; export the mesh again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: line %2 is no vertex (\"v x y z\"); export the mesh again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: line %2 is no face (\"f 1 2 3\"); export the mesh again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Could not read %1: it has more than %2 triangles; make it simpler."),
 };
 
 } // namespace

@@ -72,7 +72,9 @@ DriveView::DriveView(PreviewPresenter& presenter, QWidget* parent) : QWidget(par
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
     setAccessibleName(tr("What the robot's camera sees"));
-    setToolTip(tr("W A S D or the arrow keys drive, Q and E go sideways; drag to turn"));
+    setToolTip(
+        tr("W A S D or the arrow keys drive, Q and E go sideways; drag to turn. Shift and a click put the "
+           "object there."));
     connect(&presenter, &PreviewPresenter::viewsChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -90,7 +92,7 @@ QString DriveView::errorText(const render::ViewReport& report) {
     return tr("expected error %L1 px").arg(errorPx, 0, 'f', errorPx < 10 ? 1 : 0);
 }
 
-QString DriveView::reportText(const render::ViewReport& report) {
+QString DriveView::reportText(const render::ViewReport& report, double share) {
     const QString photo = QFileInfo(QString::fromStdString(report.file)).fileName();
     QString text = tr("%1, %L2 cm away, %3, %L4 ms")
                        .arg(photo)
@@ -103,6 +105,9 @@ QString DriveView::reportText(const render::ViewReport& report) {
         text += tr(", coarse until it is decoded");
     } else if (report.origin == render::ViewOrigin::PreviousPhoto) {
         text += tr(", from the photo before until it is decoded");
+    }
+    if (share < 1) {
+        text += tr(", %1 % of the size while it drives").arg(100 * share, 0, 'f', 0);
     }
     return text;
 }
@@ -157,7 +162,7 @@ void DriveView::paintView(QPainter& painter, const QRect& box, const MadeView& v
         return;
     }
     const QRectF plate =
-        paintPlate(painter, target, Qt::AlignLeft | Qt::AlignBottom, reportText(view.report));
+        paintPlate(painter, target, Qt::AlignLeft | Qt::AlignBottom, reportText(view.report, view.share));
     // How far the view can be believed, as a bar besides the number.
     const QRectF bar(plate.left(), plate.top() - 9, 120, 5);
     painter.setPen(Qt::NoPen);
@@ -202,6 +207,9 @@ DriveWish DriveView::wish() const {
 }
 
 void DriveView::keyPressEvent(QKeyEvent* event) {
+    if (changeObject(*event)) {
+        return;
+    }
     if (!isDriving(event->key()) || event->modifiers().testFlag(Qt::ControlModifier)) {
         return QWidget::keyPressEvent(event);
     }
@@ -228,12 +236,96 @@ void DriveView::focusOutEvent(QFocusEvent* event) {
     update();
 }
 
+/// Does what a key means for the object in the view. Returns false for any other key.
+bool DriveView::changeObject(const QKeyEvent& event) {
+    constexpr double kGrows = 1.1;
+    constexpr Degrees kTurn{15};
+    constexpr double kStepM = 0.05;
+    ObjectStage& objects = m_presenter.objects();
+    const auto& object = objects.object();
+    if (event.modifiers().testFlag(Qt::ControlModifier) || event.modifiers().testFlag(Qt::AltModifier)) {
+        return false;
+    }
+    if (event.modifiers().testFlag(Qt::ShiftModifier) && isDriving(event.key()) && object) {
+        const Radians yaw = m_presenter.robot().yaw;
+        const Eigen::Vector2d ahead(cos(yaw), sin(yaw));
+        const Eigen::Vector2d left(-ahead.y(), ahead.x());
+        switch (event.key()) {
+        case Qt::Key_Up:
+            objects.moveBy(kStepM * ahead);
+            return true;
+        case Qt::Key_Down:
+            objects.moveBy(-kStepM * ahead);
+            return true;
+        case Qt::Key_Left:
+            objects.moveBy(kStepM * left);
+            return true;
+        case Qt::Key_Right:
+            objects.moveBy(-kStepM * left);
+            return true;
+        default:
+            return false;
+        }
+    }
+    switch (event.key()) {
+    case Qt::Key_O:
+        objects.toggle(m_presenter.beforeRobot());
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // the key of + without Shift
+        objects.setSize(object ? kGrows * object->sizeM : 0);
+        return true;
+    case Qt::Key_Minus:
+        objects.setSize(object ? object->sizeM / kGrows : 0);
+        return true;
+    case Qt::Key_Comma:
+        objects.turn(kTurn);
+        return true;
+    case Qt::Key_Period:
+        objects.turn(-Radians(kTurn));
+        return true;
+    default:
+        return false;
+    }
+}
+
+QList<Mode::Key> DriveView::keys() {
+    return {{QStringLiteral("W A S D, Q E"), tr("Drive")},
+            {QStringLiteral("O"), tr("Lay the object, or take it away")},
+            {QStringLiteral("+ -"), tr("Make the object larger or smaller")},
+            {QStringLiteral(", ."), tr("Turn the object")},
+            {tr("Shift and the arrow keys"), tr("Move the object")},
+            {tr("Shift and a click"), tr("Stand the object on the surface there")}};
+}
+
+/// The pixel of the robot's camera under this place of the first view, or nothing beside the view.
+std::optional<Eigen::Vector2d> DriveView::pixelAt(const QPointF& place) const {
+    if (m_presenter.views().empty()) {
+        return std::nullopt;
+    }
+    const MadeView& view = m_presenter.views().front();
+    const QRect box = boxOf(0);
+    QRectF target(QPointF(), QSizeF(view.picture.size().scaled(box.size(), Qt::KeepAspectRatio)));
+    target.moveCenter(box.center());
+    if (!target.contains(place)) {
+        return std::nullopt;
+    }
+    const CameraIntrinsics& camera = m_presenter.camera();
+    return Eigen::Vector2d((place.x() - target.left()) / target.width() * camera.width - 0.5,
+                           (place.y() - target.top()) / target.height() * camera.height - 0.5);
+}
+
 void DriveView::mousePressEvent(QMouseEvent* event) {
     m_dragFrom = event->position();
+    if (event->modifiers().testFlag(Qt::ShiftModifier)) {
+        if (const auto pixel = pixelAt(event->position())) {
+            m_presenter.putObjectAt(*pixel);
+        }
+    }
 }
 
 void DriveView::mouseMoveEvent(QMouseEvent* event) {
-    if (!event->buttons().testFlag(Qt::LeftButton)) {
+    if (!event->buttons().testFlag(Qt::LeftButton) || event->modifiers().testFlag(Qt::ShiftModifier)) {
         return;
     }
     const QPointF moved = event->position() - m_dragFrom;
@@ -253,7 +345,7 @@ class RobotMap::Layer : public PlanLayer {
 
   private:
     void paintPath(QPainter& painter, const QTransform& widgetFromRoom) const;
-    void paintBall(QPainter& painter, const QTransform& widgetFromRoom) const;
+    void paintObject(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintRobot(QPainter& painter, const QPointF& at) const;
 
     const PreviewPresenter& m_presenter;
@@ -264,7 +356,7 @@ void RobotMap::Layer::paint(QPainter& painter, const QTransform& widgetFromRoom)
         return;
     }
     paintPath(painter, widgetFromRoom);
-    paintBall(painter, widgetFromRoom);
+    paintObject(painter, widgetFromRoom);
     const QPointF at = mapped(m_presenter.robot().pInRoom, widgetFromRoom);
     if (!m_presenter.views().empty()) {
         const auto& photos = m_presenter.dataset()->info().photos;
@@ -286,16 +378,25 @@ void RobotMap::Layer::paintPath(QPainter& painter, const QTransform& widgetFromR
     }
 }
 
-void RobotMap::Layer::paintBall(QPainter& painter, const QTransform& widgetFromRoom) const {
-    if (!m_presenter.ball()) {
+void RobotMap::Layer::paintObject(QPainter& painter, const QTransform& widgetFromRoom) const {
+    const auto& object = m_presenter.objects().object();
+    if (!object) {
         return;
     }
-    const jobs::Ball& ball = *m_presenter.ball();
-    const double radius =
-        std::max(4.0, ball.radiusM * std::hypot(widgetFromRoom.m11(), widgetFromRoom.m12()));
-    painter.setPen(QPen(QColor(ball.colour[0], ball.colour[1], ball.colour[2]), 2));
-    painter.setBrush(QColor(ball.colour[0], ball.colour[1], ball.colour[2], 110));
-    painter.drawEllipse(mapped(ball.centreM.head<2>(), widgetFromRoom), radius, radius);
+    constexpr double kLeastPx = 8;
+    const bool isBall = object->shape == LaidObject::Shape::Ball;
+    const auto& colour = isBall ? jobs::Ball().colour : jobs::PlacedMesh().colour;
+    const double scale = std::hypot(widgetFromRoom.m11(), widgetFromRoom.m12());
+    const Eigen::Vector3d sides = scale * object->sidesM();
+    QRectF box(0, 0, std::max(kLeastPx, sides.x()), std::max(kLeastPx, sides.y()));
+    box.moveCenter({0, 0});
+    painter.save();
+    painter.translate(mapped(object->footM.head<2>(), widgetFromRoom));
+    painter.rotate(-Degrees(object->yaw).value());
+    painter.setPen(QPen(QColor(colour[0], colour[1], colour[2]), 2));
+    painter.setBrush(QColor(colour[0], colour[1], colour[2], 110));
+    isBall ? painter.drawEllipse(box) : painter.drawRect(box);
+    painter.restore();
 }
 
 void RobotMap::Layer::paintRobot(QPainter& painter, const QPointF& at) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/frame/mode.h"
 #include "ui/map/plan_view.h"
 #include "ui/preview/robot.h"
 
@@ -8,6 +9,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 namespace spherewalk::ui {
 
@@ -25,10 +27,12 @@ class DriveView : public QWidget {
 
     QSize sizeHint() const override { return {800, 600}; }
 
-    /// Returns the report of a view in words.
-    static QString reportText(const render::ViewReport& report);
+    /// Returns the report of a view in words. share: see MadeView.
+    static QString reportText(const render::ViewReport& report, double share = 1);
     /// Says by how many pixels of the camera things are displaced, or why nobody knows.
     static QString errorText(const render::ViewReport& report);
+    /// Returns the keys of the view, for the list of all keys.
+    static QList<Mode::Key> keys();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -40,6 +44,8 @@ class DriveView : public QWidget {
 
   private:
     static bool isDriving(int key);
+    bool changeObject(const QKeyEvent& event);
+    std::optional<Eigen::Vector2d> pixelAt(const QPointF& place) const;
     DriveWish wish() const;
     QRect boxOf(std::size_t view) const;
     static void paintView(QPainter& painter, const QRect& box, const MadeView& view);

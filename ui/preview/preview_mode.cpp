@@ -5,6 +5,7 @@
 #include "ui/fields/scene_fields.h"
 #include "ui/look/told_label.h"
 #include "ui/preview/drive_view.h"
+#include "ui/preview/object_fields.h"
 #include "ui/preview/path_player.h"
 #include "ui/preview/preview_presenter.h"
 
@@ -27,8 +28,6 @@ namespace spherewalk::ui {
 
 namespace {
 
-constexpr double kBallRadiusM = 0.2;
-constexpr double kBallDistanceM = 1.2;
 constexpr double kLeastAimM = 0.05; ///< The heading follows a drag from this distance on.
 constexpr int kBestScene = -1;      ///< Stands for the dataset's choice in the data of a combo box.
 
@@ -42,7 +41,7 @@ PreviewMode::PreviewMode(TaskList& tasks, QWidget* parent)
     m_map = new RobotMap(*m_presenter, this);
     m_map->setObjectName("map");
     m_map->setAccessibleName(tr("Where the robot is"));
-    m_map->setToolTip(tr("Click to put the robot there, drag to turn it; with Shift, put the ball there"));
+    m_map->setToolTip(tr("Click to put the robot there, drag to turn it; with Shift, put the object there"));
     auto* side = new QWidget(this);
     auto* sideLayout = new QVBoxLayout(side);
     sideLayout->setContentsMargins(0, 0, 0, 0);
@@ -90,6 +89,10 @@ Mode::Subject PreviewMode::subject() const {
     const render::DatasetInfo& info = m_presenter->dataset()->info();
     return {tr("%1 (dataset)").arg(QString::fromStdString(info.name)),
             tr("%n photo(s) in the dataset", nullptr, static_cast<int>(info.photos.size()))};
+}
+
+QList<Mode::Key> PreviewMode::keys() const {
+    return DriveView::keys();
 }
 
 void PreviewMode::showPart(const QString& part) {
@@ -237,12 +240,7 @@ void PreviewMode::makeOtherCamera(QGridLayout& grid, int row) {
 
 /// Makes what can be laid into the view or beside it.
 void PreviewMode::makeOverlays(QGridLayout& grid, int row) {
-    m_ball = new QCheckBox(tr("Lay a &ball into the view"), this);
-    m_ball->setObjectName("ball");
-    m_ball->setToolTip(
-        tr("An object as a simulator would render it; Shift and a click on the plan put it elsewhere"));
-    connect(m_ball, &QCheckBox::toggled, this, &PreviewMode::layBall);
-    grid.addWidget(m_ball, row, 0, 1, 3);
+    grid.addWidget(new ObjectFields(*m_presenter, this), row, 0, 1, 3);
     auto* error = new QCheckBox(tr("Sh&ow the expected error"), this);
     error->setObjectName("showError");
     error->setToolTip(tr("Tints what is displaced: light from half a pixel on, dark at %1 pixels and more")
@@ -256,19 +254,6 @@ void PreviewMode::makeOverlays(QGridLayout& grid, int row) {
            "z_m, qw, qx, qy, qz"));
     connect(m_own, &QPushButton::clicked, this, &PreviewMode::chooseRobotPictures);
     grid.addWidget(m_own, row + 2, 0, 1, 3);
-}
-
-/// Lays a ball before the robot, or takes it away.
-void PreviewMode::layBall(bool isShown) {
-    if (!isShown) {
-        return m_presenter->setBall(std::nullopt);
-    }
-    const RobotPlace& robot = m_presenter->robot();
-    jobs::Ball ball;
-    ball.radiusM = kBallRadiusM;
-    ball.centreM << robot.pInRoom + kBallDistanceM * Eigen::Vector2d(cos(robot.yaw), sin(robot.yaw)),
-        std::max(kBallRadiusM, m_presenter->mount().heightM - kBallRadiusM);
-    m_presenter->setBall(ball);
 }
 
 void PreviewMode::chooseDataset() {
@@ -324,17 +309,16 @@ void PreviewMode::applySides() {
 
 void PreviewMode::placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers) {
     const Eigen::Vector2d place(pInRoom.x(), pInRoom.y());
-    if (modifiers.testFlag(Qt::ShiftModifier) && m_presenter->ball()) {
-        jobs::Ball ball = *m_presenter->ball();
-        ball.centreM.head<2>() = place;
-        return m_presenter->setBall(ball);
+    if (const auto& object = m_presenter->objects().object();
+        object && modifiers.testFlag(Qt::ShiftModifier)) {
+        return m_presenter->objects().moveBy(place - object->footM.head<2>());
     }
     m_presenter->setRobot({place, m_presenter->robot().yaw});
     m_view->setFocus();
 }
 
 void PreviewMode::aimRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers) {
-    if (modifiers.testFlag(Qt::ShiftModifier) && m_presenter->ball()) {
+    if (modifiers.testFlag(Qt::ShiftModifier) && m_presenter->objects().object()) {
         return placeRobot(pInRoom, modifiers);
     }
     RobotPlace robot = m_presenter->robot();
@@ -356,10 +340,11 @@ void PreviewMode::showDataset() {
         const SurveySession* session = m_presenter->session();
         const bool hasPhoto = session == nullptr || session->state().counts.stationsWithPhoto > 0;
         m_what->tell(m_presenter->isPreparing() ? Told(tr("Preparing the preview..."))
-                     : hasPhoto                 ? Told(tr("No dataset is open."))
-                                                : Told(PreviewPresenter::tr(
-                                                           "There is no photo to preview yet; capture or import some first."),
-                                                       Cure::Capture));
+                     : hasPhoto
+                         ? Told(tr("No dataset is open."))
+                         : Told(PreviewPresenter::tr("There is no photo to preview yet; capture or import "
+                                                     "some first."),
+                                Cure::Capture));
         return;
     }
     const render::DatasetInfo& info = dataset->info();

@@ -39,6 +39,7 @@ class PreviewMode : public Mode {
     bool worksWithoutSurvey() const override { return true; }
 
     Subject subject() const override;
+    QList<Key> keys() const override;
 
     /// Opens the dataset in the folder of this name.
     void showPart(const QString& part) override;
@@ -65,7 +66,6 @@ class PreviewMode : public Mode {
     void showRecording();
     void showRungs();
     void takeMeasured();
-    void layBall(bool isShown);
     void applyMount();
     void applySides();
     void placeRobot(const QPointF& pInRoom, Qt::KeyboardModifiers modifiers);
@@ -86,7 +86,6 @@ class PreviewMode : public Mode {
     QCheckBox* m_otherCamera = nullptr;
     CameraBox* m_cameraB = nullptr;
     std::vector<SideChoice> m_sides;
-    QCheckBox* m_ball = nullptr;
     QPushButton* m_record = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_own = nullptr;

@@ -4,6 +4,7 @@
 #include "ui/fields/camera_box.h"
 #include "ui/look/core_words.h"
 
+#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -54,7 +55,14 @@ RobotPlace middleOf(const render::DatasetInfo& info) {
 } // namespace
 
 PreviewPresenter::PreviewPresenter(TaskList& tasks, QObject* parent)
-    : SurveyPresenter(parent), m_tasks(tasks), m_camera(cameraPresets().at(kUsualCamera).intrinsics) {
+    : SurveyPresenter(parent),
+      m_tasks(tasks),
+      m_camera(cameraPresets().at(kUsualCamera).intrinsics),
+      m_objects(tasks) {
+    connect(&m_objects, &ObjectStage::changed, this, [this] {
+        emit robotChanged();
+        order();
+    });
     m_ticking.setInterval(kTick);
     m_ticking.setTimerType(Qt::PreciseTimer);
     connect(&m_ticking, &QTimer::timeout, this, &PreviewPresenter::tick);
@@ -189,6 +197,7 @@ void PreviewPresenter::drawFrom(SharedDataset dataset) {
 
 /// Makes a new maker, as each camera has its own streams.
 void PreviewPresenter::rebuild() {
+    m_pace.forget();
     if (m_renderer) {
         m_maker = std::make_shared<ViewMaker>(*m_renderer, m_camera);
         order();
@@ -221,13 +230,41 @@ void PreviewPresenter::setCamera(const CameraIntrinsics& camera) {
 
 void PreviewPresenter::setSides(const std::vector<ViewSide>& sides) {
     m_sides = sides;
+    m_pace.forget();
     order();
 }
 
-void PreviewPresenter::setBall(const std::optional<jobs::Ball>& ball) {
-    m_ball = ball;
-    emit robotChanged();
-    order();
+Eigen::Vector3d PreviewPresenter::beforeRobot() const {
+    constexpr double kDistanceM = 1.2;
+    const Eigen::Vector2d place =
+        m_robot.pInRoom + kDistanceM * Eigen::Vector2d(cos(m_robot.yaw), sin(m_robot.yaw));
+    return {place.x(), place.y(), std::max(0.0, m_mount.heightM - LaidObject().sizeM)};
+}
+
+void PreviewPresenter::putObjectAt(const Eigen::Vector2d& pixel) {
+    if (!m_renderer || !m_objects.object()) {
+        return;
+    }
+    const CameraModel camera(m_sides.front().camera.value_or(m_camera));
+    const Rigid3 pose =
+        m_ownShown ? m_ownPictures.at(*m_ownShown).roomFromCamera : roomFromOptical(m_robot, m_mount);
+    m_worker.post(QStringLiteral("surface"),
+                  [this, renderer = *m_renderer, camera, pose, pixel]() -> BackgroundWorker::Deliver {
+                      try {
+                          render::ViewOptions options; // the best scene model, whichever is shown
+                          options.wantsDepth = true;
+                          const render::View view = renderer.render(camera, pose, options);
+                          const auto spot =
+                              spotAt(view.depth, camera, pose, pixel.array().round().matrix().cast<int>());
+                          return [this, spot] {
+                              spot ? m_objects.standOn(*spot)
+                                   : emit message(
+                                         tr("How far away that is is not known; click at another place."));
+                          };
+                      } catch (const Error& error) {
+                          return [this, told = coreTold(error.sentence())] { emit message(told); };
+                      }
+                  });
 }
 
 void PreviewPresenter::setShowsError(bool isShown) {
@@ -274,16 +311,20 @@ void PreviewPresenter::order() {
         return;
     }
     ViewOrder wish{roomFromOptical(m_robot, m_mount), 0.001 * static_cast<double>(m_clock.elapsed()), m_sides,
-                   m_ball, m_showsError};
+                   m_objects.object(), m_showsError};
+    wish.share = m_wish.isNone() ? 1 : m_pace.share();
     if (m_ownShown) {
         wish.own = m_ownPictures.at(*m_ownShown);
         wish.roomFromCamera = wish.own->roomFromCamera; // with its height and tilt
     }
     m_worker.post(QStringLiteral("view"), [this, maker = m_maker, wish]() -> BackgroundWorker::Deliver {
         try {
-            return [this, maker, views = maker->make(wish)] {
+            const Clock::TimePoint begun = systemClock().now();
+            std::vector<MadeView> views = maker->make(wish);
+            const std::chrono::duration<double> time = systemClock().now() - begun;
+            return [this, maker, views = std::move(views), time] {
                 if (maker == m_maker) { // otherwise the camera is another one meanwhile
-                    show(views);
+                    show(views, time.count());
                 }
             };
         } catch (const Error& error) {
@@ -292,8 +333,11 @@ void PreviewPresenter::order() {
     });
 }
 
-void PreviewPresenter::show(std::vector<MadeView> views) {
+void PreviewPresenter::show(std::vector<MadeView> views, double seconds) {
     m_views = std::move(views);
+    if (!m_wish.isNone() && !m_views.empty()) {
+        m_pace.took(m_views.front().share, seconds);
+    }
     const double now = 0.001 * static_cast<double>(m_clock.elapsed());
     m_shownS.push_back(now);
     std::erase_if(m_shownS, [now](double shown) { return shown < now - 1; });
@@ -313,7 +357,10 @@ double PreviewPresenter::rate() const {
 void PreviewPresenter::drive(const DriveWish& wish) {
     m_wish = wish;
     if (wish.isNone()) {
-        m_ticking.stop();
+        if (m_ticking.isActive()) {
+            m_ticking.stop();
+            order(); // in full size
+        }
     } else if (!m_ticking.isActive()) {
         m_lastTickS = 0.001 * static_cast<double>(m_clock.elapsed());
         m_ticking.start();
@@ -377,8 +424,10 @@ void PreviewPresenter::saveFrames(const QString& folder) {
     jobs::WalkOptions options;
     options.view.scene = m_sides.front().scene;
     options.view.sampling = m_sides.front().sampling;
-    if (m_ball) {
-        options.balls = {*m_ball};
+    if (const auto& object = m_objects.object(); object && object->shape == LaidObject::Shape::Ball) {
+        options.balls = {object->ball()};
+    } else if (object) {
+        options.meshes = {object->placed()};
     }
     m_tasks.start(
         tr("Saving %n frame(s)", nullptr, static_cast<int>(m_path.size())), this,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/preview/drive_pace.h"
+#include "ui/preview/object_stage.h"
 #include "ui/preview/robot.h"
 #include "ui/session/survey_session.h"
 #include "ui/tasks/background_worker.h"
@@ -68,9 +70,16 @@ class PreviewPresenter : public SurveyPresenter {
     /// Sets one side, or two for a comparison.
     void setSides(const std::vector<ViewSide>& sides);
 
-    const std::optional<jobs::Ball>& ball() const { return m_ball; }
+    /// The object that stands in the views.
+    ObjectStage& objects() { return m_objects; }
 
-    void setBall(const std::optional<jobs::Ball>& ball);
+    const ObjectStage& objects() const { return m_objects; }
+
+    /// Returns the place before the robot, and in its sight, where a new object is laid.
+    Eigen::Vector3d beforeRobot() const;
+    /// Stands the object on the surface that this place of the first view shows. pixel: of the robot's
+    /// camera. message() says why that cannot be, and without an object nothing happens.
+    void putObjectAt(const Eigen::Vector2d& pixel);
 
     /// Drives until another wish comes.
     void drive(const DriveWish& wish);
@@ -137,7 +146,7 @@ class PreviewPresenter : public SurveyPresenter {
     void drawFrom(std::shared_ptr<const render::Dataset> dataset);
     void rebuild();
     void order();
-    void show(std::vector<MadeView> views);
+    void show(std::vector<MadeView> views, double seconds);
     void tick();
     void record();
     void keepPath();
@@ -156,7 +165,8 @@ class PreviewPresenter : public SurveyPresenter {
     CameraMount m_mount;
     CameraIntrinsics m_camera;
     std::vector<ViewSide> m_sides{ViewSide{}};
-    std::optional<jobs::Ball> m_ball;
+    ObjectStage m_objects;
+    DrivePace m_pace;
     bool m_showsError = false;
     DriveWish m_wish;
     QTimer m_ticking;

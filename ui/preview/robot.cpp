@@ -103,15 +103,29 @@ ViewMaker::ViewMaker(render::Renderer renderer, const CameraIntrinsics& camera)
     : m_renderer(std::move(renderer)), m_camera(camera) {
 }
 
-ViewMaker::Eye& ViewMaker::eye(std::size_t side, const CameraIntrinsics& camera) {
+CameraIntrinsics scaled(const CameraIntrinsics& camera, double share) {
+    CameraIntrinsics result = camera;
+    result.width = std::max(1, static_cast<int>(std::lround(share * camera.width)));
+    result.height = std::max(1, static_cast<int>(std::lround(share * camera.height)));
+    const double x = static_cast<double>(result.width) / camera.width;
+    const double y = static_cast<double>(result.height) / camera.height;
+    result.fx *= x;
+    result.fy *= y;
+    result.cx = (camera.cx + 0.5) * x - 0.5; // the corner of pixel (0, 0) is at (-0.5, -0.5)
+    result.cy = (camera.cy + 0.5) * y - 0.5;
+    return result;
+}
+
+ViewMaker::Eye& ViewMaker::eye(std::size_t side, const CameraIntrinsics& camera, double share) {
     if (m_eyes.size() <= side) {
         m_eyes.resize(side + 1);
     }
-    std::unique_ptr<Eye>& eye = m_eyes[side];
-    if (!eye || !(eye->intrinsics == camera)) {
-        const CameraModel model(camera);
+    std::unique_ptr<Eye>& eye = m_eyes[side][share < 1 ? 1 : 0];
+    if (!eye || !(eye->intrinsics == camera) || eye->share != share) {
+        const CameraModel model(scaled(camera, share));
         const render::StreamOptions options{.late = render::LatePolicy::Coarse, .prefetchSeconds = 0.4};
-        eye = std::make_unique<Eye>(Eye{camera, model, render::ViewStream(m_renderer, model, options)});
+        eye =
+            std::make_unique<Eye>(Eye{camera, share, model, render::ViewStream(m_renderer, model, options)});
     }
     return *eye;
 }
@@ -136,10 +150,10 @@ std::vector<MadeView> ViewMaker::make(const ViewOrder& order) {
     std::vector<MadeView> made;
     for (std::size_t side = 0; side < order.sides.size(); ++side) {
         const ViewSide& wanted = order.sides[side];
-        Eye& own = eye(side, wanted.camera.value_or(m_camera));
+        Eye& own = eye(side, wanted.camera.value_or(m_camera), order.share);
         std::vector<render::Overlay> overlays;
-        if (order.ball) {
-            overlays.push_back(jobs::ballOverlay(*order.ball, own.camera, order.roomFromCamera));
+        if (order.object) {
+            overlays.push_back(order.object->overlay(own.camera, order.roomFromCamera));
         }
         render::ViewOptions options;
         options.scene = wanted.scene;
@@ -147,8 +161,13 @@ std::vector<MadeView> ViewMaker::make(const ViewOrder& order) {
         options.overlays = overlays;
         options.wantsTrust = order.showsError;
         own.stream.next(order.roomFromCamera, order.timeS, options, m_view);
-        made.push_back({qtImage(m_view.picture), m_view.report});
+        m_view.report.parallaxPx /= order.share; // in pixels of the robot's camera
+        m_view.report.blurPx /= order.share;
+        made.push_back({qtImage(m_view.picture), m_view.report, {}, order.share});
         if (order.showsError) {
+            for (float& errorPx : m_view.trust.errorPx.values()) {
+                errorPx /= static_cast<float>(order.share);
+            }
             tintByError(made.back().picture, m_view.trust);
         }
     }

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/preview/laid_object.h"
+
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
-#include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/positions_csv.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <QImage>
 #include <QString>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -76,10 +78,11 @@ struct ViewOrder {
     Rigid3 roomFromCamera; ///< Pose of the optical frame.
     double timeS = 0;
     std::vector<ViewSide> sides; ///< One side, or two for a comparison.
-    std::optional<jobs::Ball> ball;
+    std::optional<LaidObject> object;
     bool showsError = false; ///< Whether the pictures are tinted by the expected error of each pixel.
     /// What the robot's own camera took at this pose. It is shown beside the views.
     std::optional<jobs::RobotPicture> own = {};
+    double share = 1; ///< Share of the cameras' width and height that the pictures have; see DrivePace.
 };
 
 /// Tints the picture by the error: nothing for a pixel that is where it belongs, and the more the further it
@@ -91,7 +94,12 @@ struct MadeView {
     QImage picture;
     render::ViewReport report;
     QString caption = {}; ///< Of the robot's own picture, which has no report.
+    double share = 1; ///< Share of the camera's width and height. The report's pixels are the whole camera's.
 };
+
+/// The camera with this share of its width and height, at least one pixel each; it sees the same. Range:
+/// share in (0, 1].
+CameraIntrinsics scaled(const CameraIntrinsics& camera, double share);
 
 /// Makes the views of a camera that moves through a dataset. Threads: any, one at a time.
 class ViewMaker {
@@ -106,17 +114,19 @@ class ViewMaker {
   private:
     /// A camera with its stream.
     struct Eye {
-        CameraIntrinsics intrinsics;
+        CameraIntrinsics intrinsics; ///< As they were asked for; the camera is a share of them.
+        double share = 1;
         CameraModel camera;
         render::ViewStream stream;
     };
 
-    Eye& eye(std::size_t side, const CameraIntrinsics& camera);
+    Eye& eye(std::size_t side, const CameraIntrinsics& camera, double share);
     const MadeView& ownPicture(const jobs::RobotPicture& own);
 
     render::Renderer m_renderer;
     CameraIntrinsics m_camera;
-    std::vector<std::unique_ptr<Eye>> m_eyes; ///< One for each side.
+    std::vector<std::array<std::unique_ptr<Eye>, 2>>
+        m_eyes; ///< Of each side, the whole one and a smaller one.
     render::View m_view;
     std::filesystem::path m_ownFile; ///< The file of m_own.
     MadeView m_own;

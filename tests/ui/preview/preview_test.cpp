@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photographed_survey.h"
-#include "qt_application.h"
+#include "preview_fixture.h"
 #include "ui/fields/camera_box.h"
 #include "ui/map/plan_view.h"
 #include "ui/preview/drive_view.h"
-#include "ui/preview/preview_mode.h"
-#include "ui/preview/preview_presenter.h"
 
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/render/camera_info.h"
@@ -22,58 +19,6 @@
 namespace spherewalk::ui {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-class PreviewTest : public testing::Test {
-  protected:
-    PreviewTest() {
-        mode.resize(1100, 700);
-        mode.setSession(session.get());
-        mode.show();
-        test::activate(mode);
-        mode.activated();
-        widget<QCheckBox>("withDepth").setChecked(false); // it takes its time
-    }
-
-    ~PreviewTest() override { mode.setSession(nullptr); }
-
-    PreviewPresenter& presenter() { return mode.presenter(); }
-
-    template <class Widget>
-    Widget& widget(const char* name) {
-        return *mode.findChild<Widget*>(name);
-    }
-
-    /// Makes a dataset of the survey and waits for a view of it.
-    void preview() {
-        QTest::mouseClick(&widget<QPushButton>("make"), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 30'000));
-    }
-
-    bool hasSharpViews(std::size_t count) {
-        const auto& views = presenter().views();
-        return views.size() == count && std::all_of(views.begin(), views.end(), [](const MadeView& view) {
-                   return view.report.origin == render::ViewOrigin::Photo;
-               });
-    }
-
-    /// Waits for a view that was made after this call.
-    void waitForView() {
-        QSignalSpy views(&presenter(), &PreviewPresenter::viewsChanged);
-        presenter().setRobot(presenter().robot());
-        ASSERT_TRUE(views.wait());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(presenter().views().size()); }));
-    }
-
-    test::PhotographedSurvey survey{4};
-    TaskList tasks;
-    std::unique_ptr<SurveySession> session =
-        SurveySession::open(QString::fromStdString(survey.path().string()));
-    PreviewMode mode{tasks};
-};
-
-} // namespace
 
 TEST_F(PreviewTest, ShowsTheSurveyWithItsReport) {
     preview();
@@ -204,17 +149,6 @@ TEST_F(PreviewTest, ReadsACameraFromARosFile) {
     EXPECT_FALSE(camera.readCamera("nothing.yaml"));
     EXPECT_TRUE(message.first().first().value<Told>().text.contains("nothing.yaml"));
     EXPECT_EQ(presenter().camera().width, 320);
-}
-
-TEST_F(PreviewTest, LaysABallIntoTheView) {
-    preview();
-    presenter().setMount({0.2, Radians(0)});
-    presenter().setSides({{render::SceneKind::None, render::Sampling::Bilinear}}); // nothing hides it
-    waitForView();
-    const QImage before = presenter().views()[0].picture.copy();
-    widget<QCheckBox>("ball").setChecked(true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter().views()[0].picture != before; }));
-    EXPECT_NEAR((presenter().ball()->centreM.head<2>() - presenter().robot().pInRoom).norm(), 1.2, 1e-9);
 }
 
 TEST_F(PreviewTest, RecordsAPathAndSavesItsFrames) {
@@ -357,20 +291,6 @@ TEST(DriveViewWords, TellTheExpectedErrorOrWhyNobodyKnows) {
     EXPECT_EQ(DriveView::errorText(report), "no photo sees this place");
     report.isOutside = true;
     EXPECT_EQ(DriveView::errorText(report), "outside of what was scanned");
-}
-
-TEST_F(PreviewTest, SavesTheBallWithTheFrames) {
-    preview();
-    presenter().setMount({0.2, Radians(0)});
-    presenter().setSides({{render::SceneKind::None, render::Sampling::Bilinear}});
-    presenter().setRecording(true);
-    presenter().setRecording(false);
-    widget<QCheckBox>("ball").setChecked(true);
-    waitForView();
-    presenter().saveFrames(QString::fromStdString((survey / "walk").string()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
-    const QImage frame(QString::fromStdString((survey / "walk" / "000000.png").string()));
-    EXPECT_EQ(frame.convertToFormat(QImage::Format_RGB32), presenter().views()[0].picture);
 }
 
 TEST_F(PreviewTest, SaysThatTheSurveyHasChangedSince) {
