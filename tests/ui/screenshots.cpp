@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language [WIDTHxHEIGHT]].
-// Those of the guide, small: DIR "" guide. With QT_SCALE_FACTOR=2 they are those of a screen of twice the
-// density.
+// Pictures of all pages of the window, to be looked at: DIR SUFFIX light|dark [language [WIDTHxHEIGHT
+// [NAME]]]. NAME: the one picture that is made. Those of the guide, small: DIR "" guide. With
+// QT_SCALE_FACTOR=2 they are those of a screen of twice the density.
 #include "temporary_folder.h"
 #include "ui/align/align_mode.h"
 #include "ui/capture/camera_login.h"
@@ -29,6 +29,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QProcess>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableView>
@@ -68,8 +69,13 @@ void waitUntil(const std::function<bool()>& holds) {
 /// The window, led from page to page.
 class Album {
   public:
-    Album(QString folder, QString suffix, bool isForGuide, const QSize& size)
-        : m_folder(std::move(folder)), m_suffix(std::move(suffix)), m_isForGuide(isForGuide) {
+    /// only: the names of the pictures; empty for all.
+    Album(QString folder, QString suffix, const QString& look, const QSize& size, QStringList only)
+        : m_folder(std::move(folder)),
+          m_suffix(std::move(suffix)),
+          m_isForGuide(look == "guide"),
+          m_isDark(look == "dark"),
+          m_only(m_isForGuide ? kGuide : std::move(only)) {
         m_window.resize(size);
         m_window.show();
     }
@@ -99,7 +105,7 @@ class Album {
     void shoot(const QString& name) { shoot(name, m_window); }
 
     void shoot(const QString& name, QWidget& window) {
-        if (m_isForGuide && !kGuide.contains(name)) {
+        if (!m_only.isEmpty() && !m_only.contains(name)) {
             return;
         }
         QElapsedTimer time;
@@ -215,8 +221,26 @@ class Album {
         auto* remote = m_window.findChild<PhoneRemote*>();
         remote->turnOn(QHostAddress(QHostAddress::LocalHost));
         shoot("capture-remote", *form);
+        shootPhone(*remote);
         remote->turnOff();
         form->close();
+    }
+
+    /// The page on a phone, which a browser of this computer stands for. Without one there are no such
+    /// pictures.
+    void shootPhone(const PhoneRemote& remote) {
+        if (!m_only.isEmpty()) {
+            return;
+        }
+        constexpr int kNoBrowser = 77;
+        QProcess phone;
+        phone.setProcessChannelMode(QProcess::ForwardedChannels);
+        phone.start(SPHEREWALK_PHONE_PICTURES, {remote.url(), QString::fromStdString(remote.pairing().code()),
+                                                m_folder, m_suffix, m_isDark ? "dark" : "light"});
+        waitUntil([&] { return phone.state() == QProcess::NotRunning; });
+        if (phone.exitCode() != 0 && phone.exitCode() != kNoBrowser) {
+            throw Error(ErrorKind::Internal, "The page on the phone complains.");
+        }
     }
 
     /// A camera in client mode asks for a password.
@@ -338,6 +362,8 @@ class Album {
     QString m_folder;
     QString m_suffix;
     bool m_isForGuide;
+    bool m_isDark;
+    QStringList m_only;
     MainWindow m_window;
 };
 
@@ -357,13 +383,15 @@ int main(int argc, char** argv) {
     Application app(argc, argv);
     const QStringList words = Application::arguments();
     if (words.size() < 4) {
-        std::fprintf(stderr, "Usage: spherewalk-screenshots DIR SUFFIX light|dark|guide [language]\n");
+        std::fprintf(
+            stderr,
+            "Usage: spherewalk-screenshots DIR SUFFIX light|dark|guide [language [WIDTHxHEIGHT [NAME]]]\n");
         return 2;
     }
     applyTheme(words[3] == "dark" ? Theme::Dark : Theme::Light);
     try {
         const QStringList sides = words.value(5, "1280x800").split('x');
-        Album(words[1], words[2], words[3] == "guide", {sides.value(0).toInt(), sides.value(1).toInt()})
+        Album(words[1], words[2], words[3], {sides.value(0).toInt(), sides.value(1).toInt()}, words.mid(6, 1))
             .shootAll(QString::fromStdString(home.path().string()));
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.sentence().c_str());
