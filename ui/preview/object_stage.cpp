@@ -11,6 +11,11 @@ namespace spherewalk::ui {
 
 using Shape = LaidObject::Shape;
 
+ObjectStage::ObjectStage(TaskList& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+    constexpr Degrees kUsual{30}; // more than one side of a box is seen
+    m_latest.yaw = kUsual;
+}
+
 void ObjectStage::setObject(const std::optional<LaidObject>& object) {
     m_object = object;
     m_latest = object.value_or(m_latest);
@@ -49,7 +54,7 @@ void ObjectStage::readMesh(const QString& file, const Eigen::Vector3d& footM) {
         },
         [this, footM](std::shared_ptr<const jobs::ObjectMesh> mesh) {
             m_mesh = std::move(mesh);
-            LaidObject object = m_object.value_or(LaidObject());
+            LaidObject object = m_object.value_or(m_latest);
             object.footM = m_object ? m_object->footM : footM;
             object.shape = Shape::Mesh;
             object.mesh = m_mesh;

@@ -14,7 +14,7 @@ class ObjectStage : public QObject {
     Q_OBJECT
 
   public:
-    explicit ObjectStage(TaskList& tasks, QObject* parent = nullptr) : QObject(parent), m_tasks(tasks) {}
+    explicit ObjectStage(TaskList& tasks, QObject* parent = nullptr);
 
     const std::optional<LaidObject>& object() const { return m_object; }
 

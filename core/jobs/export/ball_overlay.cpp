@@ -5,12 +5,23 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/object_overlay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
 
 namespace spherewalk::jobs {
+
+namespace {
+
+/// A matt surface, lit from above.
+double brightness(const Eigen::Vector3d& normalInRoom) {
+    static const Eigen::Vector3d kLight = Eigen::Vector3d(0.3, 0.2, 0.93).normalized();
+    return 0.4 + 0.6 * std::max(0.0, normalInRoom.dot(kLight));
+}
+
+} // namespace
 
 void Ball::validate() const {
     if (!centreM.allFinite() || !std::isfinite(radiusM) || radiusM <= 0) {
@@ -53,7 +64,7 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
             }
             const Eigen::Vector3d hit = (along - std::sqrt(root)) * *ray;
             *overlay.depth.at(x, y) = static_cast<float>(hit.z());
-            shade(ball.colour, roomFromCamera.rotation * ((hit - centre) / ball.radiusM),
+            shade(ball.colour, brightness(roomFromCamera.rotation * ((hit - centre) / ball.radiusM)),
                   overlay.picture.at(x, y));
         }
     }

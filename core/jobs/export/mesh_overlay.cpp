@@ -9,6 +9,16 @@
 
 namespace spherewalk::jobs {
 
+namespace {
+
+/// Faces that look away from the light differ from each other, too.
+double faceBrightness(const Eigen::Vector3d& normalInRoom) {
+    static const Eigen::Vector3d kLight = Eigen::Vector3d(0.5, 0.35, 0.8).normalized();
+    return 0.3 + 0.35 * (1 + normalInRoom.dot(kLight));
+}
+
+} // namespace
+
 void PlacedMesh::validate() const {
     if (mesh == nullptr || !footM.allFinite() || !std::isfinite(yaw.value()) || !std::isfinite(sizeM) ||
         sizeM <= 0) {
@@ -41,7 +51,7 @@ render::Overlay meshOverlay(const PlacedMesh& object, const CameraModel& camera,
                 ObjectMesh::Hit hit;
                 if (ray && ray->z() > 0 && object.mesh->meets(eye, objectFromCamera * *ray, hit)) {
                     *overlay.depth.at(x, y) = static_cast<float>(hit.along * ray->z());
-                    shade(object.colour, roomFromObject * hit.normal.cast<double>(),
+                    shade(object.colour, faceBrightness(roomFromObject * hit.normal.cast<double>()),
                           overlay.picture.at(x, y));
                 }
             }

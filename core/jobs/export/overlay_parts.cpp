@@ -42,10 +42,7 @@ render::Overlay emptyOverlay(const CameraModel& camera) {
     return overlay;
 }
 
-void shade(const std::array<std::uint8_t, 3>& colour, const Eigen::Vector3d& normalInRoom,
-           std::uint8_t* pixel) {
-    static const Eigen::Vector3d kLight = Eigen::Vector3d(0.3, 0.2, 0.93).normalized();
-    const double brightness = 0.4 + 0.6 * std::max(0.0, normalInRoom.dot(kLight));
+void shade(const std::array<std::uint8_t, 3>& colour, double brightness, std::uint8_t* pixel) {
     for (std::size_t c = 0; c < 3; ++c) {
         pixel[c] = static_cast<std::uint8_t>(std::lround(brightness * colour[c]));
     }

@@ -23,8 +23,7 @@ PixelBox boxAround(const Eigen::Vector3d& pInCamera, double radius, const Camera
 /// An overlay of the camera's size that shows nothing.
 render::Overlay emptyOverlay(const CameraModel& camera);
 
-/// Gives a pixel the colour of a matt surface in the room, lit from above. pixel: red, green, blue and alpha.
-void shade(const std::array<std::uint8_t, 3>& colour, const Eigen::Vector3d& normalInRoom,
-           std::uint8_t* pixel);
+/// Gives a pixel the colour of an object. Range: brightness in [0, 1]. pixel: red, green, blue and alpha.
+void shade(const std::array<std::uint8_t, 3>& colour, double brightness, std::uint8_t* pixel);
 
 } // namespace spherewalk::jobs

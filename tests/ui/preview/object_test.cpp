@@ -89,7 +89,7 @@ TEST_F(ObjectTest, TheKeysLayTurnGrowAndMoveIt) {
     QTest::keyClick(&view, Qt::Key_Minus);
     EXPECT_NEAR(object()->sizeM, before.sizeM, 1e-9);
     QTest::keyClick(&view, Qt::Key_Comma);
-    EXPECT_NEAR(Degrees(object()->yaw).value(), 15, 1e-9);
+    EXPECT_NEAR(Degrees(object()->yaw).value(), Degrees(before.yaw).value() + 15, 1e-9);
     QTest::keyClick(&view, Qt::Key_Up, Qt::ShiftModifier);
     EXPECT_NEAR((object()->footM - before.footM).norm(), 0.05, 1e-9);
     EXPECT_FALSE(presenter().isDriving());
