@@ -4,6 +4,7 @@
 #include "ui/capture/camera_panel.h"
 #include "ui/capture/operator_signals.h"
 #include "ui/look/theme.h"
+#include "ui/look/told_label.h"
 
 #include <QLabel>
 #include <QMessageBox>
@@ -67,7 +68,8 @@ TEST_F(CaptureModeTest, TheStopButtonEndsTheRun) {
 TEST_F(CaptureModeTest, SaysWhatWentWrong) {
     desk().connectTo("127.0.0.1:1");
     waitUntil([&] { return desk().state() == State::NoCamera && !desk().sentence().isEmpty(); });
-    EXPECT_EQ(mode.findChild<QLabel*>("verdict")->text(), desk().sentence());
+    EXPECT_EQ(mode.findChild<ToldLabel*>("verdict")->words(), desk().sentence());
+    EXPECT_EQ(desk().told().cure, Cure::Connecting);
 }
 
 TEST_F(CaptureModeTest, ThePracticeCameraIsToldApartInColourAndWords) {
