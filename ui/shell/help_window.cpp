@@ -48,7 +48,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), m_text(new QTextBrows
     keepGuide();
     setObjectName("help");
     setWindowTitle(tr("Guide"));
-    resize(820, 720);
+    resize(1020, 760); // its pictures are 960 wide
     m_text->setObjectName("helpText");
     m_text->setAccessibleName(tr("Guide"));
     m_text->setOpenLinks(false);

@@ -11,6 +11,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QTextBrowser>
 
@@ -117,6 +118,15 @@ TEST_F(CuresTest, ASilentCameraLeadsToTheGuideAndABadAddressToItsField) {
     desk.connectTo("not an address at all");
     followByKeys(label("verdict"));
     EXPECT_TRUE(person.widget<QLineEdit>("cameraAddress").hasFocus());
+}
+
+TEST(Guide, ItsPicturesFitItsWindow) {
+    HelpWindow help;
+    for (const char* page : {"plan", "capture", "connecting", "review", "export"}) {
+        help.showPage(page);
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+        EXPECT_EQ(help.findChild<QTextBrowser*>("helpText")->horizontalScrollBar()->maximum(), 0) << page;
+    }
 }
 
 TEST_F(CuresTest, WithoutASurveyLinksLeadToTheStartPage) {
