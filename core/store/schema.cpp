@@ -182,8 +182,31 @@ ALTER TABLE survey ADD COLUMN is_by_hand INTEGER NOT NULL DEFAULT 0 CHECK (is_by
 ALTER TABLE placement ADD COLUMN is_locked INTEGER NOT NULL DEFAULT 0 CHECK (is_locked IN (0, 1));
 )sql";
 
+/// What nobody shall recognise outside of the survey. Regions that a person has rejected stay, so that no
+/// later search brings them back. A photo without a row of face_search was never searched.
+constexpr const char* kVersion7 = R"sql(
+CREATE TABLE private_region (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    photo INTEGER NOT NULL REFERENCES photo (id),
+    azimuth_rad REAL NOT NULL,
+    elevation_rad REAL NOT NULL,
+    width_rad REAL NOT NULL CHECK (width_rad > 0),
+    height_rad REAL NOT NULL CHECK (height_rad > 0),
+    origin TEXT NOT NULL CHECK (origin IN ('found', 'marked', 'rejected')),
+    changed_utc TEXT NOT NULL
+) STRICT;
+CREATE INDEX private_region_photo ON private_region (photo);
+
+CREATE TABLE face_search (
+    photo INTEGER PRIMARY KEY REFERENCES photo (id),
+    method INTEGER NOT NULL,
+    searched_utc TEXT NOT NULL
+) STRICT;
+)sql";
+
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
-                                 Migration{4, kVersion4}, Migration{5, kVersion5}, Migration{6, kVersion6}};
+                                 Migration{4, kVersion4}, Migration{5, kVersion5}, Migration{6, kVersion6},
+                                 Migration{7, kVersion7}};
 
 void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);

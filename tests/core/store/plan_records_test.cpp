@@ -158,6 +158,7 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     {
         Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         database.execute(
+            "DROP TABLE private_region; DROP TABLE face_search; "
             "ALTER TABLE placement DROP COLUMN is_locked; ALTER TABLE survey DROP COLUMN is_by_hand; "
             "ALTER TABLE station DROP COLUMN is_place_known; DROP TABLE room_name; DROP TABLE verdict; "
             "DROP TABLE capture_profile; PRAGMA user_version = 2");

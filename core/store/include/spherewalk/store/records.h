@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spherewalk/survey/plan.h"
+#include "spherewalk/survey/private_region.h"
 #include "spherewalk/survey/shot.h"
 
 #include <Eigen/Geometry>
@@ -85,6 +86,26 @@ struct Review {
     std::string note; ///< One line of text.
 
     bool operator==(const Review&) const = default;
+};
+
+/// Who says that a region of a photo is private.
+enum class RegionOrigin {
+    Found,    ///< A search for faces.
+    Marked,   ///< A person.
+    Rejected, ///< Nobody any more: a person has removed what a search found. It is kept from later searches.
+};
+
+/// "found", "marked" or "rejected", as reports spell the origin.
+std::string_view name(RegionOrigin origin);
+
+/// A part of a photo that datasets show blurred, unless it was rejected.
+struct RegionRecord {
+    std::int64_t id = 0;
+    std::int64_t photo = 0;
+    survey::PrivateRegion region;
+    RegionOrigin origin = RegionOrigin::Marked;
+
+    bool operator==(const RegionRecord&) const = default;
 };
 
 /// A photo that is to belong to another station. Its new file carries the new position tag.

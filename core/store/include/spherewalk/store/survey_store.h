@@ -168,6 +168,27 @@ class SurveyStore {
     /// Errors: NotFound.
     Review review(std::int64_t photo) const;
 
+    /// All regions, those that were rejected among them, by photo and in the order of their identities.
+    std::vector<RegionRecord> regions() const;
+    /// Those of one photo. Errors: NotFound for an unknown photo.
+    std::vector<RegionRecord> regions(std::int64_t photo) const;
+    /// Records what a person has marked, and returns its identity. Errors: NotFound; those of
+    /// PrivateRegion::validate().
+    std::int64_t markRegion(std::int64_t photo, const survey::PrivateRegion& region);
+    /// Removes a region. One that a search has found stays as rejected. Errors: NotFound, also for one that
+    /// is rejected.
+    void removeRegion(std::int64_t region);
+    /// Makes a region again what it was before it was marked or removed: as recorded, with its identity.
+    /// Errors: NotFound for an unknown photo; those of PrivateRegion::validate().
+    void restoreRegion(const RegionRecord& region);
+    /// Records what a search of a photo has found, in place of what earlier ones did. What is marked or
+    /// rejected already is not added once more. method: the number of the way in which it was searched.
+    /// Returns how many were added. Errors: NotFound; those of PrivateRegion::validate().
+    std::size_t setFoundRegions(std::int64_t photo, const std::vector<survey::PrivateRegion>& found,
+                                int method);
+    /// The photos that were searched in this way.
+    std::vector<std::int64_t> searchedPhotos(int method) const;
+
     /// Records a solution and returns its identity. isActive: the solution becomes the active one; the first
     /// solution is active in any case. Errors: NotFound for an unknown photo; InvalidInput for numbers that
     /// are not finite, an invalid rotation, or a photo that is solved twice.
