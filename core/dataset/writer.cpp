@@ -11,6 +11,7 @@
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/jpeg/region.h"
 #include "spherewalk/jpeg/restart.h"
+#include "spherewalk/photo/blurred_photo.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
@@ -29,14 +30,16 @@ std::uint64_t writeNew(const fs::path& file, ByteView bytes) {
     return bytes.size();
 }
 
-Bytes sourceBytes(const SourcePhoto& photo) {
-    Bytes bytes = readFile(photo.file);
+/// The photo as it may be given away: everything that a dataset holds of it is made of these bytes.
+Bytes sourceBytes(const SourcePhoto& photo, std::size_t& sizeBefore) {
+    const Bytes bytes = readFile(photo.file);
+    sizeBefore = bytes.size();
     if (sha256Hex(bytes) != photo.sha256) {
         throw Error(ErrorKind::Corrupt,
                     text("Could not export ", photo.file.string(),
                          ": the file was changed since it was recorded; run check, or retake the photo."));
     }
-    return bytes;
+    return photo::blurredPhoto(bytes, photo.regions, photo.file.string());
 }
 
 /// The equirectangular picture as a JPEG of this width, or of its own width if that is less. Each pixel is
@@ -130,12 +133,13 @@ void write(const Contents& contents, const fs::path& folder, const WriteOptions&
         throwIfStopped(stop);
         const auto k = static_cast<std::size_t>(i);
         const SourcePhoto& photo = contents.photos[k];
-        Bytes source = sourceBytes(photo);
-        const std::size_t sourceSize = source.size();
+        std::size_t sourceSize = 0;
+        Bytes source = sourceBytes(photo, sourceSize);
         if (photo.tag) {
             source = photo::withPositionTag(source, *photo.tag, photo.file.string());
         }
         render::DatasetPhoto entry = photo.entry;
+        entry.blurredRegions = static_cast<std::int64_t>(photo.regions.size());
         std::uint64_t others = writePhoto(source, folder, names[k], photo.file.string(), options, entry);
         if (!photo.depthFile.empty()) {
             entry.depth = text("depth/", names[k], ".pgm");
@@ -144,6 +148,8 @@ void write(const Contents& contents, const fs::path& folder, const WriteOptions&
         const std::scoped_lock lock(mutex);
         info.photos[k] = entry;
         ++report.photos;
+        report.blurredPhotos += photo.regions.empty() ? 0 : 1;
+        report.blurredRegions += photo.regions.size();
         report.sourceBytes += sourceSize;
         report.photoBytes += entry.sizeBytes;
         report.totalBytes += entry.sizeBytes + others;

@@ -80,6 +80,10 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
     tellLeftOut(report.tests, "photo is a test and is", "photos are tests and are");
     tellLeftOut(report.failed, "photo has no pose that holds and is",
                 "photos have no pose that holds and are");
+    words += written.blurredRegions == 0
+                 ? ""
+                 : text("\n", counted(written.blurredRegions, "face or screen was", "faces and screens were"),
+                        " blurred in ", counted(written.blurredPhotos, "photo", "photos"), ".");
     words += report.carriedShare == 0
                  ? ""
                  : text("\nWhat the camera carries along covers ", fixed(100 * report.carriedShare, 1),

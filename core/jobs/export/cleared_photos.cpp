@@ -8,6 +8,7 @@
 #include "spherewalk/base/folder.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/blurred_photo.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
@@ -30,6 +31,13 @@ constexpr int kHelperWidth = 2048; ///< of the pictures that floor and walls are
 
 RgbImage decoded(const std::filesystem::path& file, int leastWidth) {
     return jpeg::decodeAtLeast(readFile(file), file.string(), leastWidth);
+}
+
+/// The photo as other photos may show it.
+RgbImage withoutPrivate(const DepthInput& photo, int leastWidth) {
+    RgbImage picture = decoded(photo.file, leastWidth);
+    photo::blurRegions(picture, photo.regions);
+    return picture;
 }
 
 /// The photos that are looked at, spread evenly.
@@ -129,6 +137,10 @@ std::string ClearedPhotos::keyOfPhoto(std::size_t photo) const {
     }
     for (const std::size_t other : m_helpers[photo]) {
         key += text("\n", m_photos[other].sha256, " ", keyOf(m_photos[other].roomFromPhoto));
+        for (const survey::PrivateRegion& region : m_photos[other].regions) {
+            key += text(" ", region.azimuth.value(), " ", region.elevation.value(), " ", region.width.value(),
+                        " ", region.height.value());
+        }
     }
     return sha256Hex(bytesOf(key));
 }
@@ -138,7 +150,7 @@ scene::FilledPicture ClearedPhotos::filled(std::size_t photo, const RgbImage& pi
     std::vector<scene::PosedPicture> others;
     for (const std::size_t other : m_helpers[photo]) {
         pictures.push_back(
-            m_pictures.get(other, [&] { return decoded(m_photos[other].file, kHelperWidth); }));
+            m_pictures.get(other, [&] { return withoutPrivate(m_photos[other], kHelperWidth); }));
         others.push_back({pictures.back().get(), m_photos[other].roomFromPhoto});
     }
     return scene::withoutCarried({&picture, m_photos[photo].roomFromPhoto}, others, m_carried, m_room);

@@ -196,7 +196,8 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
 std::vector<DepthInput> depthInputs(const dataset::Contents& contents) {
     std::vector<DepthInput> inputs;
     for (const dataset::SourcePhoto& photo : contents.photos) {
-        inputs.push_back({photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses});
+        inputs.push_back(
+            {photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses, photo.regions});
     }
     return inputs;
 }
@@ -262,6 +263,17 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, con
     }
 }
 
+/// What nobody shall recognise, by the photos' numbers.
+std::map<std::int64_t, std::vector<survey::PrivateRegion>> privateRegions(const store::SurveyStore& store) {
+    std::map<std::int64_t, std::vector<survey::PrivateRegion>> result;
+    for (const store::RegionRecord& record : store.regions()) {
+        if (record.origin != store::RegionOrigin::Rejected) {
+            result[record.photo].push_back(record.region);
+        }
+    }
+    return result;
+}
+
 /// What is written for these photos, and the report as far as it is known before.
 dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<store::PhotoRecord>& photos,
                              ExportReport& report) {
@@ -271,8 +283,10 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
         contents.info.tags.push_back({tag.number, tag.corners, tag.sigma});
     }
     const std::string surveyId = store.info().uuid;
+    auto regions = privateRegions(store);
     for (const store::PhotoRecord& photo : photos) {
         dataset::SourcePhoto source{store.photoFolder() / photo.fileName, photo.fileSha256, {}};
+        source.regions = std::move(regions[photo.id]);
         source.entry.station = store.station(photo.station).name;
         const bool isSolved = poses.fill(photo, source.entry);
         report.withoutRotation += isSolved ? 0 : 1;
@@ -398,13 +412,22 @@ std::map<std::int64_t, fs::path> keptDepths(const store::SurveyStore& store, con
 }
 
 Json toJson(const ExportReport& report) {
-    return {{"photos", report.written.photos},          {"stations_without_photo", report.withoutPhoto},
-            {"rejected_photos", report.rejected},       {"test_photos", report.tests},
-            {"failed_photos", report.failed},           {"photos_without_rotation", report.withoutRotation},
-            {"sphere_radius_m", report.sphereRadiusM},  {"photos_with_depth", report.depth.photos},
-            {"depths_reused", report.depth.reused},     {"depth_seconds", report.depth.seconds},
-            {"carried_share", report.carriedShare},     {"source_bytes", report.written.sourceBytes},
-            {"photo_bytes", report.written.photoBytes}, {"total_bytes", report.written.totalBytes},
+    return {{"photos", report.written.photos},
+            {"stations_without_photo", report.withoutPhoto},
+            {"rejected_photos", report.rejected},
+            {"test_photos", report.tests},
+            {"failed_photos", report.failed},
+            {"photos_without_rotation", report.withoutRotation},
+            {"sphere_radius_m", report.sphereRadiusM},
+            {"photos_with_depth", report.depth.photos},
+            {"depths_reused", report.depth.reused},
+            {"depth_seconds", report.depth.seconds},
+            {"blurred_photos", report.written.blurredPhotos},
+            {"blurred_regions", report.written.blurredRegions},
+            {"carried_share", report.carriedShare},
+            {"source_bytes", report.written.sourceBytes},
+            {"photo_bytes", report.written.photoBytes},
+            {"total_bytes", report.written.totalBytes},
             {"seconds", report.written.seconds}};
 }
 

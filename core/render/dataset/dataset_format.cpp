@@ -118,7 +118,8 @@ Json photoJson(const DatasetPhoto& photo) {
             {"lens_ahead_m", photo.lenses.aheadM},
             {"exposure_gain", photo.exposureGain ? listOf(*photo.exposureGain) : Json()},
             {"rotation_source", photo.rotationSource},
-            {"scene", photo.scene ? Json(name(*photo.scene)) : Json()}};
+            {"scene", photo.scene ? Json(name(*photo.scene)) : Json()},
+            {"blurred_regions", photo.blurredRegions}};
 }
 
 Eigen::Quaterniond rotationOf(const JsonReader& photo) {
@@ -181,6 +182,7 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     if (!reader.isAbsent("scene")) {
         photo.scene = sceneKind(reader, "scene");
     }
+    photo.blurredRegions = reader.isAbsent("blurred_regions") ? 0 : reader.integer("blurred_regions", 0);
     return photo;
 }
 
@@ -255,10 +257,9 @@ std::vector<DatasetTag> tagsOf(const JsonReader& root) {
     std::vector<DatasetTag> tags;
     const std::size_t count = root.isAbsent("april_tags") ? 0 : root.member("april_tags").arraySize(1000);
     for (std::size_t i = 0; i < count; ++i) {
-        const JsonReader reader = root.member("april_tags").element(i);
-        tags.push_back(tagOf(reader));
+        tags.push_back(tagOf(root.member("april_tags").element(i)));
         if (std::ranges::count(tags, tags.back().number, &DatasetTag::number) > 1) {
-            reader.fail(text("tag ", tags.back().number, " is listed twice"));
+            root.member("april_tags").element(i).fail(text("tag ", tags.back().number, " is listed twice"));
         }
     }
     return tags;

@@ -47,6 +47,7 @@ DatasetInfo fullInfo() {
         if (i == 1) {
             photo.scene = SceneKind::None;
             photo.exposureGain = Eigen::Vector3d(0.8, 1, 1.25);
+            photo.blurredRegions = 3;
             photo.lenses.aheadM = 0.0115;
             photo.positionSigmaM = Eigen::Vector3d(0.01, 0.02, 0.03);
             photo.rotationSigma = RotationSigma{Degrees(0.1), Degrees(0.2), Degrees(0.3)};
@@ -88,6 +89,8 @@ TEST(DatasetFormat, ComesBackAsItWasWritten) {
     EXPECT_FALSE(again.photos[0].rotationSigma);
     EXPECT_FALSE(again.photos[0].exposureGain);
     EXPECT_EQ(again.photos[1].exposureGain, info.photos[1].exposureGain);
+    EXPECT_EQ(again.photos[0].blurredRegions, 0);
+    EXPECT_EQ(again.photos[1].blurredRegions, 3);
     EXPECT_EQ(again.photos[0].lenses.aheadM, 0);
     EXPECT_EQ(again.photos[1].lenses.aheadM, 0.0115);
     EXPECT_NEAR(Degrees(again.photos[1].rotationSigma->roll).value(), 0.3, 1e-12);

@@ -4,6 +4,7 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/photo/position_tag.h"
 #include "spherewalk/render/dataset_format.h"
+#include "spherewalk/survey/private_region.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +24,8 @@ struct SourcePhoto {
     /// A tag for the XMP of the dataset's copy, in place of an earlier one.
     std::optional<photo::PositionTag> tag = {};
     std::filesystem::path depthFile = {}; ///< The photo's depth map, which is copied; empty for none.
+    /// What is blurred in the photo before anything of it is written, its thumbnail and Exif included.
+    std::vector<survey::PrivateRegion> regions = {};
 };
 
 struct Contents {
@@ -43,9 +46,11 @@ struct WriteOptions {
 
 struct WriteReport {
     std::size_t photos = 0;
-    std::uint64_t sourceBytes = 0; ///< Size of the photos before.
-    std::uint64_t photoBytes = 0;  ///< Size of the photos as written, with restart markers.
-    std::uint64_t totalBytes = 0;  ///< Size of the whole dataset.
+    std::size_t blurredPhotos = 0;  ///< Photos in which regions were blurred.
+    std::size_t blurredRegions = 0; ///< Their regions.
+    std::uint64_t sourceBytes = 0;  ///< Size of the photos before.
+    std::uint64_t photoBytes = 0;   ///< Size of the photos as written, with restart markers.
+    std::uint64_t totalBytes = 0;   ///< Size of the whole dataset.
     double seconds = 0;
 };
 

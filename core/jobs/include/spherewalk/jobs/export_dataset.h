@@ -53,6 +53,8 @@ struct DepthInput {
     std::string sha256;         ///< Hash of the file, or of all that it is made of.
     Rigid3 roomFromPhoto;
     LensPair lenses = {};
+    /// What must not be copied from it into other photos. Depths are estimated from all of it.
+    std::vector<survey::PrivateRegion> regions = {};
 };
 
 struct DepthReport {

@@ -56,6 +56,7 @@ struct DatasetPhoto {
     std::optional<Eigen::Vector3d> exposureGain;
     /// A scene model that is cheaper than the dataset's choice and good enough around this photo.
     std::optional<SceneKind> scene;
+    std::int64_t blurredRegions = 0; ///< Faces and screens in it that were blurred when it was exported.
 };
 
 struct SuggestedCamera {
