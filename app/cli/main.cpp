@@ -21,6 +21,7 @@ void declareCommands(Commands& commands) {
     addAlign(commands);
     addRetag(commands);
     addReview(commands);
+    addPrivacy(commands);
     addStatus(commands);
     addShots(commands);
     addCheck(commands);

@@ -83,6 +83,7 @@ void addImport(Commands& commands);
 void addAlign(Commands& commands);
 void addRetag(Commands& commands);
 void addReview(Commands& commands);
+void addPrivacy(Commands& commands);
 void addStatus(Commands& commands);
 void addShots(Commands& commands);
 void addCheck(Commands& commands);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/command.h"
+#include "options/named_photo.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
@@ -14,21 +15,6 @@
 namespace spherewalk::cli {
 
 namespace {
-
-store::PhotoRecord photoNamed(const store::SurveyStore& store, const std::string& name) {
-    for (store::PhotoRecord& photo : store.photos()) {
-        if (photo.fileName == name || text(static_cast<long long>(photo.id)) == name) {
-            return std::move(photo);
-        }
-    }
-    for (store::PhotoRecord& photo : store.chosenPhotos()) {
-        if (store.station(photo.station).name == name) {
-            return std::move(photo);
-        }
-    }
-    throw Error(ErrorKind::NotFound, text("There is no photo ", printable(name), " in the survey ",
-                                          store.folder().string(), "; review lists them."));
-}
 
 store::StationRecord stationNamed(const store::SurveyStore& store, const std::string& name) {
     for (store::StationRecord& station : store.stations()) {

@@ -6,6 +6,8 @@
 #include "spherewalk/photo/verdict.h"
 #include "spherewalk/store/records.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -58,5 +60,28 @@ struct Retake {
 std::vector<Retake> retakes(const store::SurveyStore& store);
 
 Json toJson(const std::vector<Retake>& retakes);
+
+struct FaceOptions {
+    /// Photos that were searched already are searched again. Regions that a person has marked or rejected
+    /// stay.
+    bool again = false;
+    int threads = 0;                ///< 0: all that the machine has.
+    std::filesystem::path cascades; ///< The folder that holds them; empty for where the system has them.
+};
+
+struct FaceReport {
+    std::size_t photos = 0;  ///< Photos that were searched.
+    std::size_t before = 0;  ///< Photos that an earlier run has searched.
+    std::size_t regions = 0; ///< Regions that were found and are new.
+    double seconds = 0;
+};
+
+/// Looks for faces in the photos of a survey, and keeps them as regions that datasets show blurred. Errors:
+/// those of photo::FaceSearch and of the store; Corrupt and Unsupported for photos that cannot be decoded.
+/// Stop: Stopped, within 200 ms; the photos before are done, and the next run goes on behind them.
+FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, ProgressSink& progress,
+                       const std::stop_token& stop);
+
+Json toJson(const FaceReport& report);
 
 } // namespace spherewalk::jobs

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/jobs/judge_survey.h"
+#include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/face_search.h"
+#include "spherewalk/store/survey_store.h"
+
+#include <chrono>
+#include <set>
+#include <vector>
+
+namespace spherewalk::jobs {
+
+namespace {
+
+/// Grows when the same photos are searched in another way.
+constexpr int kMethod = 1;
+
+} // namespace
+
+FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, ProgressSink& progress,
+                       const std::stop_token& stop) {
+    const photo::FaceSearch search(options.cascades);
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<std::int64_t> known = store.searchedPhotos(kMethod);
+    const std::set<std::int64_t> searched(known.begin(), known.end());
+    FaceReport report;
+    std::vector<store::PhotoRecord> photos;
+    for (store::PhotoRecord& photo : store.photos()) {
+        if (options.again || !searched.contains(photo.id)) {
+            photos.push_back(std::move(photo));
+        } else {
+            ++report.before;
+        }
+    }
+    for (const store::PhotoRecord& photo : photos) {
+        throwIfStopped(stop);
+        progress.progress(static_cast<double>(report.photos) / static_cast<double>(photos.size()),
+                          text("Looking for faces in photo ", report.photos + 1, " of ", photos.size()));
+        const std::filesystem::path file = store.photoFolder() / photo.fileName;
+        const RgbImage picture = jpeg::decode(readFile(file), file.string());
+        throwIfStopped(stop);
+        report.regions +=
+            store.setFoundRegions(photo.id, search.faces(picture, options.threads, stop), kMethod);
+        ++report.photos;
+    }
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return report;
+}
+
+Json toJson(const FaceReport& report) {
+    return {{"photos_searched", report.photos},
+            {"photos_searched_before", report.before},
+            {"regions_found", report.regions},
+            {"seconds", report.seconds}};
+}
+
+} // namespace spherewalk::jobs
