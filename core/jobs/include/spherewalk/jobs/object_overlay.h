@@ -2,6 +2,7 @@
 // Objects that stand for those which a simulator would render into a view.
 #pragma once
 
+#include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/overlay.h"
 
