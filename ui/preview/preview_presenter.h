@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/preview/drive_pace.h"
-#include "ui/preview/object_stage.h"
+#include "ui/preview/laid_object.h"
 #include "ui/preview/robot.h"
 #include "ui/session/survey_session.h"
 #include "ui/tasks/background_worker.h"

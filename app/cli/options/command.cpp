@@ -5,6 +5,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <utility>
 
@@ -59,6 +60,21 @@ void writePlot(const std::string& plot, const std::string& svg, Result& result) 
     writeFile(plot, bytesOf(svg));
     result.json["plot"] = plot;
     result.text += text("\nWrote ", plot, ".");
+}
+
+store::PhotoRecord photoNamed(const store::SurveyStore& store, const std::string& name) {
+    for (store::PhotoRecord& photo : store.photos()) {
+        if (photo.fileName == name || text(static_cast<long long>(photo.id)) == name) {
+            return std::move(photo);
+        }
+    }
+    for (store::PhotoRecord& photo : store.chosenPhotos()) {
+        if (store.station(photo.station).name == name) {
+            return std::move(photo);
+        }
+    }
+    throw Error(ErrorKind::NotFound, text("There is no photo ", printable(name), " in the survey ",
+                                          store.folder().string(), "; review lists them."));
 }
 
 } // namespace spherewalk::cli

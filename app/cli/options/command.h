@@ -11,6 +11,11 @@
 #include <stop_token>
 #include <string>
 
+namespace spherewalk::store {
+class SurveyStore;
+struct PhotoRecord;
+} // namespace spherewalk::store
+
 namespace spherewalk::cli {
 
 /// What a command gets to run with.
@@ -70,6 +75,10 @@ void checkPlot(const std::filesystem::path& plot);
 
 /// Writes the picture and adds the file's name to the result. Errors: Io.
 void writePlot(const std::string& plot, const std::string& svg, Result& result);
+
+/// The photo that a person names: by its file, its number, or its station, whose chosen photo it is. Errors:
+/// NotFound.
+store::PhotoRecord photoNamed(const store::SurveyStore& store, const std::string& name);
 
 /// The help for options that take a capture profile.
 inline constexpr const char* kProfileHelp =

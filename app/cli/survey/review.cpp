@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/command.h"
-#include "options/named_photo.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
