@@ -294,7 +294,7 @@ struct FaceSearch::Parts {
         if (!own) {
             own = read();
         }
-        const auto result = translated("look for faces", [&] { return use(*own); });
+        auto result = translated("look for faces", [&] { return use(*own); });
         const std::scoped_lock lock(mutex);
         free.push_back(std::move(own));
         return result;
