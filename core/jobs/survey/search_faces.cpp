@@ -16,7 +16,7 @@ namespace spherewalk::jobs {
 namespace {
 
 /// Grows when the same photos are searched in another way.
-constexpr int kMethod = 1;
+constexpr int kSearchMethod = 1;
 
 } // namespace
 
@@ -24,7 +24,7 @@ FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, Pr
                        const std::stop_token& stop) {
     const photo::FaceSearch search(options.cascades);
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<std::int64_t> known = store.searchedPhotos(kMethod);
+    const std::vector<std::int64_t> known = store.searchedPhotos(kSearchMethod);
     const std::set<std::int64_t> searched(known.begin(), known.end());
     FaceReport report;
     std::vector<store::PhotoRecord> photos;
@@ -43,7 +43,7 @@ FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, Pr
         const RgbImage picture = jpeg::decode(readFile(file), file.string());
         throwIfStopped(stop);
         report.regions +=
-            store.setFoundRegions(photo.id, search.faces(picture, options.threads, stop), kMethod);
+            store.setFoundRegions(photo.id, search.faces(picture, options.threads, stop), kSearchMethod);
         ++report.photos;
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
