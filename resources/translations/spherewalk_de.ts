@@ -1702,6 +1702,58 @@
         <source>1 photo has no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
         <translation>1 Foto hat keine bekannte Richtung: es würde exportiert, als blickte es entlang der x-Achse des Raums; richten Sie erneut aus, oder weisen Sie es zurück.</translation>
     </message>
+    <message>
+        <source>No other photo shares enough with it that a third one confirms: it seems to be of another place.</source>
+        <translation>Kein anderes Foto hat genug mit ihm gemeinsam, das ein drittes bestätigt: es scheint von einem anderen Ort zu sein.</translation>
+    </message>
+    <message>
+        <source>Leave it out, or take photos between it and the others.</source>
+        <translation>Lassen Sie es weg, oder nehmen Sie Fotos zwischen ihm und den anderen auf.</translation>
+    </message>
+    <message>
+        <source>It belongs to part %1 of %2, which shares nothing certain with the largest part: take photos between the parts.</source>
+        <translation>Es gehört zu Teil %1 von %2, der nichts Sicheres mit dem größten Teil gemeinsam hat: nehmen Sie Fotos zwischen den Teilen auf.</translation>
+    </message>
+    <message>
+        <source>How far it is from the others is not known: it shares too little with two of them at a time.</source>
+        <translation>Wie weit es von den anderen entfernt ist, ist nicht bekannt: es hat zu wenig mit je zweien von ihnen gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Take another photo near it.</source>
+        <translation>Nehmen Sie ein weiteres Foto in seiner Nähe auf.</translation>
+    </message>
+    <message>
+        <source>Little confirms where it was taken: it shares %1 points with %2 other photos.</source>
+        <translation>Wenig bestätigt, wo es aufgenommen wurde: es hat %1 Punkte mit %2 anderen Fotos gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Where it was taken is known to %1 cm and %2 deg only: take another photo near it.</source>
+        <translation>Wo es aufgenommen wurde, ist nur auf %1 cm und %2 Grad bekannt: nehmen Sie ein weiteres Foto in seiner Nähe auf.</translation>
+    </message>
+    <message>
+        <source>Two ways of solving turn it %1 deg apart: take another photo near it.</source>
+        <translation>Zwei Lösungswege drehen es um %1 Grad verschieden: nehmen Sie ein weiteres Foto in seiner Nähe auf.</translation>
+    </message>
+    <message>
+        <source>It shows some things that the largest part shows, but not what stands around them: it seems to be of another place that looks alike.</source>
+        <translation>Es zeigt einiges, was auch der größte Teil zeigt, aber nicht, was darum herum steht: es scheint von einem anderen Ort zu sein, der ähnlich aussieht.</translation>
+    </message>
+    <message>
+        <source>Little of what the largest part lets expect around it is there, so how it stands to the others is not certain: take photos between it and them.</source>
+        <translation>Von dem, was der größte Teil um es herum erwarten lässt, ist wenig da, daher ist nicht sicher, wie es zu den anderen steht: nehmen Sie Fotos zwischen ihm und ihnen auf.</translation>
+    </message>
+    <message>
+        <source>The floor around it lies %1 cm above that of the largest part: if there is no step, lengths around it are %2 % too short.</source>
+        <translation>Der Boden um es herum liegt %1 cm über dem des größten Teils: wenn dort keine Stufe ist, sind die Längen um es herum %2 % zu kurz.</translation>
+    </message>
+    <message>
+        <source>The floor around it lies %1 cm below that of the largest part: if there is no step, lengths around it are %2 % too long.</source>
+        <translation>Der Boden um es herum liegt %1 cm unter dem des größten Teils: wenn dort keine Stufe ist, sind die Längen um es herum %2 % zu lang.</translation>
+    </message>
+    <message>
+        <source>Take photos between it and the others.</source>
+        <translation>Nehmen Sie Fotos zwischen ihm und den anderen auf.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -1712,6 +1712,58 @@
         <source>1 photo has no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
         <translation>1 zdjęcie ma nieznany kierunek: byłoby wyeksportowane tak, jakby patrzyło wzdłuż osi x pomieszczenia; wyznacz orientację ponownie albo je odrzuć.</translation>
     </message>
+    <message>
+        <source>No other photo shares enough with it that a third one confirms: it seems to be of another place.</source>
+        <translation>Żadne inne zdjęcie nie ma z nim dość wspólnego, co potwierdziłoby trzecie: wydaje się pochodzić z innego miejsca.</translation>
+    </message>
+    <message>
+        <source>Leave it out, or take photos between it and the others.</source>
+        <translation>Pomiń je albo zrób zdjęcia pomiędzy nim a pozostałymi.</translation>
+    </message>
+    <message>
+        <source>It belongs to part %1 of %2, which shares nothing certain with the largest part: take photos between the parts.</source>
+        <translation>Należy do części %1 z %2, która nie ma nic pewnego wspólnego z największą częścią: zrób zdjęcia pomiędzy częściami.</translation>
+    </message>
+    <message>
+        <source>How far it is from the others is not known: it shares too little with two of them at a time.</source>
+        <translation>Nie wiadomo, jak daleko jest od pozostałych: ma zbyt mało wspólnego z dwoma z nich jednocześnie.</translation>
+    </message>
+    <message>
+        <source>Take another photo near it.</source>
+        <translation>Zrób kolejne zdjęcie w jego pobliżu.</translation>
+    </message>
+    <message>
+        <source>Little confirms where it was taken: it shares %1 points with %2 other photos.</source>
+        <translation>Niewiele potwierdza, gdzie je zrobiono: wspólne punkty: %1, inne zdjęcia: %2.</translation>
+    </message>
+    <message>
+        <source>Where it was taken is known to %1 cm and %2 deg only: take another photo near it.</source>
+        <translation>Miejsce, w którym je zrobiono, jest znane tylko z dokładnością do %1 cm i %2 stopnia: zrób kolejne zdjęcie w jego pobliżu.</translation>
+    </message>
+    <message>
+        <source>Two ways of solving turn it %1 deg apart: take another photo near it.</source>
+        <translation>Dwa sposoby rozwiązania obracają je o %1 stopnia inaczej: zrób kolejne zdjęcie w jego pobliżu.</translation>
+    </message>
+    <message>
+        <source>It shows some things that the largest part shows, but not what stands around them: it seems to be of another place that looks alike.</source>
+        <translation>Pokazuje niektóre rzeczy, które widać w największej części, ale nie to, co stoi wokół nich: wydaje się pochodzić z innego, podobnego miejsca.</translation>
+    </message>
+    <message>
+        <source>Little of what the largest part lets expect around it is there, so how it stands to the others is not certain: take photos between it and them.</source>
+        <translation>Niewiele z tego, czego największa część każe się wokół niego spodziewać, tam jest, więc jego położenie względem pozostałych nie jest pewne: zrób zdjęcia pomiędzy nim a nimi.</translation>
+    </message>
+    <message>
+        <source>The floor around it lies %1 cm above that of the largest part: if there is no step, lengths around it are %2 % too short.</source>
+        <translation>Podłoga wokół niego leży %1 cm powyżej podłogi największej części: jeśli nie ma tam stopnia, długości wokół niego są o %2 % za krótkie.</translation>
+    </message>
+    <message>
+        <source>The floor around it lies %1 cm below that of the largest part: if there is no step, lengths around it are %2 % too long.</source>
+        <translation>Podłoga wokół niego leży %1 cm poniżej podłogi największej części: jeśli nie ma tam stopnia, długości wokół niego są o %2 % za długie.</translation>
+    </message>
+    <message>
+        <source>Take photos between it and the others.</source>
+        <translation>Zrób zdjęcia pomiędzy nim a pozostałymi.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

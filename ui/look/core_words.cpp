@@ -104,6 +104,36 @@ constexpr const char* kSentences[] = {
         "spherewalk::ui::CoreWords",
         "The model '%1' is the richest whose gain exceeds its noise: matches that were held out "
         "miss by %2."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "No other photo shares enough with it that a third one confirms: it seems to be of another place."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Leave it out, or take photos between it and the others."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It belongs to part %1 of %2, which shares nothing certain with the largest part: take "
+                      "photos between the parts."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "How far it is from the others is not known: it shares too little with two of them at a time."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take another photo near it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Little confirms where it was taken: it shares %1 points with %2 other photos."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Where it was taken is known to %1 cm and %2 deg only: take another photo near it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Two ways of solving turn it %1 deg apart: take another photo near it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It shows some things that the largest part shows, but not what stands around them: it "
+                      "seems to be of another place that looks alike."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Little of what the largest part lets expect around it is there, so how it stands to "
+                      "the others is not certain: take photos between it and them."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The floor around it lies %1 cm above that of the largest part: if there is no step, "
+                      "lengths around it are %2 % too short."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The floor around it lies %1 cm below that of the largest part: if there is no step, "
+                      "lengths around it are %2 % too long."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos between it and the others."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "There is something by the name %1 already; choose another name, or remove it."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",

@@ -8,8 +8,6 @@
 #include "pairs/pair_geometry.h"
 #include "solve/unknowns.h"
 
-#include "spherewalk/align/agreeing_parts.h"
-#include "spherewalk/align/content_check.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
@@ -360,11 +358,12 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
                            ProgressSink& progress, const std::stop_token& stop) {
     ProgressStep first(progress, 0, 0.5);
     FreePlaces made = placesBy(estimates, photos, pairs, options, first, stop);
-    const std::vector<int> parts =
-        agreeingParts(posesOf(made), pairs, fittingMatches(posesOf(made), pairs), kOnePlaceShare);
+    PlaceAgreement agreement(made, pairs);
+    const std::vector<int> parts = agreement.parts(kOnePlaceShare);
     if (const auto certain = cutBetween(parts, estimates); !certain.empty()) {
         ProgressStep second(progress, 0.5, 1);
         made = placesBy(certain, photos, pairs, options, second, stop);
+        agreement = PlaceAgreement(made, pairs);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (parts[i] > 0 && !made.photos[i].roomFromPhoto) {
                 made.photos[i].why =
@@ -374,7 +373,7 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
             }
         }
     }
-    doubtLooseParts(made, pairs);
+    doubtLooseParts(made, agreement);
     return made;
 }
 

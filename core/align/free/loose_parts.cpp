@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "free/placing.h"
 
-#include "spherewalk/align/agreeing_parts.h"
 #include "spherewalk/align/content_check.h"
 #include "spherewalk/base/text.h"
 
@@ -38,7 +37,13 @@ struct Room {
 };
 
 std::vector<Room> roomsOf(const FreePlaces& places, std::span<const int> roomOf) {
-    std::vector<Room> rooms(static_cast<std::size_t>(std::ranges::max(roomOf) + 1));
+    std::vector<Room> rooms;
+    for (const int room : roomOf) {
+        rooms.resize(std::max(rooms.size(), static_cast<std::size_t>(room + 1)));
+    }
+    if (rooms.empty()) {
+        return rooms;
+    }
     for (std::size_t i = 0; i < roomOf.size(); ++i) {
         if (roomOf[i] >= 0) {
             Room& room = rooms[static_cast<std::size_t>(roomOf[i])];
@@ -65,7 +70,7 @@ std::optional<FloorPlane> floorOf(const Room& room) {
                : floorBelow(room.positionsM, room.pointsM, Eigen::Vector3d::UnitZ(), Degrees(3));
 }
 
-/// Height of a floor below the middle of a room's photos.
+/// Height of the floor at a place.
 double heightAt(const FloorPlane& floor, const Eigen::Vector3d& placeM) {
     return (floor.at - floor.up.x() * placeM.x() - floor.up.y() * placeM.y()) / floor.up.z();
 }
@@ -91,6 +96,9 @@ void doubt(FreePlace& place, const std::string& sentence) {
 }
 
 void tellSteps(const std::vector<Room>& rooms, FreePlaces& places) {
+    if (rooms.empty()) {
+        return;
+    }
     const std::optional<FloorPlane> below = floorOf(rooms.front());
     for (const Room& room : std::span(rooms).subspan(1)) {
         const std::optional<FloorPlane> floor = below ? floorOf(room) : std::nullopt;
@@ -103,22 +111,22 @@ void tellSteps(const std::vector<Room>& rooms, FreePlaces& places) {
 
 } // namespace
 
-std::vector<std::optional<Rigid3>> posesOf(const FreePlaces& places) {
+PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPair> pairs) {
     std::vector<std::optional<Rigid3>> poses;
     for (const FreePlace& place : places.photos) {
         poses.push_back(place.roomFromPhoto);
+        m_isPlaced.push_back(place.roomFromPhoto.has_value());
     }
-    return poses;
+    m_agreements = photoAgreements(poses, pairs, fittingMatches(poses, pairs));
 }
 
-void doubtLooseParts(FreePlaces& places, std::span<const PhotoPair> pairs) {
-    const std::vector<std::optional<Rigid3>> poses = posesOf(places);
-    if (std::ranges::none_of(poses, [](const auto& pose) { return pose.has_value(); })) {
-        return;
-    }
-    const std::vector<std::vector<bool>> fitting = fittingMatches(poses, pairs);
-    tellSteps(roomsOf(places, agreeingParts(poses, pairs, fitting, kRoomShare)), places);
-    const std::vector<int> sure = agreeingParts(poses, pairs, fitting, kSurePlaceShare);
+std::vector<int> PlaceAgreement::parts(double leastShare) const {
+    return agreeingParts(m_isPlaced, m_agreements, leastShare);
+}
+
+void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement) {
+    tellSteps(roomsOf(places, agreement.parts(kRoomShare)), places);
+    const std::vector<int> sure = agreement.parts(kSurePlaceShare);
     for (std::size_t i = 0; i < sure.size(); ++i) {
         if (sure[i] > 0) {
             doubt(places.photos[i],

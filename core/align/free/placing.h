@@ -4,6 +4,7 @@
 #include "graph/pose_graph.h"
 #include "solve/pair_normal.h"
 
+#include "spherewalk/align/agreeing_parts.h"
 #include "spherewalk/align/free_places.h"
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/base/progress.h"
@@ -110,12 +111,22 @@ Polygon wallsAround(std::span<const Eigen::Vector3d> photosM, std::span<const Ei
 /// Height of the ceiling: nearly the highest point, and above all photos.
 double ceilingAbove(std::span<const Eigen::Vector3d> photosM, std::span<const Eigen::Vector3d> pointsM);
 
-/// One entry a photo, empty where it is not placed.
-std::vector<std::optional<Rigid3>> posesOf(const FreePlaces& places);
+/// How the placed photos agree, by which they fall into parts.
+class PlaceAgreement {
+  public:
+    PlaceAgreement(const FreePlaces& places, std::span<const PhotoPair> pairs);
+
+    /// What agreeingParts() returns for this share.
+    std::vector<int> parts(double leastShare) const;
+
+  private:
+    std::vector<bool> m_isPlaced;
+    std::vector<PhotoAgreement> m_agreements;
+};
 
 /// Says it of photos that hang together with the largest part too loosely: little of what either side lets
 /// expect is seen from the other, or the floors of both lie at different heights, as where one side's lengths
 /// are wrong.
-void doubtLooseParts(FreePlaces& places, std::span<const PhotoPair> pairs);
+void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement);
 
 } // namespace spherewalk::align

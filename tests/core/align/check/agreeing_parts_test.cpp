@@ -39,8 +39,14 @@ class AgreeingParts : public ::testing::Test {
     AgreeingParts() { survey.expose(random); }
 
     std::vector<int> parts(double leastShare) const {
-        return agreeingParts(survey.roomFromPhoto, survey.pairs,
-                             fittingMatches(survey.roomFromPhoto, survey.pairs), leastShare);
+        std::vector<bool> isPlaced;
+        for (const std::optional<Rigid3>& pose : survey.roomFromPhoto) {
+            isPlaced.push_back(pose.has_value());
+        }
+        return agreeingParts(isPlaced,
+                             photoAgreements(survey.roomFromPhoto, survey.pairs,
+                                             fittingMatches(survey.roomFromPhoto, survey.pairs)),
+                             leastShare);
     }
 
     /// Moves all photos from this one on, as if they had been joined by something that is there twice.
@@ -112,7 +118,7 @@ TEST_F(AgreeingParts, JoinPhotosThatNothingSpeaksAgainst) {
 
 TEST_F(AgreeingParts, RefuseListsOfDifferentLengths) {
     expectError(ErrorKind::InvalidInput, "inliers of",
-                [&] { agreeingParts(survey.roomFromPhoto, survey.pairs, {}, 0.3); });
+                [&] { photoAgreements(survey.roomFromPhoto, survey.pairs, {}); });
 }
 
 } // namespace spherewalk::align

@@ -301,7 +301,7 @@ std::vector<PhotoPair> alongEachRoom() {
 
 TEST(LooseParts, NameARoomWhoseFloorLiesElsewhere) {
     FreePlaces places = twoRooms(0.045);
-    doubtLooseParts(places, alongEachRoom());
+    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()));
     EXPECT_EQ(places.photos[0].doubt, "");
     EXPECT_THAT(places.photos[7].doubt, HasSubstr("4.5 cm above that of the largest part"));
     EXPECT_THAT(places.photos[7].doubt, HasSubstr("lengths around it are 3.0 % too short"));
@@ -309,7 +309,7 @@ TEST(LooseParts, NameARoomWhoseFloorLiesElsewhere) {
 
 TEST(LooseParts, SayOfALevelFloorOnlyThatLittleJoinsTheRooms) {
     FreePlaces places = twoRooms(0);
-    doubtLooseParts(places, alongEachRoom());
+    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()));
     EXPECT_EQ(places.photos[3].doubt, "");
     EXPECT_THAT(places.photos[4].doubt, HasSubstr("Little of what the largest part lets expect"));
 }
@@ -317,7 +317,7 @@ TEST(LooseParts, SayOfALevelFloorOnlyThatLittleJoinsTheRooms) {
 TEST(LooseParts, SayNothingWithoutPhotos) {
     FreePlaces none;
     none.photos.resize(3);
-    doubtLooseParts(none, {});
+    doubtLooseParts(none, PlaceAgreement(none, {}));
     EXPECT_EQ(none.photos[0].doubt, "");
 }
 
