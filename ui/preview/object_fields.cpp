@@ -7,7 +7,6 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 namespace spherewalk::ui {
@@ -37,11 +36,9 @@ ObjectFields::ObjectFields(PreviewPresenter& presenter, QWidget* parent)
     m_size->setSingleStep(0.05);
     m_size->setSuffix(tr(" m"));
     m_size->setValue(LaidObject().sizeM);
-    auto* label = new QLabel(tr("O&bject"), this);
-    label->setBuddy(m_shape);
+    setFocusProxy(m_shape);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(label);
     row->addWidget(m_shape, 1);
     row->addWidget(m_size);
     connect(m_shape, &QComboBox::activated, this, &ObjectFields::choose);

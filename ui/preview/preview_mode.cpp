@@ -240,7 +240,11 @@ void PreviewMode::makeOtherCamera(QGridLayout& grid, int row) {
 
 /// Makes what can be laid into the view or beside it.
 void PreviewMode::makeOverlays(QGridLayout& grid, int row) {
-    grid.addWidget(new ObjectFields(*m_presenter, this), row, 0, 1, 3);
+    auto* objects = new ObjectFields(*m_presenter, this);
+    auto* label = new QLabel(ObjectFields::tr("O&bject"), this);
+    label->setBuddy(objects);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(objects, row, 1, 1, 2);
     auto* error = new QCheckBox(tr("Sh&ow the expected error"), this);
     error->setObjectName("showError");
     error->setToolTip(tr("Tints what is displaced: light from half a pixel on, dark at %1 pixels and more")
