@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/component_solver.h"
 
+#include "graph/sparse_solve.h"
+#include "solve/normal_equations.h"
 #include "solve/pair_normal.h"
-#include "solve/refinement.h"
 
 #include "spherewalk/geometry/rotation.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace spherewalk::align {
 
@@ -73,44 +75,74 @@ Eigen::Quaterniond asNeighboursSay(const ComponentInput& input, std::span<const 
     return said.empty() ? states[photo].roomFromPhoto : said[best];
 }
 
-/// Finds how the lenses stand, by what the matches miss if both stand in one place. Photos of a camera that
-/// joins its pictures as if they did give 0.
-void fitLenses(const RefinementOptions& options, ComponentState& state) {
+/// What the matches say of the lenses at the present poses.
+struct LensEquation {
+    double slope = 0;       ///< Derivative of half the cost by the lenses' distance.
+    double weight = 0;      ///< Its second derivative, the poses answering.
+    Eigen::VectorXd answer; ///< What the unknowns change by as the distance grows, by the columns.
+};
+
+LensEquation lensEquation(const Columns& columns, const RefinementOptions& options,
+                          std::span<const PhotoPrior> priors, const ComponentState& state) {
+    const std::vector<PhotoState> states = state.unknowns.states();
+    LensEquation made;
+    std::vector<Eigen::Matrix<double, 9, 9>> matrices;
+    Eigen::VectorXd mixed = Eigen::VectorXd::Zero(columns.count());
+    for (const UsedPair& pair : state.used) {
+        const PhotoState& a = states[static_cast<std::size_t>(pair.a)];
+        const PhotoState& b = states[static_cast<std::size_t>(pair.b)];
+        const Eigen::Vector3d aheadOfA = a.roomFromPhoto * Eigen::Vector3d::UnitX();
+        const Eigen::Vector3d aheadOfB = b.roomFromPhoto * Eigen::Vector3d::UnitX();
+        Eigen::Matrix<double, 9, 9> matrix = Eigen::Matrix<double, 9, 9>::Zero();
+        Eigen::Matrix<double, 9, 1> byLenses = Eigen::Matrix<double, 9, 1>::Zero();
+        forEachRow(pair, states, [&](const UsedMatch& match, const MatchRow& row) {
+            const Bounded robust = bounded(row.residual / options.scale, options.width);
+            const Eigen::Matrix<double, 9, 1> by = robust.slope / options.scale * row.by;
+            // A turn alone tells nothing of places: the end of its row is zero.
+            const double byLens =
+                by.tail<3>().dot(softSide(match.inB) * aheadOfB - softSide(match.inA) * aheadOfA);
+            made.slope += byLens * robust.value;
+            made.weight += byLens * byLens;
+            byLenses += byLens * by;
+            matrix.selfadjointView<Eigen::Lower>().rankUpdate(by);
+        });
+        matrices.emplace_back(matrix.selfadjointView<Eigen::Lower>());
+        const PairColumns at = pairColumns(columns, state.unknowns, pair);
+        const Eigen::VectorXd sums = at.chain * byLenses;
+        for (std::size_t i = 0; i < at.column.size(); ++i) {
+            mixed[at.column[i]] += sums[static_cast<Eigen::Index>(i)];
+        }
+    }
+    const std::optional<Eigen::MatrixXd> solved =
+        solvedSparse(normalMatrix(columns, state.unknowns, state.used, matrices,
+                                  priorRows(columns, state.unknowns, priors, options)),
+                     mixed);
+    if (solved) {
+        made.answer = -solved->col(0);
+        made.weight = std::max(0.0, made.weight + mixed.dot(made.answer));
+    } else {
+        made.answer = Eigen::VectorXd::Zero(columns.count());
+    }
+    return made;
+}
+
+/// Finds how the lenses stand, by what the matches miss if both stand in one place; the poses go along.
+/// Photos of a camera that joins its pictures as if they did give 0.
+void fitLenses(const RefinementOptions& options, std::span<const PhotoPrior> priors, ComponentState& state) {
     constexpr double kPriorM = 0.02;
     constexpr double kFarthestM = 0.05;
     constexpr double kTogether = 10.0 / 3; // Matches of one thing err together.
     constexpr double kClearSigmas = 3;
-    std::vector<PhotoState> states = state.unknowns.states();
-    LensPair lenses = state.unknowns.lenses;
-    double weight = 0;
-    for (int round = 0; round < 3; ++round) {
-        double slope = lenses.aheadM / (kPriorM * kPriorM);
-        weight = 1 / (kPriorM * kPriorM);
-        for (PhotoState& photo : states) {
-            photo.lenses = lenses;
-        }
-        for (const UsedPair& pair : state.used) {
-            const PhotoState& a = states[static_cast<std::size_t>(pair.a)];
-            const PhotoState& b = states[static_cast<std::size_t>(pair.b)];
-            const Eigen::Vector3d aheadOfA = a.roomFromPhoto * Eigen::Vector3d::UnitX();
-            const Eigen::Vector3d aheadOfB = b.roomFromPhoto * Eigen::Vector3d::UnitX();
-            MatchRow rows[2];
-            for (const UsedMatch& match : pair.matches) {
-                if (matchRows(pair, match, a, b, rows) != 1) {
-                    continue; // A turn alone tells nothing of places.
-                }
-                const Bounded robust = bounded(rows[0].residual / options.scale, options.width);
-                const Eigen::Vector3d moved = softSide(match.inB) * aheadOfB - softSide(match.inA) * aheadOfA;
-                const double by = robust.slope / options.scale * rows[0].by.tail<3>().dot(moved);
-                slope += by * robust.value;
-                weight += by * by;
-            }
-        }
-        lenses.aheadM = std::clamp(lenses.aheadM - slope / weight, -kFarthestM, kFarthestM);
-    }
-    state.unknowns.lensSigmaM = kTogether / std::sqrt(weight);
-    const bool isClear = std::abs(lenses.aheadM) > kClearSigmas * state.unknowns.lensSigmaM;
-    state.unknowns.lenses = isClear ? lenses : LensPair{};
+    Unknowns& unknowns = state.unknowns;
+    const Columns columns(unknowns, options.model);
+    const LensEquation equation = lensEquation(columns, options, priors, state);
+    const double weight = equation.weight + 1 / (kPriorM * kPriorM);
+    const double before = unknowns.lenses.aheadM;
+    const double fitted = before - (equation.slope + before / (kPriorM * kPriorM)) / weight;
+    unknowns.lensSigmaM = kTogether / std::sqrt(weight);
+    const bool isClear = std::abs(fitted) > kClearSigmas * unknowns.lensSigmaM;
+    unknowns.lenses.aheadM = isClear ? std::clamp(fitted, -kFarthestM, kFarthestM) : 0;
+    move(columns, (unknowns.lenses.aheadM - before) * equation.answer, unknowns);
 }
 
 } // namespace
@@ -148,7 +180,7 @@ void solveModel(const ComponentInput& input, Model model, bool isWarm, Component
         options.tolerance = round == 0 ? 1e-5 : 1e-8;
         refineState(input, options, state, step, stop);
         if (solvesTilt(model)) {
-            fitLenses(options, state);
+            fitLenses(options, input.priors, state);
         }
     }
     state.scale = residualScale(state.used, state.unknowns.states());

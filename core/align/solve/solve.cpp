@@ -238,6 +238,46 @@ SolveAttempt bestAttempt(const Component& component, const ComponentInput& input
     return std::move(*best);
 }
 
+void scaleSigmas(std::vector<PhotoPrior>& priors, const Unknowns& unknowns, const PriorScatter& by) {
+    constexpr double kMostM = 5;
+    for (const int photo : unknowns.photo) {
+        PhotoPrior& prior = priors[static_cast<std::size_t>(photo)];
+        prior.positionSigmaM = std::min(kMostM, by.along * prior.positionSigmaM);
+        prior.heightSigmaM = std::min(kMostM, by.height * prior.heightSigmaM);
+    }
+}
+
+/// Solves again with wider priors where the solved places contradict what the priors promise: a camera in the
+/// hand does not keep its height like a cart, and heights that are believed too much make the whole lean.
+/// priors: those of the input.
+void widenPriors(std::vector<PhotoPrior>& priors, const ComponentInput& input, SolveAttempt& made,
+                 ProgressSink& progress, const std::stop_token& stop) {
+    constexpr double kContradicted = 3;
+    constexpr double kSettled = 1.2;
+    constexpr int kMostRounds = 4;
+    PriorScatter widened;
+    const auto step = [](double scatter, double& all) {
+        const bool isOff = all > 1 ? std::max(scatter, 1 / scatter) > kSettled : scatter > kContradicted;
+        const double by = isOff ? std::max(scatter, 1 / all) : 1;
+        all *= by;
+        return by;
+    };
+    for (int round = 0; round < kMostRounds && solvesPosition(made.choice.model); ++round) {
+        const PriorScatter scatter = priorScatter(made.state.unknowns, priors);
+        const PriorScatter by = {step(scatter.along, widened.along), step(scatter.height, widened.height)};
+        if (by.along == 1 && by.height == 1) {
+            break;
+        }
+        scaleSigmas(priors, made.state.unknowns, by);
+        solveModel(input, made.choice.model, true, made.state, progress, stop);
+    }
+    if (widened.along > 1 || widened.height > 1) {
+        made.quality = quality(input, made.state);
+        made.sides = pairSides(input, made.state);
+        made.travel = travelSign(made.sides);
+    }
+}
+
 void warn(Alignment& alignment, ProgressSink& progress, const std::string& sentence) {
     alignment.warnings.push_back(sentence);
     progress.warning(sentence);
@@ -320,6 +360,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
     alignment.model = options.model == Model::Auto ? Model::Yaw : options.model;
     alignment.reason = options.model == Model::Auto ? "There was nothing to solve." : "It was asked for.";
     warnOfComponents(alignment, graph, photos, progress);
+    std::vector<PhotoPrior> priors(photos.begin(), photos.end());
     double done = 0.02;
     for (std::size_t i = 0; i < graph.components.size(); ++i) {
         const Component& component = graph.components[i];
@@ -327,10 +368,11 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             0.98 * static_cast<double>(component.photos.size()) / static_cast<double>(photos.size());
         ProgressStep step(progress, done, done + 0.9 * share);
         done += share;
-        const ComponentInput input = inputOf(component, photos, candidates, options);
+        const ComponentInput input = inputOf(component, priors, candidates, options);
         // The largest component chooses the model: small ones have too little to choose by.
         const Model wanted = i == 0 ? options.model : alignment.model;
-        const SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
+        SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
+        widenPriors(priors, input, made, step, stop);
         if (i == 0) {
             alignment.model = made.choice.model;
             alignment.trials = made.choice.trials;

@@ -3,6 +3,7 @@
 
 #include "pairs/pair_geometry.h"
 
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
@@ -113,6 +114,32 @@ void level(Unknowns& unknowns, std::span<const PhotoPrior> priors) {
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior) {
     // Even a sure prior must leave room for rounding.
     return Eigen::Vector3d(prior.positionSigmaM, prior.positionSigmaM, prior.heightSigmaM).cwiseMax(1e-5);
+}
+
+PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
+    constexpr double kMedianOfNormal = 0.6745; // of an absolute value, in standard deviations
+    constexpr std::size_t kLevelling = 3;      // a height and two leans
+    constexpr std::size_t kOnFloor = 4;        // two shifts, a heading and a scale
+    constexpr std::size_t kOfRail = 3;
+    std::vector<double> along;
+    std::vector<double> height;
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        const Eigen::Vector3d sigmas = offsetSigmasM(priors[static_cast<std::size_t>(unknowns.photo[i])]);
+        const Eigen::Vector3d off = Eigen::Map<const Eigen::Vector3d>(unknowns.offset[i].data());
+        const Eigen::Vector3d over = off.cwiseQuotient(sigmas).cwiseAbs();
+        along.insert(along.end(), {over.x(), over.y()});
+        height.push_back(over.z());
+    }
+    const auto scatter = [](std::vector<double> offsets, std::size_t taken) {
+        const std::size_t count = offsets.size();
+        if (count <= taken) {
+            return 1.0;
+        }
+        const double share = static_cast<double>(count) / static_cast<double>(count - taken);
+        return median(std::move(offsets)) / kMedianOfNormal * std::sqrt(share);
+    };
+    return {scatter(std::move(along), kOnFloor + kOfRail * unknowns.placement.size()),
+            scatter(std::move(height), kLevelling)};
 }
 
 UpPrior upPrior(const PhotoPrior& prior) {

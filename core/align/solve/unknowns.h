@@ -75,6 +75,17 @@ Lean leanOf(const Eigen::Vector3d& up);
 /// Standard deviations of a photo's offset from its stop along x, y and z. They are at least 1e-5 m.
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior);
 
+/// How far the photos stand from where they are tagged, over what their priors promise: 1 if these are right.
+struct PriorScatter {
+    double along = 1;  ///< Along x and y.
+    double height = 1; ///< Along z.
+};
+
+/// The scatter of solved offsets, by their medians, so that single wrong tags do not count. What the whole
+/// may be moved, turned and scaled by takes its share from the offsets and is given back. It is 1 where too
+/// few photos are left to tell.
+PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
+
 inline bool solvesTilt(Model model) {
     return model != Model::Yaw;
 }

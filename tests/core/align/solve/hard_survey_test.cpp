@@ -28,7 +28,7 @@ constexpr double kOneDegreeRad = std::numbers::pi / 180;
 
 /// Photos by hand: leaning by degrees, which their metadata state to a degree, and places good to 2 cm where
 /// the priors promise 5 mm.
-SyntheticSurvey byHand(unsigned seed, int columns, int rows, double stepM) {
+SyntheticSurvey byHand(unsigned seed, int columns, int rows, double stepM, double lensAheadM = 0) {
     test::Random random(seed);
     SyntheticSurveyOptions options;
     options.seed = seed;
@@ -41,6 +41,7 @@ SyntheticSurvey byHand(unsigned seed, int columns, int rows, double stepM) {
     options.positionSigmaM = 0.02;
     options.heightSigmaM = 0.01;
     options.mostMatches = 250;
+    options.lensAheadM = lensAheadM;
     SyntheticSurvey survey = syntheticSurvey(options);
     for (std::size_t i = 0; i < survey.photos.size(); ++i) {
         const Eigen::Quaterniond& truth = survey.roomFromPhoto[i].rotation;
@@ -108,6 +109,45 @@ TEST(HardSurvey, TurnsNoPhotoFarUnsaid) {
     RecordProperty("photos", all.photos);
     RecordProperty("right", all.right);
     RecordProperty("right_and_sure", all.rightAndSure);
+}
+
+TEST(HardSurvey, HeightsThatAreTaggedWrongDoNotMakeTheWholeLean) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        SyntheticSurvey survey = byHand(seed, 4, 3, 0.8);
+        test::Random random(seed);
+        for (PhotoPrior& photo : survey.photos) {
+            photo.positionM.z() += random.normal(0.03); // where a millimetre is promised
+        }
+        const Alignment alignment = solveSurvey(survey);
+        Eigen::Vector3d lean = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < survey.photos.size(); ++i) {
+            const Eigen::AngleAxisd off(alignment.photos[i].roomFromPhoto.rotation *
+                                        survey.roomFromPhoto[i].rotation.conjugate());
+            lean += off.angle() * off.axis() / static_cast<double>(survey.photos.size());
+        }
+        EXPECT_LT(lean.head<2>().norm(), 0.7 * kOneDegreeRad);
+        EXPECT_LT(lean.head<2>().norm(), 4 * alignment.sigmaCommonLean.value());
+    }
+}
+
+TEST(HardSurvey, RoughTagsTellHowLargeTheWholeIsAndTheLensesDoNot) {
+    SyntheticSurvey survey = byHand(4, 4, 3, 0.6, 0.01);
+    test::Random random(4);
+    for (PhotoPrior& photo : survey.photos) {
+        photo.positionM.head<2>() += random.vector(0.04).head<2>();
+    }
+    const Alignment alignment = solveSurvey(survey);
+    double apart = 0;
+    double trulyApart = 0;
+    for (std::size_t i = 1; i < survey.photos.size(); ++i) {
+        apart +=
+            (alignment.photos[i].roomFromPhoto.translation - alignment.photos[0].roomFromPhoto.translation)
+                .norm();
+        trulyApart += (survey.roomFromPhoto[i].translation - survey.roomFromPhoto[0].translation).norm();
+    }
+    EXPECT_NEAR(apart / trulyApart, 1, 0.03);
+    EXPECT_NEAR(alignment.photos[0].lenses.aheadM, 0.01, 0.001);
 }
 
 TEST(HardSurvey, TellsAPhotoThatContradictsItsOwnMetadata) {
