@@ -143,6 +143,7 @@ int runAll(const Options& options) {
                 std::cout << "seed " << report.seed << ": " << violation << std::endl;
             }
             reports.push_back(std::move(report));
+            std::cerr << reports.size() << " of " << options.runs << " runs have ended\n";
         }
     };
     {
