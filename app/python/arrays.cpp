@@ -42,6 +42,7 @@ bool isArrayOf(const py::object& value) {
     return py::isinstance<py::array_t<Value>>(value);
 }
 
+/// Range: an array of this type, which no cast copies.
 template <class Value>
 DepthImage depthOf(const py::array& array) {
     const auto values = array.cast<py::array_t<Value>>().template unchecked<2>();
@@ -110,6 +111,23 @@ DepthImage depthFrom(const py::object& value, std::string_view what) {
         refuse(what, text("has the shape ", shapeText(array), "; it must be (height, width)."));
     }
     return isSingle ? depthOf<float>(array) : depthOf<double>(array);
+}
+
+Image<float, 1> sharesFrom(const py::object& value, std::string_view what) {
+    const bool isBytes = isArrayOf<std::uint8_t>(value);
+    const bool isSingle = isArrayOf<float>(value);
+    const bool hasType = isBytes || isSingle || isArrayOf<double>(value);
+    const py::array array = pixelsOf(value, "uint8, float32 or float64", hasType, what);
+    if (array.ndim() != 2) {
+        refuse(what, text("has the shape ", shapeText(array), "; it must be (height, width)."));
+    }
+    if (!isBytes) {
+        return isSingle ? depthOf<float>(array) : depthOf<double>(array);
+    }
+    Image<float, 1> shares = depthOf<std::uint8_t>(array);
+    std::transform(shares.values().begin(), shares.values().end(), shares.values().begin(),
+                   [](float share) { return share / 255; });
+    return shares;
 }
 
 } // namespace spherewalk::python

@@ -46,6 +46,10 @@ RgbaImage rgbaFrom(const py::object& array, const DepthImage& depth, std::string
 /// A copy of an array of float32 or float64 with any values. Shape: (height, width). Errors: InvalidInput.
 DepthImage depthFrom(const py::object& array, std::string_view what);
 
+/// A copy of an array of shares: float32 or float64 as they are, or uint8, of which 255 is 1. Shape: (height,
+/// width). Errors: InvalidInput.
+Image<float, 1> sharesFrom(const py::object& array, std::string_view what);
+
 /// The pose of the optical frame. pose: a matrix of shape (4, 4), or the seven numbers x y z qx qy qz qw.
 /// frame: "optical" or "body", the frame whose pose the array is. Errors: InvalidInput.
 Rigid3 opticalPose(const py::object& pose, std::string_view frame);

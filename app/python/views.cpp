@@ -55,13 +55,16 @@ struct GivenOverlay {
 };
 
 GivenOverlay overlayOf(const py::object& picture, const py::object& depth, const CameraModel* camera,
-                       const py::object& roomDepth, const std::string& alpha) {
+                       const py::object& roomDepth, const std::string& alpha, const py::object& shadow) {
     GivenOverlay given;
     given.overlay.depth = depthFrom(depth, "overlay's depth");
     given.overlay.picture = rgbaFrom(picture, given.overlay.depth, "overlay's picture");
     given.overlay.alpha = valueOf(kAlphas, "The alpha", alpha);
     if (!roomDepth.is_none()) {
         given.overlay.roomDepth = depthFrom(roomDepth, "overlay's room_depth");
+    }
+    if (!shadow.is_none()) {
+        given.overlay.shadow = sharesFrom(shadow, "overlay's shadow");
     }
     if (camera != nullptr) {
         given.overlay.camera = camera->intrinsics();
@@ -183,16 +186,19 @@ void bindViewOptions(py::module_& module) {
     py::class_<GivenOverlay>(
         module, "Overlay",
         "Objects as a simulator renders them, to be laid into views from the view's own pose.")
-        .def(py::init(&overlayOf), py::arg("picture"), py::arg("depth"), py::arg("camera") = py::none(),
-             py::arg("room_depth") = py::none(), py::arg("alpha") = "straight",
-             "picture: (h, w, 4) uint8, red, green, blue, alpha; or (h, w, 3), which is opaque where there "
-             "is a "
-             "depth. depth: (h, w) float32 or float64, metres along the optical axis (z, not along the ray); "
-             "what "
-             "is not finite and above zero is none. camera: what took the picture, else the view's. "
-             "room_depth: of "
-             "the room as the simulator models it, as depth; else the depth of the view's scene model hides "
-             "objects. alpha: \"straight\" or \"premultiplied\". The arrays are copied.");
+        .def(
+            py::init(&overlayOf), py::arg("picture"), py::arg("depth"), py::arg("camera") = py::none(),
+            py::arg("room_depth") = py::none(), py::arg("alpha") = "straight", py::arg("shadow") = py::none(),
+            "picture: (h, w, 4) uint8, red, green, blue, alpha; or (h, w, 3), which is opaque where there "
+            "is a "
+            "depth. depth: (h, w) float32 or float64, metres along the optical axis (z, not along the ray); "
+            "what "
+            "is not finite and above zero is none. camera: what took the picture, else the view's. "
+            "room_depth: of "
+            "the room as the simulator models it, as depth; else the depth of the view's scene model hides "
+            "objects. alpha: \"straight\" or \"premultiplied\". shadow: (h, w), the share of light that the "
+            "objects leave to what the photos show, float from 0 to 1 or uint8 from 0 to 255; else they cast "
+            "no shadow. The arrays are copied.");
 }
 
 void bindViews(py::module_& module) {

@@ -115,6 +115,7 @@ class Overlay:
         camera: Camera | None = None,
         room_depth: NDArray[np.float32] | NDArray[np.float64] | None = None,
         alpha: Literal["straight", "premultiplied"] = "straight",
+        shadow: NDArray[np.float32] | NDArray[np.float64] | NDArray[np.uint8] | None = None,
     ) -> None: ...
 
 class ViewReport:

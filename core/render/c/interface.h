@@ -139,6 +139,7 @@ template <>
 struct CStruct<spherewalk_overlay> : detail::PlainCStruct<spherewalk_overlay> {
     static constexpr const char* kName = "spherewalk_overlay";
 };
+    static constexpr std::array kSizes{offsetof(spherewalk_overlay, shadow), sizeof(spherewalk_overlay)};
 
 template <>
 struct CStruct<spherewalk_view_options> : detail::PlainCStruct<spherewalk_view_options> {

@@ -93,11 +93,16 @@ void take(const spherewalk_overlay* overlay, const CameraIntrinsics& camera, Ove
     const auto [width, height] = std::pair(into.camera.width, into.camera.height);
     copyRows(source.rgba, width, height, "the rgba of an overlay", into.picture);
     copyRows(source.depth, width, height, "the depth of an overlay", into.depth);
-    if (source.room_depth.data == nullptr) {
-        into.roomDepth = {};
-    } else {
-        copyRows(source.room_depth, width, height, "the room_depth of an overlay", into.roomDepth);
-    }
+    const auto copyIfGiven = [&size = into.camera](const spherewalk_source& from, const char* what,
+                                                   Image<float, 1>& to) {
+        if (from.data == nullptr) {
+            to = {};
+        } else {
+            copyRows(from, size.width, size.height, what, to);
+        }
+    };
+    copyIfGiven(source.room_depth, "the room_depth of an overlay", into.roomDepth);
+    copyIfGiven(source.shadow, "the shadow of an overlay", into.shadow);
 }
 
 void takeOverlays(const spherewalk_view_options& options, const CameraIntrinsics& camera,

@@ -7,8 +7,10 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/recently_used.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/render/colour_correction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -35,6 +37,18 @@ void checkPictureSize(const std::string& what, std::string_view whose, const Pic
     }
 }
 
+void checkShadow(const Overlay& overlay, const std::string& what) {
+    checkPictureSize(what, "its shadow", overlay.shadow, overlay.camera);
+    const std::span<const float> values = overlay.shadow.values();
+    const auto bad =
+        std::find_if(values.begin(), values.end(), [](float value) { return !(value >= 0 && value <= 1); });
+    if (bad != values.end()) {
+        const auto at = static_cast<int>(bad - values.begin());
+        refuseOverlay(what, text("its shadow is ", *bad, " in the pixel (", at % overlay.camera.width, ", ",
+                                 at / overlay.camera.width, "); it must be from 0, no light, to 1."));
+    }
+}
+
 void checkOverlay(const Overlay& overlay, const std::string& what) {
     try {
         overlay.camera.validate();
@@ -49,6 +63,9 @@ void checkOverlay(const Overlay& overlay, const std::string& what) {
     if (!overlay.labels.empty()) {
         checkPictureSize(what, "its labels' picture", overlay.labels, overlay.camera);
     }
+    if (!overlay.shadow.empty()) {
+        checkShadow(overlay, what);
+    }
 }
 
 void checkOptions(const ComposeOptions& options) {
@@ -56,6 +73,73 @@ void checkOptions(const ComposeOptions& options) {
         if (!(tolerance >= 0) || !std::isfinite(tolerance)) {
             refuseOverlay("Overlays",
                           text("their depth tolerance is ", tolerance, "; it must be 0 or more."));
+        }
+    }
+}
+
+/// Light of stored values and back. Fixed point makes every machine compute the same: light has 16 bits, and
+/// a shadow's factors have 15.
+class Darkening {
+  public:
+    static constexpr int kFactorBits = 15;
+    static constexpr std::uint32_t kWhole = 1U << kFactorBits; ///< No shadow.
+
+    Darkening() {
+        constexpr double kMostLight = 65535;
+        for (std::size_t value = 0; value < m_light.size(); ++value) {
+            m_light[value] = static_cast<std::uint32_t>(
+                std::lround(kMostLight * linearLight(static_cast<double>(value) / 255)));
+        }
+        for (std::size_t light = 0; light < m_stored.size(); ++light) {
+            m_stored[light] = static_cast<std::uint8_t>(
+                std::lround(255 * storedValue(static_cast<double>(light) / kMostLight)));
+        }
+    }
+
+    static std::uint32_t factor(float share) {
+        return static_cast<std::uint32_t>(nearestInt(share * static_cast<float>(kWhole)));
+    }
+
+    /// Range: factor up to kWhole.
+    void darken(std::uint8_t* rgb, std::uint32_t factor) const {
+        for (int c = 0; c < 3; ++c) {
+            rgb[c] = m_stored[(m_light[rgb[c]] * factor + kWhole / 2) >> kFactorBits];
+        }
+    }
+
+  private:
+    std::array<std::uint32_t, 256> m_light{};
+    std::array<std::uint8_t, 65536> m_stored{};
+};
+
+/// What the shadow leaves between its pixels, bilinearly. The rim repeats half a pixel.
+std::uint32_t factorBetween(const Image<float, 1>& shadow, const OverlayMap::Position& at) {
+    if (at.u == OverlayMap::kNowhere) {
+        return Darkening::kWhole;
+    }
+    const int right = at.u & 0xFF;
+    const int below = at.v & 0xFF;
+    std::uint64_t sum = 0;
+    for (const int j : {0, 1}) {
+        for (const int i : {0, 1}) {
+            const int x = std::clamp((at.u >> 8) + i, 0, shadow.width() - 1);
+            const int y = std::clamp((at.v >> 8) + j, 0, shadow.height() - 1);
+            const int weight =
+                (i == 1 ? right : OverlayMap::kOne - right) * (j == 1 ? below : OverlayMap::kOne - below);
+            sum += static_cast<std::uint64_t>(weight) * Darkening::factor(*shadow.at(x, y));
+        }
+    }
+    return static_cast<std::uint32_t>((sum + 0x8000) >> 16);
+}
+
+/// map: null if pixels are taken one for one.
+void darkenRow(const Image<float, 1>& shadow, const OverlayMap* map, int y, RgbImage& picture) {
+    static const Darkening kDarkening;
+    for (int x = 0; x < picture.width(); ++x) {
+        const std::uint32_t factor =
+            map != nullptr ? factorBetween(shadow, map->at(x, y)) : Darkening::factor(*shadow.at(x, y));
+        if (factor != Darkening::kWhole) {
+            kDarkening.darken(picture.at(x, y), factor);
         }
     }
 }
@@ -294,6 +378,12 @@ void Composer::compose(std::span<const Overlay> overlays, const CameraModel& cam
     }
     clear(shown, picture);
     clear(labels, picture);
+    for (std::size_t i = 0; i < overlays.size(); ++i) {
+        if (!overlays[i].shadow.empty()) {
+            pool.run(picture.height(), options.threads,
+                     [&](int y, int) { darkenRow(overlays[i].shadow, layers[i].map.get(), y, picture); });
+        }
+    }
     std::vector<RowSpace> spaces(static_cast<std::size_t>(pool.threads()));
     pool.run(picture.height(), options.threads, [&](int y, int worker) {
         layRow(layers, viewDepth, y, spaces[static_cast<std::size_t>(worker)], {picture, shown, labels});

@@ -53,6 +53,28 @@ def test_the_simulators_own_room_hides_too(renderer, small, empty):
     assert not half[:, :30].any() and (half[BOX][:, 10:] == 255).all()
 
 
+def test_a_shadow_darkens_the_photo_and_no_object(renderer, small, empty):
+    picture, depth = square(0.3)
+    shadow = np.ones(SHAPE, np.float32)
+    shadow[:, :30] = 51 / 255
+    half = shown(renderer, small, Overlay(picture, depth, shadow=shadow)).picture
+    assert (half[INSIDE] == [200, 30, 10]).all()
+    assert np.array_equal(half[40:, 30:], empty[40:, 30:])
+    light = ((empty[40:, :30] / 255 + 0.055) / 1.055) ** 2.4 * 0.2
+    stored = 255 * np.where(light > 0.0031308, 1.055 * light ** (1 / 2.4) - 0.055, 12.92 * light)
+    assert np.abs(half[40:, :30] - stored)[empty[40:, :30] > 10].max() < 0.6
+    as_bytes = Overlay(picture, depth, shadow=np.round(255 * shadow).astype(np.uint8))
+    assert np.array_equal(shown(renderer, small, as_bytes).picture, half)
+
+
+@pytest.mark.parametrize("share", [np.nan, -0.1, 1.1])
+def test_a_shadow_that_is_none_is_refused(renderer, small, share):
+    with pytest.raises(spherewalk.InvalidInputError, match="shadow"):
+        shown(renderer, small, Overlay(*square(0.3), shadow=np.full(SHAPE, share, np.float32)))
+    with pytest.raises(spherewalk.InvalidInputError, match="shadow"):
+        Overlay(*square(0.3), shadow=np.zeros(SHAPE, np.int32))
+
+
 @pytest.mark.parametrize("nothing", [np.nan, np.inf, -np.inf, 0, -1])
 def test_a_depth_that_is_none_shows_nothing(renderer, small, empty, nothing):
     picture, depth = square(0.3)

@@ -170,8 +170,7 @@ SPHEREWALK_API spherewalk_status spherewalk_intrinsics_init(spherewalk_intrinsic
 SPHEREWALK_API spherewalk_status spherewalk_intrinsics_pinhole(int32_t width, int32_t height,
                                                                double horizontal_fov_rad,
                                                                spherewalk_intrinsics* intrinsics);
-/// A camera that the dataset suggests. index: below camera_count. name: may be NULL; owner: the dataset's
-/// handle.
+/// A camera that the dataset suggests. index: below camera_count. name: may be NULL; the dataset owns it.
 SPHEREWALK_API spherewalk_status spherewalk_dataset_get_camera(const spherewalk_dataset* dataset,
                                                                uint64_t index, const char** name,
                                                                spherewalk_intrinsics* intrinsics);
@@ -244,8 +243,7 @@ typedef struct spherewalk_source {
     uint64_t row_stride_bytes; ///< Bytes from one row to the next, at least a row's.
 } spherewalk_source;
 
-/// Memory of the caller that pixels are written to, laid out as in spherewalk_source. Bytes between rows
-/// stay.
+/// Memory of the caller that pixels are written to, as spherewalk_source has it. Bytes between rows stay.
 typedef struct spherewalk_buffer {
     void* data;
     uint64_t size_bytes;
@@ -268,6 +266,8 @@ typedef struct spherewalk_overlay {
     spherewalk_source room_depth;
     int32_t alpha;    ///< Default: SPHEREWALK_ALPHA_STRAIGHT.
     int32_t reserved; ///< It must be 0.
+    /// The share of light that the objects leave to what photos show, a float from 0 to 1 a pixel.
+    spherewalk_source shadow; ///< Its data are NULL where objects cast no shadow.
 } spherewalk_overlay;
 
 SPHEREWALK_API spherewalk_status spherewalk_overlay_init(spherewalk_overlay* overlay, size_t size);

@@ -221,8 +221,12 @@ TEST_F(CInterface, GivesDepthTrustAndOverlaysAsTheLibrary) {
     ASSERT_EQ(spherewalk_intrinsics_pinhole(50, 40, 1.4, &other), SPHEREWALK_OK);
     for (int i = 0; i < 20; ++i) {
         const Rigid3 pose{random.rotation(), random.vector(0.6)};
-        const std::vector<Overlay> overlays{noise(lens, random),
-                                            noise(CameraIntrinsics::pinhole(50, 40, 1.4), random)};
+        std::vector<Overlay> overlays{noise(lens, random),
+                                      noise(CameraIntrinsics::pinhole(50, 40, 1.4), random)};
+        overlays[1].shadow = Image<float, 1>(50, 40);
+        for (float& share : overlays[1].shadow.values()) {
+            share = static_cast<float>(random.uniform(0, 1));
+        }
         ViewOptions options;
         options.scene = random.integer(0, 2) == 0 ? SceneKind::None : SceneKind::Sphere;
         options.wantsDepth = options.wantsTrust = true;
@@ -238,7 +242,9 @@ TEST_F(CInterface, GivesDepthTrustAndOverlaysAsTheLibrary) {
         std::vector<Rows<DepthImage>> depths;
         std::vector<Rows<DepthImage>> rooms;
         std::vector<spherewalk_overlay> laid(2, ready(spherewalk_overlay_init));
+        Rows shadow(overlays[1].shadow);
         for (const Overlay& overlay : overlays) {
+        laid[1].shadow = shadow.source();
             pictures.emplace_back(overlay.picture);
             depths.emplace_back(overlay.depth);
             rooms.emplace_back(overlay.roomDepth.empty() ? overlay.depth : overlay.roomDepth);

@@ -91,7 +91,8 @@ TEST_F(CValues, OverlaysThatAreNoneAreRefused) {
     pixels.assign(pixels.size(), 7);
     for (const auto& [member, name] : {std::pair{&spherewalk_overlay::rgba, "rgba"},
                                        {&spherewalk_overlay::depth, "depth"},
-                                       {&spherewalk_overlay::room_depth, "room_depth"}}) {
+                                       {&spherewalk_overlay::room_depth, "room_depth"},
+                                       {&spherewalk_overlay::shadow, "shadow"}}) {
         for (const auto& [data, size, stride] : unfit(memory)) {
             auto overlay = whole();
             overlay.*member = {data, size, stride};
@@ -104,6 +105,11 @@ TEST_F(CValues, OverlaysThatAreNoneAreRefused) {
     overlay = whole();
     overlay.depth.data = nullptr;
     expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "NULL");
+    overlay = whole();
+    std::vector<float> shares(static_cast<std::size_t>(kWidth) * kHeight, 0.5F);
+    shares.back() = kNan;
+    overlay.shadow = {shares.data(), 4 * shares.size(), std::uint64_t{4} * kWidth};
+    expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "its shadow is nan in the pixel");
     overlay = whole();
     overlay.alpha = 2;
     expectStatus(status(overlay), SPHEREWALK_INVALID_INPUT, "alpha");

@@ -4,6 +4,7 @@
 #include "lenses.h"
 #include "random.h"
 
+#include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/overlay.h"
 
 #include <array>
@@ -102,6 +103,19 @@ Composed composed(const Overlay& overlay, const ComposeOptions& options = {},
 }
 
 const CameraIntrinsics kSmall = CameraIntrinsics::pinhole(8, 6, 1);
+
+/// What is left of a stored value in a shadow, in double precision.
+double darkened(int stored, double share) {
+    return 255 * storedValue(share * linearLight(stored / 255.0));
+}
+
+Image<float, 1> noisyShadow(const CameraIntrinsics& camera, test::Random& random) {
+    Image<float, 1> shadow(camera.width, camera.height);
+    for (float& share : shadow.values()) {
+        share = random.integer(0, 2) == 0 ? 1.0F : static_cast<float>(random.uniform(0, 1));
+    }
+    return shadow;
+}
 
 } // namespace
 
@@ -563,6 +577,111 @@ TEST(Overlay, LaysItsDepthWhereItCoversHalfAPixel) {
     }
 }
 
+TEST(Shadow, DarkensTheLightOfWhatThePhotosShow) {
+    const auto camera = CameraIntrinsics::pinhole(256, 101, 1);
+    Overlay overlay = plain(camera, {0, 0, 0, 0}, kInfinity);
+    overlay.shadow = Image<float, 1>(camera.width, camera.height);
+    RgbImage picture(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            *overlay.shadow.at(x, y) = static_cast<float>(y) / 100.0F;
+            std::fill_n(picture.at(x, y), 3, static_cast<std::uint8_t>(x));
+        }
+    }
+    WorkerPool pool(2);
+    Composer().compose({&overlay, 1}, CameraModel(camera), {}, {}, pool, picture);
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            ASSERT_NEAR(picture.at(x, y)[1], darkened(x, y / 100.0), 0.53) << x << " " << y;
+        }
+    }
+    EXPECT_EQ(picture.at(200, 0)[0], 0);
+    EXPECT_EQ(picture.at(200, 100)[0], 200); // a share of 1 changes nothing
+}
+
+TEST(Shadow, LeavesTheColoursOfObjects) {
+    constexpr Rgb kObject{200, 150, 100};
+    Overlay object = plain(kSmall, {200, 150, 100, 255}, 1);
+    object.picture.at(5, 3)[3] = 102;
+    set(object.picture, 6, 3, {0, 0, 0, 0});
+    object.shadow = depthOf(8, 6, 0.25F);
+    const Composed result = composed(object);
+    EXPECT_EQ(result.at(2, 2), kObject);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int left = static_cast<int>(std::lround(darkened(kGround[c], 0.25)));
+        EXPECT_EQ(result.at(6, 3)[c], left);
+        EXPECT_NEAR(result.at(5, 3)[c], 0.6 * left + 0.4 * kObject[c], 0.51);
+    }
+    EXPECT_EQ(*result.shown.at(6, 3), 0); // a shadow is no object
+    EXPECT_EQ(*result.labels.at(6, 3), 0);
+}
+
+TEST(Shadow, OfAllOverlaysDarkensAndIsLaidUnderAllOfThem) {
+    std::vector<Overlay> overlays(2, plain(kSmall, {0, 0, 0, 0}, kInfinity));
+    overlays[0].shadow = depthOf(8, 6, 0.5F);
+    overlays[1].shadow = depthOf(8, 6, 0.4F);
+    const Rgb twice = composed(overlays, kSmall).at(4, 4);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(twice[c], darkened(kGround[c], 0.2), 1.1); // rounded twice
+    }
+    set(overlays[0].picture, 4, 4, {9, 8, 7, 255});
+    *overlays[0].depth.at(4, 4) = 2;
+    EXPECT_EQ(composed(overlays, kSmall).at(4, 4), (Rgb{9, 8, 7})); // of the other one, too
+}
+
+TEST(Shadow, ThroughAnotherCameraIsBilinearAndEndsWithItsPicture) {
+    // Twice as many pixels, half as wide: the view's columns fall between those of the shadow's camera.
+    const CameraIntrinsics view{40, 30, 40, 40, 19.5, 14.5, LensModel::Pinhole, {}};
+    const CameraIntrinsics other{40, 30, 80, 80, 19.5, 14.5, LensModel::Pinhole, {}};
+    Overlay overlay = plain(other, {0, 0, 0, 0}, kInfinity);
+    overlay.shadow = Image<float, 1>(other.width, other.height);
+    for (int y = 0; y < other.height; ++y) {
+        for (int x = 0; x < other.width; ++x) {
+            *overlay.shadow.at(x, y) = static_cast<float>(x) / 39.0F;
+        }
+    }
+    const Composed result = composed({&overlay, 1}, view);
+    for (int x = 0; x < view.width; ++x) {
+        const double at = 19.5 + 2 * (x - 19.5);
+        const double share = at < -0.5 || at > 39.5 ? 1 : std::clamp(at / 39, 0.0, 1.0);
+        EXPECT_NEAR(result.at(x, 15)[2], darkened(kGround[2], share), 0.6) << x;
+    }
+    EXPECT_EQ(result.at(20, 2), kGround); // above its picture
+}
+
+TEST(Shadow, GivesTheSameBytesForAnyThreadsAndAnySimd) {
+    test::Random random(31);
+    for (const CameraIntrinsics& lens : test::everyLens(70, 50)) {
+        const CameraIntrinsics camera = CameraIntrinsics::pinhole(70, 50, 1.3);
+        std::vector<Overlay> overlays{noise(lens, random),
+                                      noise(CameraIntrinsics::pinhole(31, 20, 1), random)};
+        overlays[0].shadow = noisyShadow(lens, random);
+        overlays[1].shadow = noisyShadow(overlays[1].camera, random);
+        std::vector<RgbImage> pictures;
+        const auto compose = [&](int threads) {
+            WorkerPool pool(threads);
+            pictures.push_back(ground(camera));
+            Composer().compose(overlays, CameraModel(camera), {}, {}, pool, pictures.back());
+            EXPECT_EQ(pictures.back(), pictures.front()) << threads;
+        };
+        for (const int threads : {1, 2, 5}) {
+            compose(threads);
+        }
+        test::forEachTarget([&](const char*) { compose(2); });
+    }
+}
+
+TEST(Shadow, OfOneEverywhereChangesNoByte) {
+    test::Random random(32);
+    for (const CameraIntrinsics& lens : test::everyLens(70, 50)) {
+        Overlay overlay = noise(lens, random);
+        const CameraIntrinsics camera = CameraIntrinsics::pinhole(70, 50, 1.3);
+        const RgbImage without = composed({&overlay, 1}, camera).picture;
+        overlay.shadow = depthOf(lens.width, lens.height, 1);
+        EXPECT_EQ(composed({&overlay, 1}, camera).picture, without);
+    }
+}
+
 TEST(Overlay, RefusesWhatDoesNotFitAndLeavesTheViewAlone) {
     WorkerPool pool(1);
     Composer composer;
@@ -590,6 +709,13 @@ TEST(Overlay, RefusesWhatDoesNotFitAndLeavesTheViewAlone) {
     refused("its room's depth has 6 x 8 pixels");
     overlays[1].labels = LabelImage(8, 7);
     refused("its labels' picture has 8 x 7 pixels");
+    overlays[0].shadow = depthOf(8, 5, 1);
+    refused("its shadow has 8 x 5 pixels");
+    for (const float share : {-0.001F, 1.001F, kNan, kInfinity, -kInfinity}) {
+        overlays[1].shadow = depthOf(8, 6, 1);
+        *overlays[1].shadow.at(3, 2) = share;
+        refused("in the pixel (3, 2); it must be from 0, no light, to 1.");
+    }
     overlays[1].camera.fx = std::nan("");
     refused("Overlay 1 cannot be laid into the view: The camera model");
     overlays[1].camera.lens = LensModel::PlumbBob;

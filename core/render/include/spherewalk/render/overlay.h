@@ -36,6 +36,10 @@ struct Overlay {
     /// The number of the object in each pixel, for Composer::compose(). Shape: that of the picture. If it is
     /// empty, the overlay is one object. Its number is its place among the overlays, 1 for the first.
     LabelImage labels = {};
+    /// The share of the room's light that the objects leave in each pixel: 1 where they cast no shadow. It
+    /// darkens what the photos show, in linear light, and no overlay. Shadows of several overlays are
+    /// multiplied. Shape: that of the picture; empty if objects cast no shadow. Range: 0 to 1.
+    Image<float, 1> shadow = {};
 };
 
 /// The border between an object and what hides it.
@@ -63,16 +67,16 @@ class Composer {
     Composer(Composer&&) noexcept;
     Composer& operator=(Composer&&) noexcept;
 
-    /// Lays the overlays into the picture, each pixel's farthest first. Of equal depths the later overlay is
-    /// on top. Colours are blended as they are stored. At an object's rim a half covered pixel may have no
-    /// depth, as the object misses its centre: it takes the nearest depth of its neighbours, or is not shown
-    /// if they have none. Depths are never interpolated.
+    /// Darkens the picture by the overlays' shadows. Then it lays the overlays in, each pixel's farthest
+    /// first. Of equal depths the later overlay is on top. Colours are blended as they are stored. At an
+    /// object's rim a half covered pixel may have no depth, as the object misses its centre: it takes the
+    /// nearest depth of its neighbours, or is not shown if they have none. Depths are never interpolated.
     ///
     /// camera: the view's camera. viewDepth: the depth of its scene model, as View::depth; if it is empty, an
     /// overlay without a roomDepth is in front of everything. shown, if given: how much of each pixel
     /// overlays cover, 255 for all of it. labels, if given: of a pixel of which overlays cover at least half,
     /// the number of the object that covers most; 0 of all others. Errors: InvalidInput, before anything is
-    /// changed, for sizes that do not fit each other, and for invalid cameras and tolerances. Cost:
+    /// changed, for sizes that do not fit each other, and for invalid cameras, shadows and tolerances. Cost:
     /// resources/docs/render.md has figures; the first overlay of a camera that is not the view's costs about
     /// a microsecond a pixel more.
     void compose(std::span<const Overlay> overlays, const CameraModel& camera, const DepthImage& viewDepth,
