@@ -370,4 +370,10 @@ std::string exportWorld(const dataset::WorldRoom& room, const CameraIntrinsics& 
     return world.path;
 }
 
+SourceDataset::SourceDataset(const store::SurveyStore& survey, const ExportOptions& options,
+                             ProgressSink& progress, const std::stop_token& stop)
+    : m_temporary(std::in_place, "spherewalk-export"), m_path(m_temporary->path() / "dataset") {
+    m_depthSeconds = exportDataset(survey, m_path, options, progress, stop).depth.seconds;
+}
+
 } // namespace spherewalk::jobs

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/border_jumps.h"
-
 #include "measure/looks.h"
 #include "measure/measure_comparison.h"
 

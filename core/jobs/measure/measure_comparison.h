@@ -132,4 +132,13 @@ class ComparisonCache {
     std::string m_context;
 };
 
+/// How much views change at borders of cells, for each scene model. Some borders are taken, spread over the
+/// dataset: those half way between a photo and its nearest neighbour. A level camera looks at each from both
+/// sides, in a direction of its own. The cache folder keeps what was compared. Nothing if no photo has a
+/// neighbour. Errors: those of rendering and of the cache folder. Stop: Stopped, between two views.
+std::vector<BorderJump> borderJumps(const render::Renderer& renderer, const CameraModel& camera,
+                                    const MeasureOptions& options,
+                                    const std::vector<render::SceneKind>& scenes, ProgressSink& progress,
+                                    const std::stop_token& stop);
+
 } // namespace spherewalk::jobs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measure_dataset.h"
 
-#include "measure/border_jumps.h"
 #include "measure/measure_comparison.h"
 #include "measure/measure_summary.h"
 
