@@ -28,6 +28,7 @@ void declareCommands(Commands& commands) {
     addExport(commands);
     addView(commands);
     addWalk(commands);
+    addProbe(commands);
     addMeasure(commands);
     addGridStudy(commands);
     addCompare(commands);

@@ -9,18 +9,22 @@
 namespace spherewalk::program {
 
 void RenderOptions::declare(const Command& command, const std::string& datasetHelp) {
-    command.option("dataset", m_dataset, datasetHelp).required();
+    declareWithoutCamera(command, datasetHelp);
     command.option("--camera", m_camera, "Camera: a ROS camera-info YAML").required();
-    command
-        .option("--scene", m_scene,
-                "Scene model for places between photos: none, sphere, room, depth, blend, or auto")
-        .among({"none", "sphere", "room", "depth", "blend", "auto"})
-        .showDefault();
     command
         .option("--sampling", m_sampling,
                 "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic; best "
                 "(bicubic where the photo is magnified, else footprint); or auto")
         .among({"nearest", "bilinear", "reduced", "footprint", "bicubic", "best", "auto"})
+        .showDefault();
+}
+
+void RenderOptions::declareWithoutCamera(const Command& command, const std::string& datasetHelp) {
+    command.option("dataset", m_dataset, datasetHelp).required();
+    command
+        .option("--scene", m_scene,
+                "Scene model for places between photos: none, sphere, room, depth, blend, or auto")
+        .among({"none", "sphere", "room", "depth", "blend", "auto"})
         .showDefault();
     command.option("--threads", m_threads, "Threads to render with; 0: all").range(0, 1024).showDefault();
     command.flag("--no-verify", m_noVerify, "Check the hashes only of the photos that are read");

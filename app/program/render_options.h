@@ -26,6 +26,10 @@ class RenderOptions {
     /// Declares the dataset, --camera, --scene, --sampling, --threads and --no-verify.
     void declare(const Command& command, const std::string& datasetHelp = "Folder of the dataset");
 
+    /// Declares the same without --camera and --sampling, for what is not seen by a camera.
+    void declareWithoutCamera(const Command& command,
+                              const std::string& datasetHelp = "Folder of the dataset");
+
     /// Declares --frame, for commands that take poses from the user.
     void declareFrame(const Command& command) { program::declareFrame(command, m_frame); }
 

@@ -3,9 +3,11 @@
 #include "path_caster.h"
 
 #include "spherewalk/base/enum_names.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/trajectory.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 
@@ -215,6 +217,90 @@ void bindSensor(py::module_& module) {
             py::arg("yaml"), py::arg("camera"), "The same from the YAML's text.");
 }
 
+render::LightProbe probeOf(const OwnRenderer& self, const py::object& place, int width,
+                           const std::string& scene, int threads, bool correctColour) {
+    self.process.check();
+    const Numbers at = numbersFrom(place, "place");
+    if (at.ndim() != 1 || at.size() != 3) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("A place in the room has three numbers, x y z; its shape is ", shapeText(at), "."));
+    }
+    render::ProbeOptions options{width, {}, threads, correctColour};
+    if (scene != "auto") {
+        options.scene = render::sceneKind(scene);
+    }
+    const Eigen::Vector3d pInRoom(at.data());
+    const py::gil_scoped_release unlocked;
+    return render::lightProbe(self.renderer, pInRoom, options);
+}
+
+py::array_t<double> arrayOf(const Eigen::Vector3d& values) {
+    return py::array_t<double>(3, values.data());
+}
+
+/// The harmonics of a probe. Shape: (9, 3).
+py::array_t<double> harmonicsOf(const render::LightProbe& probe) {
+    const render::LightHarmonics harmonics = render::lightHarmonics(probe.radiance);
+    return py::array_t<double>({9, 3}, harmonics.coefficients.front().data());
+}
+
+py::dict dominantOf(const render::LightProbe& probe) {
+    const render::DominantLight light = render::dominantLight(render::lightHarmonics(probe.radiance));
+    py::dict result;
+    result["towards"] = arrayOf(light.towards);
+    result["irradiance"] = arrayOf(light.irradiance);
+    result["ambient"] = arrayOf(light.ambient);
+    result["share"] = light.share;
+    return result;
+}
+
+py::tuple lightsOf(const render::LightProbe& probe, int count) {
+    const std::vector<render::DirectionalLight> lights = render::directionalLights(probe.radiance, count);
+    const auto rows = static_cast<py::ssize_t>(lights.size());
+    py::array_t<double> towards({rows, py::ssize_t{3}});
+    py::array_t<double> irradiance({rows, py::ssize_t{3}});
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        std::copy_n(lights[i].towards.data(), 3, towards.mutable_data() + 3 * i);
+        std::copy_n(lights[i].irradiance.data(), 3, irradiance.mutable_data() + 3 * i);
+    }
+    return py::make_tuple(towards, irradiance);
+}
+
+void bindProbe(py::module_& module) {
+    using render::LightProbe;
+    const auto shared = [](auto member) {
+        return
+            [member](const py::object& self) { return sharedArray(self.cast<LightProbe&>().*member, self); };
+    };
+    py::class_<LightProbe>(module, "LightProbe", "The light that comes to a place from all directions.")
+        .def_property_readonly("radiance", shared(&LightProbe::radiance),
+                               "Linear red, green, blue, 1 is the photo's white; equirectangular, the centre "
+                               "along the room's x. "
+                               "Shape: (width / 2, width, 3) float32.")
+        .def_property_readonly("clipped", shared(&LightProbe::clipped),
+                               "255 where the light was too bright for all photos. Shape: (width / 2, width) "
+                               "uint8.")
+        .def_readonly("clipped_share", &LightProbe::clippedShare, "Of all directions.")
+        .def_readonly("recovered_share", &LightProbe::recoveredShare,
+                      "Of all directions, whose light a darker photo showed.")
+        .def_readonly("report", &LightProbe::report, "Of the view along the room's x that it is made with.")
+        .def_property_readonly("harmonics", &harmonicsOf,
+                               "Spherical harmonics of the radiance up to order 2. Shape: (9, 3).")
+        .def_property_readonly("dominant", &dominantOf,
+                               "One light and an even one: towards (unit vector), irradiance (on a surface "
+                               "that faces it), ambient (radiance), and share of what falls on that surface.")
+        .def(
+            "lights", &lightsOf, py::arg("count"),
+            "Lights from afar that stand for all light: unit vectors towards them, and what each throws on a "
+            "surface that faces it. Shapes: (n, 3), (n, 3); n is at most count.")
+        .def(
+            "write",
+            [](const LightProbe& self, const std::filesystem::path& file) {
+                writeFile(file, render::radianceFile(self.radiance));
+            },
+            py::arg("file"), "Writes the radiance as a Radiance file (.hdr).");
+}
+
 void bindRenderer(py::module_& module) {
     py::class_<OwnRenderer>(
         module, "Renderer",
@@ -237,7 +323,12 @@ void bindRenderer(py::module_& module) {
              py::arg("frame") = "optical",
              "A view of each pose, (n, 4, 4) or (n, 7), several at a time, each by one thread; "
              "options.threads at "
-             "once. The pixels are those of render(). Ctrl-C ends it between views.");
+             "once. The pixels are those of render(). Ctrl-C ends it between views.")
+        .def("light_probe", &probeOf, py::arg("place"), py::kw_only(),
+             py::arg("width") = render::ProbeOptions().width, py::arg("scene") = "auto",
+             py::arg("threads") = 0, py::arg("correct_colour") = true,
+             "The light at a place, x y z in metres. What is clipped comes from darker photos, if there are "
+             "any.");
 }
 
 void bindStream(py::module_& module) {
@@ -291,6 +382,7 @@ void bindStream(py::module_& module) {
 } // namespace
 
 void bindRenderers(py::module_& module) {
+    bindProbe(module);
     bindRenderer(module);
     bindSensor(module);
     bindStream(module);

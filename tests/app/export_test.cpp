@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -324,6 +325,66 @@ TEST(WalkCommand, LabelsWhatItLaysIn) {
             EXPECT_EQ(annotation["visible_share"] == 1, isFirst) << "the second stands behind the first";
         }
     }
+}
+
+TEST(ProbeCommand, WritesTheLightAtAPlace) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    const Json at =
+        parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json")["photos"][0]["position_m"];
+    const std::string place =
+        text(at[0].get<double>() + 0.1, " ", at[1].get<double>(), " ", at[2].get<double>());
+    const CliResult probed = runCli(
+        {"probe", survey / "d", "--at", place, "--out", survey / "light.hdr", "--width", "64", "--json"});
+    ASSERT_EQ(probed.status, 0) << probed.errors;
+    const Json json = probed.json();
+    EXPECT_EQ(json["harmonics"].size(), 9U);
+    EXPECT_GE(json["recovered_share"].get<double>(), 0);
+    EXPECT_GE(json["clipped_share"].get<double>(), 0);
+    EXPECT_LT(json["clipped_share"].get<double>(), 0.5);
+    EXPECT_NEAR(std::hypot(json["towards"][0].get<double>(), json["towards"][1].get<double>(),
+                           json["towards"][2].get<double>()),
+                1, 1e-9);
+    const std::string file = readTextFile(survey / "light.hdr");
+    const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+    EXPECT_EQ(file.substr(0, head.size()), head);
+    EXPECT_EQ(file.size(), head.size() + std::size_t{4} * 64 * 32);
+    const CliResult said =
+        runCli({"probe", survey / "d", "--at", place, "--out", survey / "light.hdr", "--width", "64"});
+    EXPECT_THAT(said.output, HasSubstr("% of all directions are too bright for the photos"));
+    const auto refused = [&](const std::string& where, const std::string& width, const std::string& part) {
+        const CliResult result =
+            runCli({"probe", survey / "d", "--at", where, "--out", survey / "no.hdr", "--width", width});
+        EXPECT_EQ(result.status, 1);
+        EXPECT_THAT(result.errors, HasSubstr(part));
+        EXPECT_FALSE(std::filesystem::exists(survey / "no.hdr"));
+    };
+    refused("1 2", "64", "--at wants a place in the room as \"x y z\"");
+    refused("1 2 up", "64", "--at wants a place");
+    refused("1 2 nan", "64", "--at wants a place");
+    refused(place, "63", "give an even number from 16 to 8192");
+}
+
+TEST(ViewCommand, LightsABallAndLetsItCastAShadow) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    const Json at =
+        parseJson(readTextFile(survey / "d/dataset.json"), "dataset.json")["photos"][0]["position_m"];
+    const auto place = [&](double ahead, const std::string& rest) {
+        return text(at[0].get<double>() + ahead, " ", at[1].get<double>(), " ", at[2].get<double>(), rest);
+    };
+    const auto view = [&](const std::string& out, std::vector<std::string> more) {
+        std::vector<std::string> arguments{
+            "view",    survey / "d", "--camera", writeSmallCamera(survey / "c.yaml"),
+            "--frame", "body",       "--pose",   place(0, " 0 0 0 1"),
+            "--out",   survey / out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runCli(arguments).status;
+    };
+    ASSERT_EQ(view("flat.png", {"--ball", place(0.6, " 0.1")}), 0);
+    ASSERT_EQ(view("lit.png", {"--ball", place(0.6, " 0.1"), "--light"}), 0);
+    EXPECT_NE(photo::readPicture(survey / "flat.png"), photo::readPicture(survey / "lit.png"));
+    EXPECT_EQ(view("none.png", {"--light"}), 2) << "there is nothing to light";
 }
 
 } // namespace spherewalk

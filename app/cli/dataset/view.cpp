@@ -2,15 +2,21 @@
 #include "options/command.h"
 #include "program/render_options.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/sensor.h"
 
+#include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -24,20 +30,33 @@ struct ViewArguments {
     std::string out;
     std::string ball;
     std::string sensor;
+    bool isLit = false;
 };
 
 constexpr const char* kSensorHelp = "Sensor: a YAML with noise, exposure, shutter and other effects; the "
                                     "entry sensor of the camera's file, too";
 
-/// What a person must know before the picture is used, as sentences that go on.
-std::string doubtOf(const render::ViewReport& report) {
+/// What a person must know before the picture is used, as sentences that go on. what: "camera" or "light".
+std::string doubtOf(const render::ViewReport& report, std::string_view what = "camera") {
     if (report.isOutside) {
-        return " The camera is outside of what was scanned; nothing in the picture can be relied on.";
+        return text(" The ", what,
+                    " is outside of what was scanned; nothing in the picture can be relied on.");
     }
     if (!report.seesPlace) {
-        return " No photo sees the camera's place; the picture may show what lies behind a wall.";
+        return text(" No photo sees the ", what, "'s place; the picture may show what lies behind a wall.");
     }
     return "";
+}
+
+/// The ball in the light at its place, with its shadow.
+render::Overlay litBall(const jobs::Ball& ball, const render::Renderer& renderer, const CameraModel& camera,
+                        const Rigid3& pose, render::ViewOptions options) {
+    render::ProbeOptions light;
+    light.scene = options.scene;
+    light.threads = options.threads;
+    const render::LightProbe probe = render::lightProbe(renderer, ball.centreM, light);
+    options.wantsDepth = true;
+    return jobs::litBallOverlay(ball, camera, pose, probe, renderer.render(camera, pose, options).depth);
 }
 
 Result renderView(const ViewArguments& options, Context& context) {
@@ -47,7 +66,9 @@ Result renderView(const ViewArguments& options, Context& context) {
     render::ViewOptions viewOptions = options.dataset.pictureOptions(renderer.dataset().info());
     std::vector<render::Overlay> overlays;
     if (!options.ball.empty()) {
-        overlays.push_back(jobs::ballOverlay(jobs::parseBall(options.ball), camera, pose));
+        const jobs::Ball ball = jobs::parseBall(options.ball);
+        overlays.push_back(options.isLit ? litBall(ball, renderer, camera, pose, viewOptions)
+                                         : jobs::ballOverlay(ball, camera, pose));
         viewOptions.overlays = overlays;
     }
     render::View view;
@@ -125,6 +146,83 @@ Result renderWalk(const WalkArguments& options, Context& context) {
                        ". Other parts are still to come; the last one to end writes index.csv.")};
 }
 
+struct ProbeArguments {
+    program::RenderOptions dataset;
+    std::string at;
+    std::string out;
+    int width = render::ProbeOptions().width;
+};
+
+/// The place that "x y z" spells, in metres. Errors: InvalidInput.
+Eigen::Vector3d parsePlace(const std::string& words) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::istringstream stream(words);
+    std::vector<double> numbers;
+    for (std::string word; stream >> word;) {
+        numbers.push_back(parseNumber(word).value_or(kNone));
+    }
+    numbers.resize(numbers.size() == 3 ? 3 : 0);
+    if (numbers.empty() || !Eigen::Vector3d(numbers.data()).allFinite()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("--at wants a place in the room as \"x y z\", metres, not \"", words, "\"."));
+    }
+    return Eigen::Vector3d(numbers.data());
+}
+
+Json listOf(const Eigen::Vector3d& values) {
+    return {values.x(), values.y(), values.z()};
+}
+
+Json lightJson(const render::LightProbe& probe) {
+    const render::LightHarmonics harmonics = render::lightHarmonics(probe.radiance);
+    const render::DominantLight light = render::dominantLight(harmonics);
+    Json json{{"photo", probe.report.file},
+              {"is_outside", probe.report.isOutside},
+              {"sees_place", probe.report.seesPlace},
+              {"clipped_share", probe.clippedShare},
+              {"recovered_share", probe.recoveredShare},
+              {"towards", listOf(light.towards)},
+              {"irradiance", listOf(light.irradiance)},
+              {"ambient", listOf(light.ambient)},
+              {"share", light.share}};
+    for (const Eigen::Vector3d& coefficient : harmonics.coefficients) {
+        json["harmonics"].push_back(listOf(coefficient));
+    }
+    return json;
+}
+
+std::string lightText(const render::LightProbe& probe) {
+    const render::DominantLight light = render::dominantLight(render::lightHarmonics(probe.radiance));
+    const SphericalDirection towards = sphericalDirection(light.towards);
+    const std::string strongest =
+        light.share > 0
+            ? text(" The strongest light comes from azimuth ", fixed(Degrees(towards.azimuth).value(), 0),
+                   " and elevation ", fixed(Degrees(towards.elevation).value(), 0), " degrees, and is ",
+                   fixed(100 * light.share, 0), " % of what falls on a surface that faces it.")
+            : " Light comes evenly from all sides.";
+    return text(" ", fixed(100 * probe.clippedShare, 2),
+                " % of all directions are too bright for the photos; ", fixed(100 * probe.recoveredShare, 2),
+                " % come from darker photos.", strongest);
+}
+
+Result renderProbe(const ProbeArguments& options, Context& context) {
+    const Eigen::Vector3d place = parsePlace(options.at);
+    const render::ViewOptions view = options.dataset.viewOptions();
+    render::ProbeOptions wanted;
+    wanted.width = options.width;
+    wanted.scene = view.scene;
+    wanted.threads = view.threads;
+    wanted.validate();
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
+    const render::LightProbe probe = render::lightProbe(renderer, place, wanted);
+    writeFile(options.out, render::radianceFile(probe.radiance));
+    Json json = lightJson(probe);
+    json["out"] = options.out;
+    return {json, text("Wrote ", options.out, ": the light at ", options.at, ", ", probe.radiance.width(),
+                       " x ", probe.radiance.height(), " pixels, where 1 is the white of ", probe.report.file,
+                       ".", lightText(probe), doubtOf(probe.report, "light"))};
+}
+
 } // namespace
 
 void addView(Commands& commands) {
@@ -136,9 +234,28 @@ void addView(Commands& commands) {
     options->dataset.declareFrame(command);
     command.option("--pose", options->pose, "Pose of the camera: \"x y z qx qy qz qw\", metres").required();
     command.option("--out", options->out, "PNG file to write").required();
-    command.option("--ball", options->ball,
-                   "A ball to lay into the view, \"x y z radius\", metres, as an object of a simulator");
+    const program::Option ball =
+        command.option("--ball", options->ball,
+                       "A ball to lay into the view, \"x y z radius\", metres, as an object of a simulator");
+    command
+        .flag("--light", options->isLit,
+              "Light the ball as the photos show the light at its place, and let it cast a shadow")
+        .needs(ball);
     command.option("--sensor", options->sensor, kSensorHelp);
+}
+
+void addProbe(Commands& commands) {
+    const auto options = std::make_shared<ProbeArguments>();
+    const program::Command command =
+        commands.add("probe", "Write the light at a place, to light a simulator's objects with",
+                     [options](Context& context) { return renderProbe(*options, context); });
+    options->dataset.declareWithoutCamera(command);
+    command.option("--at", options->at, "The place in the room: \"x y z\", metres").required();
+    command
+        .option("--out", options->out,
+                "Radiance file (.hdr) to write: equirectangular, the centre along the room's x")
+        .required();
+    command.option("--width", options->width, "Pixels; the picture is half as high").showDefault();
 }
 
 void addWalk(Commands& commands) {

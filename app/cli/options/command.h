@@ -99,6 +99,7 @@ void addCheck(Commands& commands);
 void addExport(Commands& commands);
 void addView(Commands& commands);
 void addWalk(Commands& commands);
+void addProbe(Commands& commands);
 void addMeasure(Commands& commands);
 void addGridStudy(Commands& commands);
 void addCompare(Commands& commands);

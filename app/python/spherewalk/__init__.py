@@ -21,6 +21,7 @@ import enum
 from ._core import (
     Camera,
     Dataset,
+    LightProbe,
     Overlay,
     Photo,
     Renderer,
@@ -67,6 +68,7 @@ __all__ = [
     "Dataset",
     "Error",
     "InvalidInputError",
+    "LightProbe",
     "NotFoundError",
     "Overlay",
     "Photo",

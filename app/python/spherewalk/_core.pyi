@@ -2,7 +2,7 @@
 # What the compiled part has, for type checkers; the docstrings are in it.
 import os
 from collections.abc import Callable, Iterable
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -174,6 +174,24 @@ class View:
     @property
     def report(self) -> ViewReport: ...
 
+class LightProbe:
+    @property
+    def radiance(self) -> NDArray[np.float32]: ...
+    @property
+    def clipped(self) -> NDArray[np.uint8]: ...
+    @property
+    def clipped_share(self) -> float: ...
+    @property
+    def recovered_share(self) -> float: ...
+    @property
+    def report(self) -> ViewReport: ...
+    @property
+    def harmonics(self) -> NDArray[np.float64]: ...
+    @property
+    def dominant(self) -> dict[str, Any]: ...
+    def lights(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def write(self, file: _Path) -> None: ...
+
 class Renderer:
     def __init__(
         self,
@@ -194,6 +212,15 @@ class Renderer:
     def render_many(
         self, camera: Camera, poses: ArrayLike, options: ViewOptions = ..., *, frame: _Frame = "optical"
     ) -> list[View]: ...
+    def light_probe(
+        self,
+        place: ArrayLike,
+        *,
+        width: int = 512,
+        scene: _Scene = "auto",
+        threads: int = 0,
+        correct_colour: bool = True,
+    ) -> LightProbe: ...
 
 class StreamCounters:
     @property

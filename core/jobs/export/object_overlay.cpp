@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/overlay.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -107,7 +109,12 @@ Ball parseBall(std::string_view text) {
     return ball;
 }
 
-render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera) {
+namespace {
+
+/// Calls paint(normal in the room, pixel) for each pixel that shows the ball. pixel: red, green, blue, alpha.
+template <class Paint>
+render::Overlay paintedBall(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
+                            Paint&& paint) {
     ball.validate();
     render::Overlay overlay = emptyOverlay(camera);
     const Eigen::Vector3d centre = roomFromCamera.inverse() * ball.centreM;
@@ -126,9 +133,112 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
             }
             const Eigen::Vector3d hit = (along - std::sqrt(root)) * *ray;
             *overlay.depth.at(x, y) = static_cast<float>(hit.z());
-            shade(ball.colour, brightness(roomFromCamera.rotation * ((hit - centre) / ball.radiusM)),
-                  overlay.picture.at(x, y));
+            paint(roomFromCamera.rotation * ((hit - centre) / ball.radiusM), overlay.picture.at(x, y));
         }
+    }
+    return overlay;
+}
+
+/// The points of the room that a row of pixels shows; not a number where there is none.
+std::vector<Eigen::Vector3d> rowOfPoints(const DepthImage& depth, int y, const CameraModel& camera,
+                                         const Rigid3& roomFromCamera) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(static_cast<std::size_t>(depth.width()));
+    for (int x = 0; x < depth.width(); ++x) {
+        const auto ray = camera.ray(Eigen::Vector2d(x, y));
+        const float z = *depth.at(x, y);
+        const bool isThere = ray && ray->z() > 0 && z > 0 && std::isfinite(z);
+        points.push_back(isThere ? Eigen::Vector3d(roomFromCamera * (*ray * (z / ray->z())))
+                                 : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return points;
+}
+
+/// The normal towards the camera of a surface through three points; zero where they are no surface.
+Eigen::Vector3d normalOf(const Eigen::Vector3d& point, const Eigen::Vector3d& right,
+                         const Eigen::Vector3d& below, const Eigen::Vector3d& eye) {
+    constexpr double kJump = 0.1; // of the distance: another surface
+    const Eigen::Vector3d across = (right - point).cross(below - point);
+    const double most = kJump * (point - eye).norm();
+    if (!((right - point).norm() < most && (below - point).norm() < most && across.norm() > 0)) {
+        return Eigen::Vector3d::Zero();
+    }
+    return across.normalized() * (across.dot(eye - point) < 0 ? -1 : 1);
+}
+
+bool isInTheWay(const Ball& ball, const Eigen::Vector3d& point, const Eigen::Vector3d& towards) {
+    const Eigen::Vector3d to = ball.centreM - point;
+    const double along = to.dot(towards);
+    return along > 0 && (to - along * towards).squaredNorm() < ball.radiusM * ball.radiusM;
+}
+
+Image<float, 1> shadowOf(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
+                         const render::LightProbe& probe, const DepthImage& roomDepth) {
+    constexpr int kLights = 512;
+    constexpr double kLeastShare = 0.002; // of a surface's light that a ball may hide
+    constexpr int kApart = 2;             // pixels between the points of a normal: depths are rough
+    const auto lights = render::directionalLights(probe.radiance, kLights);
+    std::vector<std::vector<Eigen::Vector3d>> points;
+    points.reserve(static_cast<std::size_t>(roomDepth.height()));
+    for (int y = 0; y < roomDepth.height(); ++y) {
+        points.push_back(rowOfPoints(roomDepth, y, camera, roomFromCamera));
+    }
+    Image<float, 1> shadow(roomDepth.width(), roomDepth.height());
+    const double reachM = ball.radiusM / std::sqrt(kLeastShare);
+    parallelFor(shadow.height(), 1, 0, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            std::fill(shadow.row(y).begin(), shadow.row(y).end(), 1.0F);
+            const int below = y + kApart < shadow.height() ? y + kApart : y - kApart;
+            for (int x = 0; x < shadow.width() && below >= 0; ++x) {
+                const Eigen::Vector3d& point =
+                    points[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+                const int right = x + kApart < shadow.width() ? x + kApart : x - kApart;
+                if (!((point - ball.centreM).norm() < reachM) || right < 0) {
+                    continue;
+                }
+                const Eigen::Vector3d normal =
+                    normalOf(point, points[static_cast<std::size_t>(y)][static_cast<std::size_t>(right)],
+                             points[static_cast<std::size_t>(below)][static_cast<std::size_t>(x)],
+                             roomFromCamera.translation);
+                *shadow.at(x, y) = render::lightLeft(lights, normal, [&](const Eigen::Vector3d& towards) {
+                    return isInTheWay(ball, point, towards);
+                });
+            }
+        }
+    });
+    return shadow;
+}
+
+} // namespace
+
+render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera) {
+    return paintedBall(ball, camera, roomFromCamera, [&](const Eigen::Vector3d& normal, std::uint8_t* pixel) {
+        shade(ball.colour, brightness(normal), pixel);
+    });
+}
+
+render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
+                               const render::LightProbe& probe, const DepthImage& roomDepth) {
+    if (!roomDepth.empty() &&
+        (roomDepth.width() != camera.width() || roomDepth.height() != camera.height())) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The room's depth has ", roomDepth.width(), " x ", roomDepth.height(),
+                         " pixels, and the camera ", camera.width(), " x ", camera.height(), "."));
+    }
+    const render::LightHarmonics light = render::lightHarmonics(probe.radiance);
+    const auto paint = [&](const Eigen::Vector3d& normal, std::uint8_t* pixel) {
+        const Eigen::Vector3d falls = light.irradiance(normal) / std::numbers::pi;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double albedo = render::linearLight(ball.colour[c] / 255.0);
+            const double shown = albedo * falls[static_cast<Eigen::Index>(c)];
+            pixel[c] = static_cast<std::uint8_t>(
+                std::lround(255 * render::storedValue(std::clamp(shown, 0.0, 1.0))));
+        }
+        pixel[3] = 255;
+    };
+    render::Overlay overlay = paintedBall(ball, camera, roomFromCamera, paint);
+    if (!roomDepth.empty()) {
+        overlay.shadow = shadowOf(ball, camera, roomFromCamera, probe, roomDepth);
     }
     return overlay;
 }

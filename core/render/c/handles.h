@@ -2,6 +2,8 @@
 #pragma once
 
 #include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/light.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 #include "spherewalk/sensor.h"
@@ -42,6 +44,24 @@ class ViewTarget {
     spherewalk_report* m_report;
     int m_width;
     int m_height;
+};
+
+/// The C++ form of a probe's options. options: may be NULL. Errors: InvalidInput for numbers without a
+/// meaning.
+ProbeOptions probeOptions(const spherewalk_probe_options* options);
+
+/// The caller's memory for a probe and for what it says.
+class ProbeTarget {
+  public:
+    /// probe, light: may be NULL. Errors: as ViewTarget.
+    ProbeTarget(const spherewalk_probe* probe, spherewalk_light* light, int width);
+
+    /// Copies the probe to the caller's memory.
+    void fill(const LightProbe& probe) const;
+
+  private:
+    spherewalk_probe m_probe;
+    spherewalk_light* m_light;
 };
 
 } // namespace spherewalk::render

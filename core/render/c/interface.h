@@ -5,6 +5,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/camera_model.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/light.h"
 #include "spherewalk/render/view_stream.h"
 #include "spherewalk/spherewalk.h"
 
@@ -138,8 +139,8 @@ struct CStruct<spherewalk_renderer_options> : detail::PlainCStruct<spherewalk_re
 template <>
 struct CStruct<spherewalk_overlay> : detail::PlainCStruct<spherewalk_overlay> {
     static constexpr const char* kName = "spherewalk_overlay";
-};
     static constexpr std::array kSizes{offsetof(spherewalk_overlay, shadow), sizeof(spherewalk_overlay)};
+};
 
 template <>
 struct CStruct<spherewalk_view_options> : detail::PlainCStruct<spherewalk_view_options> {
@@ -185,6 +186,27 @@ struct CStruct<spherewalk_stream_options> : detail::PlainCStruct<spherewalk_stre
 template <>
 struct CStruct<spherewalk_stream_counters> : detail::PlainCStruct<spherewalk_stream_counters> {
     static constexpr const char* kName = "spherewalk_stream_counters";
+};
+
+template <>
+struct CStruct<spherewalk_probe_options> : detail::PlainCStruct<spherewalk_probe_options> {
+    static constexpr const char* kName = "spherewalk_probe_options";
+
+    static spherewalk_probe_options defaults() {
+        auto result = PlainCStruct::defaults();
+        result.width = 512;
+        return result;
+    }
+};
+
+template <>
+struct CStruct<spherewalk_probe> : detail::PlainCStruct<spherewalk_probe> {
+    static constexpr const char* kName = "spherewalk_probe";
+};
+
+template <>
+struct CStruct<spherewalk_light> : detail::PlainCStruct<spherewalk_light> {
+    static constexpr const char* kName = "spherewalk_light";
 };
 
 /// The status of the exception that is being handled. Its sentence is kept for spherewalk_last_error().

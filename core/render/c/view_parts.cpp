@@ -40,6 +40,14 @@ void checkRows(const spherewalk_source& source, std::uint64_t rowBytes, int heig
     }
 }
 
+/// what: "view", for sentences.
+void checkThreads(std::int32_t threads, const char* what) {
+    if (threads < 0 || threads > kMostThreads) {
+        throw Error(ErrorKind::InvalidInput, text("A ", what, " cannot be made by ", threads,
+                                                  " threads; give 0 for all, or up to ", kMostThreads, "."));
+    }
+}
+
 spherewalk_source asSource(const spherewalk_buffer& buffer) {
     return {buffer.data, buffer.size_bytes, buffer.row_stride_bytes};
 }
@@ -170,10 +178,7 @@ ViewOptions viewOptions(const spherewalk_view_options* options, const CameraIntr
     if (source.photo_colours != 0 && source.photo_colours != 1) {
         throw Error(ErrorKind::InvalidInput, "The photo_colours of a view must be 0 or 1.");
     }
-    if (source.threads < 0 || source.threads > kMostThreads) {
-        throw Error(ErrorKind::InvalidInput, text("A view cannot be made by ", source.threads,
-                                                  " threads; give 0 for all, or up to ", kMostThreads, "."));
-    }
+    checkThreads(source.threads, "view");
     if (!std::isfinite(source.tolerance_db)) {
         throw Error(ErrorKind::InvalidInput, "The tolerance_db of a view is not a number.");
     }
@@ -223,6 +228,59 @@ void ViewTarget::fill(const View& view) const {
     if (m_report != nullptr) {
         give(cReport(view.report), m_report);
     }
+}
+
+ProbeOptions probeOptions(const spherewalk_probe_options* options) {
+    const auto source = takenOrDefaults(options);
+    if (source.photo_colours != 0 && source.photo_colours != 1) {
+        throw Error(ErrorKind::InvalidInput, "The photo_colours of a probe must be 0 or 1.");
+    }
+    checkThreads(source.threads, "probe");
+    const ProbeOptions result{source.width, sceneOf(source.scene), source.threads, source.photo_colours == 0};
+    result.validate();
+    return result;
+}
+
+ProbeTarget::ProbeTarget(const spherewalk_probe* probe, spherewalk_light* light, int width)
+    : m_probe(takenOrDefaults(probe)), m_light(light) {
+    if (light != nullptr) {
+        checkedSize(light);
+    }
+    if (m_probe.radiance.data != nullptr) {
+        checkRows(asSource(m_probe.radiance), rowBytes<RadianceImage>(width), width / 2,
+                  "the radiance of a probe");
+    }
+    if (m_probe.clipped.data != nullptr) {
+        checkRows(asSource(m_probe.clipped), rowBytes<MaskImage>(width), width / 2, "the clipped of a probe");
+    }
+}
+
+void ProbeTarget::fill(const LightProbe& probe) const {
+    if (m_probe.radiance.data != nullptr) {
+        copyRows(probe.radiance, m_probe.radiance);
+    }
+    if (m_probe.clipped.data != nullptr) {
+        copyRows(probe.clipped, m_probe.clipped);
+    }
+    if (m_light == nullptr) {
+        return;
+    }
+    auto light = CStruct<spherewalk_light>::defaults();
+    light.photo = probe.report.photo;
+    light.is_outside = probe.report.isOutside ? 1 : 0;
+    light.sees_place = probe.report.seesPlace ? 1 : 0;
+    light.clipped_share = probe.clippedShare;
+    light.recovered_share = probe.recoveredShare;
+    const LightHarmonics harmonics = lightHarmonics(probe.radiance);
+    const DominantLight dominant = dominantLight(harmonics);
+    std::copy_n(dominant.towards.data(), 3, light.towards);
+    std::copy_n(dominant.irradiance.data(), 3, light.irradiance);
+    std::copy_n(dominant.ambient.data(), 3, light.ambient);
+    light.share = dominant.share;
+    for (std::size_t i = 0; i < harmonics.coefficients.size(); ++i) {
+        std::copy_n(harmonics.coefficients[i].data(), 3, light.harmonics[i]);
+    }
+    give(light, m_light);
 }
 
 } // namespace spherewalk::render

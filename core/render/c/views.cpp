@@ -122,6 +122,30 @@ spherewalk_status spherewalk_renderer_render(const spherewalk_renderer* renderer
     });
 }
 
+spherewalk_status spherewalk_probe_options_init(spherewalk_probe_options* options, size_t size) {
+    return initialised(options, size);
+}
+
+spherewalk_status spherewalk_probe_init(spherewalk_probe* probe, size_t size) {
+    return initialised(probe, size);
+}
+
+spherewalk_status spherewalk_light_init(spherewalk_light* light, size_t size) {
+    return initialised(light, size);
+}
+
+spherewalk_status spherewalk_renderer_probe(const spherewalk_renderer* renderer, const double place_m[3],
+                                            const spherewalk_probe_options* options,
+                                            const spherewalk_probe* probe, spherewalk_light* light) {
+    return guarded([&] {
+        const spherewalk_renderer& from = given(renderer, "renderer");
+        const Eigen::Vector3d place = Eigen::Map<const Eigen::Vector3d>(&given(place_m, "place_m"));
+        const ProbeOptions wanted = probeOptions(options);
+        const ProbeTarget target(probe, light, wanted.width);
+        target.fill(lightProbe(from.renderer, place, wanted));
+    });
+}
+
 spherewalk_status spherewalk_load_counters_init(spherewalk_load_counters* counters, size_t size) {
     return initialised(counters, size);
 }

@@ -131,3 +131,24 @@ def test_cameras_come_from_everywhere(camera, tmp_path):
         assert rays.shape == (6, 8, 3) and np.allclose(np.linalg.norm(rays, axis=-1), 1)
         assert np.allclose(lens.project(3 * rays), at, atol=1e-6)
     assert np.isnan(camera.project([0, 0, -1])).all()
+
+
+def test_the_light_at_a_place(renderer, tmp_path):
+    probe = renderer.light_probe([2.5, 2.0, 1.2], width=64)
+    assert probe.radiance.shape == (32, 64, 3) and probe.radiance.dtype == np.float32
+    assert probe.clipped.shape == (32, 64) and probe.clipped.dtype == np.uint8
+    assert (probe.radiance >= 0).all()
+    assert 0 <= probe.clipped_share <= 1 and 0 <= probe.recovered_share <= 1
+    dominant = probe.dominant
+    assert abs(np.linalg.norm(dominant["towards"]) - 1) < 1e-9 and 0 <= dominant["share"] <= 1
+    towards, irradiance = probe.lights(32)
+    assert towards.shape == irradiance.shape == (32, 3)
+    flux = probe.harmonics[0] * np.sqrt(4 * np.pi)
+    assert np.allclose(irradiance.sum(axis=0), flux, rtol=1e-3)
+    probe.write(tmp_path / "light.hdr")
+    assert (tmp_path / "light.hdr").read_bytes().startswith(b"#?RADIANCE\n")
+    for place in ([1, 2], [[1, 2, 3]], [1, 2, np.nan]):
+        with pytest.raises(spherewalk.InvalidInputError):
+            renderer.light_probe(place)
+    with pytest.raises(spherewalk.InvalidInputError, match="even number"):
+        renderer.light_probe([2.5, 2.0, 1.2], width=15)

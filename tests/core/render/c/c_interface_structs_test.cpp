@@ -157,6 +157,16 @@ TEST_F(CStructs, StructsOfUnknownSizesAreRefused) {
     expectSizesChecked(spherewalk_report_init, [&](auto* s) {
         return spherewalk_stream_next(stream.get(), &kHere, 0, nullptr, &into, s);
     });
+    const double place[] = {0, 0, 0};
+    expectSizesChecked(spherewalk_probe_options_init, [&](auto* s) {
+        return spherewalk_renderer_probe(renderer.get(), place, s, nullptr, nullptr);
+    });
+    expectSizesChecked(spherewalk_probe_init, [&](auto* s) {
+        return spherewalk_renderer_probe(renderer.get(), place, nullptr, s, nullptr);
+    });
+    expectSizesChecked(spherewalk_light_init, [&](auto* s) {
+        return spherewalk_renderer_probe(renderer.get(), place, nullptr, nullptr, s);
+    });
     expectSizesChecked(spherewalk_load_counters_init,
                        [&](auto* s) { return spherewalk_renderer_get_counters(renderer.get(), s); });
     expectSizesChecked(spherewalk_stream_options_init, [&](auto* s) {

@@ -7,6 +7,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/sensor.h"
 
 #include <thread>
@@ -241,10 +242,10 @@ TEST_F(CInterface, GivesDepthTrustAndOverlaysAsTheLibrary) {
         std::vector<Rows<RgbaImage>> pictures;
         std::vector<Rows<DepthImage>> depths;
         std::vector<Rows<DepthImage>> rooms;
-        std::vector<spherewalk_overlay> laid(2, ready(spherewalk_overlay_init));
         Rows shadow(overlays[1].shadow);
-        for (const Overlay& overlay : overlays) {
+        std::vector<spherewalk_overlay> laid(2, ready(spherewalk_overlay_init));
         laid[1].shadow = shadow.source();
+        for (const Overlay& overlay : overlays) {
             pictures.emplace_back(overlay.picture);
             depths.emplace_back(overlay.depth);
             rooms.emplace_back(overlay.roomDepth.empty() ? overlay.depth : overlay.roomDepth);
@@ -290,6 +291,60 @@ TEST_F(CInterface, GivesDepthTrustAndOverlaysAsTheLibrary) {
         EXPECT_EQ(flags.bytes, Rows(expected.trust.flags).bytes);
         EXPECT_EQ(overlaid.bytes, Rows(expected.overlaid).bytes);
     }
+}
+
+TEST_F(CInterface, GivesTheLightAsTheLibrary) {
+    const Renderer reference(std::make_shared<const Dataset>(Dataset::open(folder.path())));
+    const LightProbe expected = lightProbe(reference, {0.2, 0.1, 0}, {64, SceneKind::Sphere, 0, true});
+    auto wanted = ready(spherewalk_probe_options_init);
+    EXPECT_EQ(wanted.width, ProbeOptions().width);
+    wanted.width = 64;
+    wanted.scene = SPHEREWALK_SCENE_SPHERE;
+    Rows radiance{RadianceImage(64, 32)};
+    Rows clipped{MaskImage(64, 32)};
+    auto into = ready(spherewalk_probe_init);
+    into.radiance = radiance.buffer();
+    into.clipped = clipped.buffer();
+    auto light = ready(spherewalk_light_init);
+    const double place[] = {0.2, 0.1, 0};
+    ASSERT_EQ(spherewalk_renderer_probe(renderer.get(), place, &wanted, &into, &light), SPHEREWALK_OK)
+        << spherewalk_last_error();
+    EXPECT_EQ(radiance.bytes, Rows(expected.radiance).bytes);
+    EXPECT_EQ(clipped.bytes, Rows(expected.clipped).bytes);
+    const LightHarmonics harmonics = lightHarmonics(expected.radiance);
+    const DominantLight dominant = dominantLight(harmonics);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(light.towards[c], dominant.towards[c]);
+        EXPECT_EQ(light.irradiance[c], dominant.irradiance[c]);
+        EXPECT_EQ(light.ambient[c], dominant.ambient[c]);
+        EXPECT_EQ(light.harmonics[8][c], harmonics.coefficients[8][c]);
+    }
+    EXPECT_EQ(light.share, dominant.share);
+    EXPECT_EQ(light.sees_place, 1);
+    EXPECT_EQ(spherewalk_renderer_probe(renderer.get(), place, nullptr, nullptr, nullptr), SPHEREWALK_OK);
+    const auto refused = [&](const std::string& part) {
+        expectStatus(spherewalk_renderer_probe(renderer.get(), place, &wanted, &into, &light),
+                     SPHEREWALK_INVALID_INPUT, part);
+        wanted.width = 64;
+        wanted.threads = wanted.photo_colours = 0;
+    };
+    for (const int width : {0, -64, 63, 8194}) {
+        wanted.width = width;
+        refused("even number");
+    }
+    wanted.width = 66;
+    refused("the radiance of a probe");
+    wanted.threads = -1;
+    refused("A probe cannot be made by -1 threads");
+    wanted.photo_colours = 2;
+    refused("photo_colours");
+    into.clipped.size_bytes -= 1;
+    refused("the clipped of a probe");
+    expectStatus(spherewalk_renderer_probe(renderer.get(), nullptr, nullptr, nullptr, nullptr),
+                 SPHEREWALK_INVALID_INPUT, "place_m");
+    const double nowhere[] = {0, HUGE_VAL, 0};
+    expectStatus(spherewalk_renderer_probe(renderer.get(), nowhere, nullptr, nullptr, nullptr),
+                 SPHEREWALK_INVALID_INPUT, "position");
 }
 
 TEST_F(CInterface, GivesOneLayerWithoutTheOthers) {

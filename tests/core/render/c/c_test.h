@@ -6,6 +6,7 @@
 #include "test_dataset.h"
 
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/light.h"
 #include "spherewalk/sensor.h"
 
 #include <gmock/gmock.h>

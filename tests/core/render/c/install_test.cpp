@@ -152,7 +152,8 @@ TEST_F(Install, CProgramsLinkWithTheArchivesAndWithoutPkgConfig) {
 
 TEST_F(Install, TheSharedLibraryExportsTheCInterfaceAlone) {
     const std::string header = readTextFile(prefix / "include/spherewalk/spherewalk.h") +
-                               readTextFile(prefix / "include/spherewalk/sensor.h");
+                               readTextFile(prefix / "include/spherewalk/sensor.h") +
+                               readTextFile(prefix / "include/spherewalk/light.h");
     std::istringstream lines(done(SPHEREWALK_NM " -D --defined-only -f posix " +
                                   quoted(packages.parent_path() / "libspherewalk_c.so")));
     int functions = 0;

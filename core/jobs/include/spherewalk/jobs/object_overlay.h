@@ -4,6 +4,7 @@
 
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/overlay.h"
 
 #include <array>
@@ -35,6 +36,15 @@ Ball parseBall(std::string_view text);
 /// Errors: those of Ball::validate().
 /// Cost: about 0.1 microseconds for each pixel of the box around the ball.
 render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera);
+
+/// The same ball in the light of a place, as a simulator would light it, and its shadow on the room.
+/// probe: the light at the ball's centre. roomDepth: that of the view without the ball, as View::depth; it
+/// may be empty, and the ball then casts no shadow.
+///
+/// Errors: those of Ball::validate(); InvalidInput for a depth of another size than the camera's.
+/// Cost: some microseconds for each pixel that the shadow may reach.
+render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
+                               const render::LightProbe& probe, const DepthImage& roomDepth);
 
 /// 255 in each pixel at whose centre the ball would be seen if nothing hid it, else 0: the pixels of
 /// ballOverlay().
