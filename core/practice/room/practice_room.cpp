@@ -44,6 +44,9 @@ void PracticeRoomOptions::validate() const {
             inside.minCoeff() < 0 || (sizeM - inside).minCoeff() < 0 || !std::isfinite(object.yaw.value())) {
             refuse("each object needs a size above zero and a centre inside the room.");
         }
+        if (object.castsShadow && object.shape != PracticeObject::Shape::Sphere) {
+            refuse("only spheres can cast shadows.");
+        }
     }
     for (const PracticeTag& tag : tags) {
         const Eigen::Vector3d inside = tag.centreM - originM;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace spherewalk::practice {
 
@@ -15,6 +16,10 @@ using Eigen::Vector3d;
 constexpr int kFirstShape = kWalls; ///< ids: walls, then shapes
 constexpr float kTexelsPerMetre = 32;
 constexpr double kMirrorNudge = 1e-6;
+constexpr double kShadowNudge = 1e-4;
+constexpr float kFootprint = 0.05F; ///< Of light that is gathered.
+constexpr float kDark = 1e-6F;
+constexpr int kDirections = 12; ///< Of light on objects and in their shadows, along each axis.
 
 int wallAxis(int wall) {
     constexpr std::array<int, kWalls> kAxes = {2, 2, 1, 1, 0, 0};
@@ -27,6 +32,25 @@ bool isHighWall(int wall) {
 
 float squared(float x) {
     return x * x;
+}
+
+/// The columns are two directions across the third one.
+Eigen::Matrix3d frameAbout(const Vector3d& up) {
+    Eigen::Matrix3d frame;
+    frame.col(0) = up.unitOrthogonal();
+    frame.col(1) = up.cross(frame.col(0));
+    frame.col(2) = up;
+    return frame;
+}
+
+/// Calls body(share, angle) for evenly spread shares of [0, 1] and angles of a turn.
+template <class Body>
+void forSquare(Body&& body) {
+    for (int j = 0; j < kDirections; ++j) {
+        for (int i = 0; i < kDirections; ++i) {
+            body((j + 0.5) / kDirections, 2 * std::numbers::pi * (i + 0.5) / kDirections);
+        }
+    }
 }
 
 /// Exposure and a soft shoulder; then the square root in place of the sRGB curve, which it follows closely.
@@ -45,6 +69,7 @@ Shape shapeOf(const PracticeObject& object, const Vector3d& origin) {
     shape.sinYaw = sin(object.yaw);
     shape.shade = 0;
     shape.isObject = true;
+    shape.castsShadow = object.castsShadow;
     for (int i = 0; i < 3; ++i) {
         shape.finish.first[i] =
             squared(static_cast<float>(object.colour[static_cast<std::size_t>(i)]) / 255.0F);
@@ -64,6 +89,9 @@ Scene::Scene(const PracticeRoomOptions& options)
         m_allUnsorted.push_back({-kNothing, static_cast<std::uint16_t>(i)});
     }
     for (const PracticeObject& object : options.objects) {
+        if (object.castsShadow) {
+            m_casters.push_back(static_cast<std::uint16_t>(m_furniture.shapes.size()));
+        }
         m_furniture.shapes.push_back(shapeOf(object, options.originM));
     }
     for (const Shape& shape : m_furniture.shapes) {
@@ -208,6 +236,12 @@ Rgb Scene::radiance(const Hit& hit, const Vector3d& eye, const Vector3d& directi
             light += sunAt(point);
         }
     }
+    const bool isCaster = !isWall && m_furniture.shapes[index].castsShadow;
+    if (isCaster) {
+        light = gathered(point, surface.normal.cast<double>());
+    } else if (mayMirror && !m_casters.empty() && finish.glow == 0) {
+        light *= leftByObjects(point, surface.normal.cast<double>());
+    }
     Rgb result = reflected * light;
     if (isWall && wallAxis(hit.id) != 2) {
         const float skirting = boxStep(surface.v, 0.07F, width);
@@ -225,6 +259,49 @@ Rgb Scene::radiance(const Hit& hit, const Vector3d& eye, const Vector3d& directi
         result = result * (1 - share) + radiance(seen, from, mirrored, spread, false) * tint * share;
     }
     return result;
+}
+
+Rgb Scene::gathered(const Vector3d& point, const Vector3d& normal) const {
+    const Vector3d from = point + kShadowNudge * normal;
+    const Eigen::Matrix3d frame = frameAbout(normal);
+    Rgb sum = Rgb::Zero();
+    forSquare([&](double a, double b) { // more directions where the cosine is greater
+        const double sine = std::sqrt(a);
+        const Vector3d towards = frame * Vector3d(sine * std::cos(b), sine * std::sin(b), std::sqrt(1 - a));
+        const Hit seen = hit(from, towards, m_allUnsorted, true);
+        sum += seen.id < 0 ? Rgb(Rgb::Zero()) : radiance(seen, from, towards, kFootprint, false);
+    });
+    return sum / (kDirections * kDirections);
+}
+
+Rgb Scene::leftByObjects(const Vector3d& point, const Vector3d& normal) const {
+    constexpr double kLeastShare = 0.002;
+    Rgb hidden = Rgb::Zero();
+    for (const std::uint16_t i : m_casters) {
+        const Shape& ball = m_furniture.shapes[i];
+        const Vector3d to = ball.centre - point;
+        const double share = std::min(1.0, ball.half.x() * ball.half.x() / to.squaredNorm());
+        if (share < kLeastShare || to.dot(normal) + ball.half.x() <= 0) {
+            continue;
+        }
+        const Vector3d from = point + kShadowNudge * normal;
+        const Eigen::Matrix3d frame = frameAbout(to.normalized());
+        const double cap = 1 - std::sqrt(1 - share); // its solid angle is 2 pi times as large
+        Rgb sum = Rgb::Zero();
+        forSquare([&](double a, double b) {
+            const double cosine = 1 - a * cap;
+            const double sine = std::sqrt(1 - cosine * cosine);
+            const Vector3d towards = frame * Vector3d(sine * std::cos(b), sine * std::sin(b), cosine);
+            const auto facing = static_cast<float>(towards.dot(normal));
+            const Hit seen = hit(from, towards, m_allUnsorted, true);
+            if (facing > 0 && seen.distance > distanceTo(ball, from, towards)) {
+                sum += radiance(seen, from, towards, kFootprint, false) * facing;
+            }
+        });
+        hidden += sum * static_cast<float>(2 * cap / (kDirections * kDirections));
+    }
+    return hidden.maxCoeff() > 0 ? Rgb((1 - hidden / gathered(point, normal).max(kDark)).max(0.0F).min(1.0F))
+                                 : Rgb(Rgb::Ones());
 }
 
 SurfacePoint Scene::wallSurface(int wall, const Vector3d& point) const {

@@ -64,6 +64,10 @@ class Scene {
     Rgb throughPanes(const Rgb& behind, double distance, const Eigen::Vector3d& eye,
                      const Eigen::Vector3d& direction, float footprint) const;
     Rgb wallLight(int wall, float u, float v) const;
+    /// The light on a surface from all that it sees of the room without objects, in the unit of lightAt().
+    Rgb gathered(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
+    /// The share of that light that objects leave to the surface.
+    Rgb leftByObjects(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
     Rgb lightAt(const Eigen::Vector3d& point, const Eigen::Vector3f& normal) const;
     Rgb sunAt(const Eigen::Vector3d& point) const;
     float openness(const Eigen::Vector3d& point, std::span<const std::uint16_t> near) const;
@@ -75,6 +79,7 @@ class Scene {
     Eigen::Vector3d m_size;
     Furniture m_furniture;
     std::vector<std::uint16_t> m_all;                   ///< Furniture without objects.
+    std::vector<std::uint16_t> m_casters;               ///< Objects that cast shadows.
     std::vector<Candidate> m_allUnsorted;               ///< The same, for rays from anywhere.
     std::vector<std::vector<std::uint16_t>> m_shadedBy; ///< By shape.
     std::array<LightMap, kWalls> m_lightMaps;

@@ -94,6 +94,7 @@ struct Shape {
     float shade = 1;       ///< How strongly it darkens what is near, [0, 1].
     double shadeScale = 0; ///< Reach of the shade, see shadeFrom().
     bool isObject = false;
+    bool castsShadow = false; ///< As PracticeObject has it.
     Finish finish;
 
     Eigen::Vector3d toLocal(const Eigen::Vector3d& v) const {

@@ -27,8 +27,8 @@ class PracticeDataset {
 
     /// corner: the place of the first photo.
     explicit PracticeDataset(int side, bool hasDepth = true, const practice::PracticeRoomOptions& room = {},
-                             const Eigen::Vector2d& corner = {1.9, 1.7})
-        : m_room(room) {
+                             const Eigen::Vector2d& corner = {1.9, 1.7}, int width = kPhotoWidth)
+        : m_room(room), m_width(width) {
         std::filesystem::create_directories(path() / "photos");
         std::filesystem::create_directories(path() / "depth");
         render::DatasetInfo description = info();
@@ -74,7 +74,7 @@ class PracticeDataset {
     }
 
     render::DatasetPhoto photo(double x, double y, int number, bool hasDepth) const {
-        const EquirectSize size{kPhotoWidth, kPhotoWidth / 2};
+        const EquirectSize size{m_width, m_width / 2};
         const Rigid3 pose{yawRotation(Radians(0.4 * number)), {x, y, 1.2}};
         const Bytes bytes = jpeg::encode(m_room.spherical(pose, size), 92);
         render::DatasetPhoto photo;
@@ -100,6 +100,7 @@ class PracticeDataset {
 
     TemporaryFolder m_folder;
     practice::PracticeRoom m_room;
+    int m_width;
 };
 
 } // namespace spherewalk::test

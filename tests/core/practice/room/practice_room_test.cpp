@@ -306,4 +306,26 @@ TEST(PracticeRoom, RaysFromOutsideAndFromWallsGiveNumbers) {
 }
 
 } // namespace
+
+TEST(PracticeRoom, ABallThatCastsAShadowDarkensWhatIsNear) {
+    PracticeRoomOptions options;
+    PracticeObject ball;
+    ball.centreM = {2.5, 2.0, 0.08};
+    ball.halfSizeM = Eigen::Vector3d::Constant(0.08);
+    options.objects = {ball};
+    const PracticeRoom without(options);
+    options.objects.front().castsShadow = true;
+    const PracticeRoom with(options);
+    const auto onFloor = [](const PracticeRoom& room, double x) {
+        const Eigen::Vector3d eye(x, 2.6, 1.2);
+        return room.cast(eye, Eigen::Vector3d(x, 2.0, 0) - eye, 0.002).colour[1];
+    };
+    EXPECT_LT(onFloor(with, 2.4), 0.95F * onFloor(without, 2.4));
+    EXPECT_LT(onFloor(with, 2.4), onFloor(with, 2.3) - onFloor(without, 2.3) + onFloor(without, 2.4));
+    EXPECT_EQ(onFloor(with, 0.4), onFloor(without, 0.4)); // too far away
+    options.objects.front().shape = PracticeObject::Shape::Box;
+    test::expectError(ErrorKind::InvalidInput, "only spheres can cast shadows",
+                      [&] { PracticeRoom room(options); });
+}
+
 } // namespace spherewalk::practice

@@ -19,8 +19,8 @@
 
 namespace spherewalk::practice {
 
-/// An object in the practice room, for tests of overlays. It is lit like furniture. It casts no shadow and
-/// has no mirror image, so that it changes no pixels but its own.
+/// An object in the practice room, for tests of overlays. It is lit like furniture. It has no mirror image
+/// and, unless asked to, casts no shadow, so that it changes no pixels but its own.
 struct PracticeObject {
     enum class Shape { Sphere, Box };
 
@@ -29,6 +29,9 @@ struct PracticeObject {
     Eigen::Vector3d halfSizeM = Eigen::Vector3d::Constant(.1); ///< A sphere's radius is the first number.
     Radians yaw;
     std::array<std::uint8_t, 3> colour = {200, 30, 30};
+    /// Whether it takes its light from all that the room radiates towards it, once reflected, and hides that
+    /// from what is near. So it casts a soft shadow, in all pictures. Only spheres can.
+    bool castsShadow = false;
 };
 
 /// A printed AprilTag that hangs in the room, upright, on a sheet with a white rim.
@@ -59,7 +62,8 @@ struct PracticeRoomOptions {
     RoomStyle style = RoomStyle::Lively;
 
     /// Errors: InvalidInput for sizes outside 4 x 3.5 x 2.3 to 12 x 12 x 5 m (a flat is at least 7 x 5.5 m
-    /// large), an origin farther than 10^8 m, objects that have no size or lie outside the room, and tags
+    /// large), an origin farther than 10^8 m, objects that have no size, lie outside the room, or
+    /// are boxes that cast shadows, and tags
     /// with an unknown number, a size outside 2 cm to 1 m, or a place outside the room.
     void validate() const;
 };
