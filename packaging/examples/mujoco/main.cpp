@@ -11,6 +11,7 @@
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 namespace render = spherewalk::render;
 using namespace mujoco_example;
@@ -34,6 +36,9 @@ struct Options {
     double seconds = 20;
     std::vector<double> start; ///< x, y, yaw in degrees
     std::vector<double> ball;  ///< x, y
+    double table = 0;          ///< metres; 0 for none
+    double ballRadius = WorldOptions().ballRadiusM;
+    bool isLit = true;
 };
 
 spherewalk::CameraModel cameraOf(const Options& options) {
@@ -60,7 +65,9 @@ WorldOptions worldOf(const Options& options, const render::Dataset& dataset) {
                                 kBallAheadM * std::sin(world.startYawRad));
     world.ballM.head<2>() = options.ball.empty() ? Eigen::Vector2d(world.startM + ahead)
                                                  : Eigen::Vector2d(options.ball[0], options.ball[1]);
-    world.ballM.z() = world.ballRadiusM;
+    world.ballRadiusM = options.ballRadius;
+    world.tableM = options.table;
+    world.ballM.z() = options.table + options.ballRadius;
     return world;
 }
 
@@ -77,6 +84,30 @@ void write(const std::filesystem::path& file, spherewalk::ByteView bytes) {
     }
 }
 
+/// Lights the objects as the photos show the light about the ball, once more whenever it has moved on.
+class BallLight {
+  public:
+    explicit BallLight(render::Renderer renderer) : m_renderer(std::move(renderer)) {}
+
+    void follow(const Simulation& simulation, ObjectRenderer& objects) {
+        constexpr double kFarM = 0.3;
+        constexpr int kWidth = 128; // a matt ball and a soft shadow need no more
+        const Eigen::Vector3d ball = simulation.roomFromBody("ball").translation;
+        if (!m_isLit || (ball - m_at).norm() > kFarM) {
+            render::ProbeOptions options;
+            options.width = kWidth;
+            objects.light(render::lightProbe(m_renderer, ball, options));
+            m_at = ball;
+            m_isLit = true;
+        }
+    }
+
+  private:
+    render::Renderer m_renderer;
+    Eigen::Vector3d m_at = Eigen::Vector3d::Zero();
+    bool m_isLit = false;
+};
+
 void drive(const Options& options) {
     constexpr int kQuality = 92;
     const auto dataset = std::make_shared<const render::Dataset>(render::Dataset::open(options.dataset));
@@ -84,7 +115,9 @@ void drive(const Options& options) {
     Simulation simulation(roomWorld(dataset->info(), objectCamera(camera), worldOf(options, *dataset)));
     ObjectRenderer objects(simulation, objectCamera(camera));
     const bool hasSurfaces = std::ranges::any_of(render::scenesOf(dataset->info()), render::hasSurfaces);
-    render::ViewStream stream(render::Renderer(dataset), camera);
+    const render::Renderer renderer(dataset);
+    render::ViewStream stream(renderer, camera);
+    BallLight light(renderer);
     BumpingDriver driver;
 
     std::filesystem::create_directories(options.out);
@@ -92,6 +125,9 @@ void drive(const Options& options) {
     std::vector<spherewalk::TimedPose> poses;
     int bumps = 0;
     for (bool wasBumping = false; simulation.timeS() < options.seconds - 0.05;) {
+        if (options.isLit) {
+            light.follow(simulation, objects);
+        }
         const render::Overlay overlay = objects.overlay(!hasSurfaces);
         render::ViewOptions view;
         view.overlays = {&overlay, 1};
@@ -124,6 +160,13 @@ int main(int argc, char** argv) {
     app.add_option("--start", options.start, "Where the robot begins: x y yaw, metres and degrees")
         ->expected(3);
     app.add_option("--ball", options.ball, "Where the ball lies: x y, metres")->expected(2);
+    app.add_option("--ball-radius", options.ballRadius, "Metres")
+        ->check(CLI::Range(0.01, 1.0))
+        ->capture_default_str();
+    app.add_option("--table", options.table,
+                   "The ball lies on a table of this height that the photos show, metres")
+        ->check(CLI::Range(0.0, 2.0));
+    app.add_flag("!--no-light", options.isLit, "MuJoCo's own light, and no shadow");
     CLI11_PARSE(app, argc, argv);
     try {
         drive(options);

@@ -3,6 +3,8 @@
 
 #include "room_world.h"
 
+#include "spherewalk/render/colour_correction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,6 +20,11 @@ using spherewalk::RgbImage;
 namespace {
 
 constexpr int kMostGeoms = 1000;
+constexpr int kLights = 128; ///< That a soft shadow is made of.
+
+bool isShown(int group, bool wantsRoom, bool wantsGround) {
+    return group == kRoomGroup ? wantsRoom : group == kGroundGroup ? wantsGround : !wantsRoom && !wantsGround;
+}
 
 /// Greatest |x / z| and |y / z| of the rays of the picture's border; objects farther off the axis are not
 /// rendered.
@@ -68,7 +75,7 @@ ObjectRenderer::ObjectRenderer(Simulation& simulation, const CameraIntrinsics& c
     mjv_makeScene(&simulation.model(), &m_scene, kMostGeoms);
     mjr_makeContext(&simulation.model(), &m_context, mjFONTSCALE_50);
     mjr_setBuffer(mjFB_OFFSCREEN, &m_context);
-    m_scene.flags[mjRND_SHADOW] = 0; // there is no floor that it could fall on
+    m_scene.flags[mjRND_SHADOW] = 0; // the floor is in the photos: see shadow()
     m_scene.flags[mjRND_SKYBOX] = 0;
 }
 
@@ -77,11 +84,70 @@ ObjectRenderer::~ObjectRenderer() {
     mjv_freeScene(&m_scene);
 }
 
-ObjectRenderer::Rendered ObjectRenderer::rendered(bool isRoom) {
+void ObjectRenderer::light(const spherewalk::render::LightProbe& probe) {
+    m_light = dominantLight(spherewalk::render::lightHarmonics(probe.radiance));
+    m_lights = spherewalk::render::directionalLights(probe.radiance, kLights);
+}
+
+/// MuJoCo multiplies colours as they are stored, so light is encoded first.
+void ObjectRenderer::putLight() {
+    if (m_lights.empty()) {
+        return;
+    }
+    const auto stored = [](const Eigen::Vector3d& light) {
+        return Eigen::Vector3f(light.cwiseMax(0).unaryExpr(&spherewalk::render::storedValue).cast<float>());
+    };
+    const Eigen::Vector3f ambient = stored(m_light.ambient);
+    const Eigen::Vector3f facing = stored(m_light.ambient + m_light.irradiance / std::numbers::pi);
+    mjvLight lamp{};
+    lamp.directional = 1;
+    lamp.attenuation[0] = 1;
+    lamp.cutoff = 45; // OpenGL wants one
+    for (int i = 0; i < 3; ++i) {
+        lamp.dir[i] = -static_cast<float>(m_light.towards[i]);
+        lamp.ambient[i] = ambient[i];
+        lamp.diffuse[i] = facing[i] - ambient[i];
+    }
+    m_scene.nlight = 1;
+    m_scene.lights[0] = lamp;
+}
+
+/// What the ball leaves of the light on the ground that a pixel shows.
+spherewalk::Image<float, 1> ObjectRenderer::shadow(const DepthImage& ground) const {
+    const Eigen::Vector3d ball = m_simulation.roomFromBody("ball").translation;
+    const double radius =
+        m_simulation.model().geom_size[3 * mj_name2id(&m_simulation.model(), mjOBJ_GEOM, "ball")];
+    const spherewalk::Rigid3 pose = m_simulation.roomFromCamera();
+    const CameraModel camera(m_camera);
+    spherewalk::Image<float, 1> result(ground.width(), ground.height());
+    std::ranges::fill(result.values(), 1.0F);
+    for (int y = 0; y < ground.height(); ++y) {
+        for (int x = 0; x < ground.width(); ++x) {
+            const float z = *ground.at(x, y);
+            if (!std::isfinite(z)) {
+                continue;
+            }
+            const Eigen::Vector3d ray = *camera.ray({x, y});
+            const Eigen::Vector3d to = ball - pose * Eigen::Vector3d(ray * (z / ray.z()));
+            if (to.norm() > 8 * radius) { // it hides less than 2 % of the light
+                continue;
+            }
+            *result.at(x, y) = spherewalk::render::lightLeft(
+                m_lights, Eigen::Vector3d::UnitZ(), [&](const Eigen::Vector3d& towards) {
+                    const double along = to.dot(towards);
+                    return along > 0 && (to - along * towards).squaredNorm() < radius * radius;
+                });
+        }
+    }
+    return result;
+}
+
+ObjectRenderer::Rendered ObjectRenderer::rendered(Part part) {
     mjvOption options;
     mjv_defaultOption(&options);
     for (int group = 0; group < mjNGROUP; ++group) {
-        options.geomgroup[group] = static_cast<mjtByte>((group == kRoomGroup) == isRoom);
+        options.geomgroup[group] =
+            static_cast<mjtByte>(isShown(group, part == Part::Room, part != Part::Objects));
     }
     mjvCamera camera;
     mjv_defaultCamera(&camera);
@@ -89,6 +155,7 @@ ObjectRenderer::Rendered ObjectRenderer::rendered(bool isRoom) {
     camera.fixedcamid = mj_name2id(&m_simulation.model(), mjOBJ_CAMERA, "eyes");
     mjv_updateScene(&m_simulation.model(), &m_simulation.data(), &options, nullptr, &camera, mjCAT_ALL,
                     &m_scene);
+    putLight();
 
     const auto [width, height] = std::pair(m_camera.width, m_camera.height);
     const mjrRect viewport{0, 0, width, height};
@@ -112,7 +179,7 @@ ObjectRenderer::Rendered ObjectRenderer::rendered(bool isRoom) {
 }
 
 spherewalk::render::Overlay ObjectRenderer::overlay(bool wantsRoomDepth) {
-    const Rendered objects = rendered(false);
+    const Rendered objects = rendered(Part::Objects);
     spherewalk::render::Overlay overlay;
     overlay.camera = m_camera;
     overlay.depth = objects.depth;
@@ -124,7 +191,10 @@ spherewalk::render::Overlay ObjectRenderer::overlay(bool wantsRoomDepth) {
         }
     }
     if (wantsRoomDepth) {
-        overlay.roomDepth = rendered(true).depth;
+        overlay.roomDepth = rendered(Part::Room).depth;
+    }
+    if (!m_lights.empty()) {
+        overlay.shadow = shadow(rendered(Part::Ground).depth);
     }
     return overlay;
 }

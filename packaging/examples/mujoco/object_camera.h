@@ -4,7 +4,10 @@
 #include "headless_gl.h"
 #include "simulation.h"
 
+#include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/overlay.h"
+
+#include <vector>
 
 namespace mujoco_example {
 
@@ -23,6 +26,10 @@ class ObjectRenderer {
     ObjectRenderer(const ObjectRenderer&) = delete;
     ObjectRenderer& operator=(const ObjectRenderer&) = delete;
 
+    /// Lights objects as the photos show the light at a place, and lets the ball cast a shadow in it on the
+    /// floor and the table. Before the first call MuJoCo's own light falls on them, without a shadow.
+    void light(const spherewalk::render::LightProbe& probe);
+
     /// Objects as the camera sees them now. wantsRoomDepth: that of the walls as MuJoCo has them comes along,
     /// to hide objects where views have no scene model with surfaces.
     spherewalk::render::Overlay overlay(bool wantsRoomDepth);
@@ -30,12 +37,17 @@ class ObjectRenderer {
   private:
     struct Rendered;
 
-    /// Of the geoms in the room's group, or of all others.
-    Rendered rendered(bool isRoom);
+    enum class Part { Objects, Room, Ground };
+
+    Rendered rendered(Part part);
+    void putLight();
+    spherewalk::Image<float, 1> shadow(const spherewalk::DepthImage& ground) const;
 
     HeadlessGl m_gl;
     Simulation& m_simulation;
     spherewalk::CameraIntrinsics m_camera;
+    spherewalk::render::DominantLight m_light;                  ///< For what MuJoCo renders.
+    std::vector<spherewalk::render::DirectionalLight> m_lights; ///< For shadows.
     mjvScene m_scene{};
     mjrContext m_context{};
 };

@@ -16,6 +16,7 @@ using spherewalk::text;
 namespace {
 
 constexpr double kHalfThicknessM = 0.05;
+constexpr double kHalfTableM = 0.35;
 constexpr double kUsualCeilingM = 2.5;
 constexpr double kTiltRad = 0.25; ///< of the camera, down
 
@@ -58,6 +59,15 @@ std::string robot(const WorldOptions& options, double fovyDeg) {
         "\" fovy=\"", fovyDeg, "\"/>\n    </body>\n");
 }
 
+/// A plate that holds the ball where photos show a table.
+std::string table(const WorldOptions& options) {
+    return options.tableM > 0
+               ? text("    <geom class=\"room\" group=\"", kGroundGroup, "\" type=\"box\" pos=\"",
+                      options.ballM.x(), " ", options.ballM.y(), " ", options.tableM - kHalfThicknessM,
+                      "\" size=\"", kHalfTableM, " ", kHalfTableM, " ", kHalfThicknessM, "\"/>\n")
+               : "";
+}
+
 std::string ball(const WorldOptions& options) {
     return text(
         "    <body name=\"ball\" pos=\"", options.ballM.x(), " ", options.ballM.y(), " ", options.ballM.z(),
@@ -94,8 +104,8 @@ std::string roomWorld(const spherewalk::render::DatasetInfo& dataset,
         "rgb2=\"0.95 0.9 0.8\" width=\"256\" height=\"256\"/>\n",
         "    <material name=\"ball\" texture=\"stripes\" texrepeat=\"4 2\"/>\n  </asset>\n  <worldbody>\n",
         "    <light directional=\"true\" pos=\"0 0 3\" dir=\"-0.3 -0.2 -1\" diffuse=\"0.6 0.6 0.6\"/>\n",
-        "    <geom class=\"room\" type=\"plane\" size=\"0 0 1\"/>\n", walls, robot(options, fovyDeg),
-        ball(options), "  </worldbody>\n  <actuator>\n",
+        "    <geom class=\"room\" group=\"", kGroundGroup, "\" type=\"plane\" size=\"0 0 1\"/>\n", walls,
+        table(options), robot(options, fovyDeg), ball(options), "  </worldbody>\n  <actuator>\n",
         "    <velocity joint=\"left\" kv=\"1\"/>\n    <velocity joint=\"right\" kv=\"1\"/>\n  </actuator>\n",
         "</mujoco>\n");
 }

@@ -9,6 +9,7 @@
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/statistics.h"
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/object_overlay.h"
 
@@ -124,6 +125,53 @@ TEST(MujocoExample, HidesTheRoomFromTheCameraAndNotFromRays) {
     const mjtNum metres = mj_ray(&simulation.model(), &simulation.data(), from, along, nullptr, 1, -1, &geom);
     EXPECT_NEAR(metres, 2, 1e-6); // the wall at x = 4
     EXPECT_EQ(simulation.model().geom_group[geom], kRoomGroup);
+}
+
+// A window in the wall at y = 3 and a dim room.
+TEST(MujocoExample, LightsTheBallFromTheWindowsSideAndDarkensTheGroundBehindIt) {
+    spherewalk::render::LightProbe probe;
+    probe.radiance = spherewalk::render::RadianceImage(64, 32);
+    for (int v = 0; v < 32; ++v) {
+        for (int u = 0; u < 64; ++u) {
+            const Eigen::Vector3d towards = spherewalk::direction({64, 32}, Eigen::Vector2d(u, v));
+            std::fill_n(probe.radiance.at(u, v), 3, towards.y() > 0.8 && towards.z() > 0.1 ? 4.0F : 0.1F);
+        }
+    }
+    WorldOptions options = inTheMiddle();
+    options.ballM.x() = 3.6;
+    Simulation simulation = simulated(options);
+    ObjectRenderer renderer(simulation, objectCamera(kCamera));
+    EXPECT_TRUE(renderer.overlay(false).shadow.empty()); // in MuJoCo's own light
+    renderer.light(probe);
+    const spherewalk::render::Overlay overlay = renderer.overlay(false);
+    const Rigid3 cameraFromRoom = simulation.roomFromCamera().inverse();
+    const auto pixelOf = [&](const Eigen::Vector3d& pInRoom) {
+        const auto at = kCamera.project(cameraFromRoom * pInRoom);
+        return std::pair(static_cast<int>(std::lround(at->x())), static_cast<int>(std::lround(at->y())));
+    };
+    const auto brightness = [&](double aside) { // of the side towards the camera; stripes differ in red least
+        const auto [x, y] = pixelOf(options.ballM + Eigen::Vector3d(-0.2, aside, 0));
+        return static_cast<int>(overlay.picture.at(x, y)[0]);
+    };
+    EXPECT_GT(brightness(0.12), 1.3 * brightness(-0.12));
+    const auto shadowAt = [&](double x, double y) {
+        const auto [u, v] = pixelOf({x, y, 0});
+        return *overlay.shadow.at(u, v);
+    };
+    EXPECT_LT(shadowAt(3.6, 1.1), 0.7);      // the window's light ends here
+    EXPECT_GT(shadowAt(3.6, 1.95), 0.9);     // between ball and window
+    EXPECT_EQ(*overlay.shadow.at(80, 2), 1); // a wall
+}
+
+TEST(MujocoExample, ABallLiesOnATableThatThePhotosShow) {
+    WorldOptions options = inTheMiddle();
+    options.tableM = 0.75;
+    options.ballM.z() = 0.75 + options.ballRadiusM;
+    Simulation simulation = simulated(options);
+    simulation.drive(0, 0, 1);
+    EXPECT_NEAR(simulation.roomFromBody("ball").translation.z(), 1, 0.01);
+    ObjectRenderer renderer(simulation, objectCamera(kCamera));
+    EXPECT_LT(seen(renderer.overlay(false).depth), kCamera.width() * kCamera.height() / 2); // no table in it
 }
 
 TEST(MujocoExample, AWallStopsTheRobot) {
