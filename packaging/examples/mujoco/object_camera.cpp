@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kMostGeoms = 1000;
 constexpr int kLights = 128; ///< That a soft shadow is made of.
+constexpr float kSameSurface = 0.99F;
 
 bool isShown(int group, bool wantsRoom, bool wantsGround) {
     return group == kRoomGroup ? wantsRoom : group == kGroundGroup ? wantsGround : !wantsRoom && !wantsGround;
@@ -113,7 +114,7 @@ void ObjectRenderer::putLight() {
 }
 
 /// What the ball leaves of the light on the ground that a pixel shows.
-spherewalk::Image<float, 1> ObjectRenderer::shadow(const DepthImage& ground) const {
+spherewalk::Image<float, 1> ObjectRenderer::shadow(const DepthImage& ground, const DepthImage& room) const {
     const Eigen::Vector3d ball = m_simulation.roomFromBody("ball").translation;
     const double radius =
         m_simulation.model().geom_size[3 * mj_name2id(&m_simulation.model(), mjOBJ_GEOM, "ball")];
@@ -124,8 +125,8 @@ spherewalk::Image<float, 1> ObjectRenderer::shadow(const DepthImage& ground) con
     for (int y = 0; y < ground.height(); ++y) {
         for (int x = 0; x < ground.width(); ++x) {
             const float z = *ground.at(x, y);
-            if (!std::isfinite(z)) {
-                continue;
+            if (!std::isfinite(z) || *room.at(x, y) < kSameSurface * z) {
+                continue; // something stands in front of the ground
             }
             const Eigen::Vector3d ray = *camera.ray({x, y});
             const Eigen::Vector3d to = ball - pose * Eigen::Vector3d(ray * (z / ray.z()));
@@ -190,11 +191,13 @@ spherewalk::render::Overlay ObjectRenderer::overlay(bool wantsRoomDepth) {
             overlay.picture.at(x, y)[3] = std::isfinite(*objects.depth.at(x, y)) ? 255 : 0;
         }
     }
-    if (wantsRoomDepth) {
-        overlay.roomDepth = rendered(Part::Room).depth;
+    const bool castsShadow = !m_lights.empty();
+    const DepthImage room = wantsRoomDepth || castsShadow ? rendered(Part::Room).depth : DepthImage();
+    if (castsShadow) {
+        overlay.shadow = shadow(rendered(Part::Ground).depth, room);
     }
-    if (!m_lights.empty()) {
-        overlay.shadow = shadow(rendered(Part::Ground).depth);
+    if (wantsRoomDepth) {
+        overlay.roomDepth = room;
     }
     return overlay;
 }

@@ -41,7 +41,8 @@ class ObjectRenderer {
 
     Rendered rendered(Part part);
     void putLight();
-    spherewalk::Image<float, 1> shadow(const spherewalk::DepthImage& ground) const;
+    spherewalk::Image<float, 1> shadow(const spherewalk::DepthImage& ground,
+                                       const spherewalk::DepthImage& room) const;
 
     HeadlessGl m_gl;
     Simulation& m_simulation;

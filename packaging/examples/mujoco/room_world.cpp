@@ -89,7 +89,8 @@ std::string roomWorld(const spherewalk::render::DatasetInfo& dataset,
         spherewalk::Degrees(spherewalk::Radians(2 * std::atan2(eyes.height / 2.0, eyes.fy))).value();
     std::string walls = wallsAlong(dataset.outline, true, ceiling);
     for (const Polygon& obstacle : dataset.obstacles) {
-        walls += wallsAlong(obstacle, false, ceiling);
+        const bool isTable = options.tableM > 0 && spherewalk::contains(obstacle, options.ballM.head<2>());
+        walls += wallsAlong(obstacle, false, isTable ? options.tableM : ceiling);
     }
     // No multisampling: a pixel's depth is that of one place. znear and zfar are shares of the extent, here
     // metres.
