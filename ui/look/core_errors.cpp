@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/look/core_errors.h"
+#include "ui/look/core_words.h"
 
 #include <QtGlobal>
 

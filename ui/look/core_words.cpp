@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/core_words.h"
 
-#include "ui/look/core_errors.h"
-
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>

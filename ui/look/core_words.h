@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <functional>
+#include <span>
 #include <string>
 
 namespace spherewalk::ui {
@@ -16,5 +17,10 @@ using KnownSentence = std::function<void(const char* sentence)>;
 /// get the language's decimal point.
 QString coreWords(const QString& text, const KnownSentence& told = {});
 QString coreWords(const std::string& text);
+
+/// The sentences of errors and warnings that people meet in the window, and the parts that such sentences are
+/// made of. "%1" and so on stand for values. Sources: core/base, core/camera, core/photo/picture, core/store,
+/// core/survey, core/jobs. tests/lint compares them with these.
+std::span<const char* const> coreErrors();
 
 } // namespace spherewalk::ui

@@ -3,7 +3,7 @@
 
 #include "ui/map/station_words.h"
 #include "ui/review/finding_words.h"
-#include "ui/session/standings.h"
+#include "ui/session/survey_session.h"
 
 #include "spherewalk/jobs/judge_survey.h"
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "ui/look/told.h"
-#include "ui/session/standings.h"
+#include "ui/look/words.h"
 #include "ui/tasks/background_worker.h"
 
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <QObject>
@@ -22,6 +23,11 @@
 #include <vector>
 
 namespace spherewalk::ui {
+
+/// Returns the standing of each station's chosen photo, by station; Missing without a photo. All pages show
+/// these. findings: those of the active solution. Errors: those of the store.
+std::map<std::int64_t, Standing> standings(const store::SurveyStore& store,
+                                           const std::optional<jobs::SolutionFindings>& findings);
 
 /// What every page reads of a survey, in memory. The database answers late while somebody writes it.
 struct SurveyState {
