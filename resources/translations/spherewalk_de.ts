@@ -83,6 +83,10 @@
         <source>With a note</source>
         <translation>Mit Notiz</translation>
     </message>
+    <message>
+        <source>With private regions</source>
+        <translation>Mit privaten Bereichen</translation>
+    </message>
 </context>
 <context>
     <name>Standing</name>
@@ -1754,6 +1758,22 @@
         <source>Take photos between it and the others.</source>
         <translation>Nehmen Sie Fotos zwischen ihm und den anderen auf.</translation>
     </message>
+    <message>
+        <source>Looking for faces in photo %1 of %2</source>
+        <translation>Sucht Gesichter in Foto %1 von %2</translation>
+    </message>
+    <message>
+        <source>Faces cannot be looked for: there is no file %1.</source>
+        <translation>Gesichter können nicht gesucht werden: Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>Install the package opencv-data, or mark the regions yourself.</source>
+        <translation>Installieren Sie das Paket opencv-data, oder markieren Sie die Bereiche selbst.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no cascade.</source>
+        <translation>Die Datei %1 ist keine Kaskade.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2072,6 +2092,20 @@
         <source>Nothing is missing or doubtful.</source>
         <translation>Nichts fehlt oder ist zweifelhaft.</translation>
     </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>in %n Foto</numerusform>
+            <numerusform>in %n Fotos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n private region(s) %1 will be blurred.</source>
+        <translation>
+            <numerusform>%n privater Bereich %1 wird unkenntlich gemacht.</numerusform>
+            <numerusform>%n private Bereiche %1 werden unkenntlich gemacht.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ExportPresenter</name>
@@ -2093,6 +2127,28 @@
             <numerusform>%n Foto nach %1 exportiert: %2.</numerusform>
             <numerusform>%n Fotos nach %1 exportiert: %2.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FaceSearchBar</name>
+    <message>
+        <source>Stop; the photos before are done, and the next search goes on behind them</source>
+        <translation>Anhalten; die Fotos davor sind fertig, und die nächste Suche macht danach weiter</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Search %n photo(s) for faces</source>
+        <translation>
+            <numerusform>Gesichter in %n Foto &amp;suchen</numerusform>
+            <numerusform>Gesichter in %n Fotos &amp;suchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Search for faces again</source>
+        <translation>Gesichter noch einmal &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Exports show faces blurred that the search finds. It misses small, covered and turned ones: look through the photos, too.</source>
+        <translation>Was die Suche findet, zeigen Exporte unkenntlich. Kleine, verdeckte und abgewandte Gesichter übersieht sie: Sehen Sie die Fotos auch selbst durch.</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3153,22 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>Not aligned yet: the second photo is turned by what both show, roughly.</source>
         <translation>Noch nicht ausgerichtet: das zweite Foto ist ungefähr nach dem gedreht, was beide zeigen.</translation>
     </message>
+    <message>
+        <source>A box is being put around what exports shall show blurred.</source>
+        <translation>Um das, was Exporte unkenntlich zeigen sollen, wird ein Rahmen gelegt.</translation>
+    </message>
+    <message>
+        <source>Private region %1 of %2, found by the search</source>
+        <translation>Privater Bereich %1 von %2, von der Suche gefunden</translation>
+    </message>
+    <message>
+        <source>Private region %1 of %2, marked by hand</source>
+        <translation>Privater Bereich %1 von %2, von Hand markiert</translation>
+    </message>
+    <message>
+        <source>Drag a box. Or move this one: arrow keys move it, and with Shift they size it. Return hides what is in it, Escape leaves.</source>
+        <translation>Ziehen Sie einen Rahmen auf. Oder verwenden Sie diesen: Pfeiltasten verschieben ihn, mit Umschalt ändern sie seine Größe. Eingabe verbirgt, was darin ist, Esc bricht ab.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PathPlayer</name>
@@ -3230,6 +3302,14 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Note on a photo</source>
         <translation>Notiz zu einem Foto</translation>
+    </message>
+    <message>
+        <source>Hide a region</source>
+        <translation>Bereich verbergen</translation>
+    </message>
+    <message>
+        <source>Remove a region</source>
+        <translation>Bereich entfernen</translation>
     </message>
 </context>
 <context>
@@ -4379,6 +4459,37 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::RegionBar</name>
+    <message>
+        <source>Hide a region</source>
+        <translation>Bereich verbergen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>As e&amp;xported</source>
+        <translation>&amp;Wie exportiert</translation>
+    </message>
+    <message>
+        <source>Put a box around a face, a screen or a sheet of paper: exports show it blurred (%1)</source>
+        <translation>Einen Rahmen um ein Gesicht, einen Bildschirm oder ein Blatt Papier legen: Exporte zeigen es unkenntlich (%1)</translation>
+    </message>
+    <message>
+        <source>Remove the selected region</source>
+        <translation>Den gewählten Bereich entfernen</translation>
+    </message>
+    <message>
+        <source>Let exports show the selected region again (Delete in the photo); click or Tab selects one</source>
+        <translation>Den gewählten Bereich in Exporten wieder zeigen (Entf im Foto); Klick oder Tab wählt einen</translation>
+    </message>
+    <message>
+        <source>Show the photo as exports have it, with its private regions blurred</source>
+        <translation>Das Foto so zeigen, wie Exporte es haben, mit unkenntlichen privaten Bereichen</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::RemoteForm</name>
     <message>
         <source>Phone as remote</source>
@@ -4633,6 +4744,22 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
         <source>%1, %2 cm away</source>
         <translation>%1, %2 cm entfernt</translation>
     </message>
+    <message>
+        <source>Tab, Delete</source>
+        <translation>Tab, Entf</translation>
+    </message>
+    <message>
+        <source>In the photo: select a private region, remove it</source>
+        <translation>Im Foto: einen privaten Bereich wählen, ihn entfernen</translation>
+    </message>
+    <message>
+        <source>arrows, Shift+arrows, Return</source>
+        <translation>Pfeile, Umschalt+Pfeile, Eingabe</translation>
+    </message>
+    <message>
+        <source>While a region is being hidden: move the box, size it, store it</source>
+        <translation>Beim Verbergen eines Bereichs: den Rahmen verschieben, seine Größe ändern, ihn speichern</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ReviewModel</name>
@@ -4651,6 +4778,13 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>More than 5 of 100 places were not found in views in its place.</source>
         <translation>Mehr als 5 von 100 Stellen wurden in Ansichten an seinem Ort nicht gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n private region(s), which exports show blurred</source>
+        <translation>
+            <numerusform>%n privater Bereich, den Exporte unkenntlich zeigen</numerusform>
+            <numerusform>%n private Bereiche, die Exporte unkenntlich zeigen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4681,6 +4815,39 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>%1 accepted, %2 rejected, %3 to be reviewed, %4 missing</source>
         <translation>%1 angenommen, %2 abgelehnt, %3 zu sichten, %4 fehlen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) searched</source>
+        <translation>
+            <numerusform>%n Foto durchsucht</numerusform>
+            <numerusform>%n Fotos durchsucht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: no face found.</source>
+        <translation>%1: kein Gesicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3, which exports show blurred.</source>
+        <translation>%1: %2 %3; Exporte zeigen sie unkenntlich.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) found</source>
+        <translation>
+            <numerusform>%n Gesicht</numerusform>
+            <numerusform>%n Gesichter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>in %n Foto</numerusform>
+            <numerusform>in %n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Searching for faces</source>
+        <translation>Sucht Gesichter</translation>
     </message>
 </context>
 <context>
@@ -4936,6 +5103,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>Export with depth</source>
         <translation>Mit Tiefe exportieren</translation>
+    </message>
+    <message>
+        <source>Look at them</source>
+        <translation>Ansehen</translation>
     </message>
 </context>
 <context>

@@ -116,6 +116,20 @@
             <numerusform>%n photos are doubtful or failed, and nobody has decided.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>in %n photo</numerusform>
+            <numerusform>in %n photos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n private region(s) %1 will be blurred.</source>
+        <translation>
+            <numerusform>%n private region %1 will be blurred.</numerusform>
+            <numerusform>%n private regions %1 will be blurred.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ExportPresenter</name>
@@ -124,6 +138,16 @@
         <translation>
             <numerusform>Exported %n photo to %1: %2.</numerusform>
             <numerusform>Exported %n photos to %1: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FaceSearchBar</name>
+    <message numerus="yes">
+        <source>&amp;Search %n photo(s) for faces</source>
+        <translation>
+            <numerusform>&amp;Search %n photo for faces</numerusform>
+            <numerusform>&amp;Search %n photos for faces</numerusform>
         </translation>
     </message>
 </context>
@@ -318,12 +342,43 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::ReviewModel</name>
+    <message numerus="yes">
+        <source>%n private region(s), which exports show blurred</source>
+        <translation>
+            <numerusform>%n private region, which exports show blurred</numerusform>
+            <numerusform>%n private regions, which exports show blurred</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::ReviewPresenter</name>
     <message numerus="yes">
         <source>%n photo(s) checked: %1 good, %2 doubtful, %3 failed.</source>
         <translation>
             <numerusform>%n photo checked: %1 good, %2 doubtful, %3 failed.</numerusform>
             <numerusform>%n photos checked: %1 good, %2 doubtful, %3 failed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) searched</source>
+        <translation>
+            <numerusform>%n photo searched</numerusform>
+            <numerusform>%n photos searched</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) found</source>
+        <translation>
+            <numerusform>%n face found</numerusform>
+            <numerusform>%n faces found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>in %n photo</numerusform>
+            <numerusform>in %n photos</numerusform>
         </translation>
     </message>
 </context>

@@ -83,6 +83,10 @@
         <source>With a note</source>
         <translation>Z notatką</translation>
     </message>
+    <message>
+        <source>With private regions</source>
+        <translation>Z obszarami prywatnymi</translation>
+    </message>
 </context>
 <context>
     <name>Standing</name>
@@ -1764,6 +1768,22 @@
         <source>Take photos between it and the others.</source>
         <translation>Zrób zdjęcia pomiędzy nim a pozostałymi.</translation>
     </message>
+    <message>
+        <source>Looking for faces in photo %1 of %2</source>
+        <translation>Szukam twarzy na zdjęciu %1 z %2</translation>
+    </message>
+    <message>
+        <source>Faces cannot be looked for: there is no file %1.</source>
+        <translation>Nie można szukać twarzy: nie ma pliku %1.</translation>
+    </message>
+    <message>
+        <source>Install the package opencv-data, or mark the regions yourself.</source>
+        <translation>Zainstaluj pakiet opencv-data albo zaznacz obszary samodzielnie.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no cascade.</source>
+        <translation>Plik %1 nie jest kaskadą.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2086,6 +2106,22 @@
             <numerusform>%n zdjęć jest wątpliwych lub nieudanych, a nikt nie zdecydował.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>na %n zdjęciu</numerusform>
+            <numerusform>na %n zdjęciach</numerusform>
+            <numerusform>na %n zdjęciach</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n private region(s) %1 will be blurred.</source>
+        <translation>
+            <numerusform>%n obszar prywatny %1 zostanie zamazany.</numerusform>
+            <numerusform>%n obszary prywatne %1 zostaną zamazane.</numerusform>
+            <numerusform>%n obszarów prywatnych %1 zostanie zamazanych.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ExportPresenter</name>
@@ -2108,6 +2144,29 @@
             <numerusform>Wyeksportowano %n zdjęcia do %1: %2.</numerusform>
             <numerusform>Wyeksportowano %n zdjęć do %1: %2.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::FaceSearchBar</name>
+    <message>
+        <source>Stop; the photos before are done, and the next search goes on behind them</source>
+        <translation>Zatrzymaj; wcześniejsze zdjęcia są gotowe, a następne szukanie zacznie się za nimi</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Search %n photo(s) for faces</source>
+        <translation>
+            <numerusform>Szukaj &amp;twarzy na %n zdjęciu</numerusform>
+            <numerusform>Szukaj &amp;twarzy na %n zdjęciach</numerusform>
+            <numerusform>Szukaj &amp;twarzy na %n zdjęciach</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Search for faces again</source>
+        <translation>Szukaj &amp;twarzy ponownie</translation>
+    </message>
+    <message>
+        <source>Exports show faces blurred that the search finds. It misses small, covered and turned ones: look through the photos, too.</source>
+        <translation>Twarze, które znajdzie szukanie, eksporty pokazują zamazane. Małe, zasłonięte i odwrócone umykają: przejrzyj zdjęcia także samodzielnie.</translation>
     </message>
 </context>
 <context>
@@ -3119,6 +3178,22 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
         <source>Not aligned yet: the second photo is turned by what both show, roughly.</source>
         <translation>Orientacja nie jest jeszcze wyznaczona: drugie zdjęcie obrócono w przybliżeniu według tego, co pokazują oba.</translation>
     </message>
+    <message>
+        <source>A box is being put around what exports shall show blurred.</source>
+        <translation>Ramka jest zakładana wokół tego, co eksporty mają pokazać zamazane.</translation>
+    </message>
+    <message>
+        <source>Private region %1 of %2, found by the search</source>
+        <translation>Obszar prywatny %1 z %2, znaleziony przez szukanie</translation>
+    </message>
+    <message>
+        <source>Private region %1 of %2, marked by hand</source>
+        <translation>Obszar prywatny %1 z %2, zaznaczony ręcznie</translation>
+    </message>
+    <message>
+        <source>Drag a box. Or move this one: arrow keys move it, and with Shift they size it. Return hides what is in it, Escape leaves.</source>
+        <translation>Przeciągnij ramkę. Albo użyj tej: strzałki przesuwają ją, a z Shift zmieniają jej rozmiar. Enter ukrywa to, co w niej jest, Esc kończy.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PathPlayer</name>
@@ -3255,6 +3330,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Note on a photo</source>
         <translation>Notatka do zdjęcia</translation>
+    </message>
+    <message>
+        <source>Hide a region</source>
+        <translation>Ukryj obszar</translation>
+    </message>
+    <message>
+        <source>Remove a region</source>
+        <translation>Usuń obszar</translation>
     </message>
 </context>
 <context>
@@ -4416,6 +4499,37 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::RegionBar</name>
+    <message>
+        <source>Hide a region</source>
+        <translation>Ukryj obszar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>As e&amp;xported</source>
+        <translation>&amp;Jak w eksporcie</translation>
+    </message>
+    <message>
+        <source>Put a box around a face, a screen or a sheet of paper: exports show it blurred (%1)</source>
+        <translation>Załóż ramkę na twarz, ekran albo kartkę: eksporty pokażą to zamazane (%1)</translation>
+    </message>
+    <message>
+        <source>Remove the selected region</source>
+        <translation>Usuń wybrany obszar</translation>
+    </message>
+    <message>
+        <source>Let exports show the selected region again (Delete in the photo); click or Tab selects one</source>
+        <translation>Niech eksporty znów pokazują wybrany obszar (Delete na zdjęciu); wybiera kliknięcie lub Tab</translation>
+    </message>
+    <message>
+        <source>Show the photo as exports have it, with its private regions blurred</source>
+        <translation>Pokaż zdjęcie tak, jak mają je eksporty, z zamazanymi obszarami prywatnymi</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::RemoteForm</name>
     <message>
         <source>Phone as remote</source>
@@ -4671,6 +4785,22 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
             <numerusform>&amp;Sprawdź %n zdjęć</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Tab, Delete</source>
+        <translation>Tab, Delete</translation>
+    </message>
+    <message>
+        <source>In the photo: select a private region, remove it</source>
+        <translation>Na zdjęciu: wybierz obszar prywatny, usuń go</translation>
+    </message>
+    <message>
+        <source>arrows, Shift+arrows, Return</source>
+        <translation>strzałki, Shift+strzałki, Enter</translation>
+    </message>
+    <message>
+        <source>While a region is being hidden: move the box, size it, store it</source>
+        <translation>Przy ukrywaniu obszaru: przesuń ramkę, zmień jej rozmiar, zapisz ją</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::ReviewModel</name>
@@ -4689,6 +4819,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>More than 5 of 100 places were not found in views in its place.</source>
         <translation>Ponad 5 na 100 miejsc nie znaleziono w widokach z jego miejsca.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n private region(s), which exports show blurred</source>
+        <translation>
+            <numerusform>%n obszar prywatny, który eksporty pokazują zamazany</numerusform>
+            <numerusform>%n obszary prywatne, które eksporty pokazują zamazane</numerusform>
+            <numerusform>%n obszarów prywatnych, które eksporty pokazują zamazane</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4720,6 +4858,42 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
             <numerusform>Sprawdzono %n zdjęcia: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
             <numerusform>Sprawdzono %n zdjęć: %1 dobrych, %2 wątpliwych, %3 nieudanych.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) searched</source>
+        <translation>
+            <numerusform>Przeszukano %n zdjęcie</numerusform>
+            <numerusform>Przeszukano %n zdjęcia</numerusform>
+            <numerusform>Przeszukano %n zdjęć</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: no face found.</source>
+        <translation>%1: nie znaleziono twarzy.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3, which exports show blurred.</source>
+        <translation>%1: %2 %3; eksporty pokażą je zamazane.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) found</source>
+        <translation>
+            <numerusform>%n twarz</numerusform>
+            <numerusform>%n twarze</numerusform>
+            <numerusform>%n twarzy</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>in %n photo(s)</source>
+        <translation>
+            <numerusform>na %n zdjęciu</numerusform>
+            <numerusform>na %n zdjęciach</numerusform>
+            <numerusform>na %n zdjęciach</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Searching for faces</source>
+        <translation>Szukanie twarzy</translation>
     </message>
 </context>
 <context>
@@ -4975,6 +5149,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>Export with depth</source>
         <translation>Eksportuj z głębią</translation>
+    </message>
+    <message>
+        <source>Look at them</source>
+        <translation>Zobacz je</translation>
     </message>
 </context>
 <context>

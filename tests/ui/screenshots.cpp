@@ -33,6 +33,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableView>
+#include <QToolButton>
 
 #include <cstdio>
 #include <functional>
@@ -89,6 +90,7 @@ class Album {
         shootCapture();
         shootReview();
         shootAlign();
+        shootRegions();
         shootSlider();
         shootPreview();
         shootExport();
@@ -261,6 +263,31 @@ class Album {
     void shootReview() {
         open<ReviewMode>();
         shoot("review");
+    }
+
+    /// A photo with a region of each kind, the tool that marks them, and what exports have of them.
+    void shootRegions() {
+        auto& review = open<ReviewMode>();
+        auto& view = *review.findChild<PanoramaView*>();
+        SurveySession& session = *m_window.session();
+        const std::int64_t photo = session.store().chosenPhotos().at(0).id;
+        session.selection()->setCurrent(session.store().chosenPhotos().at(0).station);
+        session.write(SurveySession::Photos, [&](store::SurveyStore& store) {
+            store.setFoundRegions(photo, {{Degrees(18), Degrees(4), Degrees(14), Degrees(16)}}, 1);
+            store.markRegion(photo, {Degrees(-14), Degrees(-8), Degrees(26), Degrees(14)});
+        });
+        while (view.presenter().selectNextRegion(1)) { // to the last one, beside which the first is in view
+        }
+        waitUntil([&] { return view.presenter().remark().isEmpty(); });
+        shoot("review-regions");
+        review.findChild<QToolButton*>("hideRegion")->click();
+        shoot("review-hiding");
+        view.presenter().regions().setMarking(false);
+        view.presenter().regions().select(std::nullopt);
+        review.findChild<QCheckBox*>("asExported")->setChecked(true);
+        waitUntil([&] { return view.presenter().remark().isEmpty(); });
+        shoot("review-exported");
+        review.findChild<QCheckBox*>("asExported")->setChecked(false);
     }
 
     /// Of aligned photos: only some others can be compared.

@@ -334,6 +334,13 @@ void ExportMode::showFound() {
     if (sentences.isEmpty()) {
         sentences << marked(Standing::Accepted, tr("Nothing is missing or doubtful."));
     }
+    if (found->privateRegions > 0) {
+        const QString where = tr("in %n photo(s)", nullptr, static_cast<int>(found->blurredPhotos));
+        sentences << Told(
+            tr("%n private region(s) %1 will be blurred.", nullptr, static_cast<int>(found->privateRegions))
+                .arg(where),
+            Cure::Regions);
+    }
     m_findings->tell(sentences);
 }
 

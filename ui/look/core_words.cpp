@@ -173,6 +173,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together, or export the dataset with "
                                                    "a richer scene model."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for faces in photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Faces cannot be looked for: there is no file %1."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Install the package opencv-data, or mark the regions yourself."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The file %1 is no cascade."),
 };
 
 /// A sentence with the expression that finds it.

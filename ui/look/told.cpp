@@ -30,6 +30,7 @@ constexpr Place kPlaces[] = {
     {Cure::Connecting, "guide/connecting", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "What the guide says")},
     {Cure::Exposure, "capture/exposure", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Change the exposure")},
     {Cure::Review, "review/doubtful", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Go to Review")},
+    {Cure::Regions, "review/regions", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Look at them")},
     {Cure::Align, "align", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Go to Align")},
     {Cure::ExportFolder, "export/folder", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Choose the folder")},
     {Cure::ExportDepth, "export/scene", QT_TRANSLATE_NOOP("spherewalk::ui::Told", "Export with depth")},

@@ -21,6 +21,7 @@ enum class Cure {
     Connecting,    ///< What the guide says of a camera that does not answer.
     Exposure,      ///< The settings that every photo of the survey is taken with.
     Review,        ///< The photos that are doubtful or failed.
+    Regions,       ///< The photos that have private regions.
     Align,
     ExportFolder, ///< The field with the dataset's folder.
     ExportDepth,  ///< The choice of the scene model, which says how depth comes into a dataset.

@@ -4,14 +4,15 @@
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/base/error.h"
-#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/rotation.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace spherewalk::ui {
 
@@ -49,6 +50,7 @@ PanoramaPresenter::PanoramaPresenter(QObject* parent) : QObject(parent) {
     connect(&m_settling, &QTimer::timeout, this, &PanoramaPresenter::changed);
     connect(&m_decoder, &PhotoDecoder::decoded, this, &PanoramaPresenter::changed);
     connect(&m_mover, &PhotoMover::moved, this, &PanoramaPresenter::changed);
+    connect(&m_regions, &RegionTool::changed, this, &PanoramaPresenter::changed);
 }
 
 void PanoramaPresenter::show(const std::optional<ShownPhoto>& photo) {
@@ -57,19 +59,21 @@ void PanoramaPresenter::show(const std::optional<ShownPhoto>& photo) {
     }
     const bool isOther = !photo || !m_photo || photo->file != m_photo->file;
     m_photo = photo;
+    if (isOther) {
+        m_regions.setMarking(false); // the box was of the photo before
+    }
+    m_regions.setRegions(photo ? photo->regions : std::vector<ShownRegion>());
     if (isOther && photo && !photo->areas.empty()) {
-        lookAt(photo->areas.front());
+        lookAt({photo->areas.front().azimuth, photo->areas.front().elevation});
+        m_look.fov = Degrees(90.0);
     }
     want();
 }
 
-void PanoramaPresenter::lookAt(const PhotoArea& area) {
-    const Eigen::Vector3d inRoom =
-        m_photo->roomFromPhoto.rotation * direction(SphericalDirection{area.azimuth, area.elevation});
-    const SphericalDirection at = sphericalDirection(inRoom);
+void PanoramaPresenter::lookAt(const SphericalDirection& inPhoto) {
+    const SphericalDirection at = sphericalDirection(m_photo->roomFromPhoto.rotation * direction(inPhoto));
     m_look.yaw = at.azimuth;
     m_look.up = at.elevation;
-    m_look.fov = Degrees(90.0);
 }
 
 void PanoramaPresenter::setOther(const std::optional<ShownPhoto>& photo) {
@@ -87,7 +91,7 @@ void PanoramaPresenter::setSurroundings(const Surroundings& surroundings) {
 void PanoramaPresenter::want() {
     std::vector<PhotoDecoder::File> files;
     if (m_photo) {
-        files.push_back(m_photo->file);
+        files.push_back(shownFile());
     }
     m_decoder.want(files);
     if (isComparing()) {
@@ -165,7 +169,7 @@ QImage PanoramaPresenter::picture(const QSize& sizePx) {
 }
 
 QImage PanoramaPresenter::renderFirst(const QSize& sizePx) {
-    const auto decoded = m_photo ? m_decoder.find(m_photo->file) : std::nullopt;
+    const auto decoded = m_photo ? m_decoder.find(shownFile()) : std::nullopt;
     return render(decoded ? &decoded->panorama : nullptr, sizePx);
 }
 
@@ -191,22 +195,20 @@ QImage PanoramaPresenter::render(const render::Panorama* panorama, const QSize& 
 
 std::vector<QPolygonF> PanoramaPresenter::outlines(const QSize& sizePx) const {
     std::vector<QPolygonF> result;
-    if (!m_photo || sizePx.isEmpty()) {
+    const auto view = projection(sizePx);
+    if (!view) {
         return result;
     }
     constexpr int kCorners = 48;
     constexpr double kLeastAhead = 0.05; // beside and behind the camera nothing can be drawn
-    const CameraModel camera(m_look.camera(sizePx.width(), sizePx.height()));
-    const Eigen::Quaterniond cameraFromPhoto =
-        m_look.roomFromCamera(Eigen::Vector3d::Zero()).rotation.conjugate() * m_photo->roomFromPhoto.rotation;
     for (const PhotoArea& area : m_photo->areas) {
         QPolygonF outline;
         for (int i = 0; i <= kCorners; ++i) {
             const double turn = 2 * std::numbers::pi * i / kCorners;
             const SphericalDirection corner{area.azimuth + area.halfWidth * std::cos(turn),
                                             area.elevation + area.halfHeight * std::sin(turn)};
-            const Eigen::Vector3d ray = cameraFromPhoto * direction(corner);
-            if (const auto pixel = camera.project(ray); pixel && ray.z() > kLeastAhead) {
+            const Eigen::Vector3d ray = view->cameraFromPhoto * direction(corner);
+            if (const auto pixel = view->camera.project(ray); pixel && ray.z() > kLeastAhead) {
                 outline << QPointF(pixel->x(), pixel->y());
             }
         }
@@ -215,6 +217,92 @@ std::vector<QPolygonF> PanoramaPresenter::outlines(const QSize& sizePx) const {
         }
     }
     return result;
+}
+
+std::optional<PhotoProjection> PanoramaPresenter::projection(const QSize& sizePx) const {
+    if (!m_photo || sizePx.isEmpty()) {
+        return std::nullopt;
+    }
+    const Eigen::Quaterniond cameraFromRoom =
+        m_look.roomFromCamera(Eigen::Vector3d::Zero()).rotation.conjugate();
+    return PhotoProjection{CameraModel(m_look.camera(sizePx.width(), sizePx.height())),
+                           cameraFromRoom * m_photo->roomFromPhoto.rotation};
+}
+
+PhotoDecoder::File PanoramaPresenter::shownFile() const {
+    std::vector<survey::PrivateRegion> blurred;
+    if (m_isAsExported) {
+        for (const ShownRegion& region : m_photo->regions) {
+            blurred.push_back(region.region);
+        }
+    }
+    return {m_photo->file, std::move(blurred)};
+}
+
+void PanoramaPresenter::setAsExported(bool isAsExported) {
+    m_isAsExported = isAsExported;
+    want();
+}
+
+std::vector<PanoramaPresenter::RegionOutline> PanoramaPresenter::regionOutlines(const QSize& sizePx) const {
+    std::vector<RegionOutline> result;
+    const auto view = projection(sizePx);
+    if (!view) {
+        return result;
+    }
+    for (const ShownRegion& region : m_regions.regions()) {
+        const bool isSelected = &region == m_regions.selected();
+        const QPolygonF corners = outlineOf(region.region, *view);
+        if (!corners.isEmpty() && (isSelected || !m_isAsExported)) {
+            result.push_back({corners, region, isSelected});
+        }
+    }
+    std::stable_partition(result.begin(), result.end(),
+                          [](const RegionOutline& outline) { return !outline.isSelected; });
+    return result;
+}
+
+std::optional<std::int64_t> PanoramaPresenter::regionAt(const QPointF& pixel, const QSize& sizePx) const {
+    const auto view = projection(sizePx);
+    std::optional<std::int64_t> found;
+    double least = std::numeric_limits<double>::max();
+    for (const ShownRegion& region : view ? m_regions.regions() : std::vector<ShownRegion>()) {
+        const double size = region.region.width.value() * region.region.height.value();
+        if (size < least && survey::RegionFrame(region.region).contains(view->direction(pixel))) {
+            least = size;
+            found = region.id;
+        }
+    }
+    return found;
+}
+
+bool PanoramaPresenter::selectNextRegion(int by) {
+    if (!m_regions.selectNext(by)) {
+        return false;
+    }
+    const survey::PrivateRegion& region = m_regions.selected()->region;
+    lookAt({region.azimuth, region.elevation});
+    emit changed();
+    return true;
+}
+
+std::optional<survey::PrivateRegion> PanoramaPresenter::markedRegion(const QSize& sizePx) const {
+    const auto view = projection(sizePx);
+    if (!view || !m_regions.isMarking()) {
+        return std::nullopt;
+    }
+    const QRectF& box = m_regions.box();
+    return regionAround({box.left() * sizePx.width(), box.top() * sizePx.height(),
+                         box.width() * sizePx.width(), box.height() * sizePx.height()},
+                        *view);
+}
+
+void PanoramaPresenter::moveBox(const QPointF& by, const QSize& sizePx) {
+    const QPointF beyond = m_regions.moveBox(by);
+    if (!beyond.isNull()) {
+        const double highPerWide = static_cast<double>(sizePx.height()) / std::max(1, sizePx.width());
+        turn(m_look.fov * -beyond.x(), m_look.fov * (-beyond.y() * highPerWide));
+    }
 }
 
 bool PanoramaPresenter::isComparingUnaligned() const {
@@ -242,10 +330,10 @@ QString PanoramaPresenter::remark() const {
     if (!m_photo) {
         return tr("No photo is chosen.");
     }
-    if (!m_decoder.sentence(m_photo->file).isEmpty()) {
-        return m_decoder.sentence(m_photo->file);
+    if (const QString sentence = m_decoder.sentence(shownFile()); !sentence.isEmpty()) {
+        return sentence;
     }
-    if (!m_decoder.find(m_photo->file)) {
+    if (!m_decoder.find(shownFile())) {
         return tr("Decoding %1...").arg(m_photo->name);
     }
     if (isComparing() && !m_mover.sentence().isEmpty()) {

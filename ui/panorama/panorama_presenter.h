@@ -3,9 +3,11 @@
 
 #include "ui/panorama/photo_mover.h"
 #include "ui/panorama/photo_pictures.h"
+#include "ui/panorama/region_tool.h"
 
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/panorama.h"
 
@@ -94,6 +96,35 @@ class PanoramaPresenter : public QObject {
     /// pixels.
     std::vector<QPolygonF> outlines(const QSize& sizePx) const;
 
+    /// The private regions of the photo, and the box that marks another one.
+    RegionTool& regions() { return m_regions; }
+
+    const RegionTool& regions() const { return m_regions; }
+
+    /// A private region as a view of this size shows it. Units: pixels.
+    struct RegionOutline {
+        QPolygonF corners;
+        ShownRegion region;
+        bool isSelected = false;
+    };
+
+    /// Returns those before the camera, the selected one last. As exported, only the selected one is
+    /// outlined.
+    std::vector<RegionOutline> regionOutlines(const QSize& sizePx) const;
+    /// Returns the smallest region at this pixel of such a view; nothing without one.
+    std::optional<std::int64_t> regionAt(const QPointF& pixel, const QSize& sizePx) const;
+    /// Selects the next region, or with -1 the one before, and turns to it. Returns false at the end.
+    bool selectNextRegion(int by);
+    /// Returns what the tool's box marks in such a view; nothing without a photo.
+    std::optional<survey::PrivateRegion> markedRegion(const QSize& sizePx) const;
+    /// Moves the tool's box, units: shares of the view. At the rim, the view turns instead.
+    void moveBox(const QPointF& by, const QSize& sizePx);
+
+    bool isAsExported() const { return m_isAsExported; }
+
+    /// Shows the first photo with its private regions blurred, as exports have it.
+    void setAsExported(bool isAsExported);
+
     /// Whether two photos are compared of which one is not aligned, so that they can be turned differently.
     bool isComparingUnaligned() const;
 
@@ -110,7 +141,10 @@ class PanoramaPresenter : public QObject {
 
   private:
     void want();
-    void lookAt(const PhotoArea& area);
+    void lookAt(const SphericalDirection& inPhoto);
+    std::optional<PhotoProjection> projection(const QSize& sizePx) const;
+    /// The file of the photo, as it is to be shown.
+    PhotoDecoder::File shownFile() const;
 
     bool isComparing() const { return m_comparison != Comparison::Off && m_photo && m_other; }
 
@@ -125,7 +159,9 @@ class PanoramaPresenter : public QObject {
     Comparison m_comparison = Comparison::Off;
     double m_share = 0.5;
     bool m_isOtherShown = false;
+    bool m_isAsExported = false;
     Look m_look;
+    RegionTool m_regions;
     PhotoDecoder m_decoder;
     PhotoMover m_mover;
     render::PanoramaRenderer m_renderer;

@@ -8,8 +8,10 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::ui {
@@ -20,6 +22,13 @@ constexpr double kLineReachPx = 10;
 constexpr double kKeyShare = 1.0 / 12; ///< Share of the field of view that a key turns by.
 constexpr double kZoomStep = 1.15;
 constexpr double kShareStep = 0.02;
+constexpr double kBoxStep = 1.0 / 40; ///< Share of the view that a key moves or sizes the box by.
+constexpr int kPlatePx = 34;          ///< The height of a plate of one line, with a gap.
+constexpr double kLeastBoxPx = 4;     ///< Smaller boxes are clicks of a hand that shakes.
+
+/// Source: Okabe and Ito, Color Universal Design. Their lines differ, too.
+const QColor kFoundColour(86, 180, 233);
+const QColor kMarkedColour(240, 228, 66);
 
 } // namespace
 
@@ -30,7 +39,27 @@ PanoramaView::PanoramaView(QWidget* parent) : QWidget(parent), m_presenter(new P
     setAccessibleName(tr("Photo to look around in"));
     setToolTip(tr("Drag or use the arrow keys to look around; wheel, + and - change the field of view; 0 "
                   "looks level"));
-    connect(m_presenter, &PanoramaPresenter::changed, this, qOverload<>(&QWidget::update));
+    connect(m_presenter, &PanoramaPresenter::changed, this, &PanoramaView::showState);
+}
+
+/// Paints anew, and tells pointers and screen readers what is on.
+void PanoramaView::showState() {
+    update();
+    const RegionTool& tool = m_presenter->regions();
+    if (!m_dragFrom) {
+        setCursor(tool.isMarking() ? Qt::CrossCursor : Qt::OpenHandCursor);
+    }
+    const ShownRegion* selected = tool.selected();
+    const QString description =
+        tool.isMarking()      ? tr("A box is being put around what exports shall show blurred.")
+        : selected != nullptr ? (selected->isFound ? tr("Private region %1 of %2, found by the search")
+                                                   : tr("Private region %1 of %2, marked by hand"))
+                                    .arg(selected - tool.regions().data() + 1)
+                                    .arg(tool.regions().size())
+                              : QString();
+    if (description != accessibleDescription()) {
+        setAccessibleDescription(description);
+    }
 }
 
 void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
@@ -43,6 +72,8 @@ void PanoramaView::paintEvent(QPaintEvent* /*event*/) {
     paintPlate(painter, aboveLine, Qt::AlignCenter, m_presenter->remark());
     if (m_presenter->photo()) {
         paintAreas(painter);
+        paintRegions(painter);
+        paintBox(painter);
         paintLine(painter);
         paintNames(painter);
         paintLook(painter);
@@ -66,6 +97,55 @@ void PanoramaView::paintAreas(QPainter& painter) const {
         painter.setPen(QPen(doubtfulColour(), 2.5));
         painter.drawPolyline(outline);
     }
+}
+
+/// Outlines private regions: dashed where the search has found them, whole where a person has marked them.
+void PanoramaView::paintRegions(QPainter& painter) const {
+    if (m_presenter->comparison() == Comparison::Blink && m_presenter->isOtherShown()) {
+        return;
+    }
+    for (const auto& [corners, region, isSelected] : m_presenter->regionOutlines(size())) {
+        const double width = isSelected ? 4 : 2;
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0, 0, 0, 170), width + 2.5, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.drawPolyline(corners);
+        painter.setPen(QPen(region.isFound ? kFoundColour : kMarkedColour, width,
+                            region.isFound ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        painter.drawPolyline(corners);
+        if (isSelected) {
+            painter.setPen(QPen(Qt::black, 1));
+            painter.setBrush(Qt::white);
+            constexpr double kHandlePx = 4;
+            for (const QPointF& corner : corners) {
+                painter.drawRect(
+                    QRectF(corner - QPointF(kHandlePx, kHandlePx), corner + QPointF(kHandlePx, kHandlePx)));
+            }
+        }
+    }
+    if (!m_presenter->regions().isMarking()) {
+        const int below = m_presenter->isComparingUnaligned() ? 2 * kPlatePx : kPlatePx;
+        paintPlate(painter, rect().adjusted(0, 0, 0, -below), Qt::AlignBottom | Qt::AlignRight,
+                   accessibleDescription());
+    }
+}
+
+/// Draws the box that marks a region, and says how it is moved.
+void PanoramaView::paintBox(QPainter& painter) const {
+    const RegionTool& tool = m_presenter->regions();
+    if (!tool.isMarking()) {
+        return;
+    }
+    const QRectF& share = tool.box();
+    const QRectF box(share.left() * width(), share.top() * height(), share.width() * width(),
+                     share.height() * height());
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, 3));
+    painter.drawRect(box);
+    painter.setPen(QPen(Qt::white, 1.5, Qt::DashLine));
+    painter.drawRect(box);
+    paintPlate(painter, rect().adjusted(0, kPlatePx, 0, 0), Qt::AlignTop | Qt::AlignLeft,
+               tr("Drag a box. Or move this one: arrow keys move it, and with Shift they size it. Return "
+                  "hides what is in it, Escape leaves."));
 }
 
 void PanoramaView::paintLine(QPainter& painter) const {
@@ -116,8 +196,7 @@ void PanoramaView::paintNames(QPainter& painter) const {
 
 void PanoramaView::paintLook(QPainter& painter) const {
     if (m_presenter->isComparingUnaligned()) {
-        constexpr int kLookPx = 34; // the height of the plate below
-        paintPlate(painter, rect().adjusted(0, 0, 0, -kLookPx), Qt::AlignBottom | Qt::AlignHCenter,
+        paintPlate(painter, rect().adjusted(0, 0, 0, -kPlatePx), Qt::AlignBottom | Qt::AlignHCenter,
                    tr("Not aligned yet: the second photo is turned by what both show, roughly."));
     }
     const Look& look = m_presenter->look();
@@ -135,7 +214,12 @@ bool PanoramaView::isOnLine(const QPointF& at) const {
 
 void PanoramaView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
+        m_pressedAt = event->position();
         m_dragFrom = event->position();
+        m_isClick = true;
+        if (m_presenter->regions().isMarking()) {
+            return;
+        }
         m_dragsLine = isOnLine(event->position());
         setCursor(m_dragsLine ? Qt::SplitHCursor : Qt::ClosedHandCursor);
     }
@@ -144,6 +228,16 @@ void PanoramaView::mousePressEvent(QMouseEvent* event) {
 void PanoramaView::mouseMoveEvent(QMouseEvent* event) {
     if (!m_dragFrom) {
         return;
+    }
+    m_isClick = m_isClick && (event->position() - m_pressedAt).manhattanLength() < kLeastBoxPx;
+    if (m_presenter->regions().isMarking()) {
+        const QTransform shares =
+            QTransform::fromScale(1.0 / std::max(1, width()), 1.0 / std::max(1, height()));
+        return m_presenter->regions().setBox(
+            shares.mapRect(QRectF(m_pressedAt, event->position()).normalized()));
+    }
+    if (m_isClick) {
+        return; // a click that shakes does not turn
     }
     if (m_dragsLine) {
         m_presenter->setShare(event->position().x() / std::max(1, width()));
@@ -157,9 +251,28 @@ void PanoramaView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PanoramaView::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) {
-        m_dragFrom.reset();
-        setCursor(Qt::OpenHandCursor);
+    if (event->button() != Qt::LeftButton || !m_dragFrom) {
+        return;
+    }
+    m_dragFrom.reset();
+    RegionTool& tool = m_presenter->regions();
+    if (tool.isMarking()) {
+        const QRectF drawn = QRectF(m_pressedAt, event->position()).normalized();
+        if (drawn.width() >= kLeastBoxPx && drawn.height() >= kLeastBoxPx) {
+            return mark();
+        }
+    } else if (m_isClick && !m_dragsLine) {
+        tool.select(m_presenter->regionAt(event->position(), size()));
+    }
+    showState();
+}
+
+/// Hands on what the box marks, and leaves the tool.
+void PanoramaView::mark() {
+    const auto region = m_presenter->markedRegion(size());
+    m_presenter->regions().setMarking(false);
+    if (region) {
+        emit regionMarked(*region);
     }
 }
 
@@ -168,7 +281,70 @@ void PanoramaView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+/// Keeps shortcuts of the page from keys that the view itself needs now.
+bool PanoramaView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const bool isOfTool = key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter;
+        const bool isRemoval = key == Qt::Key_Delete && m_presenter->regions().selected() != nullptr;
+        if (isRemoval || (isOfTool && m_presenter->regions().isMarking())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+/// Tab goes through the private regions before it leaves the view.
+bool PanoramaView::focusNextPrevChild(bool isNext) {
+    return m_presenter->selectNextRegion(isNext ? 1 : -1) || QWidget::focusNextPrevChild(isNext);
+}
+
+/// Returns whether the box takes the key.
+bool PanoramaView::pressWhileMarking(const QKeyEvent& event) {
+    const auto change = [&](double right, double down) {
+        if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+            m_presenter->regions().growBox({right * kBoxStep, -down * kBoxStep});
+        } else {
+            m_presenter->moveBox({right * kBoxStep, down * kBoxStep}, size());
+        }
+    };
+    switch (event.key()) {
+    case Qt::Key_Left:
+        change(-1, 0);
+        return true;
+    case Qt::Key_Right:
+        change(1, 0);
+        return true;
+    case Qt::Key_Up:
+        change(0, -1);
+        return true;
+    case Qt::Key_Down:
+        change(0, 1);
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        mark();
+        return true;
+    case Qt::Key_Escape:
+        m_presenter->regions().setMarking(false);
+        return true;
+    default:
+        return false;
+    }
+}
+
 void PanoramaView::keyPressEvent(QKeyEvent* event) {
+    if (m_presenter->regions().isMarking() && pressWhileMarking(*event)) {
+        return;
+    }
+    if (event->key() == Qt::Key_Delete && m_presenter->regions().selected() != nullptr) {
+        emit removalWanted();
+        return;
+    }
+    if (event->key() == Qt::Key_Escape && m_presenter->regions().selected() != nullptr) {
+        return m_presenter->regions().select(std::nullopt);
+    }
     const Radians step = m_presenter->look().fov * kKeyShare;
     switch (event->key()) {
     case Qt::Key_Left:

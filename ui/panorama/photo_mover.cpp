@@ -59,7 +59,9 @@ Around around(const ShownPhoto& photo, const Surroundings& surroundings) {
 } // namespace
 
 void PhotoMover::want(const ShownPhoto& here, const ShownPhoto& there, const Surroundings& surroundings) {
-    const Wish wish{here, there, surroundings};
+    Wish wish{here, there, surroundings};
+    wish.here.regions.clear(); // they change nothing of where things are
+    wish.there.regions.clear();
     if (m_wish && *m_wish == wish) {
         return;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/panorama/region_tool.h"
 #include "ui/tasks/background_worker.h"
 
 #include "spherewalk/geometry/angle.h"
@@ -31,11 +32,12 @@ struct ShownPhoto {
     Rigid3 roomFromPhoto;
     bool isAligned = true; ///< Whether the rotation of roomFromPhoto is known.
     std::vector<PhotoArea> areas = {};
+    std::vector<ShownRegion> regions = {};
     std::filesystem::path depthFile = {}; ///< A file of render::DepthMap; empty if no depth is known.
 
     bool operator==(const ShownPhoto& other) const {
         return file == other.file && name == other.name && isAligned == other.isAligned &&
-               areas == other.areas && depthFile == other.depthFile &&
+               areas == other.areas && regions == other.regions && depthFile == other.depthFile &&
                roomFromPhoto.rotation.coeffs() == other.roomFromPhoto.rotation.coeffs() &&
                roomFromPhoto.translation == other.roomFromPhoto.translation;
     }

@@ -6,6 +6,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/jpeg/jpeg.h"
+#include "spherewalk/photo/blurred_photo.h"
 
 #include <QDir>
 #include <QSaveFile>
@@ -136,12 +137,14 @@ const PhotoDecoder::Entry* PhotoDecoder::entry(const File& file) const {
 /// denominator: reduction of the picture; 0 chooses the quick one.
 void PhotoDecoder::decode(const File& file, int denominator) {
     m_worker.post(
-        QString::fromStdString(file.string()), [this, file, denominator]() -> BackgroundWorker::Deliver {
+        QString::fromStdString(file.path.string()), [this, file, denominator]() -> BackgroundWorker::Deliver {
             try {
-                const Bytes bytes = readFile(file);
-                const int by =
-                    denominator > 0 ? denominator : quickDenominator(jpeg::readInfo(bytes, file.string()));
-                const Decoded decoded{render::Panorama(jpeg::decode(bytes, file.string(), by)), by};
+                const std::string name = file.path.string();
+                const Bytes bytes = readFile(file.path);
+                const int by = denominator > 0 ? denominator : quickDenominator(jpeg::readInfo(bytes, name));
+                RgbImage picture = jpeg::decode(bytes, name, by);
+                photo::blurRegions(picture, file.blurred);
+                const Decoded decoded{render::Panorama(picture), by};
                 return [this, file, decoded] { keep(file, decoded, {}); };
             } catch (const Error& error) {
                 const QString sentence = coreWords(error.sentence());

@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/image.h"
 #include "spherewalk/render/panorama.h"
+#include "spherewalk/survey/private_region.h"
 
 #include <QCache>
 #include <QImage>
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <list>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace spherewalk::ui {
 
@@ -30,7 +33,16 @@ class PhotoDecoder : public QObject {
     Q_OBJECT
 
   public:
-    using File = std::filesystem::path;
+    /// A photo, and the regions of it that are to be blurred as exports blur them.
+    struct File {
+        File(std::filesystem::path photo, std::vector<survey::PrivateRegion> regions = {})
+            : path(std::move(photo)), blurred(std::move(regions)) {}
+
+        std::filesystem::path path;
+        std::vector<survey::PrivateRegion> blurred;
+
+        bool operator==(const File&) const = default;
+    };
 
     struct Decoded {
         render::Panorama panorama;

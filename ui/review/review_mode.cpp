@@ -4,6 +4,7 @@
 #include "ui/look/told_label.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
+#include "ui/review/region_bar.h"
 #include "ui/review/review_model.h"
 #include "ui/review/review_presenter.h"
 
@@ -19,6 +20,8 @@
 #include <QSplitter>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <utility>
 
 namespace spherewalk::ui {
 
@@ -67,11 +70,24 @@ void ReviewMode::activated() {
 void ReviewMode::showPart(const QString& part) {
     if (part == "doubtful" && m_presenter->session() != nullptr) {
         const bool hasDoubtful = m_presenter->session()->state().count(Standing::Doubtful) > 0;
-        const auto filter = hasDoubtful ? ReviewFilter::Doubtful : ReviewFilter::Failed;
-        m_filter->setCurrentIndex(m_filter->findData(static_cast<int>(filter)));
-        m_presenter->setCurrent(std::nullopt);
-        m_presenter->step(1);
+        list(hasDoubtful ? ReviewFilter::Doubtful : ReviewFilter::Failed);
+    } else if (part == "regions" && m_presenter->session() != nullptr) {
+        list(ReviewFilter::WithRegions);
     }
+}
+
+/// Lists what passes the filter, and shows the first of it.
+void ReviewMode::list(ReviewFilter filter) {
+    m_search->clear();
+    m_filter->setCurrentIndex(m_filter->findData(static_cast<int>(filter)));
+    m_presenter->setCurrent(std::nullopt);
+    m_presenter->step(1);
+}
+
+QList<Mode::Key> ReviewMode::keys() const {
+    return {{tr("Tab, Delete"), tr("In the photo: select a private region, remove it")},
+            {tr("arrows, Shift+arrows, Return"),
+             tr("While a region is being hidden: move the box, size it, store it")}};
 }
 
 QWidget* ReviewMode::makeList() {
@@ -83,7 +99,7 @@ QWidget* ReviewMode::makeList() {
     m_filter->setAccessibleName(tr("Which stations are listed"));
     for (const ReviewFilter filter :
          {ReviewFilter::All, ReviewFilter::ToReview, ReviewFilter::Doubtful, ReviewFilter::Failed,
-          ReviewFilter::Missing, ReviewFilter::Rejected, ReviewFilter::WithNote}) {
+          ReviewFilter::Missing, ReviewFilter::Rejected, ReviewFilter::WithNote, ReviewFilter::WithRegions}) {
         m_filter->addItem(filterText(filter), static_cast<int>(filter));
     }
     connect(m_filter, &QComboBox::currentIndexChanged, this, [this] {
@@ -128,6 +144,7 @@ QWidget* ReviewMode::makeList() {
     layout->addWidget(m_summary);
     layout->addWidget(m_check);
     layout->addWidget(m_acceptGood);
+    layout->addWidget(new FaceSearchBar(*m_presenter, column));
     return column;
 }
 
@@ -222,7 +239,10 @@ QWidget* ReviewMode::makeViewer() {
     addStep(tr("Previous photo"), {QKeySequence(Qt::Key_K), QKeySequence(Qt::Key_PageUp)}, -1);
 
     layout->addLayout(comparing);
+    auto* regions = new RegionBar(*m_presenter, *m_viewer, column);
+    addAction(regions->hideAction());
     layout->addWidget(m_viewer, 1);
+    layout->addWidget(regions);
     layout->addWidget(m_reasons);
     layout->addWidget(m_note);
     layout->addLayout(buttons);
@@ -339,6 +359,18 @@ void ReviewMode::showCurrent() {
     }
     showNeighbours();
     showBatch();
+    showRegions();
+}
+
+/// Turns to the first private region of each photo while photos with such are listed.
+void ReviewMode::showRegions() {
+    const ReviewRow* row = m_presenter->current();
+    const bool isWanted = row != nullptr && m_presenter->list().filter() == ReviewFilter::WithRegions;
+    const auto photo = isWanted ? row->photo : std::nullopt;
+    if (photo != std::exchange(m_regionsOf, photo) && photo &&
+        m_viewer->presenter().regions().selected() == nullptr) {
+        m_viewer->presenter().selectNextRegion(1);
+    }
 }
 
 /// Shows the note of the photo. A note that is being written stays with its own photo.

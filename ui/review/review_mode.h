@@ -21,6 +21,7 @@ class QPushButton;
 
 namespace spherewalk::ui {
 
+enum class ReviewFilter;
 class CoverageLegend;
 class CoverageView;
 class PanoramaView;
@@ -39,18 +40,22 @@ class ReviewMode : public Mode {
 
     void setSession(SurveySession* session) override;
     void activated() override;
-    /// part: "doubtful" lists the doubtful photos, or the failed ones without any.
+    /// part: "doubtful" lists the doubtful photos, or the failed ones without any; "regions" those with
+    /// private regions.
     void showPart(const QString& part) override;
+    QList<Key> keys() const override;
 
   private:
     QWidget* makeList();
     QWidget* makeViewer();
     QWidget* makePlan();
     QAction* makeAction(const QString& text, const QList<QKeySequence>& keys, const QString& toolTip);
+    void list(ReviewFilter filter);
     void decide(store::Decision decision);
     std::vector<std::int64_t> chosen() const;
     void showRows();
     void showBatch();
+    void showRegions();
     void showCurrent();
     void showNeighbours();
     void showNote();
@@ -79,6 +84,7 @@ class ReviewMode : public Mode {
     QPushButton* m_report = nullptr;
     QLabel* m_errorWords = nullptr;
     QList<QAction*> m_decisions;
+    std::optional<std::int64_t> m_regionsOf; ///< The photo whose first region was turned to.
 };
 
 } // namespace spherewalk::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_model.h"
 
+#include "ui/look/icon.h"
 #include "ui/map/station_words.h"
 #include "ui/review/finding_words.h"
 #include "ui/session/survey_session.h"
@@ -52,7 +53,8 @@ void fill(ReviewRow& row, const jobs::PhotoFinding& finding) {
 
 bool isSame(const ReviewRow& a, const ReviewRow& b) {
     return a.station == b.station && a.photo == b.photo && a.sha256 == b.sha256 && a.standing == b.standing &&
-           a.note == b.note && a.flags == b.flags && a.isChecked == b.isChecked && a.errorPx == b.errorPx;
+           a.note == b.note && a.flags == b.flags && a.regions == b.regions && a.isChecked == b.isChecked &&
+           a.errorPx == b.errorPx;
 }
 
 QString errorText(const ReviewRow& row) {
@@ -63,6 +65,11 @@ QString errorText(const ReviewRow& row) {
                                        : ReviewModel::tr("not found");
 }
 
+QString regionsText(const ReviewRow& row) {
+    return ReviewModel::tr("%n private region(s), which exports show blurred", nullptr,
+                           static_cast<int>(row.regions.size()));
+}
+
 QString toolTip(const ReviewRow& row) {
     QStringList lines{row.fileName, row.note};
     if (row.errorPx && std::isinf(*row.errorPx)) {
@@ -70,6 +77,9 @@ QString toolTip(const ReviewRow& row) {
     } else if (row.errorPx) {
         lines << ReviewModel::tr("95 of 100 places of views in its place are displaced by %1 or less.")
                      .arg(errorText(row));
+    }
+    if (!row.regions.empty()) {
+        lines << regionsText(row);
     }
     lines << row.flags;
     lines.removeAll(QString());
@@ -99,12 +109,37 @@ void paintThumbnail(QPainter& painter, const QRect& box, const QModelIndex& inde
     painter.drawText(box, Qt::AlignCenter, words);
 }
 
+/// Puts the number of private regions into the corner of the thumbnail.
+void paintRegions(QPainter& painter, const QRect& box, int regions) {
+    if (regions == 0) {
+        return;
+    }
+    constexpr int kIconPx = 14;
+    const QString count = QString::number(regions);
+    const int width = kIconPx + painter.fontMetrics().horizontalAdvance(count) + 9;
+    const QRect plate(box.left() + 2, box.center().y() + kThumbnailHeight / 2 - kIconPx - 6, width,
+                      kIconPx + 4);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.drawRoundedRect(plate, 3, 3);
+    painter.drawPixmap(plate.left() + 3, plate.top() + 2, colouredIcon("hide", Qt::white, kIconPx));
+    painter.setPen(Qt::white);
+    painter.drawText(plate.adjusted(kIconPx + 5, 0, 0, 0), Qt::AlignVCenter, count);
+}
+
 } // namespace
 
 ShownPhoto ReviewRow::shown() const {
-    return {file, QObject::tr("%1 (%2)").arg(stationName, fileName),
+    std::vector<ShownRegion> shownRegions;
+    for (const store::RegionRecord& region : regions) {
+        shownRegions.push_back({region.id, region.region, region.origin == store::RegionOrigin::Found});
+    }
+    return {file,
+            QObject::tr("%1 (%2)").arg(stationName, fileName),
             roomFromPhoto.value_or(Rigid3{Eigen::Quaterniond::Identity(), positionM}),
-            roomFromPhoto.has_value(), areas};
+            roomFromPhoto.has_value(),
+            areas,
+            shownRegions};
 }
 
 std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
@@ -123,6 +158,12 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
     for (store::PhotoVerdict& verdict : store.verdicts()) {
         const std::int64_t photo = verdict.photo;
         verdicts.emplace(photo, std::move(verdict));
+    }
+    std::map<std::int64_t, std::vector<store::RegionRecord>> regions; // by photo
+    for (const store::RegionRecord& region : store.regions()) {
+        if (region.origin != store::RegionOrigin::Rejected) {
+            regions[region.photo].push_back(region);
+        }
     }
     std::map<std::int64_t, const jobs::PhotoFinding*> found; // by photo
     if (findings) {
@@ -144,6 +185,7 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
                 row.decision = review->second.decision;
                 row.note = QString::fromStdString(review->second.note);
             }
+            row.regions = regions[*row.photo];
             const auto verdict = verdicts.find(*row.photo);
             if (verdict != verdicts.end()) {
                 fill(row, verdict->second);
@@ -215,7 +257,8 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
         return row.stationName;
     case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2").arg(row.stationName, standingText(row.standing));
+        return QStringLiteral("%1, %2").arg(row.stationName, standingText(row.standing)) +
+               (row.regions.empty() ? QString() : QStringLiteral(", ") + regionsText(row));
     case Qt::ToolTipRole:
         return toolTip(row);
     case Qt::DecorationRole:
@@ -230,6 +273,8 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
         return row.reasons.join(QStringLiteral(", "));
     case ErrorRole:
         return errorText(row);
+    case RegionsRole:
+        return static_cast<int>(row.regions.size());
     case UnreadableRole:
         return m_thumbnails.isUnreadable(row.sha256);
     default:
@@ -262,6 +307,8 @@ QString filterText(ReviewFilter filter) {
         return QCoreApplication::translate("ReviewFilter", "Rejected");
     case ReviewFilter::WithNote:
         return QCoreApplication::translate("ReviewFilter", "With a note");
+    case ReviewFilter::WithRegions:
+        return QCoreApplication::translate("ReviewFilter", "With private regions");
     }
     return {};
 }
@@ -282,6 +329,8 @@ bool passes(ReviewFilter filter, const ReviewRow& row) {
         return row.standing == Standing::Rejected;
     case ReviewFilter::WithNote:
         return !row.note.isEmpty();
+    case ReviewFilter::WithRegions:
+        return !row.regions.empty();
     }
     return true;
 }
@@ -330,6 +379,7 @@ void ReviewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     paintThumbnail(*painter,
                    {box.left(), box.center().y() - kThumbnailHeight / 2, kThumbnailWidth, kThumbnailHeight},
                    index, option.palette);
+    paintRegions(*painter, box, index.data(ReviewModel::RegionsRole).toInt());
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
     const QColor ink = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QRect words = box.adjusted(kThumbnailWidth + 2 * kGap, 0, 0, 0);

@@ -35,10 +35,11 @@ struct ReviewRow {
     QString sha256;
     store::Decision decision = store::Decision::Open;
     QString note;
-    QStringList flags;            ///< Sentences of the checks and of the alignment.
-    QStringList reasons;          ///< The same in short.
-    std::vector<PhotoArea> areas; ///< Areas of the photo that the flags tell of.
-    bool isChecked = false;       ///< The checks or the alignment have graded the photo.
+    QStringList flags;                        ///< Sentences of the checks and of the alignment.
+    QStringList reasons;                      ///< The same in short.
+    std::vector<PhotoArea> areas;             ///< Areas of the photo that the flags tell of.
+    std::vector<store::RegionRecord> regions; ///< Private ones, which exports blur.
+    bool isChecked = false;                   ///< The checks or the alignment have graded the photo.
     std::optional<Rigid3> roomFromPhoto;
     std::optional<Radians> sigmaYaw;
     std::optional<Radians> residual;
@@ -68,7 +69,8 @@ class ReviewModel : public QAbstractListModel {
         NoteRole,
         ReasonRole, ///< All reasons in one short text.
         UnreadableRole,
-        ErrorRole, ///< "3.4 px"; empty without a measurement.
+        ErrorRole,   ///< "3.4 px"; empty without a measurement.
+        RegionsRole, ///< Number of the photo's private regions.
     };
 
     explicit ReviewModel(ThumbnailCache& thumbnails, QObject* parent = nullptr);
@@ -91,7 +93,7 @@ class ReviewModel : public QAbstractListModel {
 };
 
 /// The stations that a reviewer wants to see.
-enum class ReviewFilter { All, ToReview, Doubtful, Failed, Missing, Rejected, WithNote };
+enum class ReviewFilter { All, ToReview, Doubtful, Failed, Missing, Rejected, WithNote, WithRegions };
 
 /// Returns the name of a filter, translated.
 QString filterText(ReviewFilter filter);

@@ -55,6 +55,19 @@ Surroundings surroundingsOf(const survey::Room& room, const std::vector<ReviewRo
     return result;
 }
 
+Told foundWords(const jobs::FaceReport& report) {
+    const QString searched =
+        ReviewPresenter::tr("%n photo(s) searched", nullptr, static_cast<int>(report.photos));
+    if (report.regions == 0) {
+        return ReviewPresenter::tr("%1: no face found.").arg(searched);
+    }
+    return {
+        ReviewPresenter::tr("%1: %2 %3, which exports show blurred.")
+            .arg(searched, ReviewPresenter::tr("%n face(s) found", nullptr, static_cast<int>(report.regions)),
+                 ReviewPresenter::tr("in %n photo(s)", nullptr, static_cast<int>(report.photosWithRegions))),
+        Cure::Regions};
+}
+
 } // namespace
 
 SurveyWatch::SurveyWatch(QObject* parent) : QObject(parent) {
@@ -135,6 +148,8 @@ void ReviewPresenter::read() {
             fillErrors(rows, *m_errors);
         }
         m_model.setRows(std::move(rows));
+        m_unsearched =
+            session() != nullptr ? static_cast<int>(jobs::unsearchedPhotos(session()->store())) : 0;
         m_viewer.setSurroundings(
             session() != nullptr ? surroundingsOf(session()->state().room, m_model.rows()) : Surroundings());
     } catch (const Error& error) {
@@ -293,7 +308,58 @@ void ReviewPresenter::compareWith(std::optional<std::size_t> neighbour) {
 }
 
 bool ReviewPresenter::canDecide() const {
-    return session() != nullptr && !session()->isReadOnly();
+    return session() != nullptr && !session()->isReadOnly() && searching() == nullptr &&
+           !(m_checking && m_checking->isRunning());
+}
+
+void ReviewPresenter::markRegion(const survey::PrivateRegion& region) {
+    const ReviewRow* row = current();
+    if (row != nullptr && row->photo) {
+        if (const auto marked = m_reviewer.markRegion(*row->photo, region)) {
+            m_viewer.regions().select(marked);
+        }
+    }
+}
+
+void ReviewPresenter::removeRegion() {
+    const ReviewRow* row = current();
+    const ShownRegion* selected = m_viewer.regions().selected();
+    if (row == nullptr || selected == nullptr) {
+        return;
+    }
+    const auto region = std::find_if(row->regions.begin(), row->regions.end(),
+                                     [&](const store::RegionRecord& one) { return one.id == selected->id; });
+    if (region != row->regions.end()) {
+        m_reviewer.removeRegion(store::RegionRecord(*region)); // a copy: the row is read anew meanwhile
+    }
+}
+
+bool ReviewPresenter::canSearchFaces() const {
+    return canDecide() && std::any_of(m_model.rows().begin(), m_model.rows().end(),
+                                      [](const ReviewRow& row) { return row.photo.has_value(); });
+}
+
+void ReviewPresenter::searchFaces() {
+    if (!canSearchFaces()) {
+        return;
+    }
+    jobs::FaceOptions options;
+    options.again = m_unsearched == 0;
+    m_searching = m_tasks.start(
+        tr("Searching for faces"), this,
+        [folder = session()->path(), options](ProgressSink& progress, const std::stop_token& stop) {
+            auto store = store::SurveyStore::open(folder, store::Access::Write);
+            return jobs::searchFaces(store, options, progress, stop);
+        },
+        [this](const jobs::FaceReport& report) { emit message(foundWords(report)); });
+    connect(m_searching, &Task::ended, this, [this] {
+        if (session() != nullptr) {
+            session()->noteChanged(SurveySession::Photos);
+        }
+        emit searchChanged();
+    });
+    emit searchChanged();
+    emit currentChanged(); // decisions have to wait
 }
 
 /// Looks for the depths that exports have kept, with which a neighbour is moved best.

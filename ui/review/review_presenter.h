@@ -77,13 +77,29 @@ class ReviewPresenter : public SurveyPresenter {
     void check();
     void setNote(std::int64_t photo, const QString& note);
 
+    /// Lets exports blur this region of the current photo, and selects it.
+    void markRegion(const survey::PrivateRegion& region);
+    /// Lets exports show the viewer's selected region again.
+    void removeRegion();
+
+    /// Returns the number of photos in which nobody has looked for faces yet.
+    int unsearched() const { return m_unsearched; }
+
+    bool canSearchFaces() const;
+    /// Looks for faces in a task: in these photos, or in all of them again if there are none.
+    void searchFaces();
+
+    /// Returns the search that runs; null without one.
+    Task* searching() const { return m_searching && m_searching->isRunning() ? m_searching.data() : nullptr; }
+
     /// Returns the photos near the current one, nearest first, for a comparison.
     const std::vector<const ReviewRow*>& neighbours() const { return m_neighbours; }
 
     /// Compares with the neighbour of this rank; nothing: ends the comparison.
     void compareWith(std::optional<std::size_t> neighbour);
 
-    /// Whether decisions can be recorded: a survey is open that this program can write.
+    /// Whether decisions can be recorded: a survey is open that this program can write, and no task of this
+    /// page is writing it.
     bool canDecide() const;
 
     /// Takes measured errors from this report.json, and remembers the file for this survey. message() tells
@@ -101,6 +117,8 @@ class ReviewPresenter : public SurveyPresenter {
     /// The current station or its row has changed.
     void currentChanged();
     void rowsChanged();
+    /// searching() has changed.
+    void searchChanged();
 
   private:
     void read() override;
@@ -123,6 +141,8 @@ class ReviewPresenter : public SurveyPresenter {
     QString m_errorsFile;    ///< The report that the errors come from.
     QDateTime m_errorsSince; ///< Time of its last change.
     QPointer<Task> m_checking;
+    QPointer<Task> m_searching;
+    int m_unsearched = 0;
     std::map<std::int64_t, std::filesystem::path> m_depths; ///< Depths that exports kept, by photo.
     BackgroundWorker m_worker; ///< The last member, as its results use the others.
 };

@@ -13,23 +13,31 @@ namespace spherewalk::ui {
 
 namespace {
 
-void record(SurveySession& session, const std::vector<store::Review>& reviews) {
-    session.write(SurveySession::Reviews | SurveySession::Photos, [&](store::SurveyStore& store) {
+using Change = std::function<void(store::SurveyStore&)>;
+
+void write(SurveySession& session, const Change& change) {
+    session.write(SurveySession::Reviews | SurveySession::Photos, change);
+}
+
+Change recording(std::vector<store::Review> reviews) {
+    return [reviews = std::move(reviews)](store::SurveyStore& store) {
         for (const store::Review& review : reviews) {
             store.setReview(review);
         }
-    });
+    };
 }
 
-/// A decision that has been recorded. If another program writes, undo reports that and changes nothing. It
-/// then leaves the stack.
+/// What a person did to photos, and which has been recorded. If another program writes, undo reports that and
+/// changes nothing. It then leaves the stack.
 class ReviewCommand : public QUndoCommand {
   public:
-    ReviewCommand(const QString& text, SurveySession& session, PhotoReviewer& reviewer,
-                  std::vector<store::Review> before, std::vector<store::Review> after)
+    /// photo: the one that is shown when the step is taken back.
+    ReviewCommand(const QString& text, SurveySession& session, PhotoReviewer& reviewer, std::int64_t photo,
+                  Change before, Change after)
         : QUndoCommand(text),
           m_session(&session),
           m_reviewer(&reviewer),
+          m_photo(photo),
           m_before(std::move(before)),
           m_after(std::move(after)) {}
 
@@ -44,14 +52,14 @@ class ReviewCommand : public QUndoCommand {
     }
 
   private:
-    void tryTo(const std::vector<store::Review>& reviews) {
+    void tryTo(const Change& change) {
         if (!m_session) {
             return;
         }
         try {
-            record(*m_session, reviews);
+            write(*m_session, change);
             // What has changed is shown.
-            m_session->selection()->setCurrent(m_session->store().photo(reviews.front().photo).station);
+            m_session->selection()->setCurrent(m_session->store().photo(m_photo).station);
         } catch (const Error& error) {
             setObsolete(true);
             if (m_reviewer) {
@@ -62,8 +70,9 @@ class ReviewCommand : public QUndoCommand {
 
     QPointer<SurveySession> m_session;
     QPointer<PhotoReviewer> m_reviewer;
-    std::vector<store::Review> m_before;
-    std::vector<store::Review> m_after;
+    std::int64_t m_photo;
+    Change m_before;
+    Change m_after;
     bool m_isRecorded = true;
 };
 
@@ -97,9 +106,44 @@ void PhotoReviewer::apply(const QString& what, const std::vector<std::int64_t>& 
         if (before == after) {
             return;
         }
-        record(*m_session, after);
-        m_session->undoStack()->push(
-            new ReviewCommand(what, *m_session, *this, std::move(before), std::move(after)));
+        write(*m_session, recording(after));
+        m_session->undoStack()->push(new ReviewCommand(what, *m_session, *this, photos.front(),
+                                                       recording(std::move(before)),
+                                                       recording(std::move(after))));
+    } catch (const Error& error) {
+        emit refused(coreWords(error.sentence()));
+    }
+}
+
+std::optional<std::int64_t> PhotoReviewer::markRegion(std::int64_t photo,
+                                                      const survey::PrivateRegion& region) {
+    if (!m_session) {
+        return std::nullopt;
+    }
+    try {
+        store::RegionRecord record{0, photo, region, store::RegionOrigin::Marked};
+        write(*m_session, [&](store::SurveyStore& store) { record.id = store.markRegion(photo, region); });
+        m_session->undoStack()->push(new ReviewCommand(
+            tr("Hide a region"), *m_session, *this, photo,
+            [id = record.id](store::SurveyStore& store) { store.removeRegion(id); },
+            [record](store::SurveyStore& store) { store.restoreRegion(record); }));
+        return record.id;
+    } catch (const Error& error) {
+        emit refused(coreWords(error.sentence()));
+        return std::nullopt;
+    }
+}
+
+void PhotoReviewer::removeRegion(const store::RegionRecord& region) {
+    if (!m_session) {
+        return;
+    }
+    try {
+        const Change removal = [id = region.id](store::SurveyStore& store) { store.removeRegion(id); };
+        write(*m_session, removal);
+        m_session->undoStack()->push(new ReviewCommand(
+            tr("Remove a region"), *m_session, *this, region.photo,
+            [region](store::SurveyStore& store) { store.restoreRegion(region); }, removal));
     } catch (const Error& error) {
         emit refused(coreWords(error.sentence()));
     }

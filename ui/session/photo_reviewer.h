@@ -6,12 +6,15 @@
 #include <QObject>
 #include <QPointer>
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace spherewalk::ui {
 
-/// Records decisions and notes of a person on photos. Each call is one step of the session's undo stack.
+/// Records decisions and notes of a person on photos, and which regions of them are private. Each call is one
+/// step of the session's undo stack.
 class PhotoReviewer : public QObject {
     Q_OBJECT
 
@@ -25,6 +28,10 @@ class PhotoReviewer : public QObject {
     void decide(const std::vector<std::int64_t>& photos, store::Decision decision);
     /// Sets the note of a photo; its decision stays.
     void setNote(std::int64_t photo, const QString& note);
+    /// Lets exports blur a region of a photo. Returns its identity; nothing if that was refused.
+    std::optional<std::int64_t> markRegion(std::int64_t photo, const survey::PrivateRegion& region);
+    /// Lets exports show a region again. One that a search has found is not found once more.
+    void removeRegion(const store::RegionRecord& region);
 
   signals:
     /// Nothing was recorded; the sentence says why.

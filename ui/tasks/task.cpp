@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/task.h"
 
+#include "ui/look/core_words.h"
+
 #include "spherewalk/base/error.h"
 
 #include <algorithm>
@@ -94,6 +96,10 @@ void Task::run(const Work& work, const std::stop_token& stop) {
         m_shared->ending = std::move(ending);
     }
     QMetaObject::invokeMethod(this, &Task::finish, Qt::QueuedConnection);
+}
+
+QString Task::step() const {
+    return coreWords(m_step);
 }
 
 void Task::look() {

@@ -49,8 +49,8 @@ class Task : public QObject {
     /// Returns the completed share, in [0, 1].
     double fraction() const { return m_fraction; }
 
-    /// Names the step that is on, for people.
-    QString step() const { return m_step; }
+    /// Names the step that is on, in the user's language where that is known.
+    QString step() const;
 
     /// Estimates the time left. Returns nothing before an estimate is possible and after the end.
     std::optional<std::chrono::seconds> left() const { return m_left; }
@@ -87,7 +87,7 @@ class Task : public QObject {
     QString m_title;
     State m_state = State::Running;
     double m_fraction = 0;
-    QString m_step;
+    QString m_step; ///< As the core says it.
     std::optional<std::chrono::seconds> m_left;
     Told m_told;
     QStringList m_warnings;

@@ -58,6 +58,10 @@ Result checkedExport(const ExportArguments& options, Context& context) {
             words += "\n" + sentence;
         }
     }
+    if (check.privateRegions > 0) {
+        words += text("\n", counted(check.privateRegions, "private region", "private regions"), " in ",
+                      counted(check.blurredPhotos, "photo", "photos"), " will be blurred.");
+    }
     return {jobs::toJson(check), words, check.isPossible()};
 }
 

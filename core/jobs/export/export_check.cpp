@@ -44,6 +44,7 @@ class Look {
             addDepth(stop);
         }
         progress.progress(0.9, "Looking at the survey");
+        countRegions();
         lookAtPlace(folder);
         lookAtStations();
         lookAtRotations();
@@ -82,6 +83,17 @@ class Look {
         const DepthForecast depth = exportForecast(m_store, m_options, true, stop);
         m_check.seconds += depth.seconds();
         m_check.totalBytes += render::usesDepths(m_options.scene) ? depth.bytes : 0;
+    }
+
+    void countRegions() {
+        for (const store::PhotoRecord& photo : m_photos) {
+            const std::vector<store::RegionRecord> regions = m_store.regions(photo.id);
+            const auto blurred = std::ranges::count_if(regions, [](const store::RegionRecord& region) {
+                return region.origin != store::RegionOrigin::Rejected;
+            });
+            m_check.privateRegions += static_cast<std::size_t>(blurred);
+            m_check.blurredPhotos += blurred > 0 ? 1 : 0;
+        }
     }
 
     void lookAtPlace(const fs::path& folder) {
@@ -170,9 +182,14 @@ ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder,
 }
 
 Json toJson(const ExportCheck& check) {
-    return {{"photos", check.photos},        {"estimated_bytes", check.totalBytes},
-            {"free_bytes", check.freeBytes}, {"estimated_seconds", check.seconds},
-            {"obstacles", check.obstacles},  {"doubts", check.doubts},
+    return {{"photos", check.photos},
+            {"estimated_bytes", check.totalBytes},
+            {"free_bytes", check.freeBytes},
+            {"estimated_seconds", check.seconds},
+            {"obstacles", check.obstacles},
+            {"doubts", check.doubts},
+            {"private_regions", check.privateRegions},
+            {"photos_with_private_regions", check.blurredPhotos},
             {"possible", check.isPossible()}};
 }
 

@@ -7,6 +7,7 @@
 #include "spherewalk/photo/face_search.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <vector>
@@ -42,18 +43,29 @@ FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, Pr
         const std::filesystem::path file = store.photoFolder() / photo.fileName;
         const RgbImage picture = jpeg::decode(readFile(file), file.string());
         throwIfStopped(stop);
-        report.regions +=
+        const std::size_t added =
             store.setFoundRegions(photo.id, search.faces(picture, options.threads, stop), kSearchMethod);
+        report.regions += added;
+        report.photosWithRegions += added > 0 ? 1 : 0;
         ++report.photos;
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return report;
 }
 
+std::size_t unsearchedPhotos(const store::SurveyStore& store) {
+    const std::vector<std::int64_t> known = store.searchedPhotos(kSearchMethod);
+    const std::set<std::int64_t> searched(known.begin(), known.end());
+    const std::vector<store::PhotoRecord> photos = store.photos();
+    return static_cast<std::size_t>(
+        std::ranges::count_if(photos, [&](const auto& photo) { return !searched.contains(photo.id); }));
+}
+
 Json toJson(const FaceReport& report) {
     return {{"photos_searched", report.photos},
             {"photos_searched_before", report.before},
             {"regions_found", report.regions},
+            {"photos_with_found_regions", report.photosWithRegions},
             {"seconds", report.seconds}};
 }
 

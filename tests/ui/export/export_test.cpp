@@ -78,6 +78,20 @@ TEST_F(ExportTest, ChecksBeforeAndThenExports) {
     EXPECT_TRUE(widget<QLabel>("result").isVisible());
 }
 
+TEST_F(ExportTest, SaysHowMuchWillBeBlurredAndOnlyThen) {
+    check();
+    EXPECT_FALSE(widget<QLabel>("findings").text().contains("private"));
+    session->write(SurveySession::Photos, [](store::SurveyStore& store) {
+        const std::int64_t photo = store.photos().front().id;
+        store.markRegion(photo, {Degrees(0), Degrees(0), Degrees(10), Degrees(10)});
+        store.markRegion(photo, {Degrees(90), Degrees(0), Degrees(10), Degrees(10)});
+    });
+    check();
+    const QString words = widget<QLabel>("findings").text();
+    EXPECT_TRUE(words.contains("2 private region(s) in 1 photo(s) will be blurred.")) << words.toStdString();
+    EXPECT_TRUE(words.contains("spherewalk:review/regions"));
+}
+
 TEST_F(ExportTest, DoesNotOpenTheFolderUnlessWanted) {
     widget<QCheckBox>("opens").setChecked(false);
     check();

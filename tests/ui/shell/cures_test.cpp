@@ -10,6 +10,7 @@
 #include "ui/shell/help_window.h"
 
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -71,6 +72,27 @@ TEST_F(CuresTest, WhatATaskLacksIsLinkedInTheStatusLineAndInItsRow) {
     EXPECT_EQ(page(), "capture");
     person.window().say(QString("Something else."));
     EXPECT_FALSE(link->isVisible());
+}
+
+TEST_F(CuresTest, WhatWillBeBlurredLeadsToThePhotosWithIt) {
+    const test::PhotographedSurvey photographed(3);
+    std::int64_t station = 0;
+    {
+        auto store = photographed.open(store::Access::Write);
+        const store::PhotoRecord photo = store.photos().at(1);
+        store.markRegion(photo.id, {Degrees(0), Degrees(0), Degrees(10), Degrees(10)});
+        station = photo.station;
+    }
+    ASSERT_TRUE(person.window().openSurvey(QString::fromStdString(photographed.path().string())));
+    person.choose("Export");
+    person.waitForTasks();
+    auto& findings = label("findings");
+    person.waitUntil([&] { return findings.words().contains("will be blurred"); });
+    EXPECT_TRUE(findings.text().contains(linkTo(Cure::Regions).toString()));
+    QDesktopServices::openUrl(linkTo(Cure::Regions));
+    EXPECT_EQ(page(), "review");
+    EXPECT_EQ(person.widget<QComboBox>("filter").currentText(), "With private regions");
+    EXPECT_EQ(person.window().session()->selection()->current(), station);
 }
 
 TEST_F(CuresTest, TheStatusLineDoesNotLinkToThePageInSight) {

@@ -54,6 +54,21 @@ TEST_F(ExportCheckTest, SaysWhatTheDatasetWouldLack) {
     EXPECT_THAT(found.doubts, Contains(HasSubstr("1 photo was rejected")));
 }
 
+TEST_F(ExportCheckTest, CountsWhatIsBlurredInThePhotosThatAreExported) {
+    auto store = survey.open(store::Access::Write);
+    const std::vector<store::PhotoRecord> photos = store.photos();
+    const survey::PrivateRegion region{Degrees(0), Degrees(0), Degrees(10), Degrees(10)};
+    store.markRegion(photos.at(0).id, region);
+    store.markRegion(photos.at(1).id, region);
+    store.setFoundRegions(photos.at(1).id, {{Degrees(90), Degrees(0), Degrees(10), Degrees(10)}}, 1);
+    store.setFoundRegions(photos.at(2).id, {region}, 1);
+    store.removeRegion(store.regions(photos.at(2).id).front().id);
+    store.setReview({photos.at(0).id, store::Decision::Rejected, ""});
+    const ExportCheck found = check(survey / "d");
+    EXPECT_EQ(found.privateRegions, 2U);
+    EXPECT_EQ(found.blurredPhotos, 1U);
+}
+
 TEST_F(ExportCheckTest, CountsTheDepthsThatAreNotKnownYet) {
     const ExportOptions options = coarse(render::SceneKind::Depth);
     const auto store = survey.open();

@@ -185,6 +185,8 @@ struct ExportCheck {
     std::uint64_t totalBytes = 0;       ///< Estimate from the photos and from what one of them grew by.
     std::uint64_t freeBytes = 0;        ///< Free space where the dataset is to be written.
     double seconds = 0;                 ///< Estimate from one photo, with all threads, and one depth.
+    std::size_t privateRegions = 0;     ///< Regions of photos that are blurred.
+    std::size_t blurredPhotos = 0;      ///< Photos that have such regions.
     std::vector<std::string> obstacles; ///< Sentences that say why the export cannot be done.
     std::vector<std::string> doubts;    ///< Sentences that say what the dataset would lack.
 

@@ -70,9 +70,10 @@ struct FaceOptions {
 };
 
 struct FaceReport {
-    std::size_t photos = 0;  ///< Photos that were searched.
-    std::size_t before = 0;  ///< Photos that an earlier run has searched.
-    std::size_t regions = 0; ///< Regions that were found and are new.
+    std::size_t photos = 0;            ///< Photos that were searched.
+    std::size_t before = 0;            ///< Photos that an earlier run has searched.
+    std::size_t regions = 0;           ///< Regions that were found and are new.
+    std::size_t photosWithRegions = 0; ///< Photos in which they are.
     double seconds = 0;
 };
 
@@ -83,5 +84,9 @@ FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, Pr
                        const std::stop_token& stop);
 
 Json toJson(const FaceReport& report);
+
+/// The number of photos that searchFaces() would search if it were not to search any again. Errors: those of
+/// the store.
+std::size_t unsearchedPhotos(const store::SurveyStore& store);
 
 } // namespace spherewalk::jobs
