@@ -383,9 +383,9 @@ void CaptureDesk::shoot() {
 void CaptureDesk::ended(const store::StationRecord& station, survey::Quality quality, bool isThere,
                         const QString& sentence) {
     m_verdict = quality;
-    // The cart may stand elsewhere by now.
-    const Told told = coreTold(sentence);
-    m_told = told.isEmpty() ? told : Told(tr("%1: %2").arg(stationWords(station.name), told.text), told.cure);
+    const Told told = coreTold(sentence); // of a station that the cart may have left by now
+    const Cure cure = told.cure == Cure::Capture ? Cure::None : told.cure; // that is here
+    m_told = told.isEmpty() ? told : Told(tr("%1: %2").arg(stationWords(station.name), told.text), cure);
     if (isThere || quality != survey::Quality::Failed) {
         m_queue.pace().photo(systemClock().now());
         m_queue.setAgain(station.id, false);

@@ -68,6 +68,22 @@ constexpr CuredSentence kCured[] = {
     {"Change the survey's capture profile.", Cure::Exposure},
     {"There is nothing to align in %1: no station has a photo yet; capture or import some first.",
      Cure::Capture},
+    {"It is %1 pixels wide instead of %2; set the camera's size and take it again.", Cure::Capture},
+    {"It says that it is no whole stitched sphere; switch stitching on in the camera and take it again.",
+     Cure::Capture},
+    {"It says that the camera hung upside down; put it upright and take it again.", Cure::Capture},
+    {"It was exposed for %1 s instead of %2 s; take it again.", Cure::Capture},
+    {"It was taken at ISO %1 instead of %2; take it again.", Cure::Capture},
+    {"Something is in view that its neighbours do not show, %1 degrees to the left of the picture's middle "
+     "(%2 % of the sphere); if it is a person, step aside and take it again.",
+     Cure::Capture},
+    {"Something is in view that its neighbours do not show, %1 degrees to the right of the picture's middle "
+     "(%2 % of the sphere); if it is a person, step aside and take it again.",
+     Cure::Capture},
+    {"It is blurred: its edges are %1 times as wide as they should be; let the camera come to rest and take "
+     "it again.",
+     Cure::Capture},
+    {"It is upside down against its neighbours; put the camera upright and take it again.", Cure::Capture},
     {"No photo is left to export; capture some first, or accept some.", Cure::Capture},
     {"The survey is not aligned: photos would be exported as if each looked along the room's x axis; align "
      "it "

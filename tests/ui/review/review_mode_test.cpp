@@ -184,6 +184,21 @@ TEST_F(ReviewModeTest, TurnsToWhatTheChecksFoundAndOutlinesIt) {
     EXPECT_EQ(row.data(ReviewModel::ReasonRole).toString(), "foreign, 4.7 %");
 }
 
+TEST_F(ReviewModeTest, WhatIsToBeTakenAgainLeadsToCapture) {
+    const auto find = [&](const char* sentence) {
+        session->write(SurveySession::Photos, [&](store::SurveyStore& store) {
+            store.setVerdict(
+                {store.chosenPhotos().at(0).id, survey::Quality::Failed,
+                 Json::array({{{"flaw", "blur"}, {"quality", "failed"}, {"sentence", sentence}}}).dump()});
+        });
+    };
+    find("It is blurred: its edges are 3.1 times as wide as they should be; let the camera come to rest and "
+         "take it again.");
+    EXPECT_TRUE(widget<QLabel>("reasons").text().contains(linkTo(Cure::Capture).toString()));
+    find("The camera leaned by 4 degrees; check its mount.");
+    EXPECT_FALSE(widget<QLabel>("reasons").text().contains("href"));
+}
+
 TEST_F(ReviewModeTest, SaysThatPhotosAreNotAlignedWhereTheyAreCompared) {
     press(Qt::Key_C);
     EXPECT_FALSE(widget<QPushButton>("toAlign").isVisible());
