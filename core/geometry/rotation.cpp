@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,14 @@ Quaterniond checkedQuaternion(double w, double x, double y, double z, std::strin
                          ") is not a unit quaternion; check the order and the values of its components."));
     }
     return q.normalized();
+}
+
+Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad) {
+    const double angle = turnRad.norm();
+    const double half = angle / 2;
+    // Near zero the division loses all digits; the series of sin(angle / 2) / angle keeps them.
+    const double scale = angle < 1e-6 ? 0.5 - angle * angle / 48 : std::sin(half) / angle;
+    return {std::cos(half), scale * turnRad.x(), scale * turnRad.y(), scale * turnRad.z()};
 }
 
 } // namespace spherewalk

@@ -9,6 +9,8 @@
 #include <QGroupBox>
 #include <QPointer>
 
+#include <string>
+
 class QLabel;
 class QPushButton;
 
@@ -75,5 +77,8 @@ class PagePanel : public QGroupBox {
     QLabel* m_words = nullptr;
     QPushButton* m_open = nullptr;
 };
+
+/// A word of a page for browsers, or what core says of photos, in the window's language. Threads: any.
+std::string pageWord(const std::string& english);
 
 } // namespace spherewalk::ui

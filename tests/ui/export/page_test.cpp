@@ -2,7 +2,6 @@
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "ui/export/page_panel.h"
-#include "ui/export/page_words.h"
 #include "ui/shell/application.h"
 
 #include "spherewalk/base/json.h"
