@@ -120,7 +120,7 @@ TEST_F(AlignFaults, SaysThatTheScaleOfTheTagsIsWrong) {
     EXPECT_NEAR(report.scale->value, 1.25, kScaleError);
     EXPECT_EQ(toJson(report)["tags_scale"]["value"].get<double>(), report.scale->value);
     expectWarning(
-        AllOf(HasSubstr("The scale of the tags is wrong"), HasSubstr(fixed(report.scale->value, 2))), report);
+        AllOf(HasSubstr("The scale of the tags is wrong"), HasSubstr(fixed(report.scale->value, 3))), report);
 }
 
 TEST_F(AlignFaults, SaysThatTheScaleOfTheTagsDiffersAlongTheAxes) {
@@ -130,7 +130,7 @@ TEST_F(AlignFaults, SaysThatTheScaleOfTheTagsDiffersAlongTheAxes) {
     EXPECT_NEAR(yOverX, 0.8, kScaleError);
     EXPECT_EQ(toJson(report)["tags_y_over_x"]["value"].get<double>(), yOverX);
     expectWarning(
-        AllOf(HasSubstr("The scale of the tags differs along the axes"), HasSubstr(fixed(yOverX, 2))),
+        AllOf(HasSubstr("The scale of the tags differs along the axes"), HasSubstr(fixed(yOverX, 3))),
         report);
 }
 
