@@ -173,9 +173,8 @@ Json listOf(const Eigen::Vector3d& values) {
     return {values.x(), values.y(), values.z()};
 }
 
-Json lightJson(const render::LightProbe& probe) {
-    const render::LightHarmonics harmonics = render::lightHarmonics(probe.radiance);
-    const render::DominantLight light = render::dominantLight(harmonics);
+Json lightJson(const render::LightProbe& probe, const render::LightHarmonics& harmonics,
+               const render::DominantLight& light) {
     Json json{{"photo", probe.report.file},
               {"is_outside", probe.report.isOutside},
               {"sees_place", probe.report.seesPlace},
@@ -191,8 +190,7 @@ Json lightJson(const render::LightProbe& probe) {
     return json;
 }
 
-std::string lightText(const render::LightProbe& probe) {
-    const render::DominantLight light = render::dominantLight(render::lightHarmonics(probe.radiance));
+std::string lightText(const render::LightProbe& probe, const render::DominantLight& light) {
     const SphericalDirection towards = sphericalDirection(light.towards);
     const std::string strongest =
         light.share > 0
@@ -216,11 +214,13 @@ Result renderProbe(const ProbeArguments& options, Context& context) {
     const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
     const render::LightProbe probe = render::lightProbe(renderer, place, wanted);
     writeFile(options.out, render::radianceFile(probe.radiance));
-    Json json = lightJson(probe);
+    const render::LightHarmonics harmonics = render::lightHarmonics(probe.radiance);
+    const render::DominantLight light = render::dominantLight(harmonics);
+    Json json = lightJson(probe, harmonics, light);
     json["out"] = options.out;
     return {json, text("Wrote ", options.out, ": the light at ", options.at, ", ", probe.radiance.width(),
                        " x ", probe.radiance.height(), " pixels, where 1 is the white of ", probe.report.file,
-                       ".", lightText(probe), doubtOf(probe.report, "light"))};
+                       ".", lightText(probe, light), doubtOf(probe.report, "light"))};
 }
 
 } // namespace

@@ -105,10 +105,7 @@ Draws signs(const std::vector<int>& track) {
 // The ratio of the offsets found to their priors' deviations along each axis; 1 where there are not enough of
 // them to tell.
 Eigen::Vector3d offsetFactors(const Unknowns& unknowns, std::span<const PhotoPrior> priors, Model model) {
-    const auto photos = static_cast<double>(unknowns.photo.size());
-    const auto rails = static_cast<double>(unknowns.placement.size());
-    // Common errors of the priors take up freedom: place, scale and heading; height and tilt; the rails.
-    const Eigen::Vector3d freedom(photos - 2 - 1.5 * rails, photos - 2 - 1.5 * rails, photos - 3);
+    const Eigen::Vector3d freedom = offsetFreedom(unknowns);
     if (!solvesPosition(model)) {
         return Eigen::Vector3d::Ones();
     }

@@ -116,11 +116,14 @@ Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior) {
     return Eigen::Vector3d(prior.positionSigmaM, prior.positionSigmaM, prior.heightSigmaM).cwiseMax(1e-5);
 }
 
+Eigen::Vector3d offsetFreedom(const Unknowns& unknowns) {
+    const auto photos = static_cast<double>(unknowns.photo.size());
+    const auto rails = static_cast<double>(unknowns.placement.size());
+    return {photos - 2 - 1.5 * rails, photos - 2 - 1.5 * rails, photos - 3};
+}
+
 PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
     constexpr double kMedianOfNormal = 0.6745; // of an absolute value, in standard deviations
-    constexpr std::size_t kLevelling = 3;      // a height and two leans
-    constexpr std::size_t kOnFloor = 4;        // two shifts, a heading and a scale
-    constexpr std::size_t kOfRail = 3;
     std::vector<double> along;
     std::vector<double> height;
     for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
@@ -130,16 +133,12 @@ PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> 
         along.insert(along.end(), {over.x(), over.y()});
         height.push_back(over.z());
     }
-    const auto scatter = [](std::vector<double> offsets, std::size_t taken) {
-        const std::size_t count = offsets.size();
-        if (count <= taken) {
-            return 1.0;
-        }
-        const double share = static_cast<double>(count) / static_cast<double>(count - taken);
-        return median(std::move(offsets)) / kMedianOfNormal * std::sqrt(share);
+    const auto photos = static_cast<double>(unknowns.photo.size());
+    const auto scatter = [photos](std::vector<double> offsets, double freedom) {
+        return freedom > 0 ? median(std::move(offsets)) / kMedianOfNormal * std::sqrt(photos / freedom) : 1;
     };
-    return {scatter(std::move(along), kOnFloor + kOfRail * unknowns.placement.size()),
-            scatter(std::move(height), kLevelling)};
+    const Eigen::Vector3d freedom = offsetFreedom(unknowns);
+    return {scatter(std::move(along), freedom.x()), scatter(std::move(height), freedom.z())};
 }
 
 UpPrior upPrior(const PhotoPrior& prior) {

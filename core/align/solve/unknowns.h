@@ -75,6 +75,10 @@ Lean leanOf(const Eigen::Vector3d& up);
 /// Standard deviations of a photo's offset from its stop along x, y and z. They are at least 1e-5 m.
 Eigen::Vector3d offsetSigmasM(const PhotoPrior& prior);
 
+/// How many offsets along x, y and z are free of what common errors of the priors take up: place, scale and
+/// heading; height and tilt; the rails.
+Eigen::Vector3d offsetFreedom(const Unknowns& unknowns);
+
 /// How far the photos stand from where they are tagged, over what their priors promise: 1 if these are right.
 struct PriorScatter {
     double along = 1;  ///< Along x and y.

@@ -19,14 +19,18 @@ namespace {
 /// Grows when the same photos are searched in another way.
 constexpr int kSearchMethod = 1;
 
+std::set<std::int64_t> searchedPhotos(const store::SurveyStore& store) {
+    const std::vector<std::int64_t> known = store.searchedPhotos(kSearchMethod);
+    return {known.begin(), known.end()};
+}
+
 } // namespace
 
 FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, ProgressSink& progress,
                        const std::stop_token& stop) {
     const photo::FaceSearch search(options.cascades);
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<std::int64_t> known = store.searchedPhotos(kSearchMethod);
-    const std::set<std::int64_t> searched(known.begin(), known.end());
+    const std::set<std::int64_t> searched = searchedPhotos(store);
     FaceReport report;
     std::vector<store::PhotoRecord> photos;
     for (store::PhotoRecord& photo : store.photos()) {
@@ -54,8 +58,7 @@ FaceReport searchFaces(store::SurveyStore& store, const FaceOptions& options, Pr
 }
 
 std::size_t unsearchedPhotos(const store::SurveyStore& store) {
-    const std::vector<std::int64_t> known = store.searchedPhotos(kSearchMethod);
-    const std::set<std::int64_t> searched(known.begin(), known.end());
+    const std::set<std::int64_t> searched = searchedPhotos(store);
     const std::vector<store::PhotoRecord> photos = store.photos();
     return static_cast<std::size_t>(
         std::ranges::count_if(photos, [&](const auto& photo) { return !searched.contains(photo.id); }));

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photographed_survey.h"
 #include "portrait_photo.h"
-#include "qt_application.h"
+#include "review_page.h"
 #include "ui/panorama/panorama_presenter.h"
 #include "ui/panorama/panorama_view.h"
-#include "ui/review/review_mode.h"
 #include "ui/review/review_model.h"
 
 #include <QCheckBox>
@@ -20,31 +18,11 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// Through the widgets that people use.
-class PrivateRegionsTest : public testing::Test {
+class PrivateRegionsTest : public ReviewPage {
   protected:
-    PrivateRegionsTest() {
-        mode.resize(1100, 700);
-        mode.setSession(session.get());
-        mode.show();
-        test::activate(mode);
-        mode.activated();
-    }
-
-    ~PrivateRegionsTest() override { mode.setSession(nullptr); }
-
-    template <class Widget>
-    Widget& widget(const char* name) {
-        return *mode.findChild<Widget*>(name);
-    }
-
     PanoramaView& view() { return *mode.findChild<PanoramaView*>(); }
 
     std::vector<store::RegionRecord> regions() const { return session->store().regions(); }
-
-    std::int64_t photo(std::size_t station) const {
-        return session->store().chosenPhoto(session->store().stations().at(station).id)->id;
-    }
 
     /// Marks a region by the keyboard alone.
     void markByKeys() {
@@ -57,12 +35,6 @@ class PrivateRegionsTest : public testing::Test {
             store.setFoundRegions(photo(station), {{Degrees(90), Degrees(0), Degrees(20), Degrees(20)}}, 1);
         });
     }
-
-    test::PhotographedSurvey survey{3};
-    std::unique_ptr<SurveySession> session =
-        SurveySession::open(QString::fromStdString(survey.path().string()));
-    TaskList tasks;
-    ReviewMode mode{tasks, survey / "cache", nullptr};
 };
 
 } // namespace

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "photographed_survey.h"
-#include "qt_application.h"
+#include "review_page.h"
 #include "ui/panorama/panorama_presenter.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"
-#include "ui/review/review_mode.h"
 #include "ui/review/review_model.h"
 
 #include "spherewalk/base/json.h"
@@ -23,36 +21,11 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// Through the widgets that people use.
-class ReviewModeTest : public testing::Test {
+class ReviewModeTest : public ReviewPage {
   protected:
-    ReviewModeTest() {
-        mode.resize(1100, 700);
-        mode.setSession(session.get());
-        mode.show();
-        test::activate(mode);
-        mode.activated();
-    }
-
-    ~ReviewModeTest() override { mode.setSession(nullptr); }
-
-    template <class Widget>
-    Widget& widget(const char* name) {
-        return *mode.findChild<Widget*>(name);
-    }
-
-    store::Review review(std::size_t station) const {
-        const store::SurveyStore& store = session->store();
-        return store.review(store.chosenPhoto(store.stations().at(station).id)->id);
-    }
+    store::Review review(std::size_t station) const { return session->store().review(photo(station)); }
 
     void press(Qt::Key key) { QTest::keyClick(&widget<QListView>("stations"), key); }
-
-    test::PhotographedSurvey survey{3};
-    std::unique_ptr<SurveySession> session =
-        SurveySession::open(QString::fromStdString(survey.path().string()));
-    TaskList tasks;
-    ReviewMode mode{tasks, survey / "cache", nullptr};
 };
 
 } // namespace
