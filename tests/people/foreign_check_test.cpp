@@ -151,7 +151,7 @@ PeopledOptions survey(RoomStyle room, double stepM, bool isReal) {
     options.stepM = stepM;
     options.isReal = isReal;
     options.tiltDeg = isReal ? 5 : 0.5;
-    options.mostPhotos = 16;
+    options.mostPhotos = 12;
     options.width = kSightWidth;
     return options;
 }

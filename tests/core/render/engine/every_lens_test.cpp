@@ -20,10 +20,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
+constexpr int kLensWidth = 640;
+constexpr int kLensHeight = 480;
 constexpr int kEvery = 13; // pixels are compared
-const RoomShape kRoom{{{-2, -1.5}, {2.5, -1.5}, {2.5, 2}, {-2, 2}}, 0, 2.6};
+const RoomShape kLensRoom{{{-2, -1.5}, {2.5, -1.5}, {2.5, 2}, {-2, 2}}, 0, 2.6};
 const Vector3d kPhotoAt(0.1, 0.2, 1.3);
 
 /// The colour of a point of the walls.
@@ -35,7 +35,8 @@ Vector3d colourAt(const Vector3d& p) {
 }
 
 Vector3d seenFrom(const Vector3d& place, const Vector3d& direction) {
-    return colourAt(place + direction.normalized() / inverseDistance(kRoom, place, direction.normalized()));
+    return colourAt(place +
+                    direction.normalized() / inverseDistance(kLensRoom, place, direction.normalized()));
 }
 
 /// One photo of the room with its exact depth.
@@ -53,8 +54,8 @@ class Room {
         std::filesystem::create_directories(m_folder.path() / "depth");
         photo.lenses = told;
         writeFile(m_folder.path() / photo.depth,
-                  roomDepth(kRoom, photo.roomFromPhoto, 1024, lenses).serialised());
-        info.roomShape = kRoom;
+                  roomDepth(kLensRoom, photo.roomFromPhoto, 1024, lenses).serialised());
+        info.roomShape = kLensRoom;
         test::rewriteInfo(m_folder.path(), info);
         m_renderer.emplace(std::make_shared<const Dataset>(Dataset::open(m_folder.path())));
     }
@@ -96,8 +97,8 @@ Likeness likeness(const Room& room, const CameraModel& camera, const Rigid3& pos
     double squares = 0;
     int count = 0;
     std::vector<double> ranges;
-    for (int y = 0; y < kHeight; y += kEvery) {
-        for (int x = 0; x < kWidth; x += kEvery) {
+    for (int y = 0; y < kLensHeight; y += kEvery) {
+        for (int x = 0; x < kLensWidth; x += kEvery) {
             const auto expected = truth(camera, pose, x, y);
             if (!expected) {
                 continue;
@@ -110,7 +111,7 @@ Likeness likeness(const Room& room, const CameraModel& camera, const Rigid3& pos
             if (ray.z() > 0.02) {
                 const double range = *view.depth.at(x, y) / ray.z();
                 ranges.push_back(
-                    std::abs(range * inverseDistance(kRoom, pose.translation, pose.rotation * ray) - 1));
+                    std::abs(range * inverseDistance(kLensRoom, pose.translation, pose.rotation * ray) - 1));
             }
         }
     }
@@ -120,12 +121,13 @@ Likeness likeness(const Room& room, const CameraModel& camera, const Rigid3& pos
 }
 
 CameraModel lens(LensModel model, double focalPx, std::vector<double> distortion) {
-    return CameraModel({kWidth, kHeight, focalPx, focalPx, 0.5 * kWidth - 0.5, 0.5 * kHeight - 0.5, model,
-                        std::move(distortion)});
+    return CameraModel({kLensWidth, kLensHeight, focalPx, focalPx, 0.5 * kLensWidth - 0.5,
+                        0.5 * kLensHeight - 0.5, model, std::move(distortion)});
 }
 
 CameraModel pinhole(double fieldDeg) {
-    return CameraModel(CameraIntrinsics::pinhole(kWidth, kHeight, Radians(Degrees(fieldDeg)).value()));
+    return CameraModel(
+        CameraIntrinsics::pinhole(kLensWidth, kLensHeight, Radians(Degrees(fieldDeg)).value()));
 }
 
 struct NamedLens {
@@ -141,7 +143,7 @@ std::vector<NamedLens> lenses() {
         {"Kalibr", {-0.013, -0.02, 0.017, -0.0046}}};
     for (const double fieldDeg : {100.0, 140.0, 180.0, 220.0}) {
         for (const auto& [name, distortion] : fisheyes) {
-            const double focal = 0.5 * kWidth / Radians(Degrees(fieldDeg / 2)).value();
+            const double focal = 0.5 * kLensWidth / Radians(Degrees(fieldDeg / 2)).value();
             all.push_back({name + " fisheye of " + std::to_string(fieldDeg),
                            lens(LensModel::Equidistant, focal, distortion)});
         }

@@ -56,7 +56,7 @@ class Walking : public testing::Test {
     CameraModel camera{CameraIntrinsics::pinhole(96, 72, 1.2)};
 };
 
-CameraIntrinsics randomCamera(test::Random& random) {
+CameraIntrinsics randomRobotCamera(test::Random& random) {
     CameraIntrinsics camera =
         CameraIntrinsics::pinhole(random.integer(1, 120), random.integer(1, 90), random.uniform(0.05, 3.0));
     switch (random.integer(0, 3)) {
@@ -83,7 +83,7 @@ TEST_F(Walking, ViewsOfPartsHaveTheBytesOfViewsOfWholePhotos) {
     test::Random random(82);
     std::uint64_t tiles = 0;
     for (int round = 0; round < 300; ++round) {
-        const CameraModel lens(randomCamera(random));
+        const CameraModel lens(randomRobotCamera(random));
         const Rigid3 pose{round % 4 == 0 ? at(0, random.uniform(-4, 4)).rotation : random.rotation(),
                           Vector3d(random.uniform(0, 1), random.uniform(-1, 1), random.uniform(0, 2))};
         ViewOptions options;

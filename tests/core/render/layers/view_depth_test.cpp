@@ -21,7 +21,7 @@ using Vector3l = Eigen::Matrix<long double, 3, 1>;
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kEndlessM = std::numeric_limits<float>::infinity();
 
 /// The textbook formula: z of where the ray leaves the sphere.
 long double exactDepth(const ViewGeometry& view, const Vector3d& ray) {
@@ -38,17 +38,17 @@ long double exactDepth(const ViewGeometry& view, const Vector3d& ray) {
     return (-b + std::sqrt(b * b + radius * radius - offset.squaredNorm())) * inCamera.z();
 }
 
-struct Made {
+struct MadeDepth {
     PixelRays rays;
     ViewGeometry view;
 
-    Made(const CameraIntrinsics& camera, const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto,
-         double radiusM, WorkerPool& pool)
+    MadeDepth(const CameraIntrinsics& camera, const Rigid3& roomFromCamera, const Rigid3& roomFromPhoto,
+              double radiusM, WorkerPool& pool)
         : rays(CameraModel(camera), pool), view{rays,         roomFromCamera,    roomFromPhoto,
                                                 {5376, 2688}, SceneKind::Sphere, radiusM} {}
 
-    Made(const Made&) = delete;
-    Made& operator=(const Made&) = delete;
+    MadeDepth(const MadeDepth&) = delete;
+    MadeDepth& operator=(const MadeDepth&) = delete;
 };
 
 /// The greatest relative error of all pixels that are less than 90 degrees off the axis.
@@ -58,7 +58,7 @@ double worstError(const ViewGeometry& view, const DepthImage& depth) {
         for (int x = 0; x < depth.width(); ++x) {
             const auto ray = view.rays.camera().ray(Vector2d(x, y));
             if (!ray || ray->z() <= 0) {
-                EXPECT_EQ(*depth.at(x, y), kInfinity);
+                EXPECT_EQ(*depth.at(x, y), kEndlessM);
                 continue;
             }
             const long double exact = exactDepth(view, *ray);
@@ -82,7 +82,7 @@ TEST(ViewDepth, AgreesWithLongDoubleFromAnywhereInTheSphereThroughAnyLens) {
             const double share = i % 4 == 0 ? kLargestDisplacement : random.uniform(0, 1.2);
             const Rigid3 photo{random.rotation(), far + random.vector(3)};
             const Rigid3 pose{random.rotation(), photo.translation + random.direction() * (share * radius)};
-            const Made made(camera, pose, photo, radius, pool);
+            const MadeDepth made(camera, pose, photo, radius, pool);
             worst = std::max(worst, worstError(made.view, viewDepth(made.view, pool)));
         }
     }
@@ -100,8 +100,8 @@ TEST(ViewDepth, AgreesWithLongDoubleAtTheNarrowestAndTheWidestView) {
                 CameraIntrinsics::pinhole(side, side, fovDeg * std::numbers::pi / 180);
             const Vector3d position(1e6, 1e6, -1e6);
             for (const double share : {0.0, 0.5, kLargestDisplacement}) {
-                const Made made(camera, {random.rotation(), position + random.direction() * share * 3},
-                                {random.rotation(), position}, 3, pool);
+                const MadeDepth made(camera, {random.rotation(), position + random.direction() * share * 3},
+                                     {random.rotation(), position}, 3, pool);
                 EXPECT_LT(worstError(made.view, viewDepth(made.view, pool)), 1e-7) << fovDeg << " " << share;
             }
         }
@@ -115,7 +115,7 @@ TEST(ViewDepth, IsWhereThePhotoSeesWhatTheViewShows) {
     for (const CameraIntrinsics& camera : test::everyLens(40, 30)) {
         const Rigid3 photo{random.rotation(), random.vector(2)};
         const Rigid3 pose{random.rotation(), photo.translation + random.direction() * 1.1};
-        const Made made(camera, pose, photo, 2, pool);
+        const MadeDepth made(camera, pose, photo, 2, pool);
         const DepthImage depth = viewDepth(made.view, pool);
         const Projection projection(made.rays.camera(), pose, photo, made.view.photo, SceneKind::Sphere, 2);
         for (int y = 0; y < 30; ++y) {
@@ -138,19 +138,19 @@ TEST(ViewDepth, OfADisplacedCameraIsKnownByHand) {
     // 1 m ahead of the photo in a sphere of 2 m: 1 m to the front, sqrt(3) m to the side.
     WorkerPool pool(1);
     const Rigid3 ahead{bodyFromOptical(), {1, 0, 0}};
-    const Made front(CameraIntrinsics::pinhole(1, 1, 1), ahead, {}, 2, pool);
+    const MadeDepth front(CameraIntrinsics::pinhole(1, 1, 1), ahead, {}, 2, pool);
     EXPECT_FLOAT_EQ(*viewDepth(front.view, pool).at(0, 0), 1.0F);
     const Rigid3 left{yawRotation(Degrees(90)) * bodyFromOptical(), {1, 0, 0}};
-    const Made side(CameraIntrinsics::pinhole(1, 1, 1), left, {}, 2, pool);
+    const MadeDepth side(CameraIntrinsics::pinhole(1, 1, 1), left, {}, 2, pool);
     EXPECT_FLOAT_EQ(*viewDepth(side.view, pool).at(0, 0), std::sqrt(3.0F));
     // Outside of the sphere it is treated as standing at 1.9 m.
-    const Made outside(CameraIntrinsics::pinhole(1, 1, 1), {bodyFromOptical(), {50, 0, 0}}, {}, 2, pool);
+    const MadeDepth outside(CameraIntrinsics::pinhole(1, 1, 1), {bodyFromOptical(), {50, 0, 0}}, {}, 2, pool);
     EXPECT_NEAR(*viewDepth(outside.view, pool).at(0, 0), 0.1, 1e-6);
 }
 
 TEST(ViewDepth, IsEmptyWithoutASceneModel) {
     WorkerPool pool(1);
-    Made made(CameraIntrinsics::pinhole(4, 3, 1), {}, {}, 2, pool);
+    MadeDepth made(CameraIntrinsics::pinhole(4, 3, 1), {}, {}, 2, pool);
     made.view.scene = SceneKind::None;
     EXPECT_TRUE(viewDepth(made.view, pool).empty());
 }
@@ -161,7 +161,7 @@ TEST(ViewDepth, IsInfiniteBesideAndBehindTheCamera) {
     fisheye.lens = LensModel::Equidistant;
     fisheye.distortion = {0, 0, 0, 0};
     fisheye.fx = fisheye.fy = 20; // 2.5 rad from the centre to the border
-    const Made made(fisheye, {}, {}, 2, pool);
+    const MadeDepth made(fisheye, {}, {}, 2, pool);
     const DepthImage depth = viewDepth(made.view, pool);
     for (int x = 0; x < 101; ++x) {
         const double angle = std::abs(x - 50) / 20.0;
@@ -173,8 +173,8 @@ TEST(ViewDepth, IsInfiniteBesideAndBehindTheCamera) {
 TEST(ViewDepth, IsTheSameForAnyNumberOfThreads) {
     test::Random random(64);
     WorkerPool pool(4);
-    const Made made(test::everyLens(67, 51)[3], {random.rotation(), {0.3, 0.2, -0.4}},
-                    {random.rotation(), Eigen::Vector3d::Zero()}, 2, pool);
+    const MadeDepth made(test::everyLens(67, 51)[3], {random.rotation(), {0.3, 0.2, -0.4}},
+                         {random.rotation(), Eigen::Vector3d::Zero()}, 2, pool);
     const DepthImage one = viewDepth(made.view, pool, 1);
     for (const int threads : {0, 2, 3}) {
         EXPECT_EQ(viewDepth(made.view, pool, threads), one) << threads;
@@ -186,8 +186,8 @@ TEST(ViewDepth, IsTheSameOnEachProcessor) {
     SCOPED_TRACE(random.seed());
     WorkerPool pool(1);
     for (const int width : {1, 7, 64, 101}) {
-        const Made made(CameraIntrinsics::pinhole(width, 9, 1.9), {random.rotation(), random.vector()},
-                        {random.rotation(), random.vector()}, 3, pool);
+        const MadeDepth made(CameraIntrinsics::pinhole(width, 9, 1.9), {random.rotation(), random.vector()},
+                             {random.rotation(), random.vector()}, 3, pool);
         const DepthImage expected = viewDepth(made.view, pool);
         test::forEachTarget(
             [&](const char* target) { EXPECT_EQ(viewDepth(made.view, pool), expected) << target; });
@@ -196,7 +196,7 @@ TEST(ViewDepth, IsTheSameOnEachProcessor) {
 
 TEST(ViewGeometry, RefusesWhatIsNone) {
     WorkerPool pool(1);
-    const Made made(CameraIntrinsics::pinhole(4, 3, 1), {}, {}, 2, pool);
+    const MadeDepth made(CameraIntrinsics::pinhole(4, 3, 1), {}, {}, 2, pool);
     const auto refused = [&](const std::string& part, auto&& change) {
         ViewGeometry view = made.view;
         change(view);

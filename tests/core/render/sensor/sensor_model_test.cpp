@@ -17,7 +17,7 @@ using test::expectError;
 
 namespace {
 
-SensorModel everything() {
+SensorModel everyEffect() {
     SensorModel model;
     model.seed = 18446744073709551615ULL;
     model.exposure = {0.01, 0.02, 6, AutoExposure{0.25, 0.001, 0.03, 12, 0.75}};
@@ -39,7 +39,7 @@ void refuses(const std::string& yaml, const std::string& because) {
 } // namespace
 
 TEST(SensorModel, ReadsBackWhatItWrites) {
-    EXPECT_EQ(parseSensor(sensorYaml(everything()), "s"), everything());
+    EXPECT_EQ(parseSensor(sensorYaml(everyEffect()), "s"), everyEffect());
     EXPECT_EQ(parseSensor(sensorYaml(SensorModel()), "s"), SensorModel());
     SensorModel automatic; // its numbers are those that are not written for other sections
     automatic.exposure.automatic.emplace();
@@ -60,8 +60,8 @@ TEST(SensorModel, StandsBesideACameraInfo) {
     const test::TemporaryFolder folder;
     const CameraIntrinsics camera = CameraIntrinsics::pinhole(64, 48, 1);
     const auto file = folder.path() / "camera.yaml";
-    writeFile(file, bytesOf(cameraInfoYaml(camera, "robot") + sensorYaml(everything())));
-    EXPECT_EQ(readSensor(file), everything());
+    writeFile(file, bytesOf(cameraInfoYaml(camera, "robot") + sensorYaml(everyEffect())));
+    EXPECT_EQ(readSensor(file), everyEffect());
     EXPECT_EQ(readCameraInfo(file), camera);
     expectError(ErrorKind::NotFound, "none.yaml", [&] { readSensor(folder.path() / "none.yaml"); });
 }

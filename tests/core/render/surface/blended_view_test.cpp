@@ -20,7 +20,7 @@ namespace {
 
 constexpr EquirectSize kPhoto{512, 256};
 constexpr double kRadiusM = 3; ///< The room is a ball about the origin.
-const CameraModel kCamera(CameraIntrinsics::pinhole(161, 121, 1.1));
+const CameraModel kBlendCamera(CameraIntrinsics::pinhole(161, 121, 1.1));
 
 /// The colour of a place on the ball.
 Eigen::Vector3d painted(const Eigen::Vector3d& place) {
@@ -90,17 +90,17 @@ class Ball {
 
     /// The view in which photos are mixed.
     RgbImage blend(const Eigen::Vector3d& from, std::size_t photos, int threads = 1,
-                   const CameraModel& camera = kCamera) {
+                   const CameraModel& camera = kBlendCamera) {
         return view(SurfaceView(true), from, photos, threads, camera);
     }
 
     /// What is really seen.
     static RgbImage truth(const Eigen::Vector3d& from) {
-        RgbImage picture(kCamera.width(), kCamera.height());
+        RgbImage picture(kBlendCamera.width(), kBlendCamera.height());
         for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) {
                 const Eigen::Vector3d way =
-                    bodyFromOptical() * kCamera.ray(Eigen::Vector2d(x, y))->normalized();
+                    bodyFromOptical() * kBlendCamera.ray(Eigen::Vector2d(x, y))->normalized();
                 const Eigen::Vector3d colour = painted(from + distanceTo(from, way) * way);
                 for (int c = 0; c < 3; ++c) {
                     picture.at(x, y)[c] = static_cast<std::uint8_t>(colour[c]);
@@ -112,7 +112,7 @@ class Ball {
 
   private:
     RgbImage view(SurfaceView view, const Eigen::Vector3d& from, std::size_t photos, int threads,
-                  const CameraModel& camera = kCamera) {
+                  const CameraModel& camera = kBlendCamera) {
         const PixelRays rays(camera, m_pool);
         const std::span<const SurfacePhoto> used(m_photos.data(), photos);
         view.prepare(rays, {bodyFromOptical(), from}, used, 2, 1, m_pool, threads);

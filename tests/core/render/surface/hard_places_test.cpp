@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const CameraModel kCamera(CameraIntrinsics::pinhole(64, 48, 1));
+const CameraModel kHardCamera(CameraIntrinsics::pinhole(64, 48, 1));
 
 /// L-shaped, so that there is a corner that stands out into it.
 const RoomShape kRoom{{{-2, -2}, {3, -2}, {3, 1}, {1, 1}, {1, 3}, {-2, 3}}, 0, 2.5};
@@ -77,7 +77,7 @@ class HardPlaces : public testing::TestWithParam<SceneKind> {
         options.wantsTrust = true;
         const Rigid3 pose{
             (rotation({Radians(yaw), Radians(0.2), Radians(0)}) * bodyFromOptical()).normalized(), at};
-        return s_renderer->render(kCamera, pose, options);
+        return s_renderer->render(kHardCamera, pose, options);
     }
 
     static std::unique_ptr<test::TemporaryFolder> s_folder;

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-const EquirectSize kPhoto{1800, 900}; // the last column and row of tiles are cut
+const EquirectSize kGridPhoto{1800, 900}; // the last column and row of tiles are cut
 
 /// The tiles of the four pixels that a bilinear sample at each of the view's pixels reads.
 TileSet touchedBy(const TileGrid& grid, const CameraModel& camera, const Projection& projection) {
@@ -62,7 +62,7 @@ CameraModel randomCamera(test::Random& random) {
 
 TEST(ViewFootprint, HoldsEveryTileThatAViewTouches) {
     test::Random random(91);
-    const TileGrid grid(kPhoto);
+    const TileGrid grid(kGridPhoto);
     int touched = 0;
     int found = 0;
     for (int round = 0; round < 500; ++round) {
@@ -72,7 +72,7 @@ TEST(ViewFootprint, HoldsEveryTileThatAViewTouches) {
         const Rigid3 pose{random.rotation(),
                           random.direction() * radius * std::min(1.0, random.uniform(0, 1.1)) * 0.95};
         const SceneKind scene = round % 3 == 0 ? SceneKind::None : SceneKind::Sphere;
-        const Projection projection(camera, pose, {random.rotation(), {0, 0, 0}}, kPhoto, scene, radius);
+        const Projection projection(camera, pose, {random.rotation(), {0, 0, 0}}, kGridPhoto, scene, radius);
         const PhotoDirectionAt at = [&](const Vector2d& p) { return projection.photoDirection(p); };
         const TileSet expected = touchedBy(grid, camera, projection);
         const TileSet got = ViewFootprint(camera).tiles(grid, at);
@@ -87,13 +87,13 @@ TEST(ViewFootprint, HoldsEveryTileThatAViewTouches) {
 }
 
 TEST(ViewFootprint, LooksAtPolesAndSeam) {
-    const TileGrid grid(kPhoto);
+    const TileGrid grid(kGridPhoto);
     const CameraModel camera(CameraIntrinsics::pinhole(64, 48, 1));
     for (int pitch = -90; pitch <= 90; pitch += 5) {
         for (int yaw = 0; yaw < 360; yaw += 30) {
             const Rigid3 pose{rotation({Degrees(yaw), Degrees(pitch), Degrees(0)}) * bodyFromOptical(),
                               {0, 0, 0}};
-            const Projection projection(camera, pose, {}, kPhoto, SceneKind::None, 1);
+            const Projection projection(camera, pose, {}, kGridPhoto, SceneKind::None, 1);
             const PhotoDirectionAt at = [&](const Vector2d& p) { return projection.photoDirection(p); };
             const TileSet got = ViewFootprint(camera).tiles(grid, at);
             touchedBy(grid, camera, projection).forEach([&](int tile) {
@@ -115,7 +115,7 @@ TEST(ViewFootprint, OfALevel90DegreeViewIsAboutAnEighthOfThePhoto) {
 }
 
 TEST(TileSet, BoxesGoOnAcrossTheSeamAndAreCutAtThePoles) {
-    const TileGrid grid(kPhoto);
+    const TileGrid grid(kGridPhoto);
     EXPECT_EQ(grid.columns(), 15);
     EXPECT_EQ(grid.rows(), 15);
     TileSet set(grid);
@@ -140,7 +140,7 @@ TEST(TileSet, BoxesGoOnAcrossTheSeamAndAreCutAtThePoles) {
 }
 
 TEST(TileSet, GrowsAcrossTheSeam) {
-    const TileGrid grid(kPhoto);
+    const TileGrid grid(kGridPhoto);
     TileSet set(grid);
     set.insert(15 * 3);
     const TileSet grown = set.grown();
@@ -150,7 +150,7 @@ TEST(TileSet, GrowsAcrossTheSeam) {
 
 TEST(TileBlocks, CoverTheSetWithoutOverlap) {
     test::Random random(12);
-    const TileGrid grid(kPhoto);
+    const TileGrid grid(kGridPhoto);
     for (int round = 0; round < 300; ++round) {
         TileSet set(grid);
         for (int i = random.integer(0, 4); i >= 0; --i) {

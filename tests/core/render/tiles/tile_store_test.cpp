@@ -16,7 +16,7 @@ using test::hasPixels;
 using test::MadeTiles;
 using Missing = TileStore::Missing;
 
-const EquirectSize kPhoto{1000, 500}; // 8 x 8 tiles
+const EquirectSize kStorePhoto{1000, 500}; // 8 x 8 tiles
 
 TileSet randomTiles(const TileGrid& grid, test::Random& random) {
     TileSet set(grid);
@@ -34,8 +34,8 @@ TileSet oneTile(const TileGrid& grid, int tile) {
 
 class Tiles : public testing::Test {
   protected:
-    std::shared_ptr<MadeTiles> source = std::make_shared<MadeTiles>(kPhoto);
-    TileGrid grid{kPhoto};
+    std::shared_ptr<MadeTiles> source = std::make_shared<MadeTiles>(kStorePhoto);
+    TileGrid grid{kStorePhoto};
 };
 
 TEST_F(Tiles, AreTheSourcesPixelsHoweverOftenTheyLeft) {
