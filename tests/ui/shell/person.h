@@ -22,7 +22,8 @@
 
 namespace spherewalk::ui {
 
-/// Somebody at the window, who has nothing but what it shows, a mouse and a keyboard.
+/// Somebody at the window, who has nothing but what it shows, a mouse and a keyboard. Clicks and keys are
+/// counted, except those that draw.
 class Person {
   public:
     explicit Person(const PracticeSettings& practice = {
@@ -34,6 +35,9 @@ class Person {
     }
 
     MainWindow& window() { return m_window; }
+
+    /// Clicks and keys so far.
+    int actions() const { return m_actions; }
 
     template <class Wanted>
     Wanted& page() const {
@@ -59,6 +63,7 @@ class Person {
     void choose(const QString& mode) {
         for (QAction* action : m_window.findChild<QToolBar*>("modes")->actions()) {
             if (action->text() == mode && action->isEnabled()) {
+                ++m_actions;
                 return action->trigger();
             }
         }
@@ -68,16 +73,25 @@ class Person {
     void press(const char* button) {
         auto& found = widget<QAbstractButton>(button);
         waitUntil([&] { return found.isEnabled(); });
+        ++m_actions;
         QTest::mouseClick(&found, Qt::LeftButton, {}, {8, found.height() / 2}); // a check box's box is there
     }
 
+    void key(QWidget& receiver, Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        ++m_actions;
+        QTest::keyClick(&receiver, key, modifiers);
+    }
+
+    /// Clicks a field and types over what it has.
     void type(const char* name, const QString& text) {
         auto& found = widget<QWidget>(name);
         test::activate(m_window); // a dialog may have been
         found.setFocus();
-        QTest::keyClick(&found, Qt::Key_A, Qt::ControlModifier);
+        ++m_actions;
+        key(found, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&found, text);
-        QTest::keyClick(&found, Qt::Key_Tab);
+        m_actions += static_cast<int>(text.size());
+        key(found, Qt::Key_Tab);
     }
 
     /// Answers the next question for a file or folder.
@@ -87,6 +101,7 @@ class Person {
             if (dialog == nullptr) { // not there yet
                 return answer(file);
             }
+            ++m_actions;
             dialog->selectFile(file);
             QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
         });
@@ -98,6 +113,7 @@ class Person {
         ASSERT_NE(question, nullptr);
         for (QAbstractButton* button : question->buttons()) {
             if (question->buttonRole(button) == QMessageBox::AcceptRole) {
+                ++m_actions;
                 button->click();
                 return test::activate(m_window);
             }
@@ -139,12 +155,15 @@ class Person {
         waitUntil([&] { return page<CaptureMode>().desk().state() == state; });
     }
 
+    /// Waits for what runs in the background, which may be long work.
     void waitForTasks() {
-        waitUntil([&] { return !m_window.tasks().hasRunning(); });
+        constexpr int kMostMs = 600'000;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.tasks().hasRunning(); }, kMostMs));
     }
 
   private:
     MainWindow m_window;
+    int m_actions = 0;
 };
 
 } // namespace spherewalk::ui
