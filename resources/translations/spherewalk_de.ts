@@ -1774,6 +1774,30 @@
         <source>The file %1 is no cascade.</source>
         <translation>Die Datei %1 ist keine Kaskade.</translation>
     </message>
+    <message>
+        <source>The survey&apos;s disk has room for about %1 of the %2 photos that are still to be taken; make space before you go on.</source>
+        <translation>Auf dem Datenträger des Projekts ist Platz für etwa %1 der %2 Fotos, die noch aufzunehmen sind; schaffen Sie Platz, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the scene model %3, reaches %4 px.</source>
+        <translation>Keine der untersuchten Schrittweiten hält %1 px an 95 von 100 Stellen; die beste, %2 cm mit dem Szenenmodell %3, erreicht %4 px.</translation>
+    </message>
+    <message>
+        <source>None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the scene model %3, misses more than 5 of 100 places.</source>
+        <translation>Keine der untersuchten Schrittweiten hält %1 px an 95 von 100 Stellen; die beste, %2 cm mit dem Szenenmodell %3, verfehlt mehr als 5 von 100 Stellen.</translation>
+    </message>
+    <message>
+        <source>Study a denser block, or allow more.</source>
+        <translation>Untersuchen Sie einen dichteren Block, oder erlauben Sie mehr.</translation>
+    </message>
+    <message>
+        <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3 (no coarser one was studied): %4 photos, about %5.</source>
+        <translation>Für %1 px an 95 von 100 Stellen genügt ein Raster von %2 cm mit dem Szenenmodell %3 (ein gröberes wurde nicht untersucht): %4 Fotos, etwa %5.</translation>
+    </message>
+    <message>
+        <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3: %4 photos, about %5.</source>
+        <translation>Für %1 px an 95 von 100 Stellen genügt ein Raster von %2 cm mit dem Szenenmodell %3: %4 Fotos, etwa %5.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2105,6 +2129,10 @@
             <numerusform>%n privater Bereich %1 wird unkenntlich gemacht.</numerusform>
             <numerusform>%n private Bereiche %1 werden unkenntlich gemacht.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Measuring all that is tried comes on top of that.</source>
+        <translation>Das Messen aller Versuche kommt hinzu.</translation>
     </message>
 </context>
 <context>
@@ -2624,6 +2652,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>&amp;Tour in five steps</source>
         <translation>&amp;Rundgang in fünf Schritten</translation>
     </message>
+    <message>
+        <source>&amp;Recent surveys</source>
+        <translation>&amp;Letzte Projekte</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -2663,18 +2695,16 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>Export a dataset first, or name the folder of one that is there.</source>
         <translation>Exportieren Sie zuerst einen Datensatz, oder nennen Sie den Ordner eines vorhandenen.</translation>
     </message>
+    <message>
+        <source>Stored: views whose choice is left to the dataset are made so.</source>
+        <translation>Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePresenter</name>
     <message>
         <source>Measuring %1</source>
         <translation>%1 wird gemessen</translation>
-    </message>
-    <message>
-        <source>%1
-Stored: views whose choice is left to the dataset are made so.</source>
-        <translation>%1
-Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.</translation>
     </message>
     <message>
         <source>Stopped. What was found is kept: measuring again goes on from there.</source>
@@ -4180,6 +4210,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
             <numerusform>%1: %n Fotos, ohne Tiefe.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing is previewed yet.</source>
+        <translation>Noch keine Vorschau.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -4239,6 +4273,14 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>What the camera sees</source>
         <translation>Was die Kamera sieht</translation>
+    </message>
+    <message>
+        <source>%L1 % white</source>
+        <translation>%L1 % weiß</translation>
+    </message>
+    <message>
+        <source>%L1 % black</source>
+        <translation>%L1 % schwarz</translation>
     </message>
 </context>
 <context>
@@ -4855,6 +4897,10 @@ Gespeichert: Ansichten, deren Wahl dem Datensatz überlassen ist, entstehen so.<
     <message>
         <source>No dataset is open</source>
         <translation>Kein Datensatz ist offen</translation>
+    </message>
+    <message>
+        <source>Nothing is previewed yet</source>
+        <translation>Noch keine Vorschau</translation>
     </message>
 </context>
 <context>

@@ -1784,6 +1784,30 @@
         <source>The file %1 is no cascade.</source>
         <translation>Plik %1 nie jest kaskadą.</translation>
     </message>
+    <message>
+        <source>The survey&apos;s disk has room for about %1 of the %2 photos that are still to be taken; make space before you go on.</source>
+        <translation>Na dysku pomiaru jest miejsce na około %1 z %2 zdjęć, które jeszcze trzeba zrobić; zwolnij miejsce, zanim pójdziesz dalej.</translation>
+    </message>
+    <message>
+        <source>None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the scene model %3, reaches %4 px.</source>
+        <translation>Żaden ze zbadanych kroków nie utrzymuje %1 px w 95 ze 100 miejsc; najlepszy, %2 cm z modelem sceny %3, osiąga %4 px.</translation>
+    </message>
+    <message>
+        <source>None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the scene model %3, misses more than 5 of 100 places.</source>
+        <translation>Żaden ze zbadanych kroków nie utrzymuje %1 px w 95 ze 100 miejsc; najlepszy, %2 cm z modelem sceny %3, chybia w więcej niż 5 ze 100 miejsc.</translation>
+    </message>
+    <message>
+        <source>Study a denser block, or allow more.</source>
+        <translation>Zbadaj gęstszy blok albo dopuść więcej.</translation>
+    </message>
+    <message>
+        <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3 (no coarser one was studied): %4 photos, about %5.</source>
+        <translation>Dla %1 px w 95 ze 100 miejsc wystarcza siatka %2 cm z modelem sceny %3 (rzadszej nie zbadano): %4 zdjęć, około %5.</translation>
+    </message>
+    <message>
+        <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3: %4 photos, about %5.</source>
+        <translation>Dla %1 px w 95 ze 100 miejsc wystarcza siatka %2 cm z modelem sceny %3: %4 zdjęć, około %5.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2121,6 +2145,10 @@
             <numerusform>%n obszary prywatne %1 zostaną zamazane.</numerusform>
             <numerusform>%n obszarów prywatnych %1 zostanie zamazanych.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Measuring all that is tried comes on top of that.</source>
+        <translation>Do tego dochodzi pomiar wszystkich prób.</translation>
     </message>
 </context>
 <context>
@@ -2648,6 +2676,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>&amp;Tour in five steps</source>
         <translation>&amp;Zwiedzanie w pięciu krokach</translation>
     </message>
+    <message>
+        <source>&amp;Recent surveys</source>
+        <translation>Os&amp;tatnie pomiary</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePanel</name>
@@ -2687,18 +2719,16 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Stop; what was found is kept for the next run</source>
         <translation>Zatrzymaj; co znaleziono, zostaje na następny raz</translation>
     </message>
+    <message>
+        <source>Stored: views whose choice is left to the dataset are made so.</source>
+        <translation>Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::MeasurePresenter</name>
     <message>
         <source>Measuring %1</source>
         <translation>Mierzenie: %1</translation>
-    </message>
-    <message>
-        <source>%1
-Stored: views whose choice is left to the dataset are made so.</source>
-        <translation>%1
-Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</translation>
     </message>
     <message>
         <source>Stopped. What was found is kept: measuring again goes on from there.</source>
@@ -4215,6 +4245,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
             <numerusform>%1: %n zdjęć, bez głębi.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing is previewed yet.</source>
+        <translation>Nie ma jeszcze podglądu.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewPresenter</name>
@@ -4276,6 +4310,14 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>What the camera sees</source>
         <translation>Co widzi kamera</translation>
+    </message>
+    <message>
+        <source>%L1 % white</source>
+        <translation>%L1 % białe</translation>
+    </message>
+    <message>
+        <source>%L1 % black</source>
+        <translation>%L1 % czarne</translation>
     </message>
 </context>
 <context>
@@ -4901,6 +4943,10 @@ Zapisano: widoki, które zostawiają wybór zbiorowi danych, są tak liczone.</t
     <message>
         <source>No dataset is open</source>
         <translation>Żaden zbiór danych nie jest otwarty</translation>
+    </message>
+    <message>
+        <source>Nothing is previewed yet</source>
+        <translation>Nie ma jeszcze podglądu</translation>
     </message>
 </context>
 <context>

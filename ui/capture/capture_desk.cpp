@@ -85,7 +85,7 @@ void CaptureDesk::setProfile(const std::optional<survey::CaptureProfile>& profil
         m_session->write(SurveySession::Profile,
                          [&](store::SurveyStore& store) { store.setCaptureProfile(profile); });
     } catch (const Error& error) {
-        failed(coreTold(error.sentence()));
+        say(coreTold(error.sentence()));
     }
 }
 
@@ -127,7 +127,7 @@ void CaptureDesk::hear(const camera::CameraState& state) {
         update(*m_status, state);
     }
     if (std::exchange(m_isSilent, false)) {
-        failed({});
+        say({});
     }
     emit changed();
 }
@@ -137,7 +137,7 @@ void CaptureDesk::hearNothing(const Told& told) {
         m_status->batteryFraction.reset();
     }
     m_isSilent = true;
-    failed(told);
+    say(told);
 }
 
 void CaptureDesk::connectTo(const QString& address) {
@@ -151,7 +151,7 @@ void CaptureDesk::connectTo(const QString& address) {
         }
         m_endpoint = endpoint;
     } catch (const Error& error) {
-        return failed(coreTold(error.sentence()));
+        return say(coreTold(error.sentence()));
     }
     m_isPractice = m_practice && m_practice->endpoint() == m_endpoint;
     m_isAutomatic = m_isAutomatic && m_isPractice;
@@ -234,7 +234,7 @@ void CaptureDesk::connectingEnded(const Task* task) {
     if (m_task == task && m_state == State::Connecting) { // else it has led on
         m_state = State::NoCamera;
         m_isPractice = false;
-        failed(task->told());
+        say(task->told());
         if (std::exchange(m_connectsAgain, false)) {
             connectTo(QString::fromStdString(m_endpoint.name()));
         } else {
@@ -261,8 +261,8 @@ void CaptureDesk::setAutomatic(bool isAutomatic) {
     }
 }
 
-void CaptureDesk::failed(const Told& told) {
-    m_verdict = told.isEmpty() ? std::nullopt : std::optional(survey::Quality::Failed);
+void CaptureDesk::say(const Told& told, survey::Quality quality) {
+    m_verdict = told.isEmpty() ? std::nullopt : std::optional(quality);
     m_told = told;
     emit changed();
 }
@@ -289,7 +289,7 @@ void CaptureDesk::atStation(const store::StationRecord& station, bool waitsForKe
 void CaptureDesk::askAgain(const store::StationRecord& station, const QString& sentence) {
     m_queue.goTo(station);
     m_state = State::AskAgain;
-    failed(coreTold(sentence));
+    say(coreTold(sentence));
     emit verdictGiven(survey::Quality::Failed);
 }
 
@@ -405,7 +405,7 @@ void CaptureDesk::runDone(const Task* task) {
     m_timer.stop();
     m_state = m_status ? State::Ready : State::NoCamera;
     if (task->state() == Task::State::Failed) {
-        failed(task->told());
+        say(task->told());
         emit verdictGiven(survey::Quality::Failed);
     }
     if (m_session) {

@@ -196,7 +196,8 @@ class CaptureDesk : public QObject {
     void connectAgain(const camera::Endpoint& endpoint);
     void connected(const CameraStatus& status);
     void connectingEnded(const Task* task);
-    void failed(const Told& told);
+    /// Makes a sentence and its weight what verdict() and told() return; an empty one takes them away.
+    void say(const Told& told, survey::Quality quality = survey::Quality::Failed);
     void shoot();
     void tick();
     void showStatus(const CameraStatus& status);

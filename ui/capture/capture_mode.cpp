@@ -120,6 +120,7 @@ QWidget* CaptureMode::makeTarget() {
     column->setContentsMargins(0, 0, 0, 0);
     m_state = new QLabel(target);
     m_state->setObjectName("captureState");
+    m_state->setWordWrap(true); // large words do not make the window wider
     m_next = new BigText(target);
     m_next->setObjectName("nextStation");
     m_way = new QLabel(target);
@@ -303,13 +304,15 @@ void CaptureMode::setWholeScreen(bool isWhole) {
     for (QWidget* near : {static_cast<QWidget*>(m_camera), m_figures, m_againSection}) {
         near->setVisible(!isWhole);
     }
-    for (QWidget* words : std::initializer_list<QWidget*>{m_state, m_way, m_verdict, m_key}) {
+    for (QWidget* words : std::initializer_list<QWidget*>{m_state, m_way, m_verdict, m_key, m_stop}) {
         QFont font = words->font();
         font.setPointSizeF(font.pointSizeF() * (isWhole ? kFromAfar : 1 / kFromAfar));
         words->setFont(font);
     }
     constexpr int kKeyPx = 64;
-    m_key->setMinimumHeight(isWhole ? 2 * kKeyPx : kKeyPx);
+    for (QWidget* key : {m_key, m_stop}) {
+        key->setMinimumHeight(isWhole ? 2 * kKeyPx : kKeyPx);
+    }
     const int edge = isWhole ? kEdgePx : 0;
     layout()->setContentsMargins(edge, edge, edge, edge);
     showAll();
@@ -365,6 +368,7 @@ void CaptureMode::showAgain() {
         item->setData(Qt::UserRole, static_cast<qlonglong>(station.id));
     }
     m_again->setVisible(!stations.empty());
+    m_againTitle->setVisible(!stations.empty()); // the button speaks for itself, and a small screen is full
     const auto selected =
         m_desk.session() != nullptr ? m_desk.session()->selection()->current() : std::nullopt;
     m_takeAgain->setEnabled(selected && !m_desk.isRunning());

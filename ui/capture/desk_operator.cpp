@@ -72,6 +72,13 @@ void DeskOperator::cameraReady(const camera::CameraInfo& camera, const camera::C
     m_status.batteryFraction = readiness.batteryFraction;
     m_status.remainingPhotos = readiness.remainingPhotos;
     postStatus();
+    if (!readiness.warnings.empty()) {
+        std::string sentences;
+        for (const std::string& warning : readiness.warnings) {
+            sentences += (sentences.empty() ? "" : " ") + warning;
+        }
+        post([told = coreTold(sentences)](CaptureDesk& desk) { desk.say(told, survey::Quality::Doubtful); });
+    }
 }
 
 void DeskOperator::waitForKey(const std::stop_token& stop) {
@@ -86,7 +93,7 @@ void DeskOperator::waitForKey(const std::stop_token& stop) {
             // If the camera stays silent, the next shot will say more.
             m_status.batteryFraction.reset();
             postStatus();
-            post([told = coreTold(error.sentence())](CaptureDesk& desk) { desk.failed(told); });
+            post([told = coreTold(error.sentence())](CaptureDesk& desk) { desk.say(told); });
         }
     }
     if (m_desk.m_preview.endAndWait()) {

@@ -61,6 +61,7 @@ void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFr
         m_labelled = room().outline;
         m_labels = survey::cornerLabels(room(), session()->state().plan, kAwayPx / scale, kRadiusPx / scale);
     }
+    painter.save();
     QFont font = painter.font();
     font.setBold(true);
     painter.setFont(font);
@@ -75,6 +76,7 @@ void CapturePlanView::paintCorners(QPainter& painter, const QTransform& widgetFr
         painter.drawText(box, Qt::AlignCenter,
                          QString::fromStdString(survey::cornerName(static_cast<int>(i))));
     }
+    painter.restore();
 }
 
 /// Draws the rail that is to be laid, and the tapes to its ends.

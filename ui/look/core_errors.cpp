@@ -53,6 +53,9 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The camera's battery is at %1; charge it soon."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The camera has room for only %1 more photos."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The survey's disk has room for about %1 of the %2 photos that are still to be taken; "
+                      "make space before you go on."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The camera's storage is full; back its photos up, free some space, and resume."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",

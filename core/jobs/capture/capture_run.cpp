@@ -7,6 +7,9 @@
 #include "spherewalk/jobs/judge_survey.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace spherewalk::jobs {
@@ -15,6 +18,26 @@ namespace {
 
 double seconds(Clock::Duration duration) {
     return std::chrono::duration<double>(duration).count();
+}
+
+/// Says how many of the missing photos fit on the survey's disk, unless all do. Photos are expected to be as
+/// large as those of the survey, or as those of a Theta V.
+std::vector<std::string> lookAtDisk(const store::SurveyStore& survey) {
+    constexpr double kUsualBytes = 5e6;
+    std::error_code failure;
+    const auto space = std::filesystem::space(survey.photoFolder(), failure);
+    const std::vector<store::PhotoRecord> photos = survey.keptPhotos();
+    const std::size_t missing = survey.stationsWithoutPhoto().size();
+    double bytes = photos.empty() ? kUsualBytes : 0;
+    for (const store::PhotoRecord& photo : photos) {
+        bytes += static_cast<double>(photo.sizeBytes) / static_cast<double>(photos.size());
+    }
+    const double fit = std::floor(static_cast<double>(space.available) / bytes);
+    if (failure || fit >= static_cast<double>(missing)) {
+        return {};
+    }
+    return {text("The survey's disk has room for about ", fixed(fit, 0), " of the ", missing,
+                 " photos that are still to be taken; make space before you go on.")};
 }
 
 } // namespace
@@ -108,6 +131,7 @@ void CaptureRun::prepareAndTake(Route& route) {
     try {
         camera::CameraReadiness readiness = m_capture.prepare(m_stop);
         readiness.warnings = sentences(readiness);
+        std::ranges::move(m_store.use(lookAtDisk), std::back_inserter(readiness.warnings));
         warn(readiness.warnings);
         m_people.cameraReady(m_camera, readiness);
         takeAndFetch(route);

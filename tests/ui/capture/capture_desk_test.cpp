@@ -257,6 +257,7 @@ TEST_F(CaptureDeskTest, SeesThatACameraAtRestIsSwitchedOff) {
     EXPECT_FALSE(desk().sentence().isEmpty());
     EXPECT_FALSE(desk().camera()->batteryFraction);
     EXPECT_EQ(mode.findChild<QLabel*>("capture")->text(), "no answer");
+    EXPECT_FALSE(mode.findChild<QLabel*>("battery")->text().contains('%'));
     EXPECT_EQ(desk().state(), State::Ready); // it may come back
 }
 

@@ -5,11 +5,14 @@
 #include "ui/capture/operator_signals.h"
 #include "ui/look/theme.h"
 #include "ui/look/told_label.h"
+#include "ui/shell/application.h"
 
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
+#include <QTranslator>
+#include <sqlite3.h>
 
 namespace spherewalk::ui {
 
@@ -209,6 +212,45 @@ TEST_F(CaptureModeTest, OnTheWholeScreenOnlyWhatTheCartNeedsIsShown) {
     }
     mode.setWholeScreen(false);
     EXPECT_TRUE(mode.findChild<CameraPanel*>()->isVisible());
+}
+
+TEST_F(CaptureModeTest, LargeWordsOfTheCartMakeTheWindowNoWider) {
+    QTranslator german;
+    ASSERT_TRUE(loadWords(german, QLocale("de")));
+    QCoreApplication::installTranslator(&german);
+    connectPractice();
+    desk().setHideSeconds(30);
+    mode.setWholeScreen(true);
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    constexpr int kSmallPx = 900;
+    EXPECT_LE(mode.minimumSizeHint().width(), kSmallPx);
+    desk().stop();
+    mode.setWholeScreen(false);
+    QCoreApplication::removeTranslator(&german);
+}
+
+TEST_F(CaptureModeTest, SaysBeforeTheFirstPhotoThatTheDiskIsTooSmall) {
+    connectPractice();
+    desk().trigger();
+    waitFor(State::AtStation);
+    desk().trigger();
+    waitUntil([&] { return played.size() == 1; });
+    desk().stop();
+    waitFor(State::Ready);
+    sqlite3* database = nullptr; // as if photos were so large that the disk has room for three
+    ASSERT_EQ(sqlite3_open((path / "survey.sqlite").c_str(), &database), SQLITE_OK);
+    const auto free = std::filesystem::space(path).available;
+    const std::string large = "UPDATE photo SET size_bytes = " + std::to_string(free * 10 / 35);
+    ASSERT_EQ(sqlite3_exec(database, large.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+    desk().trigger();
+    waitFor(State::AtStation);
+    const QString words = mode.findChild<ToldLabel*>("verdict")->words();
+    EXPECT_TRUE(words.contains(QString("room for about 3 of the %1 photos").arg(desk().stationsLeft())))
+        << words.toStdString();
+    EXPECT_EQ(desk().verdict(), survey::Quality::Doubtful);
 }
 
 } // namespace spherewalk::ui
