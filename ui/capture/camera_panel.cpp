@@ -20,6 +20,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 namespace {
@@ -194,11 +196,24 @@ QWidget* CameraPanel::makeExposure() {
     return exposure;
 }
 
+/// Shows the form beside the live picture, which shows what its numbers do.
 void CameraPanel::editProfile() {
+    if (m_form && m_form->isVisible()) {
+        return m_form->raise();
+    }
     auto* form = new ProfileForm(m_desk.profile(), latestExposure(m_desk.session()->store()), this);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &QDialog::accepted, this, [this, form] { m_desk.setProfile(form->profile()); });
-    form->open();
+    connect(&m_desk, &CaptureDesk::changed, form, [this, form, session = m_desk.session()] {
+        if (m_desk.isRunning() || m_desk.session() != session) {
+            form->reject(); // too late for what it says
+        }
+    });
+    m_form = form;
+    constexpr int kGapPx = 12;
+    const QPoint beside = mapToGlobal(QPoint(-form->sizeHint().width() - kGapPx, 0));
+    form->move(std::max(0, beside.x()), beside.y());
+    form->setVisible(true);
 }
 
 void CameraPanel::askLogin(const camera::Endpoint& endpoint, bool wasRefused) {

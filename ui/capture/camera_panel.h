@@ -18,6 +18,7 @@ class QSpinBox;
 namespace spherewalk::ui {
 
 class LoginForm;
+class ProfileForm;
 class ToldLabel;
 
 /// Connects a camera, and shows its status, its exposure settings and its live preview. An operator edits
@@ -68,6 +69,7 @@ class CameraPanel : public QWidget {
     QPushButton* m_showPreview = nullptr;
     PreviewView* m_preview = nullptr;
     QPointer<LoginForm> m_login;
+    QPointer<ProfileForm> m_form;
 };
 
 } // namespace spherewalk::ui

@@ -2,6 +2,7 @@
 #include "ui/capture/live_preview.h"
 
 #include "ui/look/core_words.h"
+#include "ui/look/theme.h"
 #include "ui/panorama/photo_pictures.h"
 
 #include "spherewalk/base/error.h"
@@ -9,6 +10,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace spherewalk::ui {
@@ -132,6 +135,26 @@ void PreviewFeed::ended(int number, const QString& sentence) {
     }
 }
 
+Brightness brightnessOf(const QImage& picture) {
+    constexpr int kBlackest = 3;    // of 255
+    constexpr int kWhitest = 252;   // of 255
+    constexpr int kMostAside = 320; // so many pixels beside each other tell enough
+    Brightness result;
+    const QImage small = picture.width() > kMostAside ? picture.scaledToWidth(kMostAside) : picture;
+    const QImage grey =
+        small.convertToFormat(QImage::Format_RGB32).convertToFormat(QImage::Format_Grayscale8);
+    const double each = 1.0 / std::max(1, grey.width() * grey.height());
+    for (int y = 0; y < grey.height(); ++y) {
+        const uchar* line = grey.constScanLine(y);
+        for (int x = 0; x < grey.width(); ++x) {
+            result.shares[line[x] / (256 / result.shares.size())] += each;
+            result.black += line[x] <= kBlackest ? each : 0;
+            result.white += line[x] >= kWhitest ? each : 0;
+        }
+    }
+    return result;
+}
+
 PreviewView::PreviewView(const PreviewFeed& feed, QWidget* parent) : QWidget(parent), m_feed(feed) {
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
@@ -161,7 +184,44 @@ QString PreviewView::words() const {
 
 void PreviewView::follow() {
     setAccessibleName(m_feed.state() == PreviewFeed::State::Showing ? tr("What the camera sees") : words());
+    m_brightness = m_feed.picture().isNull() ? Brightness() : brightnessOf(m_feed.picture());
+    setAccessibleDescription(exposureWords());
     update();
+}
+
+QString PreviewView::exposureWords() const {
+    constexpr double kWorthSaying = 0.01;
+    QStringList words;
+    if (m_brightness.white >= kWorthSaying) {
+        words << tr("%L1 % white").arg(100 * m_brightness.white, 0, 'f', 0);
+    }
+    if (m_brightness.black >= kWorthSaying) {
+        words << tr("%L1 % black").arg(100 * m_brightness.black, 0, 'f', 0);
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+/// Draws the histogram into the corner at the right and below, where a sphere shows the floor.
+void PreviewView::paintHistogram(QPainter& painter) const {
+    constexpr int kHighPx = 40;
+    constexpr int kBarPx = 2;
+    constexpr int kGapPx = 6;
+    const auto bars = static_cast<int>(m_brightness.shares.size());
+    const QRect box(width() - bars * kBarPx - 2 * kGapPx, height() - kHighPx - 2 * kGapPx, bars * kBarPx,
+                    kHighPx);
+    const QString words = exposureWords();
+    const int wordsPx = words.isEmpty() ? 0 : painter.fontMetrics().height();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 170));
+    painter.drawRoundedRect(box.adjusted(-kGapPx, -kGapPx - wordsPx, kGapPx, kGapPx), 4, 4);
+    const double most = *std::max_element(m_brightness.shares.begin(), m_brightness.shares.end());
+    for (int i = 0; i < bars; ++i) {
+        const double share = m_brightness.shares[static_cast<std::size_t>(i)];
+        const int high = qRound(kHighPx * std::sqrt(share / most)); // small shares are seen, too
+        painter.fillRect(QRect(box.left() + i * kBarPx, box.bottom() + 1 - high, kBarPx, high), Qt::white);
+    }
+    painter.setPen(doubtfulColour());
+    painter.drawText(QRect(box.left(), box.top() - wordsPx, box.width(), wordsPx), Qt::AlignCenter, words);
 }
 
 void PreviewView::paintEvent(QPaintEvent* /*event*/) {
@@ -175,6 +235,9 @@ void PreviewView::paintEvent(QPaintEvent* /*event*/) {
         painter.setOpacity(m_feed.state() == PreviewFeed::State::Showing ? 1 : 0.4);
         painter.drawImage(place, picture);
         painter.setOpacity(1);
+        if (m_feed.state() == PreviewFeed::State::Showing) {
+            paintHistogram(painter);
+        }
     }
     constexpr int kMarginPx = 8;
     painter.setPen(palette().color(QPalette::Text));

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QWidget>
 
+#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -84,7 +85,18 @@ class PreviewFeed : public QObject {
     std::jthread m_thread; ///< The last member, as it uses the others until it ends.
 };
 
-/// Shows the newest picture of a live preview, or a sentence in its place.
+/// How bright a picture is.
+struct Brightness {
+    std::array<double, 64> shares{}; ///< Of the pixels, in equal steps from black to white.
+    double black = 0;                ///< Share of pixels in which the dark has no detail left.
+    double white = 0;                ///< Share of pixels in which the light has no detail left.
+};
+
+/// Returns the brightness of a picture; all 0 for an empty one. Source: ITU-R BT.601 for the weights of
+/// colours.
+Brightness brightnessOf(const QImage& picture);
+
+/// Shows the newest picture of a live preview with its histogram, or a sentence in its place.
 class PreviewView : public QWidget {
     Q_OBJECT
 
@@ -100,13 +112,21 @@ class PreviewView : public QWidget {
     /// Returns the sentence that stands in place of a picture; empty while pictures come.
     QString words() const;
 
+    /// Returns what the histogram shows.
+    const Brightness& brightness() const { return m_brightness; }
+
+    /// Says how much of the picture is too dark or too bright; empty if little is.
+    QString exposureWords() const;
+
   protected:
     void paintEvent(QPaintEvent* event) override;
 
   private:
     void follow();
+    void paintHistogram(QPainter& painter) const;
 
     const PreviewFeed& m_feed;
+    Brightness m_brightness;
 };
 
 } // namespace spherewalk::ui

@@ -2,10 +2,17 @@
 #include "capture_fixture.h"
 #include "event_loop_gap.h"
 #include "ui/capture/live_preview.h"
+#include "ui/capture/profile_form.h"
 
 #include "spherewalk/practice/fault.h"
 
+#include <QComboBox>
+#include <QPointer>
 #include <QPushButton>
+#include <QTest>
+
+#include <algorithm>
+#include <numeric>
 
 namespace spherewalk::ui {
 
@@ -73,7 +80,65 @@ TEST_F(PreviewFeedTest, EndsWithTheCameras) {
     EXPECT_EQ(feed.sentence(), "");
 }
 
+TEST(Brightness, CountsEachPixelOnce) {
+    QImage picture(200, 100, QImage::Format_RGB32);
+    picture.fill(QColor(128, 128, 128));
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 50; ++x) {
+            picture.setPixelColor(x, y, x < 20 ? Qt::black : Qt::white);
+        }
+    }
+    const Brightness found = brightnessOf(picture);
+    EXPECT_NEAR(found.black, 0.10, 1e-9);
+    EXPECT_NEAR(found.white, 0.15, 1e-9);
+    EXPECT_NEAR(found.shares.front(), 0.10, 1e-9);
+    EXPECT_NEAR(found.shares[32], 0.75, 1e-9);
+    EXPECT_NEAR(found.shares.back(), 0.15, 1e-9);
+    EXPECT_EQ(brightnessOf({}).shares.front(), 0);
+}
+
 using LivePreviewTest = CaptureFixture;
+
+TEST_F(LivePreviewTest, HasAHistogramInItsCorner) {
+    auto& view = *mode.findChild<PreviewView*>("livePreview");
+    mode.findChild<QPushButton*>("showPreview")->click();
+    connectPractice();
+    waitUntil([&] { return desk().preview().state() == PreviewFeed::State::Showing; });
+    const auto& shares = view.brightness().shares;
+    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-6);
+    EXPECT_EQ(view.accessibleDescription(), view.exposureWords());
+    const QImage live = view.grab().toImage();
+    // The highest bar is white over all of its height.
+    const auto bar = static_cast<int>(std::max_element(shares.begin(), shares.end()) - shares.begin());
+    EXPECT_EQ(live.pixelColor(view.width() - 2 * 64 - 12 + 2 * bar, view.height() - 12 - 40 + 1),
+              QColor(Qt::white));
+}
+
+TEST_F(LivePreviewTest, GoesOnBesideTheFormOfTheExposure) {
+    const auto open = [&] {
+        mode.findChild<QPushButton*>("captureProfile")->click();
+        QList<ProfileForm*> forms = mode.findChildren<ProfileForm*>();
+        forms.removeIf([](const ProfileForm* form) { return !form->isVisible(); });
+        EXPECT_EQ(forms.size(), 1);
+        return forms.value(0);
+    };
+    mode.findChild<QPushButton*>("showPreview")->click();
+    connectPractice();
+    waitUntil([&] { return desk().preview().state() == PreviewFeed::State::Showing; });
+    QPointer<ProfileForm> form = open();
+    ASSERT_NE(form, nullptr);
+    EXPECT_FALSE(form->isModal());
+    EXPECT_EQ(open(), form); // not a second one
+    EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Showing);
+    auto* iso = form->findChild<QComboBox*>("iso");
+    iso->setCurrentIndex(iso->findText("200"));
+    QTest::keyClick(form, Qt::Key_Return);
+    EXPECT_FALSE(form && form->isVisible());
+    EXPECT_EQ(session->store().captureProfile()->iso, 200);
+    form = open();
+    desk().trigger(); // the run has its settings
+    EXPECT_FALSE(form && form->isVisible());
+}
 
 TEST_F(LivePreviewTest, RestsDuringAShotAndGoesOnAtTheNextStation) {
     auto* view = mode.findChild<PreviewView*>("livePreview");
