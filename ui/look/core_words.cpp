@@ -170,6 +170,19 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "No option of this dataset holds %1 px in 95 of 100 places; the best, the scene model "
                       "%2 with sampling %3, misses more than 5 of 100 places."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the "
+                      "scene model %3, reaches %4 px."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "None of the steps studied holds %1 px in 95 of 100 places; the best, %2 cm with the "
+                      "scene model %3, misses more than 5 of 100 places."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Study a denser block, or allow more."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3 (no "
+                      "coarser one was studied): %4 photos, about %5."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3: %4 "
+                      "photos, about %5."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together, or export the dataset with "
                                                    "a richer scene model."),

@@ -132,11 +132,21 @@ void PlanCanvas::paintRoom(QPainter& painter, const survey::Room& room, const QC
     for (const Polygon& obstacle : room.obstacles) {
         painter.drawPolygon(mapped(obstacle, widgetFromRoom));
     }
-    painter.setPen(palette().color(QPalette::PlaceholderText));
+}
+
+void PlanCanvas::paintNames(QPainter& painter, const survey::Room& room,
+                            const QTransform& widgetFromRoom) const {
+    QColor plate = palette().color(QPalette::Base);
+    plate.setAlphaF(0.65F); // what lies below shines through
     for (const survey::RoomName& name : room.names) {
-        QRectF box(0, 0, 400, 40);
+        const QString words = QString::fromStdString(name.name);
+        QRectF box = painter.fontMetrics().boundingRect(words).adjusted(-6, -2, 6, 2);
         box.moveCenter(mapped(name.at, widgetFromRoom));
-        painter.drawText(box, Qt::AlignCenter, QString::fromStdString(name.name));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(plate);
+        painter.drawRoundedRect(box, 4, 4);
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.drawText(box, Qt::AlignCenter, words);
     }
 }
 

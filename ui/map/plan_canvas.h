@@ -59,6 +59,8 @@ class PlanCanvas : public QWidget {
     /// Draws the floor in this colour, the walls and the obstacles.
     void paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
                    const QTransform& widgetFromRoom) const;
+    /// Draws the names of the rooms, each on a plate.
+    void paintNames(QPainter& painter, const survey::Room& room, const QTransform& widgetFromRoom) const;
 
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

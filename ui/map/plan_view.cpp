@@ -71,6 +71,10 @@ QColor PlanView::heatColour(double heat) {
     return QColor::fromRgbF(mix(0), mix(1), mix(2));
 }
 
+QString PlanView::words() const {
+    return m_room.outline.empty() ? emptyText() : QString();
+}
+
 QString PlanView::emptyText() const {
     return tr("No survey is open");
 }
@@ -102,10 +106,11 @@ const StationMark* PlanView::markAt(const QPointF& at) const {
 void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
     if (m_room.outline.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignCenter, emptyText());
+        painter.drawText(rect(), Qt::AlignCenter, words());
         return;
     }
     paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
+    paintNames(painter, m_room, widgetFromRoom);
     for (const StationMark& mark : m_stations) {
         const QPointF at = mapped(mark.positionM, widgetFromRoom);
         paintMark(painter, mark, at);

@@ -42,6 +42,9 @@ class PlanView : public PlanCanvas {
 
     const std::vector<StationMark>& stations() const { return m_stations; }
 
+    /// Returns the sentence that stands in place of a room; empty where there is one.
+    QString words() const;
+
     /// Draws a ring around this station; nothing: around none.
     void setCurrent(std::optional<std::int64_t> station);
 

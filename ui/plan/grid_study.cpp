@@ -3,6 +3,7 @@
 
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
+#include "ui/look/core_words.h"
 #include "ui/look/words.h"
 #include "ui/tasks/task_panel.h"
 
@@ -218,7 +219,7 @@ QString GridStudyPresenter::words() const {
         return {};
     }
     return tr("%1\nFound in %2: %n photo(s), %L3 cm apart.", nullptr, static_cast<int>(m_found->photos))
-        .arg(QString::fromStdString(m_found->reason), m_foundIn)
+        .arg(coreWords(m_found->reason), m_foundIn)
         .arg(100 * m_found->gridStepM, 0, 'f', 0);
 }
 

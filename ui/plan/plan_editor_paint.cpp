@@ -2,6 +2,8 @@
 #include "ui/look/theme.h"
 #include "ui/plan/plan_editor_view.h"
 
+#include <QPainterPath>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,7 @@ void PlanEditorView::paintFloor(QPainter& painter, const QTransform& widgetFromR
     floor.setAlphaF(m_picture.isEmpty() ? 1.0F : 0.3F);
     paintRoom(painter, m_editor.draft().room, floor, widgetFromRoom);
     paintPlan(painter, widgetFromRoom);
+    paintNames(painter, m_editor.draft().room, widgetFromRoom);
     paintUncovered(painter, widgetFromRoom);
     paintSelection(painter, widgetFromRoom);
     paintPen(painter, widgetFromRoom);
@@ -132,7 +135,7 @@ void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetF
         if (isSelected || (i == PlanPart::kOutline && selected.polygon == PlanPart::kNone)) {
             const bool isOutline = i == PlanPart::kOutline;
             paintLengths(painter, polygon, widgetFromRoom,
-                         isOutline ? LengthSide::Inside : LengthSide::Outside);
+                         isOutline ? LengthSide::OfRoom : LengthSide::Outside);
         }
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const QPointF at = mapped(polygon[k], widgetFromRoom);
@@ -146,33 +149,69 @@ void PlanEditorView::paintSelection(QPainter& painter, const QTransform& widgetF
     }
 }
 
-/// Writes the lengths on the free floor beside the walls, so that those of a thin wall's sides stand apart.
-void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
-                                  LengthSide side) const {
-    constexpr double kGapPx = 3;
+/// Returns a label that lies along a wall, or across it. aside: 1 on the right of the wall's direction on the
+/// screen, -1 on its left, 0 on the wall.
+LengthLabel PlanEditorView::labelBeside(const QLineF& wall, const QString& words, double aside) const {
+    constexpr double kGapPx = 4;
+    const QPointF along = (wall.p2() - wall.p1()) / wall.length();
+    LengthLabel label{words, fontMetrics().boundingRect(words), std::abs(along.y()) > std::abs(along.x())};
+    label.box = label.box.adjusted(-4, -1, 4, 1);
+    if (label.isUpright) {
+        label.box = label.box.transposed();
+    }
+    const double reachPx =
+        0.5 * (std::abs(along.y()) * label.box.width() + std::abs(along.x()) * label.box.height());
+    label.box.moveCenter(wall.center() + aside * (reachPx + kGapPx) * QPointF(-along.y(), along.x()));
+    return label;
+}
+
+/// Returns the labels of a polygon. Those of a room stand outside, where no stops are, unless there is floor
+/// too, as behind a thin wall.
+std::vector<LengthLabel> PlanEditorView::lengthLabels(const Polygon& polygon,
+                                                      const QTransform& widgetFromRoom,
+                                                      LengthSide side) const {
     const std::size_t walls = side == LengthSide::OnOpenLine ? polygon.size() - 1 : polygon.size();
-    const double turn = side == LengthSide::OnOpenLine                              ? 0
-                        : (signedArea(polygon) > 0) == (side == LengthSide::Inside) ? 1
-                                                                                    : -1;
+    const double outside = signedArea(polygon) > 0 ? 1 : -1; // y points down on the screen
+    QPainterPath floor;
+    floor.addPolygon(mapped(polygon, widgetFromRoom));
+    floor.closeSubpath();
+    std::vector<LengthLabel> labels;
     for (std::size_t i = 0; i < walls; ++i) {
         const Vector2d& begin = polygon[i];
         const Vector2d& end = polygon[(i + 1) % polygon.size()];
         const QLineF wall(mapped(begin, widgetFromRoom), mapped(end, widgetFromRoom));
         const QString words = tr("%L1 m").arg((end - begin).norm(), 0, 'f', 2);
-        QRectF box = painter.fontMetrics().boundingRect(words);
-        if (wall.length() < box.width() + 12) {
+        if (wall.length() < fontMetrics().horizontalAdvance(words) + 12) {
             continue;
         }
-        const QPointF along = (wall.p2() - wall.p1()) / wall.length();
-        const QPointF aside(turn * along.y(), -turn * along.x()); // y points down on the screen
-        const double reachPx =
-            0.5 * (std::abs(aside.x()) * (box.width() + 8) + std::abs(aside.y()) * box.height());
-        box.moveCenter(wall.center() + (turn == 0 ? 0 : reachPx + kGapPx) * aside);
+        LengthLabel label = labelBeside(wall, words, side == LengthSide::OnOpenLine ? 0 : outside);
+        const bool isFree = QRectF(rect()).contains(label.box) && !floor.intersects(label.box);
+        if (side == LengthSide::OfRoom && !isFree) {
+            label = labelBeside(wall, words, -outside);
+        }
+        labels.push_back(label);
+    }
+    return labels;
+}
+
+std::vector<LengthLabel> PlanEditorView::lengthLabels() const {
+    return lengthLabels(m_editor.draft().room.outline, widgetFromRoom(), LengthSide::OfRoom);
+}
+
+void PlanEditorView::paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
+                                  LengthSide side) const {
+    for (const LengthLabel& label : lengthLabels(polygon, widgetFromRoom, side)) {
+        painter.save();
+        painter.translate(label.box.center());
+        painter.rotate(label.isUpright ? -90 : 0);
+        const QSizeF size = label.isUpright ? label.box.size().transposed() : label.box.size();
+        const QRectF box(QPointF(-0.5 * size.width(), -0.5 * size.height()), size);
         painter.setPen(Qt::NoPen);
         painter.setBrush(palette().color(QPalette::Window));
-        painter.drawRoundedRect(box.adjusted(-4, -1, 4, 1), 4, 4);
+        painter.drawRoundedRect(box, 4, 4);
         painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(box, Qt::AlignCenter, words);
+        painter.drawText(box, Qt::AlignCenter, label.words);
+        painter.restore();
     }
 }
 

@@ -10,8 +10,16 @@
 #include <QLineF>
 
 #include <optional>
+#include <vector>
 
 namespace spherewalk::ui {
+
+/// The length of a wall as the drawing shows it.
+struct LengthLabel {
+    QString words;
+    QRectF box;             ///< On the widget.
+    bool isUpright = false; ///< Whether the words run upwards.
+};
 
 /// The drawing of the room: corners to drag, walls to split, a pen, and the rails and stations of the plan.
 /// Tab goes from corner to corner, arrows move the selected corner, and Delete removes it. While the pen
@@ -33,6 +41,10 @@ class PlanEditorView : public PlanCanvas {
     void setGrid(double gridM) { m_gridM = gridM; }
 
     FloorPicture& picture() { return m_picture; }
+
+    /// Returns the lengths of the outline's walls, in the order of the walls; without those of walls that are
+    /// shorter than their label.
+    std::vector<LengthLabel> lengthLabels() const;
 
     /// Fits the room and the picture into the view.
     void fitRoom();
@@ -65,8 +77,11 @@ class PlanEditorView : public PlanCanvas {
     void paintUncovered(QPainter& painter, const QTransform& widgetFromRoom) const;
     void paintSelection(QPainter& painter, const QTransform& widgetFromRoom) const;
     /// Where the lengths of walls are written.
-    enum class LengthSide { Inside, Outside, OnOpenLine };
+    enum class LengthSide { OfRoom, Outside, OnOpenLine };
 
+    LengthLabel labelBeside(const QLineF& wall, const QString& words, double aside) const;
+    std::vector<LengthLabel> lengthLabels(const Polygon& polygon, const QTransform& widgetFromRoom,
+                                          LengthSide side) const;
     void paintLengths(QPainter& painter, const Polygon& polygon, const QTransform& widgetFromRoom,
                       LengthSide side) const;
     void paintPen(QPainter& painter, const QTransform& widgetFromRoom) const;

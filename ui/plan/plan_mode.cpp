@@ -23,6 +23,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -57,6 +58,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     m_form->setContentsMargins(6, 0, 6, 6);
     m_stored->setContentsMargins(10, 0, 6, 6);
     m_hint = new QLabel(this);
+    m_hint->setObjectName("planHint");
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(8, 2, 8, 4);
     auto* drawing = new QWidget(this);
@@ -155,6 +157,9 @@ QToolBar* PlanMode::makeToolBar() {
     addAction("sheet", tr("Sheet"),
               tr("Write the marking-out sheet: the plan to scale with tape distances, as PDF"),
               [this] { chooseSheet(); });
+    if (auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button")) {
+        more->setIcon(ui::icon("more")); // Qt's own is not seen in the dark
+    }
     return bar;
 }
 
@@ -242,6 +247,10 @@ void PlanMode::showState() {
     m_stored->setText(state == State::Stored ? tr("Stored.") : tr("Storing..."));
     for (QAction* action : std::as_const(m_edits)) {
         action->setEnabled(state != State::Locked);
+    }
+    using Tool = PlanEditorView::Tool;
+    if (state == State::Locked && m_view->tool() != Tool::Scale && m_view->tool() != Tool::Place) {
+        m_view->setTool(Tool::Select); // its sentence, too
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include "measure/measure_summary.h"
 #include "measure/photo_grid.h"
-#include "parts/report_parts.h"
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
@@ -301,9 +300,12 @@ std::string gridStudyReason(const GridStudy& study) {
             std::min_element(study.rows.begin(), study.rows.end(), [](const GridRow& a, const GridRow& b) {
                 return a.p95Px.value_or(1e9) < b.p95Px.value_or(1e9);
             });
+        const bool isFound = least->p95Px && std::isfinite(*least->p95Px);
         return text("None of the steps studied holds ", wanted, " in 95 of 100 places; the best, ",
-                    cm(least->stepM), " with the scene model ", name(least->scene), ", reaches ",
-                    orDash(least->p95Px), " px. Study a denser block, or allow more.");
+                    cm(least->stepM), " with the scene model ", name(least->scene),
+                    isFound ? text(", reaches ", fixed(*least->p95Px, 2), " px.")
+                            : ", misses more than 5 of 100 places.",
+                    " Study a denser block, or allow more.");
     }
     return text("For ", wanted, " in 95 of 100 places a grid of ", cm(*best->stepM),
                 " is enough with the scene model ", name(best->scene),

@@ -7,6 +7,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 using Eigen::Vector2d;
@@ -175,6 +177,38 @@ TEST_F(PlanEditorViewTest, ARoomThatIsStillBeingDrawnIsNoProblem) {
         QTest::mouseClick(&view, Qt::LeftButton, {}, at(corner.x(), corner.y()));
         ASSERT_TRUE(QTest::qWaitFor([&] { return editor.isSettled(); }, 20'000));
         EXPECT_TRUE(editor.outcome().problem.isEmpty()) << editor.outcome().problem.toStdString();
+    }
+}
+
+TEST_F(PlanEditorViewTest, LengthsStandOutsideOfTheRoom) {
+    const std::vector<LengthLabel> labels = view.lengthLabels();
+    ASSERT_EQ(labels.size(), 4U);
+    const QRectF floor(view.widgetFromRoom().mapRect(QRectF(0, 0, 5, 4)));
+    for (const LengthLabel& label : labels) {
+        EXPECT_FALSE(label.box.intersects(floor)) << label.words.toStdString();
+        EXPECT_TRUE(QRectF(view.rect()).contains(label.box)) << label.words.toStdString();
+    }
+    EXPECT_EQ(labels[0].words, "5.00 m");
+    EXPECT_TRUE(labels[1].isUpright);
+}
+
+TEST_F(PlanEditorViewTest, LengthsOfAThinWallsSidesStandApart) {
+    editor.setOutline({{0, 0}, {3, 0}, {3, 3}, {3.1, 3}, {3.1, 0}, {6, 0}, {6, 4}, {0, 4}});
+    view.fitRoom();
+    const std::vector<LengthLabel> labels = view.lengthLabels();
+    const auto in = [](double x, double y) { return QRectF(x, 0, y - x, 3); };
+    const auto onFloor = [&](const QRectF& place) {
+        return std::count_if(labels.begin(), labels.end(), [&](const LengthLabel& label) {
+            return label.words == "3.00 m" && label.isUpright &&
+                   view.widgetFromRoom().mapRect(place).contains(label.box);
+        });
+    };
+    EXPECT_EQ(onFloor(in(0, 3)), 1);
+    EXPECT_EQ(onFloor(in(3.1, 6)), 1);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            EXPECT_FALSE(labels[i].box.intersects(labels[k].box)) << i << ' ' << k;
+        }
     }
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made_survey.h"
+#include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
+#include "ui/look/theme.h"
 #include "ui/plan/plan_mode.h"
 #include "ui/plan/plan_storage.h"
+#include "ui/shell/application.h"
 
 #include "spherewalk/base/file.h"
 
@@ -16,6 +19,9 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTranslator>
 #include <gtest/gtest.h>
 
 namespace spherewalk::ui {
@@ -151,6 +157,52 @@ TEST_F(PlanModeTest, WritesTheMarkingOutSheet) {
     mode.writeSheet(QString::fromStdString(file.string()));
     ASSERT_TRUE(ended.wait(10'000));
     EXPECT_EQ(readTextFile(file).substr(0, 5), "%PDF-");
+}
+
+TEST_F(PlanModeTest, WhatIsWrongWithAnOutlineIsSaidByTheLettersOfItsCorners) {
+    QTranslator german;
+    for (const char* named : {"corner B crosses the wall after corner D", "nach Ecke B"}) {
+        mode.view().setTool(PlanEditorView::Tool::Outline);
+        for (const Vector2d& corner : Polygon{{0.5, 0.5}, {4.5, 0.5}, {0.5, 3.5}, {4.5, 3.5}, {0.5, 0.5}}) {
+            click(corner);
+        }
+        settle();
+        const QString problem = mode.findChild<QLabel*>("planProblem")->text();
+        EXPECT_TRUE(problem.contains(named)) << problem.toStdString();
+        mode.editor().undoStack()->undo();
+        ASSERT_TRUE(loadWords(german, QLocale("de")));
+        QCoreApplication::installTranslator(&german); // for the second time
+    }
+    QCoreApplication::removeTranslator(&german);
+}
+
+TEST_F(PlanModeTest, AFixedPlanIsLeftWithTheToolThatMoves) {
+    const test::PhotographedSurvey photographed(3);
+    mode.view().setTool(PlanEditorView::Tool::Rails);
+    auto* hint = mode.findChild<QLabel*>("planHint");
+    EXPECT_FALSE(hint->text().isEmpty());
+    const auto session = SurveySession::open(QString::fromStdString(photographed.path().string()));
+    mode.setSession(session.get());
+    EXPECT_EQ(mode.view().tool(), PlanEditorView::Tool::Select);
+    EXPECT_TRUE(hint->text().isEmpty()) << hint->text().toStdString();
+    mode.setSession(nullptr);
+}
+
+TEST_F(PlanModeTest, WhatTheToolBarHasNoRoomForIsBehindAButtonThatIsSeenInTheDark) {
+    applyTheme(Theme::Dark);
+    mode.resize(700, 600);
+    auto* bar = mode.findChild<QToolBar*>();
+    auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return more->isVisible(); }));
+    const QImage shown = more->grab().toImage();
+    int lightest = 0;
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int x = 0; x < shown.width(); ++x) {
+            lightest = std::max(lightest, shown.pixelColor(x, y).lightness());
+        }
+    }
+    EXPECT_GT(lightest, 150);
+    applyTheme(Theme::Light);
 }
 
 TEST_F(PlanModeTest, NamesTheRoomsOfAFlat) {
