@@ -7,6 +7,7 @@
 #include "ui/export/place_panel.h"
 #include "ui/fields/camera_box.h"
 #include "ui/fields/scene_fields.h"
+#include "ui/look/side_panel.h"
 #include "ui/look/told_label.h"
 #include "ui/look/words.h"
 #include "ui/tasks/task_panel.h"
@@ -79,8 +80,8 @@ ExportMode::ExportMode(TaskList& tasks, QWidget* parent)
     column->addWidget(shared);
     column->addStretch(1);
     auto* layout = new QHBoxLayout(this);
-    layout->addWidget(page, 1);
-    layout->setAlignment(page, Qt::AlignTop);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(new ColumnScrollArea(page, this));
     connect(m_presenter, &ExportPresenter::changed, this, &ExportMode::showAll);
     connect(m_presenter, &ExportPresenter::message, this, &Mode::message);
     showTolerance(false);
@@ -316,9 +317,13 @@ void ExportMode::showFound() {
         m_findings->tell(Told());
         return;
     }
-    m_amount->tell(
+    QString amount =
         tr("%n photo(s), about %1 and %2; %3 are free.", nullptr, static_cast<int>(found->photos))
-            .arg(bytesText(found->totalBytes), secondsText(found->seconds), bytesText(found->freeBytes)));
+            .arg(bytesText(found->totalBytes), secondsText(found->seconds), bytesText(found->freeBytes));
+    if (!m_scene->currentData().isValid()) {
+        amount += QLatin1Char(' ') + tr("Measuring all that is tried comes on top of that.");
+    }
+    m_amount->tell(amount);
     QList<Told> sentences;
     for (const std::string& obstacle : found->obstacles) {
         sentences << marked(Standing::Failed, coreTold(obstacle));

@@ -63,6 +63,7 @@ void MeasurePresenter::setDataset(const QString& folder) {
     if (folder != m_dataset) {
         m_dataset = folder;
         m_told = {};
+        m_isStored = false;
         emit changed();
     }
 }
@@ -72,6 +73,7 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
         return;
     }
     m_told = {};
+    m_isStored = false;
     m_task = m_tasks.start(
         tr("Measuring %1").arg(QFileInfo(m_dataset).fileName()), this,
         [folder = fs::path(m_dataset.toStdString()), camera, tolerancePx](ProgressSink& progress,
@@ -83,10 +85,7 @@ void MeasurePresenter::measure(const CameraIntrinsics& camera, double toleranceP
                                          folder + "/" + kReportFolder + "/report.json");
             if (folder == m_dataset) {
                 m_told = coreTold(found.reason);
-                if (found.isStored) {
-                    m_told.text = tr("%1\nStored: views whose choice is left to the dataset are made so.")
-                                      .arg(m_told.text);
-                }
+                m_isStored = found.isStored;
             }
         });
     connect(m_task, &Task::ended, this, [this, task = m_task.data()] { ended(*task); });
@@ -156,9 +155,13 @@ void MeasurePanel::showAll() {
         widget->setEnabled(m_presenter.canMeasure());
     }
     m_progress->setTask(task);
-    m_words->tell(isNone ? Told(tr("Export a dataset first, or name the folder of one that is there."),
-                                Cure::ExportFolder)
-                         : m_presenter.told());
+    QList<Told> lines{isNone ? Told(tr("Export a dataset first, or name the folder of one that is there."),
+                                    Cure::ExportFolder)
+                             : m_presenter.told()};
+    if (m_presenter.isStored()) {
+        lines << Told(tr("Stored: views whose choice is left to the dataset are made so."));
+    }
+    m_words->tell(lines);
     m_words->setVisible(!m_words->text().isEmpty());
     m_open->setVisible(task == nullptr && !m_presenter.page().isEmpty());
 }

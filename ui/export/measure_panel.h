@@ -46,6 +46,9 @@ class MeasurePresenter : public QObject {
     /// Says the choice and its reason, or why there is no choice; empty before a measurement.
     const Told& told() const { return m_told; }
 
+    /// Whether views of the dataset are made as the measurement has found best.
+    bool isStored() const { return m_isStored; }
+
     /// Returns the file of the report, also of an earlier measurement; empty without one.
     QString page() const;
 
@@ -58,6 +61,7 @@ class MeasurePresenter : public QObject {
     TaskList& m_tasks;
     QString m_dataset;
     Told m_told;
+    bool m_isStored = false;
     QPointer<Task> m_task;
 };
 

@@ -434,6 +434,10 @@ RobotMap::~RobotMap() {
     removeLayer(m_layer.get());
 }
 
+QString RobotMap::emptyText() const {
+    return m_presenter.session() != nullptr ? tr("Nothing is previewed yet") : tr("No dataset is open");
+}
+
 void RobotMap::showDataset() {
     if (m_presenter.dataset() == nullptr) {
         setRoom({});

@@ -66,7 +66,7 @@ class RobotMap : public PlanView {
     ~RobotMap() override;
 
   protected:
-    QString emptyText() const override { return tr("No dataset is open"); }
+    QString emptyText() const override;
 
   private:
     class Layer;

@@ -123,6 +123,8 @@ QWidget* PreviewMode::makeBar() {
     m_what->setObjectName("what");
     m_rate = new QLabel(bar);
     m_rate->setObjectName("rate");
+    m_rate->setMinimumWidth(m_rate->fontMetrics().horizontalAdvance(tr("%1 views/s").arg(999)));
+    m_rate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_record = new QPushButton(tr("&Record"), bar);
     m_record->setObjectName("record");
     m_record->setCheckable(true);
@@ -343,12 +345,13 @@ void PreviewMode::showDataset() {
     if (dataset == nullptr) {
         const SurveySession* session = m_presenter->session();
         const bool hasPhoto = session == nullptr || session->state().counts.stationsWithPhoto > 0;
-        m_what->tell(m_presenter->isPreparing() ? Told(tr("Preparing the preview..."))
-                     : hasPhoto
-                         ? Told(tr("No dataset is open."))
-                         : Told(PreviewPresenter::tr("There is no photo to preview yet; capture or import "
-                                                     "some first."),
-                                Cure::Capture));
+        m_what->tell(
+            m_presenter->isPreparing() ? Told(tr("Preparing the preview..."))
+            : hasPhoto
+                ? Told(session == nullptr ? tr("No dataset is open.") : tr("Nothing is previewed yet."))
+                : Told(PreviewPresenter::tr("There is no photo to preview yet; capture or import "
+                                            "some first."),
+                       Cure::Capture));
         return;
     }
     const render::DatasetInfo& info = dataset->info();

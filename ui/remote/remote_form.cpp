@@ -11,9 +11,13 @@
 #include <QPushButton>
 #include <QUrl>
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 namespace {
+
+constexpr int kNarrowestPx = 400;
 
 /// A label to be read and typed by somebody who stands beside.
 QLabel* largeLabel(const char* name, QWidget* parent) {
@@ -47,6 +51,7 @@ RemoteForm::RemoteForm(PhoneRemote& remote, const QList<QHostAddress>& addresses
       m_renew(new QPushButton(this)) {
     setObjectName("remoteForm");
     setWindowTitle(tr("Phone as remote"));
+    setMinimumWidth(kNarrowestPx);
     m_addresses->setObjectName("remoteNetwork");
     m_addresses->setToolTip(tr("This computer's address in the network that the phone is in, too."));
     for (const QHostAddress& address : addresses) {
@@ -116,6 +121,19 @@ void RemoteForm::showAll() {
     m_state->setText(stateText());
     m_renew->setVisible(isOn);
     m_renew->setText(m_remote.pairing().isPaired() ? tr("&Let go of the device") : tr("New &code"));
+    growToFit();
+}
+
+void RemoteForm::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    growToFit();
+}
+
+/// Makes room for words that wrap, which a form does not count in its size.
+void RemoteForm::growToFit() {
+    layout()->activate();
+    const int wide = std::max(width(), sizeHint().width());
+    resize(wide, std::max(height(), heightForWidth(wide)));
 }
 
 } // namespace spherewalk::ui

@@ -22,8 +22,12 @@ class RemoteForm : public QDialog {
     /// addresses: those of this computer that a phone can reach. Owner: the remote outlives the form.
     RemoteForm(PhoneRemote& remote, const QList<QHostAddress>& addresses, QWidget* parent = nullptr);
 
+  protected:
+    void showEvent(QShowEvent* event) override;
+
   private:
     void toggle();
+    void growToFit();
     void showAll();
     QString stateText() const;
 

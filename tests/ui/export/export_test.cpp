@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -133,6 +134,7 @@ TEST_F(ExportTest, ChoosesTheSceneModelThatHoldsATolerance) {
     EXPECT_TRUE(tolerance.isVisible());
     tolerance.setValue(50);
     check();
+    EXPECT_TRUE(widget<QLabel>("amount").text().endsWith("comes on top of that."));
     exportNow();
     const auto choice = render::Dataset::open(usual).info().choice;
     ASSERT_TRUE(choice.has_value());
@@ -147,7 +149,10 @@ TEST_F(ExportTest, LeavesAReportOfWhatItMeasured) {
     auto& scene = widget<QComboBox>("scene");
     scene.setCurrentIndex(scene.count() - 1);
     check();
+    QElapsedTimer time;
+    time.start();
     exportNow();
+    EXPECT_GT(2000 * mode.findChild<ExportPresenter*>()->seconds(), time.elapsed()); // with all measuring
     EXPECT_TRUE(fs::exists(usual / "report" / "report.html"));
     EXPECT_TRUE(fs::exists(usual / "report" / "report.json"));
     EXPECT_TRUE(widget<QPushButton>("openReport").isVisible());

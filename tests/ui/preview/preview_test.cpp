@@ -69,6 +69,11 @@ TEST_F(PreviewTest, DrawsTheRobotOnThePlanWhereItStands) {
 TEST_F(PreviewTest, ThePlanIsEmptyWithoutADataset) {
     EXPECT_TRUE(widget<PlanView>("map").stations().empty());
     EXPECT_TRUE(widget<PlanView>("map").room().outline.empty());
+    EXPECT_EQ(widget<PlanView>("map").words(), "Nothing is previewed yet");
+    EXPECT_EQ(widget<QLabel>("what").text(), "Nothing is previewed yet.");
+    mode.setSession(nullptr);
+    EXPECT_EQ(widget<PlanView>("map").words(), "No dataset is open");
+    EXPECT_EQ(widget<QLabel>("what").text(), "No dataset is open.");
 }
 
 TEST_F(PreviewTest, OpensADatasetThatWasExportedBefore) {

@@ -49,6 +49,28 @@ TEST_F(PhoneRemoteTest, WithoutPairingOnlyThePageIsServed) {
     EXPECT_EQ(desk().state(), State::AtStation);
 }
 
+TEST_F(PhoneRemoteTest, TheFormShowsAllOfItsWords) {
+    const auto expectWhole = [&] {
+        for (const QLabel* label : form.findChildren<QLabel*>()) {
+            if (label->wordWrap() && !label->text().isEmpty()) {
+                EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+                    << label->text().toStdString();
+            }
+        }
+    };
+    expectWhole();
+    press("toggleRemote"); // off
+    RemoteForm alone(remote, {});
+    alone.show();
+    QCoreApplication::processEvents();
+    expectWhole();
+    for (const QLabel* label : alone.findChildren<QLabel*>()) {
+        EXPECT_TRUE(!label->wordWrap() || label->text().isEmpty() ||
+                    label->height() >= label->heightForWidth(label->width()))
+            << label->text().toStdString();
+    }
+}
+
 TEST_F(PhoneRemoteTest, ThePageUsesNothingFromElsewhere) {
     const Reply page = Phone(remote.url()).get("/");
     static const QRegularExpression elsewhere("https?:|[\"'(=]//|url\\(|@import|\\{\\{");
