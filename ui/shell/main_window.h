@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
     void makeTour();
     void makeRemote();
     bool openPractice();
+    void makeRecent(QMenu* recent, QMenu* around);
     void makeView(QMenu* view);
     void take(const Dropped& dropped);
     void addTheme(QMenu* menu, Theme theme, const QString& text);

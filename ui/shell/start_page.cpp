@@ -25,6 +25,16 @@ QPushButton* makeButton(const QString& objectName, const QString& iconName, cons
     return button;
 }
 
+/// Makes a button the main one of the page, or one of the others.
+void setMain(QPushButton& button, bool isMain, const QString& iconName) {
+    button.setMinimumHeight(isMain ? 64 : 40);
+    button.setIcon(isMain ? QIcon() : ui::icon(iconName));
+    button.setStyleSheet({});
+    if (isMain) {
+        makePrimary(&button);
+    }
+}
+
 } // namespace
 
 StartPage::StartPage(QWidget* parent)
@@ -51,15 +61,12 @@ StartPage::StartPage(QWidget* parent)
     column->addLayout(head);
     column->addSpacing(12);
 
-    auto* practice =
+    m_practice =
         makeButton("practiceRoom", "play", tr("&Try the practice room"),
                    tr("Makes a survey of a room that exists only in the program, and photographs it."), this);
-    practice->setMinimumHeight(64);
-    practice->setIcon(QIcon());
-    makePrimary(practice);
-    QFont larger = practice->font();
+    QFont larger = m_practice->font();
     larger.setPointSizeF(1.4 * larger.pointSizeF());
-    practice->setFont(larger);
+    m_practice->setFont(larger);
     auto* about =
         new QLabel(tr("No camera is needed: the program has one inside, which photographs a furnished room "
                       "while you watch. It takes about a minute."),
@@ -67,17 +74,17 @@ StartPage::StartPage(QWidget* parent)
     about->setWordWrap(true);
     auto* tour = makeButton("tourButton", "play", tr("Take the tour, in five steps"),
                             tr("Leads through all pages with the practice room."), this);
-    column->addWidget(practice);
+    column->addWidget(m_practice);
     column->addWidget(about);
     column->addWidget(tour);
     column->addSpacing(12);
 
-    auto* begin =
+    m_begin =
         makeButton("newSurvey", "new", tr("&New survey"), tr("Draw a room and lay out its stations."), this);
     auto* open = makeButton("openSurvey", "open", tr("&Open a survey..."),
                             tr("A folder whose name ends in .spherewalk."), this);
     auto* row = new QHBoxLayout;
-    row->addWidget(begin);
+    row->addWidget(m_begin);
     row->addWidget(open);
     column->addLayout(row);
     column->addSpacing(12);
@@ -88,7 +95,7 @@ StartPage::StartPage(QWidget* parent)
     m_recent->setAccessibleName(tr("Recent surveys"));
     m_recent->setObjectName("recentSurveys");
     column->addWidget(m_recentTitle);
-    column->addWidget(m_recent, 4);
+    column->addWidget(m_recent, 12);
     column->addStretch(1);
 
     auto* frame = new QWidget(this);
@@ -99,9 +106,9 @@ StartPage::StartPage(QWidget* parent)
     page->addStretch(1);
     page->addWidget(frame, 100);
     page->addStretch(1);
-    connect(practice, &QPushButton::clicked, this, &StartPage::practiceRequested);
+    connect(m_practice, &QPushButton::clicked, this, &StartPage::practiceRequested);
     connect(tour, &QPushButton::clicked, this, &StartPage::tourRequested);
-    connect(begin, &QPushButton::clicked, this, &StartPage::newRequested);
+    connect(m_begin, &QPushButton::clicked, this, &StartPage::newRequested);
     connect(open, &QPushButton::clicked, this, &StartPage::chooseRequested);
     connect(m_recent, &QListWidget::itemActivated, this,
             [this](const QListWidgetItem* item) { emit openRequested(item->data(Qt::UserRole).toString()); });
@@ -111,6 +118,8 @@ void StartPage::setRecent(const QStringList& folders) {
     m_recent->list(folders);
     m_recent->setVisible(!folders.isEmpty());
     m_recentTitle->setVisible(!folders.isEmpty());
+    setMain(*m_practice, folders.isEmpty(), "play"); // who has surveys knows the practice room
+    setMain(*m_begin, !folders.isEmpty(), "new");
 }
 
 } // namespace spherewalk::ui

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QLabel;
+class QPushButton;
 
 namespace spherewalk::ui {
 
@@ -27,6 +28,8 @@ class StartPage : public QWidget {
     void openRequested(const QString& folder);
 
   private:
+    QPushButton* m_practice;
+    QPushButton* m_begin;
     QLabel* m_recentTitle;
     RecentSurveys* m_recent;
 };

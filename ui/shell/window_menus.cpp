@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -48,6 +49,7 @@ void MainWindow::makeMenus() {
     };
     add(file, tr("&New survey"), QKeySequence::New, &MainWindow::beginSurvey);
     add(file, tr("&Open survey..."), QKeySequence::Open, &MainWindow::chooseSurvey);
+    makeRecent(file->addMenu(tr("&Recent surveys")), file);
     add(file, tr("&Practice room"), {}, &MainWindow::runPractice);
     add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
     m_import = add(file, tr("&Import photos..."), {}, &MainWindow::chooseImport);
@@ -67,6 +69,24 @@ void MainWindow::makeMenus() {
     add(help, tr("&Tour in five steps"), {}, &MainWindow::runTour);
     add(help, tr("&Keys"), QKeySequence("Ctrl+/"), &MainWindow::showKeys);
     add(help, tr("&About Spherewalk"), {}, &MainWindow::showAbout);
+}
+
+/// Lists the surveys that were open, each time that the menu around it is opened.
+void MainWindow::makeRecent(QMenu* recent, QMenu* around) {
+    recent->setObjectName("recentMenu");
+    recent->setToolTipsVisible(true);
+    connect(around, &QMenu::aboutToShow, this, [this, recent] {
+        recent->clear();
+        const QStringList folders = Settings().recentSurveys().mid(0, 9); // by one digit each
+        for (const QString& folder : folders) {
+            const QString name = QFileInfo(folder).completeBaseName().replace('&', "&&");
+            const QString number = QString::number(recent->actions().size() + 1);
+            QAction* action = recent->addAction(QString("&%1  %2").arg(number, name), this,
+                                                [this, folder] { openSurvey(folder); });
+            action->setToolTip(QDir::toNativeSeparators(folder));
+        }
+        recent->setEnabled(!folders.isEmpty());
+    });
 }
 
 void MainWindow::makeView(QMenu* view) {

@@ -18,8 +18,10 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
@@ -122,6 +124,19 @@ TEST_P(LanguagesTest, NoTextIsCutOffInASmallWindow) {
     });
 }
 
+TEST_P(LanguagesTest, EachPageFitsAScreenThatIsShownAtTwiceItsSize) {
+    constexpr QSize kHalfOfFullHd(960, 540);
+    onPages([&](MainWindow& window, const QString& page) {
+        const auto fits = [&] {
+            window.resize(kHalfOfFullHd); // once more when the layout has settled
+            return window.size() == kHalfOfFullHd;
+        };
+        EXPECT_TRUE(QTest::qWaitFor(fits, 1000))
+            << page.toStdString() << " needs " << window.minimumSizeHint().width() << " x "
+            << window.minimumSizeHint().height();
+    });
+}
+
 TEST_P(LanguagesTest, EachLetterOpensOneThing) {
     onPages([](const MainWindow& window, const QString& page) {
         std::map<QString, QString> taken; // by letter
@@ -141,6 +156,39 @@ TEST_P(LanguagesTest, EachLetterOpensOneThing) {
             if (target != nullptr && widget->isVisible()) {
                 take(textOf(*widget));
             }
+        }
+    });
+}
+
+TEST_P(LanguagesTest, AltAndItsLetterOpensEachMenuOnEachPage) {
+    const test::PhotographedSurvey survey(3, 512);
+    for (int page = 0; page < 6; ++page) {
+        MainWindow window; // one for each page: a menu that was left keeps the menu bar waiting
+        window.show();
+        ASSERT_TRUE(window.openSurvey(QString::fromStdString(survey.path().string())));
+        window.showMode(window.modes().at(page));
+        for (const QAction* action : window.menuBar()->actions()) {
+            test::activate(window);
+            const int key = QKeySequence::mnemonic(action->text())[0].key();
+            QTest::keyClick(&window, static_cast<Qt::Key>(key), Qt::AltModifier);
+            EXPECT_EQ(QApplication::activePopupWidget(), action->menu())
+                << page << ": " << action->text().toStdString();
+            action->menu()->close();
+        }
+    }
+}
+
+TEST_P(LanguagesTest, NoLetterOfAMenuOpensSomethingThatAPageMayShow) {
+    onPages([](const MainWindow& window, const QString& page) {
+        QSet<QKeySequence> menus;
+        for (const QAction* action : window.menuBar()->actions()) {
+            menus.insert(QKeySequence::mnemonic(action->text()));
+        }
+        EXPECT_FALSE(menus.contains(QKeySequence()));
+        for (const QWidget* widget : window.findChildren<QWidget*>()) { // hidden ones, too
+            const QWidget* target = mnemonicTarget(*widget);
+            EXPECT_FALSE(target != nullptr && menus.contains(QKeySequence::mnemonic(textOf(*widget))))
+                << page.toStdString() << ": " << textOf(*widget).toStdString();
         }
     });
 }

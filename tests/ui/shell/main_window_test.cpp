@@ -149,6 +149,42 @@ TEST(MainWindow, RemembersSurveysThatStillExist) {
     EXPECT_EQ(recent->item(0)->data(Qt::UserRole).toString(), kept);
 }
 
+TEST(MainWindow, OpensARecentSurveyFromTheFileMenu) {
+    const test::TemporaryFolder folder;
+    const QString first = surveyIn(folder, "R&D lab");
+    const QString second = surveyIn(folder, "second");
+    MainWindow window;
+    window.openSurvey(first);
+    window.openSurvey(second);
+    window.show();
+    test::activate(window);
+    QTest::keyClick(&window, Qt::Key_F, Qt::AltModifier);
+    auto* recent = window.findChild<QMenu*>("recentMenu");
+    ASSERT_GE(recent->actions().size(), 2);
+    EXPECT_EQ(recent->actions()[0]->text(), "&1  second");
+    EXPECT_EQ(recent->actions()[1]->text(), "&2  R&&D lab");
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_R);
+    ASSERT_EQ(QApplication::activePopupWidget(), recent);
+    QTest::keyClick(recent, Qt::Key_2);
+    ASSERT_NE(window.session(), nullptr);
+    EXPECT_EQ(window.session()->folder(), first);
+}
+
+TEST(MainWindow, ANewSurveyIsTheMainButtonForWhomTriedTheRoom) {
+    const test::TemporaryFolder folder;
+    QSettings().clear();
+    MainWindow window;
+    const auto isMain = [&](const char* button) {
+        return !window.findChild<QPushButton*>(button)->styleSheet().isEmpty();
+    };
+    EXPECT_TRUE(isMain("practiceRoom"));
+    EXPECT_FALSE(isMain("newSurvey"));
+    window.openSurvey(surveyIn(folder));
+    window.showMode(nullptr);
+    EXPECT_FALSE(isMain("practiceRoom"));
+    EXPECT_TRUE(isMain("newSurvey"));
+}
+
 TEST(MainWindow, UndoBelongsToTheModeInSight) {
     const test::TemporaryFolder folder;
     MainWindow window;
