@@ -100,38 +100,63 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
     return marks;
 }
 
+namespace {
+
+/// The signs of the standings with their words. A line may end only between two of them.
+QString signsText() {
+    constexpr QChar kNoBreak(0x00A0);
+    QStringList words;
+    for (const Standing standing :
+         {Standing::Missing, Standing::Taken, Standing::Doubtful, Standing::Failed, Standing::Rejected}) {
+        QString sign = standingSign(standing) + kNoBreak + standingText(standing);
+        words << sign.replace(QLatin1Char(' '), kNoBreak);
+    }
+    return words.join(kNoBreak + QStringLiteral("  "));
+}
+
+constexpr int kMarginPx = 4;
+constexpr int kWrapped = Qt::TextWordWrap | Qt::AlignVCenter | Qt::AlignLeft;
+
+} // namespace
+
 CoverageLegend::CoverageLegend(QWidget* parent) : QWidget(parent) {
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred); // a fixed one keeps to sizeHint()
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     setAccessibleName(tr("Legend of the plan"));
 }
 
 void CoverageLegend::setHottest(const QString& hottest) {
     m_hottest = hottest;
+    updateGeometry();
     update();
 }
 
 QSize CoverageLegend::sizeHint() const {
-    return {240, fontMetrics().height() + 8};
+    constexpr int kUsualPx = 240;
+    return {kUsualPx, heightForWidth(kUsualPx)};
+}
+
+QSize CoverageLegend::minimumSizeHint() const {
+    constexpr int kNarrowestPx = 120;
+    return {kNarrowestPx, fontMetrics().height() + 2 * kMarginPx};
+}
+
+int CoverageLegend::heightForWidth(int width) const {
+    constexpr int kHighest = 1000;
+    const QRect room(0, 0, std::max(1, width - 2 * kMarginPx), kHighest);
+    const int lines = m_hottest.isEmpty()
+                          ? fontMetrics().boundingRect(room, Qt::TextWordWrap, signsText()).height()
+                          : fontMetrics().height();
+    return lines + 2 * kMarginPx;
 }
 
 void CoverageLegend::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRect inside = rect().adjusted(4, 0, -4, 0);
+    const QRect inside = rect().adjusted(kMarginPx, 0, -kMarginPx, 0);
     if (m_hottest.isEmpty()) {
-        QStringList words;
-        for (const Standing standing :
-             {Standing::Missing, Standing::Taken, Standing::Doubtful, Standing::Failed, Standing::Rejected}) {
-            words << standingSign(standing) + QLatin1Char(' ') + standingText(standing);
-        }
-        const QString text = words.join(QStringLiteral("   "));
-        const double share = inside.width() / std::max(1.0, double(fontMetrics().horizontalAdvance(text)));
-        if (share < 1) { // a narrow page shows all of it, smaller
-            QFont smaller = font();
-            smaller.setPointSizeF(0.98 * share * smaller.pointSizeF());
-            painter.setFont(smaller);
-        }
-        painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text);
+        painter.drawText(inside, kWrapped, signsText());
         return;
     }
     const QString from = QStringLiteral("0");

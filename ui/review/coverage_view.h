@@ -51,6 +51,11 @@ class CoverageLegend : public QWidget {
     void setHottest(const QString& hottest);
 
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    bool hasHeightForWidth() const override { return true; }
+
+    int heightForWidth(int width) const override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

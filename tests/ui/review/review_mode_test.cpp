@@ -99,6 +99,18 @@ TEST_F(ReviewModeTest, ShowsOnThePlanWhatWasDecided) {
     EXPECT_EQ(marks.at(3).standing, Standing::Missing);
 }
 
+TEST_F(ReviewModeTest, TheLegendTakesAsManyLinesAsItNeeds) {
+    auto* legend = mode.findChild<CoverageLegend*>();
+    const int line = legend->fontMetrics().height();
+    EXPECT_LT(legend->heightForWidth(2000), 2 * line);
+    EXPECT_GE(legend->heightForWidth(200), 2 * line);
+    mode.resize(700, 600); // so narrow that one line cannot hold it
+    const auto isWhole = [&] { return legend->height() >= legend->heightForWidth(legend->width()); };
+    EXPECT_TRUE(QTest::qWaitFor(isWhole, 2000)) << legend->width() << " x " << legend->height() << ", needs "
+                                                << legend->heightForWidth(legend->width());
+    EXPECT_LT(legend->width(), 380);
+}
+
 TEST_F(ReviewModeTest, ShowsResidualsAsHeat) {
     jobs::AlignReport report;
     store::NewSolution solution{"align", "yaw", "{}", {}};
