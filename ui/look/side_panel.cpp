@@ -10,6 +10,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 Section::Section(const QString& title, QWidget* parent) : QFrame(parent), m_title(new QLabel(title, this)) {
@@ -54,8 +56,8 @@ ColumnScrollArea::ColumnScrollArea(QWidget* column, QWidget* parent) : QScrollAr
 }
 
 QSize ColumnScrollArea::minimumSizeHint() const {
-    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
-            QScrollArea::minimumSizeHint().height()};
+    const int narrowest = std::max(widget()->minimumSizeHint().width(), widget()->minimumWidth());
+    return {narrowest + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
 }
 
 bool ColumnScrollArea::eventFilter(QObject* watched, QEvent* event) {

@@ -67,7 +67,17 @@ class LanguagesTest : public testing::TestWithParam<const char*> {
     QTranslator m_words;
 };
 
+QString textOf(const QWidget& widget) {
+    const auto* label = qobject_cast<const QLabel*>(&widget);
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    return label != nullptr ? label->text() : button != nullptr ? button->text() : QString();
+}
+
 bool isCutOff(const QWidget& widget) {
+    const QRect seen = widget.visibleRegion().boundingRect();
+    if (!seen.isEmpty() && seen.width() < widget.width()) { // its column is narrower than it
+        return !textOf(widget).isEmpty();
+    }
     if (const auto* label = qobject_cast<const QLabel*>(&widget); label != nullptr) {
         if (label->text().isEmpty()) {
             return false;
@@ -77,12 +87,6 @@ bool isCutOff(const QWidget& widget) {
     }
     return qobject_cast<const QAbstractButton*>(&widget) != nullptr &&
            widget.sizeHint().width() > widget.width() + 1;
-}
-
-QString textOf(const QWidget& widget) {
-    const auto* label = qobject_cast<const QLabel*>(&widget);
-    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-    return label != nullptr ? label->text() : button != nullptr ? button->text() : QString();
 }
 
 /// The texts that are cut off now, with what their widgets need.
