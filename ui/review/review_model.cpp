@@ -364,7 +364,9 @@ bool ReviewProxy::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const
 }
 
 QSize ReviewDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
-    return {kThumbnailWidth + 160, std::max(kThumbnailHeight, 3 * option.fontMetrics.height()) + 2 * kGap};
+    constexpr int kFewWordsPx = 60; // else a narrow list scrolls sideways, and a wide one gives more anyway
+    return {kThumbnailWidth + kFewWordsPx,
+            std::max(kThumbnailHeight, 3 * option.fontMetrics.height()) + 2 * kGap};
 }
 
 void ReviewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

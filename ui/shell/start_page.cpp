@@ -30,6 +30,9 @@ void setMain(QPushButton& button, bool isMain, const QString& iconName) {
     button.setMinimumHeight(isMain ? 64 : 40);
     button.setIcon(isMain ? QIcon() : ui::icon(iconName));
     button.setStyleSheet({});
+    QFont font;
+    font.setPointSizeF((isMain ? 1.4 : 1) * font.pointSizeF());
+    button.setFont(font);
     if (isMain) {
         makePrimary(&button);
     }
@@ -64,9 +67,6 @@ StartPage::StartPage(QWidget* parent)
     m_practice =
         makeButton("practiceRoom", "play", tr("&Try the practice room"),
                    tr("Makes a survey of a room that exists only in the program, and photographs it."), this);
-    QFont larger = m_practice->font();
-    larger.setPointSizeF(1.4 * larger.pointSizeF());
-    m_practice->setFont(larger);
     auto* about =
         new QLabel(tr("No camera is needed: the program has one inside, which photographs a furnished room "
                       "while you watch. It takes about a minute."),
@@ -81,11 +81,11 @@ StartPage::StartPage(QWidget* parent)
 
     m_begin =
         makeButton("newSurvey", "new", tr("&New survey"), tr("Draw a room and lay out its stations."), this);
-    auto* open = makeButton("openSurvey", "open", tr("&Open a survey..."),
-                            tr("A folder whose name ends in .spherewalk."), this);
+    m_open = makeButton("openSurvey", "open", tr("&Open a survey..."),
+                        tr("A folder whose name ends in .spherewalk."), this);
     auto* row = new QHBoxLayout;
     row->addWidget(m_begin);
-    row->addWidget(open);
+    row->addWidget(m_open);
     column->addLayout(row);
     column->addSpacing(12);
 
@@ -109,7 +109,7 @@ StartPage::StartPage(QWidget* parent)
     connect(m_practice, &QPushButton::clicked, this, &StartPage::practiceRequested);
     connect(tour, &QPushButton::clicked, this, &StartPage::tourRequested);
     connect(m_begin, &QPushButton::clicked, this, &StartPage::newRequested);
-    connect(open, &QPushButton::clicked, this, &StartPage::chooseRequested);
+    connect(m_open, &QPushButton::clicked, this, &StartPage::chooseRequested);
     connect(m_recent, &QListWidget::itemActivated, this,
             [this](const QListWidgetItem* item) { emit openRequested(item->data(Qt::UserRole).toString()); });
 }
@@ -120,6 +120,7 @@ void StartPage::setRecent(const QStringList& folders) {
     m_recentTitle->setVisible(!folders.isEmpty());
     setMain(*m_practice, folders.isEmpty(), "play"); // who has surveys knows the practice room
     setMain(*m_begin, !folders.isEmpty(), "new");
+    m_open->setMinimumHeight(m_begin->minimumHeight()); // it stands beside
 }
 
 } // namespace spherewalk::ui

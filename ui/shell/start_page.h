@@ -30,6 +30,7 @@ class StartPage : public QWidget {
   private:
     QPushButton* m_practice;
     QPushButton* m_begin;
+    QPushButton* m_open;
     QLabel* m_recentTitle;
     RecentSurveys* m_recent;
 };
