@@ -39,7 +39,7 @@ void FrameSchedule::clear() {
     m_overlays.clear();
 }
 
-void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
+void FrameSchedule::addPose(Stamp stamp, const RigPose& roomFromCameras,
                             std::chrono::steady_clock::time_point takenAt) {
     if (m_newest && stamp < *m_newest) {
         clear();
@@ -48,10 +48,10 @@ void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
     if (m_newest == stamp) {
         return;
     }
-    const Pose pose{roomFromCamera, takenAt,
+    const Pose pose{roomFromCameras, takenAt,
                     m_newest ? std::optional(StampedPose{*m_newest, m_newestPose}) : std::nullopt};
     m_newest = stamp;
-    m_newestPose = roomFromCamera;
+    m_newestPose = roomFromCameras;
     const std::int64_t slot = slotOf(stamp);
     if (!m_lastSlot || slot > *m_lastSlot) {
         m_due.emplace(slot, Slot{stamp, pose});
@@ -63,10 +63,11 @@ void FrameSchedule::addPose(Stamp stamp, const Rigid3& roomFromCamera,
     forgetOld();
 }
 
-OverlayParts* FrameSchedule::partsOf(Stamp stamp) {
-    OverlayParts& parts = m_overlays[stamp];
+OverlayParts* FrameSchedule::partsOf(Stamp stamp, std::size_t camera) {
+    std::vector<OverlayParts>& parts = m_overlays[stamp];
+    parts.resize(m_cameras);
     if (m_overlays.size() <= kMostOverlays) {
-        return &parts;
+        return &parts[camera];
     }
     const auto first = m_overlays.begin();
     const auto last = std::prev(m_overlays.end());
@@ -74,7 +75,7 @@ OverlayParts* FrameSchedule::partsOf(Stamp stamp) {
     const Stamp farthest = last->first - now > now - first->first ? last->first : first->first;
     m_overlays.erase(farthest);
     ++m_counters.overlaysUnused;
-    return farthest == stamp ? nullptr : &parts;
+    return farthest == stamp ? nullptr : &parts[camera];
 }
 
 void FrameSchedule::forgetOld() {
@@ -111,28 +112,38 @@ std::optional<FrameSchedule::Pose> FrameSchedule::poseAt(Stamp stamp) const {
     const auto before = std::prev(after);
     const double share = static_cast<double>((stamp - before->first).count()) /
                          static_cast<double>((after->first - before->first).count());
-    return Pose{interpolated(before->second.roomFromCamera, after->second.roomFromCamera, share),
-                after->second.takenAt, StampedPose{before->first, before->second.roomFromCamera}};
+    RigPose between;
+    for (std::size_t i = 0; i < m_cameras; ++i) {
+        between.push_back(
+            interpolated(before->second.roomFromCameras[i], after->second.roomFromCameras[i], share));
+    }
+    return Pose{std::move(between), after->second.takenAt,
+                StampedPose{before->first, before->second.roomFromCameras}};
+}
+
+bool FrameSchedule::isWhole(const std::vector<OverlayParts>& overlays) const {
+    return std::all_of(overlays.begin(), overlays.end(),
+                       [this](const OverlayParts& parts) { return parts.isWhole(m_options.overlay->by); });
 }
 
 std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
     const auto& [number, first] = slot;
     if (!m_options.overlay) {
-        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, first.pose.before, {}};
+        return DueFrame{first.stamp, first.pose.roomFromCameras, first.pose.takenAt, first.pose.before, {}};
     }
     for (auto it = m_overlays.begin(); it != m_overlays.end(); ++it) {
-        if (slotOf(it->first) != number || !it->second.isWhole(m_options.overlay->by)) {
+        if (slotOf(it->first) != number || !isWhole(it->second)) {
             continue;
         }
         if (const std::optional<Pose> pose = poseAt(it->first)) {
-            DueFrame frame{it->first, pose->roomFromCamera, pose->takenAt, pose->before,
+            DueFrame frame{it->first, pose->roomFromCameras, pose->takenAt, pose->before,
                            std::move(it->second)};
             m_overlays.erase(it);
             return frame;
         }
     }
     if (*m_newest - first.stamp >= m_options.overlay->wait) {
-        return DueFrame{first.stamp, first.pose.roomFromCamera, first.pose.takenAt, first.pose.before, {}};
+        return DueFrame{first.stamp, first.pose.roomFromCameras, first.pose.takenAt, first.pose.before, {}};
     }
     return std::nullopt;
 }

@@ -3,24 +3,30 @@
 
 #include "spherewalk/simulator/camera_options.h"
 
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace spherewalk::simulator {
 
-/// A pose with its stamp.
+/// The pose of each camera of a rig at one time: roomFromCamera, of the optical frames. A robot with one
+/// camera has one.
+using RigPose = std::vector<Rigid3>;
+
+/// The cameras' poses with their stamp.
 struct StampedPose {
     Stamp stamp{};
-    Rigid3 roomFromCamera;
+    RigPose roomFromCameras;
 };
 
-/// A frame that is due.
+/// A frame that is due, of all cameras.
 struct DueFrame {
     Stamp stamp{};
-    Rigid3 roomFromCamera;
+    RigPose roomFromCameras;
     std::chrono::steady_clock::time_point takenAt;
-    std::optional<StampedPose> before;   ///< The pose before; nothing after a start.
-    std::optional<OverlayParts> overlay; ///< Nothing if no overlay is wanted or none came.
+    std::optional<StampedPose> before;  ///< The poses before; nothing after a start.
+    std::vector<OverlayParts> overlays; ///< One a camera; empty if none is wanted or not all came.
 };
 
 /// Decides which poses become frames, and with which overlays, as CameraOptions say. Simulation time is cut
@@ -35,14 +41,16 @@ class FrameSchedule {
     };
 
     /// Owner: the options must outlive the schedule.
-    explicit FrameSchedule(const CameraOptions& options) : m_options(options) {}
+    explicit FrameSchedule(const CameraOptions& options, std::size_t cameras = 1)
+        : m_options(options), m_cameras(cameras) {}
 
-    /// Range: stamp >= 0. A stamp before the last one is a new start; the same stamp again is ignored.
-    void addPose(Stamp stamp, const Rigid3& roomFromCamera, std::chrono::steady_clock::time_point takenAt);
+    /// Range: stamp >= 0, and a pose for each camera. A stamp before the last one is a new start; the same
+    /// stamp again is ignored.
+    void addPose(Stamp stamp, const RigPose& roomFromCameras, std::chrono::steady_clock::time_point takenAt);
 
-    /// The parts of a stamp, to be filled before the next call. Null if the overlays of stamps nearer to the
-    /// newest pose take all the room. Range: stamp >= 0.
-    OverlayParts* partsOf(Stamp stamp);
+    /// The parts of a stamp and a camera, to be filled before the next call. Null if the overlays of stamps
+    /// nearer to the newest pose take all the room. Range: stamp >= 0.
+    OverlayParts* partsOf(Stamp stamp, std::size_t camera = 0);
 
     /// The next frame, if one can be rendered.
     std::optional<DueFrame> next();
@@ -56,7 +64,7 @@ class FrameSchedule {
 
   private:
     struct Pose {
-        Rigid3 roomFromCamera;
+        RigPose roomFromCameras;
         std::chrono::steady_clock::time_point takenAt;
         std::optional<StampedPose> before;
     };
@@ -73,14 +81,16 @@ class FrameSchedule {
     std::optional<DueFrame> frameOf(const Slots::value_type& slot);
     std::optional<DueFrame> take(Slots::iterator slot);
     void forgetOld();
+    bool isWhole(const std::vector<OverlayParts>& overlays) const;
 
     const CameraOptions& m_options;
+    std::size_t m_cameras;
     std::optional<Stamp> m_newest;
-    Rigid3 m_newestPose;                    ///< At m_newest.
-    std::optional<std::int64_t> m_lastSlot; ///< The last slot that was due.
-    Slots m_due;                            ///< Slots at their first poses.
-    std::map<Stamp, Pose> m_recent;         ///< An overlay may still come for these poses.
-    std::map<Stamp, OverlayParts> m_overlays;
+    RigPose m_newestPose;                                  ///< At m_newest.
+    std::optional<std::int64_t> m_lastSlot;                ///< The last slot that was due.
+    Slots m_due;                                           ///< Slots at their first poses.
+    std::map<Stamp, Pose> m_recent;                        ///< An overlay may still come for these poses.
+    std::map<Stamp, std::vector<OverlayParts>> m_overlays; ///< One a camera.
     Counters m_counters;
 };
 

@@ -7,7 +7,9 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/camera_info.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <condition_variable>
@@ -46,14 +48,17 @@ std::string componentsOf(const Eigen::Quaterniond& q) {
 
 /// What makes frames with one camera model; used by the rendering thread alone.
 struct FrameMaker {
-    FrameMaker(const render::Renderer& renderer, const CameraModel& model, const CameraOptions& options)
+    FrameMaker(const render::Renderer& renderer, const CameraModel& model, const CameraOptions& options,
+               std::size_t index)
         : stream(renderer, model, options.stream) {
         if (options.overlay) {
             objects.emplace(*options.overlay, options.wantsLabels, renderer.dataset().info(),
                             options.overlay->camera.value_or(model.intrinsics()), options.view.threads);
         }
         if (options.sensor) {
-            sensor.emplace(*options.sensor, model, options.view.threads);
+            render::SensorModel own = *options.sensor;
+            own.seed += index;
+            sensor.emplace(own, model, options.view.threads);
         }
     }
 
@@ -66,44 +71,61 @@ double secondsOf(Stamp stamp) {
     return std::chrono::duration<double>(stamp).count();
 }
 
-/// The camera's pose about a frame's time, counted from the frame's stamp. A jump is no motion.
-Rigid3 poseAbout(const DueFrame& due, double afterS) {
+/// A camera's pose about a frame's time, counted from the frame's stamp. A jump is no motion.
+Rigid3 poseAbout(const DueFrame& due, std::size_t index, double afterS) {
     constexpr double kFastestMS = 100;
+    const Rigid3& now = due.roomFromCameras[index];
     const double lengthS = due.before ? secondsOf(due.stamp - due.before->stamp) : 0;
-    if (!(lengthS > 0) || (due.roomFromCamera.translation - due.before->roomFromCamera.translation).norm() >
-                              kFastestMS * lengthS) {
-        return due.roomFromCamera;
+    if (!(lengthS > 0)) {
+        return now;
     }
-    return interpolated(due.before->roomFromCamera, due.roomFromCamera, 1 + afterS / lengthS);
+    const Rigid3& before = due.before->roomFromCameras[index];
+    const bool isJump = (now.translation - before.translation).norm() > kFastestMS * lengthS;
+    return isJump ? now : interpolated(before, now, 1 + afterS / lengthS);
 }
 
 struct SimulatedCamera::State {
-    State(render::Renderer sharedRenderer, const CameraModel& model, const CameraOptions& wanted,
-          GiveFrame give, Refusals::Tell tell)
+    State(render::Renderer sharedRenderer, const std::vector<MountedCamera>& wantedCameras,
+          const CameraOptions& wanted, GiveFrame give, Refusals::Tell tell)
         : renderer(std::move(sharedRenderer)),
-          options(checked(wanted)),
+          options(checked(wanted, wantedCameras)),
           giveFrame(std::move(give)),
           refusals(std::move(tell)),
-          schedule(options),
-          maker(std::make_shared<FrameMaker>(renderer, model, options)) {
-        frame.camera = model.intrinsics();
-        camera = model.intrinsics();
+          schedule(options, wantedCameras.size()) {
+        for (const MountedCamera& camera : wantedCameras) {
+            rigFromOptical.push_back(camera.rigFromOptical);
+            makers.push_back(std::make_shared<FrameMaker>(renderer, camera.model, options, makers.size()));
+            cameras.push_back(camera.model.intrinsics());
+        }
+        frames.resize(cameras.size());
         thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
     }
 
-    static const CameraOptions& checked(const CameraOptions& options) {
+    static const CameraOptions& checked(const CameraOptions& options,
+                                        const std::vector<MountedCamera>& cameras) {
         options.validate();
+        if (cameras.empty()) {
+            throw Error(ErrorKind::InvalidInput, "A rig has one camera or more.");
+        }
+        for (const MountedCamera& camera : cameras) {
+            if (!isPose(camera.rigFromOptical)) {
+                throw Error(ErrorKind::InvalidInput,
+                            "A camera's place on its rig must be finite metres and a "
+                            "unit quaternion.");
+            }
+        }
         return options;
     }
 
-    const CameraIntrinsics& overlayCamera() const {
-        return options.overlay->camera ? *options.overlay->camera : camera;
+    const CameraIntrinsics& overlayCamera(std::size_t index) const {
+        return options.overlay->camera ? *options.overlay->camera : cameras[index];
     }
 
-    void putPart(OverlayPart part, Stamp stamp, const RawPicture& picture);
+    void putPart(OverlayPart part, Stamp stamp, const RawPicture& picture, std::size_t index);
     void work(const std::stop_token& stop);
-    void make(FrameMaker& with, DueFrame due);
-    void countFrame();
+    void make(FrameMaker& with, DueFrame& due, std::size_t index);
+    void countFrames();
+    void countStreams(const std::vector<std::shared_ptr<FrameMaker>>& of);
 
     render::Renderer renderer;
     const CameraOptions options;
@@ -115,23 +137,25 @@ struct SimulatedCamera::State {
     std::condition_variable_any changed;
     FrameSchedule schedule;
     CameraCounters counters;
-    CameraIntrinsics camera; ///< of the maker
-    std::shared_ptr<FrameMaker> maker;
-    bool isBusy = true; ///< something may be there to be rendered
+    std::vector<CameraIntrinsics> cameras;           ///< of the makers
+    std::vector<std::shared_ptr<FrameMaker>> makers; ///< one a camera
+    bool isBusy = true;                              ///< something may be there to be rendered
 
-    Frame frame; ///< of the rendering thread
+    std::vector<Rigid3> rigFromOptical; ///< of each camera; constant
+    std::vector<Frame> frames;          ///< of the rendering thread, one a camera
     std::jthread thread;
 };
 
-void SimulatedCamera::State::putPart(OverlayPart part, Stamp stamp, const RawPicture& picture) {
+void SimulatedCamera::State::putPart(OverlayPart part, Stamp stamp, const RawPicture& picture,
+                                     std::size_t index) {
     CameraIntrinsics taken;
     {
         const std::scoped_lock lock(mutex);
-        taken = overlayCamera();
+        taken = overlayCamera(index);
     }
     OverlayParts parts = partOf(part, picture, taken); // without the lock, which rendering and poses want too
     const std::scoped_lock lock(mutex);
-    OverlayParts* known = taken == overlayCamera() ? schedule.partsOf(stamp) : nullptr;
+    OverlayParts* known = taken == overlayCamera(index) ? schedule.partsOf(stamp, index) : nullptr;
     if (known != nullptr) {
         known->take(std::move(parts));
         isBusy = true;
@@ -149,13 +173,19 @@ void SimulatedCamera::State::work(const std::stop_token& stop) {
             changed.wait(lock, stop, [this] { return isBusy; });
             continue;
         }
-        const std::shared_ptr<FrameMaker> with = maker;
-        frame.camera = camera;
+        const std::vector<std::shared_ptr<FrameMaker>> with = makers;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            frames[i].camera = cameras[i];
+        }
         lock.unlock();
         std::optional<Error> failure;
         try {
-            make(*with, std::move(*due));
-            giveFrame(frame);
+            for (std::size_t i = 0; i < frames.size(); ++i) {
+                make(*with[i], *due, i);
+            }
+            for (const Frame& frame : frames) {
+                giveFrame(frame);
+            }
         } catch (const Error& error) {
             failure = error;
         }
@@ -163,27 +193,32 @@ void SimulatedCamera::State::work(const std::stop_token& stop) {
         if (failure) {
             refusals.add(Refusal::Rendering, failure->sentence());
         } else {
-            countFrame();
+            countFrames();
         }
-        if (with == maker) {
-            counters.stream = with->stream.counters();
+        if (with == makers) {
+            countStreams(with);
         }
     }
 }
 
-void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
+void SimulatedCamera::State::make(FrameMaker& with, DueFrame& due, std::size_t index) {
+    Frame& frame = frames[index];
+    const Rigid3& roomFromCamera = due.roomFromCameras[index];
     std::array<render::Overlay, 1> overlay;
     render::ViewOptions view = options.view;
     view.overlays = {};
-    if (due.overlay) {
+    if (!due.overlays.empty()) {
         const render::DatasetInfo& info = renderer.dataset().info();
-        const std::size_t photo = renderer.dataset().nearestPhoto(due.roomFromCamera.translation);
+        const std::size_t photo = renderer.dataset().nearestPhoto(roomFromCamera.translation);
         const render::SceneKind scene = view.scene.value_or(render::autoScene(info, photo, frame.camera));
-        overlay[0] = with.objects->overlay(std::move(*due.overlay), due.roomFromCamera, scene);
+        overlay[0] = with.objects->overlay(std::move(due.overlays[index]), roomFromCamera, scene);
         view.overlays = overlay;
     }
+    frame.index = index;
     frame.stamp = due.stamp;
-    frame.roomFromCamera = due.roomFromCamera;
+    frame.roomFromCamera = roomFromCamera;
+    frame.baselineM = render::stereoBaselineM(frames.front().camera, frame.camera,
+                                              due.roomFromCameras.front().inverse() * roomFromCamera);
     frame.poseTakenAt = due.takenAt;
     frame.overlay = !options.overlay        ? OverlayUse::NotWanted
                     : view.overlays.empty() ? OverlayUse::Missing
@@ -197,25 +232,40 @@ void SimulatedCamera::State::make(FrameMaker& with, DueFrame due) {
         with.stream.next(pose, stampS + afterS, view, into);
     };
     if (!with.sensor) {
-        makeView(due.roomFromCamera, 0, true, frame.view);
+        makeView(roomFromCamera, 0, true, frame.view);
         return;
     }
     const auto number = static_cast<std::uint64_t>(due.stamp.count());
     frame.sensor = with.sensor->take(
-        makeView, [&due](double afterS) { return poseAbout(due, afterS); }, 0, number, frame.view);
+        makeView, [&due, index](double afterS) { return poseAbout(due, index, afterS); }, 0, number,
+        frame.view);
     with.sensor->measureDepth(number, frame.view.depth);
 }
 
-void SimulatedCamera::State::countFrame() {
+void SimulatedCamera::State::countFrames() {
+    const auto any = [this](const auto& is) { return std::any_of(frames.begin(), frames.end(), is) ? 1 : 0; };
     ++counters.frames;
-    counters.outside += frame.view.report.isOutside ? 1 : 0;
-    counters.overlaysLaid += frame.overlay == OverlayUse::Laid ? 1 : 0;
-    counters.overlaysMissing += frame.overlay == OverlayUse::Missing ? 1 : 0;
+    counters.outside += any([](const Frame& frame) { return frame.view.report.isOutside; });
+    counters.overlaysLaid += any([](const Frame& frame) { return frame.overlay == OverlayUse::Laid; });
+    counters.overlaysMissing += any([](const Frame& frame) { return frame.overlay == OverlayUse::Missing; });
+}
+
+void SimulatedCamera::State::countStreams(const std::vector<std::shared_ptr<FrameMaker>>& of) {
+    counters.stream = {};
+    for (const std::shared_ptr<FrameMaker>& maker : of) {
+        counters.stream += maker->stream.counters();
+    }
 }
 
 SimulatedCamera::SimulatedCamera(const render::Renderer& renderer, const CameraModel& camera,
                                  const CameraOptions& options, GiveFrame giveFrame, Refusals::Tell tell)
-    : m_state(std::make_unique<State>(renderer, camera, options, std::move(giveFrame), std::move(tell))) {
+    : SimulatedCamera(renderer, std::vector{MountedCamera{camera, {}}}, options, std::move(giveFrame),
+                      std::move(tell)) {
+}
+
+SimulatedCamera::SimulatedCamera(const render::Renderer& renderer, const std::vector<MountedCamera>& cameras,
+                                 const CameraOptions& options, GiveFrame giveFrame, Refusals::Tell tell)
+    : m_state(std::make_unique<State>(renderer, cameras, options, std::move(giveFrame), std::move(tell))) {
 }
 
 SimulatedCamera::~SimulatedCamera() = default;
@@ -248,22 +298,35 @@ bool SimulatedCamera::accepts(Stamp stamp, const Rigid3& pose) {
 }
 
 void SimulatedCamera::takePose(Stamp stamp, const Rigid3& worldFromLink) {
-    if (!accepts(stamp, worldFromLink)) {
-        return;
+    takePoses(stamp, std::vector<Rigid3>(m_state->rigFromOptical.size(), worldFromLink));
+}
+
+void SimulatedCamera::takePoses(Stamp stamp, const std::vector<Rigid3>& worldFromLinks) {
+    const std::vector<Rigid3>& places = m_state->rigFromOptical;
+    if (worldFromLinks.size() != places.size()) {
+        throw Error(ErrorKind::InvalidInput, text("A rig of ", places.size(), " cameras cannot be at ",
+                                                  worldFromLinks.size(), " poses."));
     }
-    const Rigid3 pose{worldFromLink.rotation.normalized(), worldFromLink.translation};
-    const Rigid3 roomFromOptical = m_state->options.mounting.roomFromOptical(pose);
+    RigPose roomFromCameras;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!accepts(stamp, worldFromLinks[i])) {
+            return;
+        }
+        const Rigid3 pose{worldFromLinks[i].rotation.normalized(), worldFromLinks[i].translation};
+        roomFromCameras.push_back(m_state->options.mounting.roomFromOptical(pose) * places[i]);
+    }
     const auto now = std::chrono::steady_clock::now();
     const std::scoped_lock lock(m_state->mutex);
     ++m_state->counters.poses;
     if (m_state->isListening) {
-        m_state->schedule.addPose(stamp, roomFromOptical, now);
+        m_state->schedule.addPose(stamp, roomFromCameras, now);
         m_state->isBusy = true;
         m_state->changed.notify_all();
     }
 }
 
-void SimulatedCamera::takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture) {
+void SimulatedCamera::takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture,
+                                  std::size_t index) {
     if (!m_state->options.overlay || !m_state->isListening) {
         return;
     }
@@ -273,18 +336,18 @@ void SimulatedCamera::takeOverlay(OverlayPart part, Stamp stamp, const RawPictur
         return;
     }
     try {
-        m_state->putPart(part, stamp, picture);
+        m_state->putPart(part, stamp, picture, index);
     } catch (const Error& error) {
         refuse(error.kind() == ErrorKind::Unsupported ? Refusal::Encoding : Refusal::Size, error.sentence());
     }
 }
 
-void SimulatedCamera::setCamera(const CameraModel& camera) {
+void SimulatedCamera::setCamera(const CameraModel& camera, std::size_t index) {
     State& state = *m_state;
-    auto maker = std::make_shared<FrameMaker>(state.renderer, camera, state.options);
+    auto maker = std::make_shared<FrameMaker>(state.renderer, camera, state.options, index);
     const std::scoped_lock lock(state.mutex);
-    state.maker = std::move(maker);
-    state.camera = camera.intrinsics();
+    state.makers[index] = std::move(maker);
+    state.cameras[index] = camera.intrinsics();
     state.schedule.forgetOverlays();
 }
 

@@ -29,7 +29,7 @@ class Schedule : public testing::Test {
     /// The pose's place says its time.
     void pose(Stamp stamp) {
         const auto seconds = std::chrono::duration<double>(stamp).count();
-        schedule.addPose(stamp, {Eigen::Quaterniond::Identity(), Eigen::Vector3d(seconds, 0, 0)}, {});
+        schedule.addPose(stamp, {Rigid3{Eigen::Quaterniond::Identity(), Eigen::Vector3d(seconds, 0, 0)}}, {});
     }
 
     void overlay(Stamp stamp) {
@@ -43,9 +43,9 @@ class Schedule : public testing::Test {
     std::vector<std::int64_t> frames() {
         std::vector<std::int64_t> result;
         while (const auto frame = schedule.next()) {
-            EXPECT_EQ(frame->roomFromCamera.translation.x(),
+            EXPECT_EQ(frame->roomFromCameras.front().translation.x(),
                       std::chrono::duration<double>(frame->stamp).count());
-            withOverlay.push_back(frame->overlay.has_value());
+            withOverlay.push_back(!frame->overlays.empty());
             result.push_back(frame->stamp / 1ms);
         }
         return result;
@@ -68,7 +68,7 @@ TEST_F(Schedule, AFrameIsDueAtTheFirstPoseAtOrAfterEachMultiple) {
 TEST_F(Schedule, StampsThatWereRoundedDownAreDue) {
     want(30, Pace::Every);
     for (std::int64_t k = 0; k < 100'000; k += 999) { // an hour
-        schedule.addPose(Stamp(k * 1'000'000'000 / 30), {}, {});
+        schedule.addPose(Stamp(k * 1'000'000'000 / 30), {Rigid3()}, {});
         EXPECT_TRUE(schedule.next()) << k;
     }
 }
@@ -81,7 +81,7 @@ TEST_F(Schedule, GivesTheRateWhateverTheStepsOfTheSimulationAre) {
         const double stepS = random.uniform(0.1, 1) / options.rateHz;
         int count = 0;
         for (double time = 0; time < 20; time += stepS) {
-            own.addPose(Stamp(std::llround(1e9 * time)), {}, {});
+            own.addPose(Stamp(std::llround(1e9 * time)), {Rigid3()}, {});
             count += own.next() ? 1 : 0;
         }
         EXPECT_NEAR(count, 20 * options.rateHz, 1.5) << options.rateHz << " " << stepS;
@@ -172,8 +172,8 @@ TEST_F(Schedule, AnOverlayBetweenTwoPosesIsOfThePoseBetweenThemWhereThatIsWanted
     const auto frame = schedule.next();
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->stamp, 40ms);
-    EXPECT_NEAR(frame->roomFromCamera.translation.x(), 0.040, 1e-12);
-    EXPECT_TRUE(frame->overlay);
+    EXPECT_NEAR(frame->roomFromCameras.front().translation.x(), 0.040, 1e-12);
+    EXPECT_FALSE(frame->overlays.empty());
     EXPECT_FALSE(schedule.next());
 }
 
@@ -200,6 +200,28 @@ TEST_F(Schedule, WhatWaitsIsBounded) {
     }
     EXPECT_EQ(frames().size() + schedule.counters().dropped, 1000U);
     EXPECT_GT(schedule.counters().dropped, 500U);
+}
+
+TEST(RigSchedule, WaitsForTheOverlaysOfAllCameras) {
+    CameraOptions options;
+    options.rateHz = 0;
+    options.overlay.emplace();
+    options.overlay->by = ObjectsBy::Alone;
+    FrameSchedule schedule(options, 2);
+    const auto overlay = [&](Stamp stamp, std::size_t camera) {
+        OverlayParts* parts = schedule.partsOf(stamp, camera);
+        ASSERT_NE(parts, nullptr);
+        parts->colour = RgbImage(1, 1);
+        parts->depth = DepthImage(1, 1);
+    };
+    schedule.addPose(10ms, {Rigid3(), Rigid3()}, {});
+    overlay(10ms, 1);
+    EXPECT_FALSE(schedule.next());
+    overlay(10ms, 0);
+    const auto frame = schedule.next();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->overlays.size(), 2U);
+    EXPECT_EQ(frame->roomFromCameras.size(), 2U);
 }
 
 } // namespace

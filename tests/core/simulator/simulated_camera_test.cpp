@@ -346,6 +346,58 @@ TEST_F(InTheSimulator, DepthHasTheErrorsOfTheSensorAndIsEmptyWithoutADepth) {
     EXPECT_TRUE(frames[0].view.depth.empty());
 }
 
+TEST_F(InTheSimulator, ARigGivesAFrameOfEachCameraWithOneStamp) {
+    options.mounting.axes = CameraAxes::Optical;
+    options.pace = Pace::Newest; // whatever is left out, is left out of both
+    const Rigid3 left{bodyFromOptical(), {0, 0.06, 0}};
+    const Rigid3 right{bodyFromOptical(), {0, -0.06, 0}};
+    SimulatedCamera made(*renderer, {{CameraModel(camera), left}, {CameraModel(camera), right}}, options,
+                         [this](const Frame& frame) { frames.push_back(frame); }, {});
+    made.setListening(true);
+    for (int i = 0; i < 40; ++i) {
+        made.takePose(i * 33ms, at(0.2 + 0.03 * i));
+    }
+    made.waitUntilIdle();
+    ASSERT_GE(frames.size(), 2U);
+    ASSERT_EQ(frames.size() % 2, 0U);
+    EXPECT_EQ(made.counters().frames, frames.size() / 2);
+    EXPECT_EQ(made.counters().frames + made.counters().dropped, 40U);
+    for (std::size_t i = 0; i < frames.size(); i += 2) {
+        EXPECT_EQ(frames[i].index, 0U);
+        EXPECT_EQ(frames[i + 1].index, 1U);
+        EXPECT_EQ(frames[i].stamp, frames[i + 1].stamp);
+        EXPECT_EQ(frames[i].baselineM, 0);
+        EXPECT_EQ(frames[i + 1].baselineM, 0.12);
+        const Rigid3 leftFromRight = frames[i].roomFromCamera.inverse() * frames[i + 1].roomFromCamera;
+        EXPECT_LT((leftFromRight.translation - Vector3d(0.12, 0, 0)).norm(), 1e-12);
+    }
+    EXPECT_EQ(frames.back().view.picture,
+              renderer->render(CameraModel(camera), at(0.2 + 0.03 * 39) * right, options.view).picture);
+}
+
+TEST_F(InTheSimulator, ARigWhoseCamerasMoveTakesAPoseOfEach) {
+    options.mounting.axes = CameraAxes::Optical;
+    SimulatedCamera made(
+        *renderer, {{CameraModel(camera), {}}, {CameraModel(camera), {}}}, options,
+        [this](const Frame& frame) { frames.push_back(frame); },
+        [this](const std::string& sentence) { told.push_back(sentence); });
+    made.setListening(true);
+    made.takePoses(1s, {optical(at(0.5)), optical(at(0.7, 0.3))});
+    made.waitUntilIdle();
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_LT((frames[1].roomFromCamera.translation - Vector3d(0.7, 0.5, 1)).norm(), 1e-12);
+    EXPECT_EQ(frames[1].baselineM, 0) << "turned otherwise";
+    made.takePoses(2s, {optical(at(0.5)), {Quaterniond(0, 0, 0, 0), Vector3d::Zero()}});
+    made.waitUntilIdle();
+    EXPECT_EQ(frames.size(), 2U) << "one wrong pose is no pose of the rig";
+    EXPECT_EQ(refused(made.counters(), Refusal::Rotation), 1U);
+    test::expectError(ErrorKind::InvalidInput, "2 cameras", [&] { made.takePoses(3s, {optical(at(0.5))}); });
+    const auto giveNothing = [](const Frame&) {};
+    test::expectError(ErrorKind::InvalidInput, "one camera or more", [&] {
+        SimulatedCamera(*renderer, std::vector<MountedCamera>(), options, giveNothing, {});
+    });
+}
+
 TEST_F(InTheSimulator, RefusesOptionsOutOfRange) {
     options.rateHz = 1001;
     test::expectError(ErrorKind::InvalidInput, "0 to 1000", [this] { make(); });

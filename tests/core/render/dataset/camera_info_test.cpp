@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "expect_error.h"
+#include "temporary_folder.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/render/camera_info.h"
 
@@ -95,6 +97,99 @@ TEST(CameraInfo, RefusesWhatIsNoCameraNamingTheEntry) {
     refused(kHead + kMatrix + lens("plumb_bob", "1, 2"), "5 distortion parameters, not 2");
     refused("image_width: -3\nimage_height: 480\n" + kMatrix, "-3 x 480");
     refused(std::string(100000, '['), "not valid YAML");
+}
+
+namespace {
+
+/// A folder with left.yaml, and rigs that name it.
+class RigFile : public testing::Test {
+  protected:
+    RigFile() { writeFile(folder / "left.yaml", bytesOf(kHead + kMatrix)); }
+
+    std::vector<RigCamera> read(const std::string& yaml) {
+        writeFile(folder / "rig.yaml", bytesOf(yaml));
+        return readRig(folder / "rig.yaml");
+    }
+
+    test::TemporaryFolder folder;
+};
+
+const std::string kLeft =
+    "  - {name: left, camera_info: left.yaml, rig_from_camera: [0, 0.1, 0, 0, 0, 0, 1]}\n";
+const std::string kRight =
+    "  - {name: right, camera_info: left.yaml, rig_from_camera: [0, -0.02, 0, 0, 0, 0, 1], frame_id: r}\n";
+
+} // namespace
+
+TEST_F(RigFile, PlacesCamerasByAxesOfTheBodyOrOfTheOpticalFrame) {
+    const std::vector<RigCamera> body = read("axes: body\ncameras:\n" + kLeft + kRight);
+    ASSERT_EQ(body.size(), 2U);
+    EXPECT_EQ(body[0].name, "left");
+    EXPECT_EQ(body[0].frameId, "left_optical");
+    EXPECT_EQ(body[1].frameId, "r");
+    EXPECT_EQ(body[0].camera.fx, 500);
+    // The left camera of a body stands on its left, and its optical axis looks along the body's x.
+    EXPECT_TRUE(body[0].rigFromOptical->translation.isApprox(Eigen::Vector3d(0, 0.1, 0)));
+    EXPECT_LT((body[0].rigFromOptical->rotation * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitX()).norm(),
+              1e-12);
+    const std::vector<RigCamera> optical = read("cameras:\n" + kLeft);
+    EXPECT_LT(
+        (optical[0].rigFromOptical->rotation * Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitZ()).norm(),
+        1e-12);
+}
+
+TEST_F(RigFile, ABaselineIsThatOfPicturesThatNeedNoRectification) {
+    const std::vector<RigCamera> rig = read("axes: body\ncameras:\n" + kLeft + kRight);
+    const Rigid3 leftFromRight = rig[0].rigFromOptical->inverse() * *rig[1].rigFromOptical;
+    const double baselineM = stereoBaselineM(rig[0].camera, rig[1].camera, leftFromRight);
+    EXPECT_EQ(baselineM, 0.12);
+    EXPECT_EQ(stereoCalibration(rig[1].camera, baselineM).p[3], -500 * 0.12);
+    EXPECT_EQ(stereoCalibration(rig[0].camera, 0).p[3], 0);
+    CameraIntrinsics other = rig[1].camera;
+    other.fx = 510;
+    EXPECT_EQ(stereoBaselineM(rig[0].camera, other, leftFromRight), 0) << "another lens";
+    Rigid3 moved = leftFromRight;
+    moved.translation.z() = 0.01;
+    EXPECT_EQ(stereoBaselineM(rig[0].camera, other, moved), 0) << "one before the other";
+    moved = leftFromRight;
+    moved.rotation = Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitY());
+    EXPECT_EQ(stereoBaselineM(rig[0].camera, rig[1].camera, moved), 0) << "squinting";
+}
+
+TEST_F(RigFile, ThatIsWrongIsRefusedWithWhatToMend) {
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"", "entry cameras"},
+        {"cameras: [", "entry cameras"},
+        {"cameras: []", "list of 1 to 16 cameras"},
+        {"cameras: 3", "list of 1 to 16 cameras"},
+        {"cameras: [3]", "camera 1 has no entries"},
+        {"axes: up\ncameras:\n" + kLeft, "axes is \"up\""},
+        {"camera: x\ncameras:\n" + kLeft, "entry camera is unknown; there are axes, cameras"},
+        {"cameras: [{camera_info: left.yaml}]", "name of camera 1 is missing"},
+        {"cameras: [{name: ../up, camera_info: left.yaml}]", "letters, digits and _"},
+        {"cameras: [{name: left}]", "camera_info of camera left is missing"},
+        {"cameras: [{name: left, camera_info: left.yaml, pose: 3}]", "pose of camera left is unknown"},
+        {"cameras: [{name: left, camera_info: left.yaml, rig_from_camera: [0, 0, 0]}]", "seven numbers"},
+        {"cameras: [{name: left, camera_info: left.yaml, rig_from_camera: [0, 0, 0, 0, 0, 0, 2]}]",
+         "unit length"},
+        {"cameras: [{name: left, camera_info: left.yaml, rig_from_camera: [.nan, 0, 0, 0, 0, 0, 1]}]",
+         "seven numbers"},
+        {"cameras:\n" + kLeft + kLeft, "two cameras are called left"},
+    };
+    for (const auto& [yaml, sentence] : wrong) {
+        SCOPED_TRACE(yaml);
+        expectError(ErrorKind::InvalidInput, sentence, [&, &text = yaml] { read(text); });
+    }
+    expectError(ErrorKind::NotFound, "right.yaml",
+                [&] { read("cameras: [{name: right, camera_info: right.yaml}]"); });
+    expectError(ErrorKind::NotFound, "no.yaml", [&] { readRig(folder / "no.yaml"); });
+}
+
+TEST_F(RigFile, MayLeavePlacesToTransformsOnlyWhereThereAreSome) {
+    const std::vector<RigCamera> rig = read("cameras: [{name: left, camera_info: left.yaml}]");
+    EXPECT_FALSE(rig.front().rigFromOptical);
+    expectError(ErrorKind::InvalidInput, "camera left of the rig rig.yaml has no rig_from_camera",
+                [&] { placesOnRig(rig, "rig.yaml"); });
 }
 
 } // namespace spherewalk::render

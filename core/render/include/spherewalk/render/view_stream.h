@@ -38,6 +38,15 @@ struct StreamCounters {
     std::uint64_t waited = 0;   ///< Late views that waited.
     std::uint64_t coarse = 0;   ///< Late views that were made from a thumbnail.
     std::uint64_t previous = 0; ///< Late views that were made from the photo of the view before.
+
+    StreamCounters& operator+=(const StreamCounters& other) {
+        views += other.views;
+        late += other.late;
+        waited += other.waited;
+        coarse += other.coarse;
+        previous += other.previous;
+        return *this;
+    }
 };
 
 /// The views of one moving camera in turn. A view keeps the photos of the view before until the camera is

@@ -7,6 +7,7 @@
 #include "spherewalk/render/view.h"
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 
 namespace spherewalk::simulator {
@@ -21,11 +22,13 @@ enum class OverlayUse {
     Missing, ///< No overlay came in time for this frame.
 };
 
-/// The camera's view from one pose.
+/// A camera's view from one pose.
 struct Frame {
-    Stamp stamp{};         ///< The stamp of the rendered pose, unchanged.
+    std::size_t index = 0; ///< Which camera of a rig: 0 for the first, or the only one.
+    Stamp stamp{};         ///< The stamp of the rendered pose, unchanged; that of all cameras of a rig.
     Rigid3 roomFromCamera; ///< Pose of the optical frame.
     CameraIntrinsics camera;
+    double baselineM = 0; ///< How far right of the rig's first camera: render::stereoBaselineM().
     render::View view;
     std::optional<render::SensorReport> sensor; ///< How the sensor took it; nothing without one.
     OverlayUse overlay = OverlayUse::NotWanted;

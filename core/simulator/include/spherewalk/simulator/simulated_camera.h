@@ -7,14 +7,22 @@
 #include "spherewalk/simulator/raw_picture.h"
 #include "spherewalk/simulator/refusals.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace spherewalk::simulator {
 
-/// Counts since the camera was made.
+/// A camera of a rig in a simulator.
+struct MountedCamera {
+    CameraModel model;
+    Rigid3 rigFromOptical; ///< Its optical frame in the rig's frame.
+};
+
+/// Counts since the camera was made. Those of a rig's frames count the times, not the pictures.
 struct CameraCounters {
     std::uint64_t poses = 0; ///< Poses that were taken, whether or not somebody listened.
     std::uint64_t frames = 0;
@@ -28,8 +36,8 @@ struct CameraCounters {
     Refusals::Counts refused{};
 };
 
-/// A robot's camera in a simulator, for any middleware. Poses and pictures of objects come in with simulation
-/// stamps; frames go out with the stamps of the poses that they show.
+/// A robot's camera in a simulator, or its rig of cameras, for any middleware. Poses and pictures of objects
+/// come in with simulation stamps; frames go out with the stamps of the poses that they show.
 ///
 /// Input is not trusted: invalid poses and pictures that do not fit are counted and reported as Refusals
 /// says, and change nothing. A pose far from the room is rendered, with trust 0.
@@ -38,6 +46,10 @@ struct CameraCounters {
 /// (OverlayOptions::interpolatesPoses). A frame waits for it until a pose comes that is
 /// OverlayOptions::wait later. Then the frame is rendered without an overlay, and counted. In lock-step, no
 /// frame is rendered without its overlay while the simulation stands still.
+///
+/// A rig's cameras have one schedule: each due time gives a frame of every camera, with the same stamp. They
+/// are rendered from the same photos in memory, and handed over when all are there. Where one cannot be
+/// rendered, none is handed over. An overlay is one of each camera.
 ///
 /// Threads: all functions may be called from any thread. The camera's own thread renders the frames
 /// one after the other, and hands them over.
@@ -52,6 +64,11 @@ class SimulatedCamera {
     /// outline.
     SimulatedCamera(const render::Renderer& renderer, const CameraModel& camera, const CameraOptions& options,
                     GiveFrame giveFrame, Refusals::Tell tell);
+    /// A rig. CameraOptions::mounting gives the pose of the rig's frame: CameraAxes::Optical leaves its axes
+    /// as they are. The noise of CameraOptions::sensor differs from camera to camera.
+    /// Errors: the same; InvalidInput without a camera.
+    SimulatedCamera(const render::Renderer& renderer, const std::vector<MountedCamera>& cameras,
+                    const CameraOptions& options, GiveFrame giveFrame, Refusals::Tell tell);
     /// Waits for the frame that is being rendered.
     ~SimulatedCamera();
     SimulatedCamera(const SimulatedCamera&) = delete;
@@ -68,13 +85,18 @@ class SimulatedCamera {
     /// 1 % of unit length are normalised.
     void takePose(Stamp stamp, const Rigid3& worldFromLink);
 
-    /// Takes a picture of the simulator's objects. It is ignored without CameraOptions::overlay, and while
-    /// nobody listens.
-    void takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture);
+    /// The same where each camera of a rig has a link of its own, as with tf: MountedCamera says where it
+    /// sits on that link. worldFromLinks: of each camera in turn, at one time. Errors: InvalidInput for
+    /// another number of poses.
+    void takePoses(Stamp stamp, const std::vector<Rigid3>& worldFromLinks);
 
-    /// Sets the camera of the frames from now on. Waiting overlays are dropped, since the former camera took
-    /// them.
-    void setCamera(const CameraModel& camera);
+    /// Takes a picture of the simulator's objects, as a camera of the rig sees them. It is ignored without
+    /// CameraOptions::overlay, and while nobody listens. Range: index of a camera.
+    void takeOverlay(OverlayPart part, Stamp stamp, const RawPicture& picture, std::size_t index = 0);
+
+    /// Sets a camera of the frames from now on. Waiting overlays are dropped, since the former camera took
+    /// them. Range: index of a camera.
+    void setCamera(const CameraModel& camera, std::size_t index = 0);
 
     /// Counts and reports a refusal that only the middleware's side can see.
     void refuse(Refusal kind, const std::string& sentence);
