@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/render_options.h"
 
+#include "spherewalk/base/error.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/render/camera_info.h"
 
 #include <memory>
 
 namespace spherewalk::program {
 
-void RenderOptions::declare(const Command& command, const std::string& datasetHelp) {
+void RenderOptions::declare(const Command& command, const std::string& datasetHelp, bool withRig) {
     declareWithoutCamera(command, datasetHelp);
-    command.option("--camera", m_camera, "Camera: a ROS camera-info YAML").required();
+    constexpr const char* kCameraHelp = "Camera: a ROS camera-info YAML";
+    if (withRig) {
+        const Command cameras = command.oneOf("Camera", "One camera, or several that a robot carries");
+        cameras.option("--camera", m_camera, kCameraHelp);
+        cameras.option("--rig", m_rig,
+                       "Rig: a YAML that names cameras, their camera-info files, and where they sit");
+    } else {
+        command.option("--camera", m_camera, kCameraHelp).required();
+    }
     command
         .option("--sampling", m_sampling,
                 "How pixels are made, cheap to exact: nearest, bilinear, reduced, footprint, bicubic; best "
@@ -52,7 +60,19 @@ render::Renderer RenderOptions::renderer(const std::filesystem::path& dataset, P
 }
 
 CameraModel RenderOptions::cameraModel() const {
-    return CameraModel(render::readCameraInfo(m_camera));
+    return CameraModel(m_rig.empty() ? render::readCameraInfo(m_camera)
+                                     : render::readRig(m_rig).front().camera);
+}
+
+std::vector<render::RigCamera> RenderOptions::rig() const {
+    if (m_rig.empty()) {
+        return {};
+    }
+    if (m_frame != "optical") {
+        throw Error(ErrorKind::InvalidInput, "The rig's file says which axes its cameras have: leave --frame "
+                                             "out, and write \"axes: body\" there.");
+    }
+    return render::readRig(m_rig);
 }
 
 render::ViewOptions RenderOptions::viewOptions() const {

@@ -4,12 +4,14 @@
 #include "program/command_line.h"
 
 #include "spherewalk/base/progress.h"
+#include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spherewalk::program {
 
@@ -23,8 +25,10 @@ Rigid3 opticalPose(const Rigid3& roomFromGiven, std::string_view frame);
 /// are made.
 class RenderOptions {
   public:
-    /// Declares the dataset, --camera, --scene, --sampling, --threads and --no-verify.
-    void declare(const Command& command, const std::string& datasetHelp = "Folder of the dataset");
+    /// Declares the dataset, --camera, or with `withRig` --camera and --rig, --scene, --sampling, --threads
+    /// and --no-verify.
+    void declare(const Command& command, const std::string& datasetHelp = "Folder of the dataset",
+                 bool withRig = false);
 
     /// Declares the same without --camera and --sampling, for what is not seen by a camera.
     void declareWithoutCamera(const Command& command,
@@ -36,8 +40,16 @@ class RenderOptions {
     /// The dataset's folder, as the user gave it.
     const std::string& folder() const { return m_dataset; }
 
-    /// Errors: those of render::readCameraInfo().
+    /// Of a rig, the first camera. Errors: those of render::readCameraInfo() and render::readRig().
     CameraModel cameraModel() const;
+
+    /// The cameras of --rig; none with --camera. Errors: those of render::readRig(); InvalidInput for --frame
+    /// with a rig, whose file says it.
+    std::vector<render::RigCamera> rig() const;
+
+    /// The rig's file, for sentences.
+    const std::string& rigFile() const { return m_rig; }
+
     render::ViewOptions viewOptions() const;
 
     /// The same for pictures that are kept. Where no choice was measured for the camera, "auto" is the most
@@ -63,6 +75,7 @@ class RenderOptions {
   private:
     std::string m_dataset;
     std::string m_camera;
+    std::string m_rig;
     std::string m_frame = "optical";
     std::string m_scene = "auto";
     std::string m_sampling = "best";

@@ -3,6 +3,7 @@
 // depend on half of ROS.
 #include "bag_chunk.h"
 
+#include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
@@ -202,6 +203,32 @@ class Rosbag : public Bag {
 
 std::unique_ptr<Bag> makeRosbag(const std::filesystem::path& file) {
     return std::make_unique<Rosbag>(file);
+}
+
+namespace {
+
+constexpr EnumNames<BagFormat, 2> kBagFormats{{{BagFormat::Rosbag, "rosbag"}, {BagFormat::Mcap, "mcap"}}};
+
+} // namespace
+
+std::string_view name(BagFormat format) {
+    return nameOf(kBagFormats, format);
+}
+
+BagFormat bagFormat(std::string_view name) {
+    return valueOf(kBagFormats, "The format of a bag", name);
+}
+
+std::string_view extension(BagFormat format) {
+    return format == BagFormat::Rosbag ? "bag" : "mcap";
+}
+
+Ros messagesOf(BagFormat format) {
+    return format == BagFormat::Rosbag ? Ros::One : Ros::Two;
+}
+
+std::unique_ptr<Bag> makeBag(BagFormat format, const std::filesystem::path& file) {
+    return format == BagFormat::Rosbag ? makeRosbag(file) : makeMcap(file);
 }
 
 } // namespace spherewalk::dataset

@@ -36,6 +36,9 @@ struct ViewArguments {
 constexpr const char* kSensorHelp = "Sensor: a YAML with noise, exposure, shutter and other effects; the "
                                     "entry sensor of the camera's file, too";
 
+constexpr const char* kLightHelp =
+    "Light the ball as the photos show the light at its place, and let it cast a shadow";
+
 /// What a person must know before the picture is used, as sentences that go on. what: "camera" or "light".
 std::string doubtOf(const render::ViewReport& report, std::string_view what = "camera") {
     if (report.isOutside) {
@@ -101,18 +104,31 @@ struct WalkArguments {
     std::string sensor;
     bool writesDepth = false;
     bool writesLabels = false;
+    bool isLit = false;
     std::string shard = "1/1";
 };
 
-Result renderWalk(const WalkArguments& options, Context& context) {
+std::vector<TimedPose> opticalPath(const WalkArguments& options) {
     std::vector<TimedPose> path = readTum(options.path);
     for (TimedPose& pose : path) {
         pose.roomFromCamera = options.dataset.opticalPose(pose.roomFromCamera);
     }
-    const CameraModel camera = options.dataset.cameraModel();
-    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
-    jobs::WalkOptions walkOptions{options.dataset.pictureOptions(renderer.dataset().info()),
-                                  options.stream.options()};
+    return path;
+}
+
+/// The camera, or those of the rig.
+std::vector<jobs::WalkCamera> walkCameras(const WalkArguments& options) {
+    if (const std::vector<render::RigCamera> rig = options.dataset.rig(); !rig.empty()) {
+        return jobs::walkCameras(rig, readTum(options.path), options.dataset.rigFile());
+    }
+    jobs::WalkCamera camera;
+    camera.intrinsics = options.dataset.cameraModel().intrinsics();
+    camera.path = opticalPath(options);
+    return {camera};
+}
+
+jobs::WalkOptions walkOptionsOf(const WalkArguments& options, const render::DatasetInfo& dataset) {
+    jobs::WalkOptions walkOptions{options.dataset.pictureOptions(dataset), options.stream.options()};
     for (const std::string& ball : options.balls) {
         walkOptions.balls.push_back(jobs::parseBall(ball));
     }
@@ -129,20 +145,29 @@ Result renderWalk(const WalkArguments& options, Context& context) {
     }
     walkOptions.writesDepth = options.writesDepth;
     walkOptions.writesLabels = options.writesLabels;
+    walkOptions.lightsBalls = options.isLit;
     walkOptions.bagPictures = jobs::bagPictures(options.bagPictures);
+    return walkOptions;
+}
+
+Result renderWalk(const WalkArguments& options, Context& context) {
+    const std::vector<jobs::WalkCamera> cameras = walkCameras(options);
+    const render::Renderer renderer = options.dataset.renderer(context.progress, context.stop);
     const jobs::WalkReport report =
-        jobs::walk(renderer, camera, path, walkOptions, options.out, context.progress, context.stop);
+        jobs::walk(renderer, cameras, walkOptionsOf(options, renderer.dataset().info()), options.out,
+                   context.progress, context.stop);
     const std::string known =
         report.reused > 0 ? text(", ", report.reused, " of them were there before") : "";
+    const std::string of = cameras.size() > 1 ? text(" of ", cameras.size(), " cameras") : "";
     const std::string outside =
         report.outside > 0 ? text(" ", report.outside, " frames are from outside of what was scanned.") : "";
     return {jobs::toJson(report),
             report.isComplete
-                ? text("Wrote ", report.frames, " frames", known, ", index.csv, and contact-sheet.png to ",
-                       options.out, " (median ", fixed(report.medianRenderMs, 1), " ms to render, ",
-                       report.photosUsed, " photos used, ", report.stream.late,
-                       " frames not decoded in time).", outside)
-                : text("Wrote ", report.frames, " frames", known, " to ", options.out,
+                ? text("Wrote ", report.frames, " frames", of, known,
+                       ", index.csv, and contact-sheet.png to ", options.out, " (median ",
+                       fixed(report.medianRenderMs, 1), " ms to render, ", report.photosUsed,
+                       " photos used, ", report.stream.late, " frames not decoded in time).", outside)
+                : text("Wrote ", report.frames, " frames", of, known, " to ", options.out,
                        ". Other parts are still to come; the last one to end writes index.csv.")};
 }
 
@@ -237,10 +262,7 @@ void addView(Commands& commands) {
     const program::Option ball =
         command.option("--ball", options->ball,
                        "A ball to lay into the view, \"x y z radius\", metres, as an object of a simulator");
-    command
-        .flag("--light", options->isLit,
-              "Light the ball as the photos show the light at its place, and let it cast a shadow")
-        .needs(ball);
+    command.flag("--light", options->isLit, kLightHelp).needs(ball);
     command.option("--sensor", options->sensor, kSensorHelp);
 }
 
@@ -263,7 +285,7 @@ void addWalk(Commands& commands) {
     const program::Command command =
         commands.add("walk", "Render a view at each pose of a path",
                      [options](Context& context) { return renderWalk(*options, context); });
-    options->dataset.declare(command);
+    options->dataset.declare(command, "Folder of the dataset", true);
     options->dataset.declareFrame(command);
     command.option("--path", options->path, "TUM file: lines of \"time x y z qx qy qz qw\"").required();
     command.option("--out", options->out, "Folder to write frames, index.csv, and contact-sheet.png to")
@@ -298,6 +320,7 @@ void addWalk(Commands& commands) {
               "Write which pixels show which ball, too: PNG of 16 bits, 0 for the room, and masks, boxes and "
               "visible shares as COCO has them (annotations.json)")
         .needs(ball);
+    command.flag("--light", options->isLit, kLightHelp).needs(ball);
 }
 
 } // namespace spherewalk::cli

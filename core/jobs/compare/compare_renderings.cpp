@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/looks.h"
-
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/compare_robot.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/renderer.h"
 #include "spherewalk/report/document.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/compare_robot.h"
 
-#include "measure/looks.h"
 #include "measure/place_errors.h"
 #include "parts/report_parts.h"
 
@@ -10,6 +9,7 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/compare/picture_matches.h"
 #include "spherewalk/compare/pose_fit.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>

@@ -173,11 +173,9 @@ bool isInTheWay(const Ball& ball, const Eigen::Vector3d& point, const Eigen::Vec
 }
 
 Image<float, 1> shadowOf(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
-                         const render::LightProbe& probe, const DepthImage& roomDepth) {
-    constexpr int kLights = 512;
+                         const std::vector<render::DirectionalLight>& lights, const DepthImage& roomDepth) {
     constexpr double kLeastShare = 0.002; // of a surface's light that a ball may hide
     constexpr int kApart = 2;             // pixels between the points of a normal: depths are rough
-    const auto lights = render::directionalLights(probe.radiance, kLights);
     std::vector<std::vector<Eigen::Vector3d>> points;
     points.reserve(static_cast<std::size_t>(roomDepth.height()));
     for (int y = 0; y < roomDepth.height(); ++y) {
@@ -217,17 +215,25 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
     });
 }
 
+namespace {
+constexpr int kLights = 512;
+} // namespace
+
+BallLight::BallLight(const render::LightProbe& probe)
+    : harmonics(render::lightHarmonics(probe.radiance)),
+      lights(render::directionalLights(probe.radiance, kLights)) {
+}
+
 render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
-                               const render::LightProbe& probe, const DepthImage& roomDepth) {
+                               const BallLight& light, const DepthImage& roomDepth) {
     if (!roomDepth.empty() &&
         (roomDepth.width() != camera.width() || roomDepth.height() != camera.height())) {
         throw Error(ErrorKind::InvalidInput,
                     text("The room's depth has ", roomDepth.width(), " x ", roomDepth.height(),
                          " pixels, and the camera ", camera.width(), " x ", camera.height(), "."));
     }
-    const render::LightHarmonics light = render::lightHarmonics(probe.radiance);
     const auto paint = [&](const Eigen::Vector3d& normal, std::uint8_t* pixel) {
-        const Eigen::Vector3d falls = light.irradiance(normal) / std::numbers::pi;
+        const Eigen::Vector3d falls = light.harmonics.irradiance(normal) / std::numbers::pi;
         for (std::size_t c = 0; c < 3; ++c) {
             const double albedo = render::linearLight(ball.colour[c] / 255.0);
             const double shown = albedo * falls[static_cast<Eigen::Index>(c)];
@@ -238,7 +244,7 @@ render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, cons
     };
     render::Overlay overlay = paintedBall(ball, camera, roomFromCamera, paint);
     if (!roomDepth.empty()) {
-        overlay.shadow = shadowOf(ball, camera, roomFromCamera, probe, roomDepth);
+        overlay.shadow = shadowOf(ball, camera, roomFromCamera, light.lights, roomDepth);
     }
     return overlay;
 }

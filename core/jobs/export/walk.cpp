@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/walk.h"
 
+#include "export/walk_frames.h"
 #include "parts/cache_key.h"
 
 #include "spherewalk/base/digest.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -148,30 +150,30 @@ FrameLines linesOf(const TimedPose& pose, const render::ViewReport& report,
 }
 
 /// Of all that the frames depend on.
-std::string walkKey(const render::DatasetInfo& info, const CameraModel& camera,
-                    const std::vector<TimedPose>& path, const WalkOptions& options) {
+std::string walkKey(const render::DatasetInfo& info, const WalkCamera& camera, const WalkOptions& options) {
     std::string key =
-        text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics()));
+        text("walk ", kWalkMethod, "\n", render::toJson(info).dump(), "\n", keyOf(camera.intrinsics));
     key += text("\n", options.view.scene ? name(*options.view.scene) : "auto", " ",
                 name(options.view.sampling), " ", name(options.stream.late), " ", options.stream.passageM);
     for (const Ball& ball : options.balls) {
         const Eigen::Vector3d& at = ball.centreM;
         key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", ball.radiusM);
     }
+    key += options.lightsBalls ? " lit" : "";
     key += options.sensor ? text(" ", sensorYaml(*options.sensor)) : "";
     key += options.writesDepth ? " depth" : "";
     key += options.writesLabels ? " labels" : "";
-    return sha256Hex(bytesOf(key + "\n" + tumText(path)));
+    return sha256Hex(bytesOf(key + "\n" + tumText(camera.path)));
 }
 
-void writePoses(const std::vector<dataset::PoseFormat>& formats, const CameraModel& camera,
-                const std::vector<TimedPose>& path, const std::filesystem::path& folder) {
+void writePoses(const std::vector<dataset::PoseFormat>& formats, const WalkCamera& camera,
+                const std::filesystem::path& folder) {
     std::vector<dataset::PosedFrame> frames;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        frames.push_back({frameName(i), path[i].timeS, path[i].roomFromCamera});
+    for (std::size_t i = 0; i < camera.path.size(); ++i) {
+        frames.push_back({frameName(i), camera.path[i].timeS, camera.path[i].roomFromCamera});
     }
     for (const dataset::PoseFormat format : formats) {
-        writePoseFiles(format, camera.intrinsics(), frames, folder);
+        writePoseFiles(format, camera.intrinsics, frames, folder);
     }
 }
 
@@ -199,124 +201,6 @@ Json annotations(const CameraModel& camera, const std::vector<TimedPose>& path,
     });
 }
 
-/// What is written once all frames are there.
-void finish(const WalkJournal& journal, const CameraModel& camera, const std::vector<TimedPose>& path,
-            const WalkOptions& options, const std::filesystem::path& folder) {
-    std::string index = text(kColumns, options.sensor ? kSensorColumns : "", "\n");
-    std::string times = text(kTimeColumns, "\n");
-    for (const auto& [frame, lines] : journal.frames()) {
-        index += text(frameName(frame), ",", lines.what, "\n");
-        times += text(frameName(frame), ",", lines.times, "\n");
-    }
-    writeFile(folder / "index.csv", bytesOf(index));
-    writeFile(folder / "times.csv", bytesOf(times));
-    writePoses(options.formats, camera, path, folder);
-    if (options.writesLabels) {
-        writeFile(folder / "annotations.json",
-                  bytesOf(annotations(camera, path, options.balls, folder).dump(1) + "\n"));
-    }
-    const WalkPictures pictures{
-        frameFiles(path.size(), folder),
-        options.writesDepth ? frameFiles(path.size(), folder / kDepthFolder) : std::vector<fs::path>(),
-        options.writesLabels ? frameFiles(path.size(), folder / kLabelsFolder) : std::vector<fs::path>()};
-    for (const dataset::BagFormat format : options.bags) {
-        writeWalkBag(format, options.bagPictures, camera.intrinsics(), path, pictures,
-                     folder / text("walk.", extension(format)));
-    }
-    const std::size_t sheetStep = std::max<std::size_t>(1, (path.size() + kSheetCells - 1) / kSheetCells);
-    std::vector<RgbImage> sheet;
-    for (std::size_t i = 0; i < path.size(); i += sheetStep) {
-        sheet.push_back(photo::readPicture(folder / frameName(i)));
-    }
-    photo::writePng(folder / "contact-sheet.png", photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
-}
-
-/// Makes a walk's frames in the order of the path.
-class WalkFrames {
-  public:
-    /// Owner: all arguments must outlive the frames.
-    WalkFrames(const render::Renderer& renderer, const CameraModel& camera,
-               const std::vector<TimedPose>& path, const WalkOptions& options);
-
-    /// The next frames are the same as if this one had been made.
-    void pass(std::size_t frame);
-    const render::View& make(std::size_t frame);
-
-    /// Of the frame that was made last.
-    const std::optional<render::SensorReport>& sensorReport() const { return m_sensorReport; }
-
-    const render::StreamCounters& counters() const { return m_stream.counters(); }
-
-  private:
-    void makeView(const Rigid3& roomFromCamera, double timeS, bool isMain, render::View& view);
-
-    const CameraModel& m_camera;
-    const std::vector<TimedPose>& m_path;
-    const WalkOptions& m_options;
-    render::ViewStream m_stream;
-    std::optional<render::Sensor> m_sensor;
-    std::optional<render::SensorReport> m_sensorReport;
-    std::vector<render::Overlay> m_overlays;
-    render::View m_view;
-};
-
-WalkFrames::WalkFrames(const render::Renderer& renderer, const CameraModel& camera,
-                       const std::vector<TimedPose>& path, const WalkOptions& options)
-    : m_camera(camera), m_path(path), m_options(options), m_stream(renderer, camera, options.stream) {
-    if (options.sensor) {
-        m_sensor.emplace(*options.sensor, camera, options.view.threads);
-    }
-}
-
-void WalkFrames::makeView(const Rigid3& roomFromCamera, double timeS, bool isMain, render::View& view) {
-    render::ViewOptions options = m_options.view;
-    options.wantsDepth = isMain && (m_options.writesDepth || (m_sensor && m_sensor->needsDepth()));
-    options.depthShowsOverlays = true;
-    options.wantsLabels = isMain && m_options.writesLabels;
-    m_overlays.clear();
-    for (const Ball& ball : m_options.balls) {
-        m_overlays.push_back(ballOverlay(ball, m_camera, roomFromCamera));
-    }
-    for (const PlacedMesh& mesh : m_options.meshes) {
-        m_overlays.push_back(meshOverlay(mesh, m_camera, roomFromCamera));
-    }
-    options.overlays = m_overlays;
-    m_stream.next(roomFromCamera, timeS, options, view);
-    if ((options.wantsDepth || options.wantsLabels) && view.report.scene == render::SceneKind::None) {
-        throw Error(ErrorKind::InvalidInput,
-                    "The scene model \"none\" knows no depth: choose sphere, room or "
-                    "depth by --scene, or export the dataset with one of them.");
-    }
-}
-
-void WalkFrames::pass(std::size_t frame) {
-    const TimedPose& pose = m_path[frame];
-    if (!m_sensor) {
-        m_stream.pass(pose.roomFromCamera, m_options.view);
-    } else if (m_sensor->isAutomatic()) {
-        make(frame);
-    } else {
-        const auto at = [this](double timeS) { return poseAt(m_path, timeS); };
-        for (const double timeS : m_sensor->times(at, pose.timeS)) {
-            m_stream.pass(at(timeS), m_options.view);
-        }
-    }
-}
-
-const render::View& WalkFrames::make(std::size_t frame) {
-    const TimedPose& pose = m_path[frame];
-    if (!m_sensor) {
-        makeView(pose.roomFromCamera, pose.timeS, true, m_view);
-        return m_view;
-    }
-    m_sensorReport =
-        m_sensor->take([this](const Rigid3& roomFromCamera, double timeS, bool isMain,
-                              render::View& view) { makeView(roomFromCamera, timeS, isMain, view); },
-                       [this](double timeS) { return poseAt(m_path, timeS); }, pose.timeS, frame, m_view);
-    m_sensor->measureDepth(frame, m_view.depth);
-    return m_view;
-}
-
 /// The folders in which each frame has a picture.
 std::vector<fs::path> pictureFoldersOf(const WalkOptions& options, const fs::path& folder) {
     std::vector<fs::path> folders{folder};
@@ -327,6 +211,136 @@ std::vector<fs::path> pictureFoldersOf(const WalkOptions& options, const fs::pat
         folders.push_back(folder / kLabelsFolder);
     }
     return folders;
+}
+
+/// What a walk's frames have shown so far.
+struct WalkTally {
+    WalkReport report;
+    std::set<std::size_t> photos;
+    std::vector<double> renderMs;
+    std::vector<double> decodeMs;
+
+    void add(const render::ViewReport& frame) {
+        photos.insert(frame.photo);
+        renderMs.push_back(frame.renderMs);
+        if (frame.decodeMs > 0) {
+            decodeMs.push_back(frame.decodeMs);
+        }
+        report.worstOffsetM = std::max(report.worstOffsetM, frame.offsetM);
+        report.leastTrust = std::min(report.leastTrust, frame.trust);
+    }
+};
+
+/// One camera of a walk, with its files.
+class CameraWalk {
+  public:
+    /// Owner: the renderer, the camera and the lights must outlive the walk. Errors: those of making folders.
+    CameraWalk(const render::Renderer& renderer, const WalkCamera& camera, const WalkOptions& options,
+               const std::vector<BallLight>& lights, const fs::path& folder)
+        : m_renderer(renderer),
+          m_camera(camera),
+          m_model(camera.intrinsics),
+          m_options(options),
+          m_folder(folder),
+          m_journal(madeFolder(options, folder), walkKey(renderer.dataset().info(), camera, options),
+                    options.shard),
+          m_frames(renderer, m_model, camera.path, m_options, lights) {}
+
+    /// isOwn: whether the frame is of this part, or was before.
+    void take(std::size_t frame, bool isOwn, WalkTally& tally);
+
+    /// Whether the frames of all parts are there.
+    bool isComplete() {
+        m_journal.refresh(); // other parts may have been rendered meanwhile
+        bool isComplete = true;
+        for (std::size_t frame = 0; isComplete && frame < m_camera.path.size(); ++frame) {
+            isComplete = isThere(frame);
+        }
+        return isComplete;
+    }
+
+    /// Writes what is written once all frames are there, but for bags.
+    void finish() const;
+
+    WalkPictures pictures() const {
+        const std::size_t count = m_camera.path.size();
+        return {frameFiles(count, m_folder),
+                m_options.writesDepth ? frameFiles(count, m_folder / kDepthFolder) : std::vector<fs::path>(),
+                m_options.writesLabels ? frameFiles(count, m_folder / kLabelsFolder)
+                                       : std::vector<fs::path>()};
+    }
+
+    const render::StreamCounters& counters() const { return m_frames.counters(); }
+
+  private:
+    static const fs::path& madeFolder(const WalkOptions& options, const fs::path& folder) {
+        for (const fs::path& pictures : pictureFoldersOf(options, folder)) {
+            ensureFolder(pictures);
+        }
+        return folder;
+    }
+
+    bool isThere(std::size_t frame) const {
+        const std::vector<fs::path> folders = pictureFoldersOf(m_options, m_folder);
+        return m_journal.frames().contains(frame) &&
+               std::all_of(folders.begin(), folders.end(),
+                           [&](const fs::path& of) { return fs::exists(of / frameName(frame)); });
+    }
+
+    const render::Renderer& m_renderer;
+    const WalkCamera& m_camera;
+    CameraModel m_model;
+    WalkOptions m_options;
+    fs::path m_folder;
+    WalkJournal m_journal;
+    WalkFrames m_frames;
+};
+
+void CameraWalk::take(std::size_t frame, bool isOwn, WalkTally& tally) {
+    const TimedPose& pose = m_camera.path[frame];
+    if (isOwn) {
+        ++tally.report.frames;
+        tally.report.outside += m_renderer.dataset().isOutside(pose.roomFromCamera.translation) ? 1 : 0;
+    }
+    if (!isOwn || isThere(frame)) {
+        tally.report.reused += isOwn ? 1 : 0;
+        m_frames.pass(frame); // a frame has the same photos in any part
+        return;
+    }
+    const render::View& view = m_frames.make(frame);
+    photo::writePng(m_folder / frameName(frame), view.picture);
+    if (m_options.writesDepth) {
+        photo::writePng(m_folder / kDepthFolder / frameName(frame), render::depthMillimetres(view.depth));
+    }
+    if (m_options.writesLabels) {
+        photo::writePng(m_folder / kLabelsFolder / frameName(frame), view.labels);
+    }
+    m_journal.add(frame, linesOf(pose, view.report, m_frames.sensorReport()));
+    tally.add(view.report);
+}
+
+void CameraWalk::finish() const {
+    std::string index = text(kColumns, m_options.sensor ? kSensorColumns : "", "\n");
+    std::string times = text(kTimeColumns, "\n");
+    for (const auto& [frame, lines] : m_journal.frames()) {
+        index += text(frameName(frame), ",", lines.what, "\n");
+        times += text(frameName(frame), ",", lines.times, "\n");
+    }
+    writeFile(m_folder / "index.csv", bytesOf(index));
+    writeFile(m_folder / "times.csv", bytesOf(times));
+    writePoses(m_options.formats, m_camera, m_folder);
+    if (m_options.writesLabels) {
+        writeFile(m_folder / "annotations.json",
+                  bytesOf(annotations(m_model, m_camera.path, m_options.balls, m_folder).dump(1) + "\n"));
+    }
+    const std::size_t count = m_camera.path.size();
+    const std::size_t sheetStep = std::max<std::size_t>(1, (count + kSheetCells - 1) / kSheetCells);
+    std::vector<RgbImage> sheet;
+    for (std::size_t i = 0; i < count; i += sheetStep) {
+        sheet.push_back(photo::readPicture(m_folder / frameName(i)));
+    }
+    photo::writePng(m_folder / "contact-sheet.png",
+                    photo::contactSheet(sheet, kSheetColumns, kSheetCellWidth));
 }
 
 /// A sensor asks for poses between those of the path.
@@ -341,11 +355,7 @@ void requireAscendingTimes(const std::vector<TimedPose>& path) {
     }
 }
 
-} // namespace
-
-WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
-                const std::vector<TimedPose>& path, const WalkOptions& options,
-                const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
+void requirePossible(const std::vector<TimedPose>& path, const WalkOptions& options) {
     if (!options.bags.empty()) {
         requireRosTimes(path);
     }
@@ -356,65 +366,78 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
         throw Error(ErrorKind::InvalidInput, "Labels tell which pixels show an object: lay one into the "
                                              "frames, by --ball.");
     }
-    ensureFolder(folder);
-    const std::vector<fs::path> pictureFolders = pictureFoldersOf(options, folder);
-    for (const fs::path& pictures : pictureFolders) {
-        ensureFolder(pictures);
+}
+
+/// The light at each ball's place; none if balls are not lit.
+std::vector<BallLight> lightsOf(const render::Renderer& renderer, const WalkOptions& options) {
+    std::vector<BallLight> lights;
+    render::ProbeOptions probe;
+    probe.scene = options.view.scene;
+    probe.threads = options.view.threads;
+    for (const Ball& ball : options.balls) {
+        if (options.lightsBalls) {
+            lights.emplace_back(render::lightProbe(renderer, ball.centreM, probe));
+        }
     }
-    WalkJournal journal(folder, walkKey(renderer.dataset().info(), camera, path, options), options.shard);
-    const auto isThere = [&](std::size_t frame) {
-        return journal.frames().contains(frame) &&
-               std::all_of(pictureFolders.begin(), pictureFolders.end(),
-                           [&](const fs::path& of) { return fs::exists(of / frameName(frame)); });
-    };
-    WalkFrames frames(renderer, camera, path, options);
-    WalkReport report;
-    std::set<std::size_t> photos;
-    std::vector<double> renderMs;
-    std::vector<double> decodeMs;
+    return lights;
+}
+
+/// Of a rig's camera. Each has noise of its own.
+WalkOptions optionsOf(const WalkOptions& options, std::size_t camera) {
+    WalkOptions own = options;
+    if (own.sensor) {
+        own.sensor->seed += camera;
+    }
+    return own;
+}
+
+} // namespace
+
+WalkReport walk(const render::Renderer& renderer, const std::vector<WalkCamera>& cameras,
+                const WalkOptions& options, const std::filesystem::path& folder, ProgressSink& progress,
+                const std::stop_token& stop) {
+    const std::vector<TimedPose>& path = cameras.front().path;
+    requirePossible(path, options);
+    ensureFolder(folder);
+    const std::vector<BallLight> lights = lightsOf(renderer, options);
+    std::deque<CameraWalk> walks;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        walks.emplace_back(renderer, cameras[i], optionsOf(options, i), lights,
+                           cameras[i].name.empty() ? folder : folder / cameras[i].name);
+    }
+    WalkTally tally;
     const auto [begin, end] = options.shard.range(path.size());
     for (std::size_t i = 0; i < end; ++i) {
-        throwIfStopped(stop);
-        report.frames += i < begin ? 0 : 1;
-        report.outside +=
-            i >= begin && renderer.dataset().isOutside(path[i].roomFromCamera.translation) ? 1 : 0;
-        if (i < begin || isThere(i)) {
-            report.reused += i < begin ? 0 : 1;
-            frames.pass(i); // a frame has the same photos in any part
-            continue;
+        for (CameraWalk& camera : walks) {
+            throwIfStopped(stop);
+            camera.take(i, i >= begin, tally);
         }
-        const render::View& view = frames.make(i);
-        photo::writePng(folder / frameName(i), view.picture);
-        if (options.writesDepth) {
-            photo::writePng(folder / kDepthFolder / frameName(i), render::depthMillimetres(view.depth));
+        if (i >= begin) {
+            progress.progress(static_cast<double>(i + 1 - begin) / static_cast<double>(end - begin),
+                              "Rendering the walk");
         }
-        if (options.writesLabels) {
-            photo::writePng(folder / kLabelsFolder / frameName(i), view.labels);
-        }
-        journal.add(i, linesOf(path[i], view.report, frames.sensorReport()));
-        photos.insert(view.report.photo);
-        renderMs.push_back(view.report.renderMs);
-        if (view.report.decodeMs > 0) {
-            decodeMs.push_back(view.report.decodeMs);
-        }
-        report.worstOffsetM = std::max(report.worstOffsetM, view.report.offsetM);
-        report.leastTrust = std::min(report.leastTrust, view.report.trust);
-        progress.progress(static_cast<double>(report.frames) / static_cast<double>(end - begin),
-                          "Rendering the walk");
     }
-    journal.refresh(); // other parts may have been rendered meanwhile
-    report.isComplete = true;
-    for (std::size_t i = 0; i < path.size() && report.isComplete; ++i) {
-        report.isComplete = isThere(i);
-    }
+    WalkReport& report = tally.report;
+    report.isComplete =
+        std::all_of(walks.begin(), walks.end(), [](CameraWalk& camera) { return camera.isComplete(); });
     if (report.isComplete) {
-        finish(journal, camera, path, options, folder);
+        std::vector<WalkPictures> pictures;
+        for (const CameraWalk& camera : walks) {
+            camera.finish();
+            pictures.push_back(camera.pictures());
+        }
+        for (const dataset::BagFormat format : options.bags) {
+            writeWalkBag(format, options.bagPictures, cameras, pictures,
+                         folder / text("walk.", extension(format)));
+        }
     }
-    report.photosUsed = photos.size();
-    report.stream = frames.counters();
+    for (const CameraWalk& camera : walks) {
+        report.stream += camera.counters();
+    }
+    report.photosUsed = tally.photos.size();
     report.load = renderer.counters();
-    report.medianRenderMs = median(renderMs);
-    report.medianDecodeMs = median(decodeMs);
+    report.medianRenderMs = median(tally.renderMs);
+    report.medianDecodeMs = median(tally.decodeMs);
     return report;
 }
 

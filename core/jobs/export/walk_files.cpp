@@ -2,11 +2,14 @@
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/dataset/ros_messages.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/photo/picture_file.h"
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace spherewalk::jobs {
 
@@ -14,7 +17,6 @@ namespace {
 
 constexpr EnumNames<BagPictures, 2> kBagPictures{{{BagPictures::Raw, "raw"}, {BagPictures::Png, "png"}}};
 constexpr const char* kRoomFrame = "map"; // REP 105
-constexpr const char* kCameraFrame = "camera_optical";
 
 } // namespace
 
@@ -22,43 +24,112 @@ BagPictures bagPictures(std::string_view name) {
     return valueOf(kBagPictures, "The kind of a bag's pictures", name);
 }
 
-void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
-                  const std::vector<TimedPose>& path, const WalkPictures& files,
-                  const std::filesystem::path& file) {
-    using dataset::RosType;
-    const dataset::Ros ros = messagesOf(format);
-    const bool isRaw = pictures == BagPictures::Raw;
-    const Calibration calibrated = calibration(camera);
-    const std::unique_ptr<dataset::Bag> bag = makeBag(format, file);
-    const std::size_t picture = isRaw
-                                    ? bag->addTopic("/camera/image_raw", RosType::Image)
-                                    : bag->addTopic("/camera/image_raw/compressed", RosType::CompressedImage);
-    const std::size_t cameraInfo = bag->addTopic("/camera/camera_info", RosType::CameraInfo);
-    const std::size_t pose = bag->addTopic("/camera/pose", RosType::PoseStamped);
-    const std::size_t tf = bag->addTopic("/tf", RosType::TfMessage);
-    const bool hasDepth = !files.depths.empty();
-    const std::size_t depth = hasDepth ? bag->addTopic("/camera/depth/image_raw", RosType::Image) : 0;
-    const std::size_t depthInfo =
-        hasDepth ? bag->addTopic("/camera/depth/camera_info", RosType::CameraInfo) : 0;
-    const bool hasLabels = !files.labels.empty();
-    const std::size_t label = hasLabels ? bag->addTopic("/camera/labels/image_raw", RosType::Image) : 0;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const std::int64_t stampNs = dataset::rosStampNs(path[i].timeS);
-        const dataset::RosHeader inCamera{static_cast<std::uint32_t>(i), stampNs, kCameraFrame};
-        const dataset::RosHeader inRoom{static_cast<std::uint32_t>(i), stampNs, kRoomFrame};
-        const Rigid3& roomFromCamera = path[i].roomFromCamera;
-        bag->write(tf, stampNs, tfMessage(ros, inRoom, kCameraFrame, roomFromCamera));
-        bag->write(pose, stampNs, poseMessage(ros, inRoom, roomFromCamera));
-        bag->write(cameraInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
-        bag->write(picture, stampNs,
-                   isRaw ? imageMessage(ros, inCamera, photo::readPicture(files.frames[i]))
-                         : pngMessage(ros, inCamera, readFile(files.frames[i])));
-        if (hasDepth) {
-            bag->write(depthInfo, stampNs, cameraInfoMessage(ros, inCamera, calibrated));
-            bag->write(depth, stampNs, imageMessage(ros, inCamera, photo::readPng16(files.depths[i])));
+std::vector<WalkCamera> walkCameras(const std::vector<render::RigCamera>& rig,
+                                    const std::vector<TimedPose>& roomFromRig, std::string_view what) {
+    const std::vector<Rigid3> places = render::placesOnRig(rig, what);
+    std::vector<WalkCamera> cameras;
+    for (std::size_t i = 0; i < rig.size(); ++i) {
+        cameras.push_back({rig[i].name, rig[i].frameId, rig[i].camera, roomFromRig});
+        for (TimedPose& pose : cameras.back().path) {
+            pose.roomFromCamera = pose.roomFromCamera * places[i];
         }
-        if (hasLabels) {
-            bag->write(label, stampNs, imageMessage(ros, inCamera, photo::readPng16(files.labels[i])));
+    }
+    return cameras;
+}
+
+WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
+                const std::vector<TimedPose>& path, const WalkOptions& options,
+                const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop) {
+    WalkCamera only;
+    only.intrinsics = camera.intrinsics();
+    only.path = path;
+    return walk(renderer, std::vector{only}, options, folder, progress, stop);
+}
+
+namespace {
+
+/// Writes the messages of one camera.
+class CameraTopics {
+  public:
+    /// Owner: the camera and the files must outlive the topics.
+    CameraTopics(dataset::Bag& bag, dataset::Ros ros, BagPictures pictures, const WalkCamera& camera,
+                 const WalkPictures& files, double baselineM)
+        : m_bag(bag),
+          m_ros(ros),
+          m_isRaw(pictures == BagPictures::Raw),
+          m_camera(camera),
+          m_files(files),
+          m_calibration(render::stereoCalibration(camera.intrinsics, baselineM)) {
+        using dataset::RosType;
+        const std::string prefix = text("/", camera.name.empty() ? "camera" : camera.name);
+        m_picture = m_isRaw ? bag.addTopic(prefix + "/image_raw", RosType::Image)
+                            : bag.addTopic(prefix + "/image_raw/compressed", RosType::CompressedImage);
+        m_info = bag.addTopic(prefix + "/camera_info", RosType::CameraInfo);
+        m_pose = bag.addTopic(prefix + "/pose", RosType::PoseStamped);
+        if (!files.depths.empty()) {
+            m_depth = bag.addTopic(prefix + "/depth/image_raw", RosType::Image);
+            m_depthInfo = bag.addTopic(prefix + "/depth/camera_info", RosType::CameraInfo);
+        }
+        if (!files.labels.empty()) {
+            m_labels = bag.addTopic(prefix + "/labels/image_raw", RosType::Image);
+        }
+    }
+
+    /// tf: the topic of transforms.
+    void write(std::size_t i, std::size_t tf) {
+        const TimedPose& pose = m_camera.path[i];
+        const std::int64_t stampNs = dataset::rosStampNs(pose.timeS);
+        const dataset::RosHeader inCamera{static_cast<std::uint32_t>(i), stampNs, m_camera.frameId};
+        const dataset::RosHeader inRoom{static_cast<std::uint32_t>(i), stampNs, kRoomFrame};
+        m_bag.write(tf, stampNs, tfMessage(m_ros, inRoom, m_camera.frameId, pose.roomFromCamera));
+        m_bag.write(m_pose, stampNs, poseMessage(m_ros, inRoom, pose.roomFromCamera));
+        m_bag.write(m_info, stampNs, cameraInfoMessage(m_ros, inCamera, m_calibration));
+        m_bag.write(m_picture, stampNs,
+                    m_isRaw ? imageMessage(m_ros, inCamera, photo::readPicture(m_files.frames[i]))
+                            : pngMessage(m_ros, inCamera, readFile(m_files.frames[i])));
+        if (m_depth) {
+            m_bag.write(*m_depthInfo, stampNs, cameraInfoMessage(m_ros, inCamera, m_calibration));
+            m_bag.write(*m_depth, stampNs,
+                        imageMessage(m_ros, inCamera, photo::readPng16(m_files.depths[i])));
+        }
+        if (m_labels) {
+            m_bag.write(*m_labels, stampNs,
+                        imageMessage(m_ros, inCamera, photo::readPng16(m_files.labels[i])));
+        }
+    }
+
+  private:
+    dataset::Bag& m_bag;
+    dataset::Ros m_ros;
+    bool m_isRaw;
+    const WalkCamera& m_camera;
+    const WalkPictures& m_files;
+    Calibration m_calibration;
+    std::size_t m_picture = 0;
+    std::size_t m_info = 0;
+    std::size_t m_pose = 0;
+    std::optional<std::size_t> m_depth; ///< of kinds that are wanted
+    std::optional<std::size_t> m_depthInfo;
+    std::optional<std::size_t> m_labels;
+};
+
+} // namespace
+
+void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const std::vector<WalkCamera>& cameras,
+                  const std::vector<WalkPictures>& files, const std::filesystem::path& file) {
+    const std::unique_ptr<dataset::Bag> bag = makeBag(format, file);
+    const std::size_t tf = bag->addTopic("/tf", dataset::RosType::TfMessage);
+    const WalkCamera& first = cameras.front();
+    std::vector<CameraTopics> topics;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const Rigid3 firstFromThis =
+            first.path.front().roomFromCamera.inverse() * cameras[i].path.front().roomFromCamera;
+        topics.emplace_back(*bag, messagesOf(format), pictures, cameras[i], files[i],
+                            render::stereoBaselineM(first.intrinsics, cameras[i].intrinsics, firstFromThis));
+    }
+    for (std::size_t frame = 0; frame < first.path.size(); ++frame) {
+        for (CameraTopics& camera : topics) {
+            camera.write(frame, tf);
         }
     }
     bag->finish();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/looks.h"
 #include "measure/measure_comparison.h"
 
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/looks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure/looks.h"
+#include "spherewalk/jobs/looks.h"
 
 #include "parts/report_parts.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/measure_comparison.h"
 
-#include "measure/looks.h"
 #include "parts/cache_key.h"
 
 #include "spherewalk/base/digest.h"
@@ -10,6 +9,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/looks.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/renderer.h"
 

@@ -2,9 +2,11 @@
 // A ball on the practice table in the light of the photos, beside the ray-cast truth of the same ball.
 #include "../parts/practice_dataset.h"
 #include "expect_error.h"
+#include "temporary_folder.h"
 
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/jobs/object_overlay.h"
+#include "spherewalk/jobs/walk.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/light_probe.h"
@@ -14,6 +16,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace spherewalk::jobs {
@@ -154,6 +157,53 @@ TEST(LitBall, InAnEvenLightIsEvenAndTakesItsFormFactor) {
     EXPECT_TRUE(litBallOverlay(ball, camera, pose, even(0.5), {}).shadow.empty());
     test::expectError(ErrorKind::InvalidInput, "The room's depth has 3 x 2 pixels",
                       [&] { litBallOverlay(ball, camera, pose, even(1), DepthImage(3, 2)); });
+}
+
+TEST(LitBall, WalksInItsLightWithItsShadow) {
+    const Ball ball = onTheTable();
+    const test::PracticeDataset dataset(2, true, {}, {2.8, 1.8}, 512);
+    const CameraModel camera(CameraIntrinsics::pinhole(120, 90, 0.7));
+    std::vector<TimedPose> path;
+    for (int i = 0; i < 3; ++i) {
+        path.push_back({0.1 * i, lookingAt(ball.centreM, {2.9, 1.9 - 0.05 * i, 1.25})});
+    }
+    const render::Renderer renderer = dataset.renderer();
+    const test::TemporaryFolder folder;
+    WalkOptions options;
+    options.balls = {ball};
+    const auto frames = [&](const std::string& out) {
+        walk(renderer, camera, path, options, folder / out, noProgress(), {});
+        std::vector<RgbImage> pictures;
+        for (const char* file : {"000000.png", "000001.png", "000002.png"}) {
+            pictures.push_back(photo::readPicture(folder / out / file));
+        }
+        return pictures;
+    };
+    const std::vector<RgbImage> flat = frames("flat");
+    options.lightsBalls = true;
+    const std::vector<RgbImage> lit = frames("lit");
+
+    // The first frame is what `view --ball --light` makes.
+    const render::LightProbe probe = render::lightProbe(renderer, ball.centreM);
+    render::ViewOptions view;
+    view.wantsDepth = true;
+    const DepthImage depth = renderer.render(camera, path[0].roomFromCamera, view).depth;
+    const render::Overlay overlay = litBallOverlay(ball, camera, path[0].roomFromCamera, probe, depth);
+    view.overlays = {&overlay, 1};
+    EXPECT_EQ(lit[0], renderer.render(camera, path[0].roomFromCamera, view).picture);
+
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        const MaskImage mask = ballMask(ball, camera, path[i].roomFromCamera);
+        int shadowed = 0;
+        for (std::size_t p = 0; p < mask.values().size(); ++p) {
+            const bool isBeside = mask.values()[p] == 0;
+            shadowed += isBeside && lit[i].values()[3 * p] + 3 < flat[i].values()[3 * p] ? 1 : 0;
+        }
+        EXPECT_GT(shadowed, 100) << i << ": the table about the ball is darker";
+    }
+    // Frames in another light are another walk's: none is taken over.
+    options.lightsBalls = false;
+    EXPECT_EQ(frames("lit"), flat);
 }
 
 } // namespace spherewalk::jobs

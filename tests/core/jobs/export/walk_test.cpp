@@ -328,6 +328,65 @@ TEST_F(WalkTest, LabelsWhatIsLaidInTheSameInParts) {
     EXPECT_TRUE(std::filesystem::exists(folder / "whole/walk.mcap"));
 }
 
+TEST_F(WalkTest, OfARigHasTheFramesOfEachCameraAndOneBagWithEqualStamps) {
+    render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    info.sphereRadiusM = 2;
+    writeFile(folder / "d" / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
+    const CameraIntrinsics lens = CameraIntrinsics::pinhole(32, 24, 1);
+    const Rigid3 rightOfLeft{Eigen::Quaterniond::Identity(), {0.1, 0, 0}};
+    const std::vector<render::RigCamera> rig{{"left", "left_optical", lens, Rigid3()},
+                                             {"right", "right_optical", lens, rightOfLeft}};
+    const std::vector<WalkCamera> cameras = walkCameras(rig, path, "rig.yaml");
+    WalkOptions options;
+    options.writesDepth = true;
+    options.bags = {dataset::BagFormat::Rosbag};
+    const render::Renderer renderer(
+        std::make_shared<const render::Dataset>(render::Dataset::open(folder / "d")));
+    const auto walkRig = [&](const std::string& out) {
+        return walk(renderer, cameras, options, folder / out, noProgress(), {});
+    };
+    const WalkReport report = walkRig("rig");
+    EXPECT_EQ(report.frames, 10U);
+    EXPECT_EQ(report.photosUsed, 2U);
+    EXPECT_TRUE(std::filesystem::exists(folder / "rig/walk.bag"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "rig/index.csv"));
+    options.shard = Shard::parse("2/2");
+    EXPECT_FALSE(walkRig("parts").isComplete);
+    EXPECT_FALSE(std::filesystem::exists(folder / "parts/walk.bag"));
+    options.shard = Shard::parse("1/2");
+    EXPECT_TRUE(walkRig("parts").isComplete);
+    EXPECT_EQ(filesOf("parts"), filesOf("rig"));
+
+    // Each camera's frames are those of a camera that walks alone.
+    options = {};
+    options.writesDepth = true;
+    run("left", options);
+    EXPECT_EQ(filesOf("rig/left"), filesOf("left"));
+    EXPECT_EQ(filesOf("rig/left/depth"), filesOf("left/depth"));
+    for (TimedPose& pose : path) {
+        pose.roomFromCamera = pose.roomFromCamera * rightOfLeft;
+    }
+    run("right", options);
+    EXPECT_EQ(filesOf("rig/right"), filesOf("right"));
+    EXPECT_EQ(filesOf("parts/right"), filesOf("right"));
+    EXPECT_NE(filesOf("left"), filesOf("right"));
+}
+
+TEST_F(WalkTest, OfARigHasNoiseOfItsOwnInEachCamera) {
+    const CameraIntrinsics lens = CameraIntrinsics::pinhole(32, 24, 1);
+    const std::vector<WalkCamera> cameras =
+        walkCameras({{"a", "a", lens, Rigid3()}, {"b", "b", lens, Rigid3()}}, path, "rig.yaml");
+    WalkOptions options;
+    const render::Renderer renderer(
+        std::make_shared<const render::Dataset>(render::Dataset::open(folder / "d")));
+    walk(renderer, cameras, options, folder / "plain", noProgress(), {});
+    EXPECT_EQ(filesOf("plain/a"), filesOf("plain/b"));
+    options.sensor.emplace();
+    options.sensor->noise = {2000, 5};
+    walk(renderer, cameras, options, folder / "noisy", noProgress(), {});
+    EXPECT_NE(filesOf("noisy/a").at("000000.png"), filesOf("noisy/b").at("000000.png"));
+}
+
 TEST_F(WalkTest, KeepsTheFramesSoFarWhenStopped) {
     std::stop_source stop;
     stop.request_stop();

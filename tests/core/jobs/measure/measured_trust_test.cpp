@@ -3,7 +3,10 @@
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
+#include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/jobs/walk.h"
+#include "spherewalk/photo/picture_file.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/render/renderer.h"
 #include "spherewalk/scene/depth_sweep.h"
@@ -12,10 +15,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <numbers>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace spherewalk {
@@ -146,31 +152,42 @@ class MeasuredTrust : public testing::TestWithParam<practice::RoomStyle> {
         return result;
     }
 
-    /// Of stereo pairs, 12 cm apart: the differences of the disparities that their pictures show and those
-    /// that the left view's depth says, where the picture has something to compare. Units: pixels.
+    /// Of a stereo pair that drives past the photos, 12 cm apart: the differences of the disparities that its
+    /// pictures show and those that the left camera's depth says, where the picture has something to compare.
+    /// Both are read from the files of a walk. Units: pixels.
     std::vector<double> disparityErrors(render::SceneKind scene) {
         const render::Renderer renderer(
             std::make_shared<const render::Dataset>(render::Dataset::open(m_folder.path())));
-        const CameraModel camera(CameraIntrinsics::pinhole(320, 240, 1.0));
+        const CameraIntrinsics camera = CameraIntrinsics::pinhole(320, 240, 1.0);
         constexpr double kBaselineM = 0.12;
-        test::Random random(94);
+        constexpr std::size_t kFrames = 16;
+        std::vector<TimedPose> path;
+        for (std::size_t i = 0; i < kFrames; ++i) {
+            const double share = static_cast<double>(i) / kFrames;
+            path.push_back({0.05 * static_cast<double>(i), // 1 m/s
+                            {yawRotation(Radians(2 * std::numbers::pi * share)),
+                             {m_corner.x() + 2 * kStepM * share, m_corner.y() + 1.3 * kStepM * share, 1.2}}});
+        }
+        const std::vector<render::RigCamera> rig{
+            {"left", "left_optical", camera, Rigid3{bodyFromOptical(), {0, 0, 0}}},
+            {"right", "right_optical", camera, Rigid3{bodyFromOptical(), {0, -kBaselineM, 0}}}};
+        jobs::WalkOptions options;
+        options.view.scene = scene;
+        options.writesDepth = true;
+        const std::filesystem::path out = m_folder / text("walk-", name(scene));
+        jobs::walk(renderer, jobs::walkCameras(rig, path, "stereo"), options, out, noProgress(), {});
         std::vector<double> errors;
-        for (int i = 0; i < 12; ++i) {
-            const Rigid3 left{rotation({Radians(random.uniform(-3, 3)), Radians(0), Radians(0)}) *
-                                  bodyFromOptical(),
-                              Vector3d(m_corner.x() + random.uniform(0, 2 * kStepM),
-                                       m_corner.y() + random.uniform(0, 2 * kStepM), 1.2)};
-            const Rigid3 right = left * Rigid3{Eigen::Quaterniond::Identity(), {kBaselineM, 0, 0}};
-            render::ViewOptions options;
-            options.scene = scene;
-            options.wantsDepth = true;
-            const render::View seenLeft = renderer.render(camera, left, options);
-            const render::View seenRight = renderer.render(camera, right, options);
-            for (int y = 10; y < camera.height() - 10; y += 5) {
-                for (int x = 60; x < camera.width() - 20; x += 5) {
-                    const double said =
-                        camera.intrinsics().fx * kBaselineM / static_cast<double>(*seenLeft.depth.at(x, y));
-                    if (const auto shown = shownDisparity(seenLeft.picture, seenRight.picture, x, y, said)) {
+        for (std::size_t i = 0; i < kFrames; ++i) {
+            const std::string file = text(i < 10 ? "00000" : "0000", i, ".png");
+            const RgbImage left = photo::readPicture(out / "left" / file);
+            const RgbImage right = photo::readPicture(out / "right" / file);
+            const Image<std::uint16_t, 1> depthMm = photo::readPng16(out / "left/depth" / file);
+            for (int y = 10; y < camera.height - 10; y += 5) {
+                for (int x = 60; x < camera.width - 20; x += 5) {
+                    const double said = camera.fx * kBaselineM / (0.001 * *depthMm.at(x, y));
+                    const auto shown =
+                        std::isfinite(said) ? shownDisparity(left, right, x, y, said) : std::nullopt;
+                    if (shown) {
                         errors.push_back(std::abs(*shown - said));
                     }
                 }
@@ -339,7 +356,7 @@ TEST_P(MeasuredTrust, IsWhatTheViewIsOff) {
     }
 }
 
-TEST_P(MeasuredTrust, DepthAgreesWithTheDisparityOfAStereoPair) {
+TEST_P(MeasuredTrust, DepthAgreesWithTheDisparityOfAStereoPairThatWalks) {
     std::cout << "room scene pixels median p90\n";
     for (const render::SceneKind scene : {render::SceneKind::Depth, render::SceneKind::Blend}) {
         std::vector<double> errors = disparityErrors(scene);

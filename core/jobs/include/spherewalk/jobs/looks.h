@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/image.h"
 #include "spherewalk/base/json_fwd.h"
+#include "spherewalk/compare/line_shape.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,6 +25,13 @@ struct Looks {
     std::size_t lines = 0;      ///< Number of straight lines in the truth.
     std::size_t linesFound = 0; ///< Number of those that the view shows.
 };
+
+/// How the view looks beside the truth. lines: what compare::straightLines() finds in the truth. Errors:
+/// InvalidInput if the sizes differ.
+Looks looksOf(const RgbImage& truth, const std::vector<compare::PictureLine>& lines, const RgbImage& view);
+
+/// The looks that toJson() wrote. Errors: Corrupt, with the member's path.
+Looks looksOf(const JsonReader& reader);
 
 /// The looks of several views.
 struct LooksSummary {

@@ -37,14 +37,23 @@ Ball parseBall(std::string_view text);
 /// Cost: about 0.1 microseconds for each pixel of the box around the ball.
 render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera);
 
+/// The light at a ball's place: what shades it, and what its shadow is made of.
+struct BallLight {
+    /// Cost: some milliseconds; frames of one ball share it.
+    BallLight(const render::LightProbe& probe); // NOLINT(google-explicit-constructor): a probe is light
+
+    render::LightHarmonics harmonics;
+    std::vector<render::DirectionalLight> lights;
+};
+
 /// The same ball in the light of a place, as a simulator would light it, and its shadow on the room.
-/// probe: the light at the ball's centre. roomDepth: that of the view without the ball, as View::depth; it
+/// light: at the ball's centre. roomDepth: that of the view without the ball, as View::depth; it
 /// may be empty, and the ball then casts no shadow.
 ///
 /// Errors: those of Ball::validate(); InvalidInput for a depth of another size than the camera's.
 /// Cost: some microseconds for each pixel that the shadow may reach.
 render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera,
-                               const render::LightProbe& probe, const DepthImage& roomDepth);
+                               const BallLight& light, const DepthImage& roomDepth);
 
 /// 255 in each pixel at whose centre the ball would be seen if nothing hid it, else 0: the pixels of
 /// ballOverlay().

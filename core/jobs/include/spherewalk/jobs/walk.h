@@ -8,12 +8,14 @@
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/jobs/object_overlay.h"
 #include "spherewalk/jobs/shard.h"
+#include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/sensor.h"
 #include "spherewalk/render/view_stream.h"
 
 #include <filesystem>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +29,21 @@ enum class BagPictures {
 
 /// The kind that "raw" or "png" names. Errors: InvalidInput, whose sentence lists the names.
 BagPictures bagPictures(std::string_view name);
+
+/// A camera that walks.
+struct WalkCamera {
+    /// Of a camera of a rig: its files are in a folder of this name, its topics begin with it. Empty for the
+    /// only one.
+    std::string name;
+    std::string frameId = "camera_optical"; ///< Of its optical frame, in a bag.
+    CameraIntrinsics intrinsics;
+    std::vector<TimedPose> path; ///< Of its optical frame.
+};
+
+/// The cameras of a rig, whose frame follows the path. Errors: those of render::placesOnRig(). what: the rig,
+/// for sentences.
+std::vector<WalkCamera> walkCameras(const std::vector<render::RigCamera>& rig,
+                                    const std::vector<TimedPose>& roomFromRig, std::string_view what);
 
 struct WalkOptions {
     render::ViewOptions view;
@@ -43,11 +60,12 @@ struct WalkOptions {
     bool writesDepth = false;            ///< Whether depth/000000.png ... are written, with what is laid in.
     bool writesLabels = false;           ///< Whether annotations.json and labels/000000.png ... are written.
     std::vector<PlacedMesh> meshes = {}; ///< Meshes that are laid into each frame. They have no labels.
+    bool lightsBalls = false;            ///< Whether balls are lit as by litBallOverlay(), and cast shadows.
 };
 
 /// Counts and times are those of this part, and of the frames that were not there before.
 struct WalkReport {
-    std::size_t frames = 0;     ///< Frames of this part.
+    std::size_t frames = 0;     ///< Frames of this part, of all cameras.
     std::size_t reused = 0;     ///< Frames of this part that were there before.
     bool isComplete = false;    ///< Whether the frames of all parts are there.
     std::size_t photosUsed = 0; ///< Number of different photos.
@@ -91,7 +109,15 @@ WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
 
-/// The files of a walk's pictures, one of each kind a pose. Kinds that were not wanted are empty.
+/// The same for cameras that a robot carries together, with the same times: each camera's files are in a
+/// folder of its name, and the bags have the topics of all, /left/image_raw and so on, with equal stamps.
+/// The frames of a time are rendered one after the other from the same photos in memory. The noise of a
+/// sensor differs from camera to camera. Range: one camera or more, whose paths have the same times.
+WalkReport walk(const render::Renderer& renderer, const std::vector<WalkCamera>& cameras,
+                const WalkOptions& options, const std::filesystem::path& folder, ProgressSink& progress,
+                const std::stop_token& stop);
+
+/// The files of a camera's pictures, one of each kind a pose. Kinds that were not wanted are empty.
 struct WalkPictures {
     std::vector<std::filesystem::path> frames;
     std::vector<std::filesystem::path> depths;
@@ -100,9 +126,8 @@ struct WalkPictures {
 
 /// Writes frames and poses as a bag; walk() says what is in it. Errors: those of reading the pictures and of
 /// writing; InvalidInput for a time that ROS cannot hold.
-void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const CameraIntrinsics& camera,
-                  const std::vector<TimedPose>& path, const WalkPictures& files,
-                  const std::filesystem::path& file);
+void writeWalkBag(dataset::BagFormat format, BagPictures pictures, const std::vector<WalkCamera>& cameras,
+                  const std::vector<WalkPictures>& files, const std::filesystem::path& file);
 
 Json toJson(const render::ViewReport& report);
 Json toJson(const render::LoadCounters& counters);
