@@ -291,6 +291,38 @@ TEST(WalkCommand, WritesItsPosesAsOtherProgramsReadThem) {
     EXPECT_THAT(readTextFile(survey / "w/sparse/0/images.txt"), HasSubstr(" 1 000001.png\n"));
 }
 
+TEST(WalkCommand, WalksWithARigAndSaysWhatIsWrongWithOne) {
+    const test::PhotographedSurvey survey{2};
+    ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
+    writeFile(survey / "p.tum", bytesOf("0 2 1.5 1.2 0 0 0 1\n0.1 2.1 1.5 1.2 0 0 0.1 0.995\n"));
+    writeSmallCamera(survey / "c.yaml");
+    const std::string left =
+        "axes: body\ncameras:\n  - {name: left, camera_info: c.yaml, rig_from_camera: [0, "
+        "0.06, 0, 0, 0, 0, 1]}\n";
+    const std::string right = "  - {name: right, camera_info: c.yaml";
+    writeFile(survey / "rig.yaml", bytesOf(left + right + ", rig_from_camera: [0, -0.06, 0, 0, 0, 0, 1]}\n"));
+    writeFile(survey / "tf.yaml", bytesOf(left + right + "}\n"));
+    const auto walk = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"walk",  survey / "d", "--path",   survey / "p.tum",
+                                       "--out", survey / "w", "--format", "rosbag"};
+        words.insert(words.end(), more.begin(), more.end());
+        return runCli(words);
+    };
+    EXPECT_THAT(walk({"--rig", survey / "tf.yaml"}).errors, HasSubstr("right of the rig"));
+    EXPECT_THAT(walk({"--rig", survey / "rig.yaml", "--frame", "body"}).errors,
+                HasSubstr("leave --frame out"));
+    EXPECT_THAT(walk({"--rig", survey / "rig.yaml", "--camera", survey / "c.yaml"}).errors,
+                HasSubstr("--rig"));
+    EXPECT_THAT(walk({"--rig", survey / "none.yaml"}).errors, HasSubstr("none.yaml"));
+    EXPECT_FALSE(std::filesystem::exists(survey / "w"));
+    const CliResult walked = walk({"--rig", survey / "rig.yaml", "--depth"});
+    ASSERT_EQ(walked.status, 0) << walked.errors;
+    EXPECT_THAT(walked.output, HasSubstr("4 frames of 2 cameras"));
+    for (const char* file : {"left/000001.png", "right/depth/000001.png", "right/index.csv", "walk.bag"}) {
+        EXPECT_TRUE(std::filesystem::exists(survey / "w" / file)) << file;
+    }
+}
+
 TEST(WalkCommand, LabelsWhatItLaysIn) {
     const test::PhotographedSurvey survey{2};
     ASSERT_EQ(runCli({"export", survey.path(), survey / "d"}).status, 0);
@@ -305,7 +337,7 @@ TEST(WalkCommand, LabelsWhatItLaysIn) {
         "walk",    survey / "d", "--camera", writeSmallCamera(survey / "c.yaml"),
         "--frame", "body",       "--path",   survey / "p.tum",
         "--out",   survey / "w", "--labels"};
-    EXPECT_EQ(runCli(walk).status, 2) << "there is nothing to label";
+    EXPECT_THAT(runCli(walk).errors, HasSubstr("--ball or --object")) << "there is nothing to label";
     EXPECT_FALSE(std::filesystem::exists(survey / "w"));
     std::vector<std::string> withBalls = walk;
     withBalls.insert(withBalls.end(),

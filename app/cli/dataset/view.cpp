@@ -99,6 +99,7 @@ struct WalkArguments {
     std::string out;
     program::StreamOptions stream;
     std::vector<std::string> balls;
+    std::vector<std::string> objects;
     std::vector<std::string> formats;
     std::string bagPictures = "raw";
     std::string sensor;
@@ -131,6 +132,9 @@ jobs::WalkOptions walkOptionsOf(const WalkArguments& options, const render::Data
     jobs::WalkOptions walkOptions{options.dataset.pictureOptions(dataset), options.stream.options()};
     for (const std::string& ball : options.balls) {
         walkOptions.balls.push_back(jobs::parseBall(ball));
+    }
+    for (const std::string& object : options.objects) {
+        walkOptions.meshes.push_back(jobs::parseObject(object));
     }
     walkOptions.shard = jobs::Shard::parse(options.shard);
     for (const std::string& format : options.formats) {
@@ -316,10 +320,14 @@ void addWalk(Commands& commands) {
     command.flag("--depth", options->writesDepth,
                  "Write depth frames, too: PNG of 16 bits in millimetres along the optical axis, 0 for none");
     command
-        .flag("--labels", options->writesLabels,
-              "Write which pixels show which ball, too: PNG of 16 bits, 0 for the room, and masks, boxes and "
-              "visible shares as COCO has them (annotations.json)")
-        .needs(ball);
+        .option(
+            "--object", options->objects,
+            "An object to lay into each frame, \"FILE x y z size yaw\": an OBJ file or cube, its foot and "
+            "its longest side in metres, its heading in degrees; can be repeated")
+        .oneAUse();
+    command.flag("--labels", options->writesLabels,
+                 "Write which pixels show which ball or object, too: PNG of 16 bits, 0 for the room, and "
+                 "masks, boxes and visible shares as COCO has them (annotations.json)");
     command.flag("--light", options->isLit, kLightHelp).needs(ball);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -134,6 +136,17 @@ ObjectMesh ObjectMesh::cube() {
         triangles.push_back({face[0], face[2], face[3]});
     }
     return {std::move(corners), std::move(triangles)};
+}
+
+std::string ObjectMesh::fingerprint() const {
+    std::string key;
+    for (const Triangle& triangle : m_triangles) {
+        for (const std::uint32_t index : triangle) {
+            const Eigen::Vector3f& at = m_vertices[index];
+            key.append(reinterpret_cast<const char*>(at.data()), 3 * sizeof(float));
+        }
+    }
+    return sha256Hex(bytesOf(key));
 }
 
 bool ObjectMesh::contains(const Eigen::Vector3d& point) const {
@@ -300,6 +313,36 @@ class ObjReader {
 
 ObjectMesh readObj(const std::filesystem::path& file) {
     return ObjReader(file).read(readTextFile(file, kMostBytes));
+}
+
+PlacedMesh parseObject(std::string_view words) {
+    std::vector<std::string_view> parts;
+    for (std::string_view rest = words; rest.find_first_not_of(kBlanks) != std::string_view::npos;) {
+        parts.push_back(cutWord(rest));
+    }
+    std::vector<double> numbers;
+    while (!parts.empty() && numbers.size() < 5 && parseNumber(parts.back())) {
+        numbers.insert(numbers.begin(), *parseNumber(parts.back()));
+        parts.pop_back();
+    }
+    if (parts.empty() || numbers.size() < 4) {
+        throw Error(
+            ErrorKind::InvalidInput,
+            text("\"", printable(std::string(words)),
+                 "\" is no object; give \"FILE x y z size yaw\": an OBJ file or cube, its foot and its "
+                 "longest side in metres, and its heading in degrees."));
+    }
+    const auto* end = parts.back().data() + parts.back().size(); // a file's name may have blanks
+    const std::filesystem::path file(std::string(parts.front().data(), end));
+    PlacedMesh object;
+    object.footM = {numbers[0], numbers[1], numbers[2]};
+    object.sizeM = numbers[3];
+    object.yaw = Degrees(numbers.size() == 5 ? numbers[4] : 0);
+    const bool isCube = file == "cube";
+    object.mesh = std::make_shared<const ObjectMesh>(isCube ? ObjectMesh::cube() : readObj(file));
+    object.category = isCube ? "cube" : file.stem().string();
+    object.validate();
+    return object;
 }
 
 } // namespace spherewalk::jobs

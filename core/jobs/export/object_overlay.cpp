@@ -4,6 +4,7 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/overlay.h"
 
@@ -249,13 +250,33 @@ render::Overlay litBallOverlay(const Ball& ball, const CameraModel& camera, cons
     return overlay;
 }
 
-MaskImage ballMask(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera) {
-    const RgbaImage picture = ballOverlay(ball, camera, roomFromCamera).picture;
-    MaskImage mask(picture.width(), picture.height());
+namespace {
+
+/// How much of each pixel the object covers.
+MaskImage coverOf(const render::Overlay& overlay) {
+    MaskImage mask(overlay.picture.width(), overlay.picture.height());
     for (std::size_t i = 0; i < mask.values().size(); ++i) {
-        mask.values()[i] = picture.values()[4 * i + 3];
+        mask.values()[i] = overlay.picture.values()[4 * i + 3];
     }
     return mask;
+}
+
+} // namespace
+
+MaskImage ballMask(const Ball& ball, const CameraModel& camera, const Rigid3& roomFromCamera) {
+    return coverOf(ballOverlay(ball, camera, roomFromCamera));
+}
+
+MaskImage meshMask(const PlacedMesh& object, const CameraModel& camera, const Rigid3& roomFromCamera) {
+    return coverOf(meshOverlay(object, camera, roomFromCamera));
+}
+
+Eigen::Vector3d PlacedMesh::boxSizeM() const {
+    return sizeM * mesh->sides().cast<double>();
+}
+
+Rigid3 PlacedMesh::roomFromBox() const {
+    return {yawRotation(yaw), footM + Eigen::Vector3d(0, 0, 0.5 * boxSizeM().z())};
 }
 
 void PlacedMesh::validate() const {

@@ -10,7 +10,6 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/dataset/coco.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"
 
@@ -159,6 +158,12 @@ std::string walkKey(const render::DatasetInfo& info, const WalkCamera& camera, c
         const Eigen::Vector3d& at = ball.centreM;
         key += text(" ball ", at.x(), " ", at.y(), " ", at.z(), " ", ball.radiusM);
     }
+    for (const PlacedMesh& mesh : options.meshes) {
+        const Eigen::Vector3d& at = mesh.footM;
+        key += text(" ", mesh.mesh->fingerprint(), " ", at.x(), " ", at.y(), " ", at.z(), " ", mesh.sizeM,
+                    " ", mesh.yaw.value(), " ", int{mesh.colour[0]}, " ", int{mesh.colour[1]}, " ",
+                    int{mesh.colour[2]});
+    }
     key += options.lightsBalls ? " lit" : "";
     key += options.sensor ? text(" ", sensorYaml(*options.sensor)) : "";
     key += options.writesDepth ? " depth" : "";
@@ -175,30 +180,6 @@ void writePoses(const std::vector<dataset::PoseFormat>& formats, const WalkCamer
     for (const dataset::PoseFormat format : formats) {
         writePoseFiles(format, camera.intrinsics, frames, folder);
     }
-}
-
-/// The balls in all frames, of which the pictures of labels are there.
-Json annotations(const CameraModel& camera, const std::vector<TimedPose>& path,
-                 const std::vector<Ball>& balls, const std::filesystem::path& folder) {
-    const std::vector<std::string> categories{"ball"};
-    return dataset::cocoJson(categories, path.size(), [&](std::size_t i) {
-        const std::string labels = text(kLabelsFolder, "/", frameName(i));
-        dataset::LabelledFrame frame{frameName(i),
-                                     labels,
-                                     path[i].timeS,
-                                     path[i].roomFromCamera,
-                                     photo::readPng16(folder / labels),
-                                     {}};
-        for (std::size_t ball = 0; ball < balls.size(); ++ball) {
-            const double widthM = 2 * balls[ball].radiusM;
-            frame.objects.push_back({static_cast<std::uint16_t>(ball + 1),
-                                     categories.front(),
-                                     {Eigen::Quaterniond::Identity(), balls[ball].centreM},
-                                     {widthM, widthM, widthM},
-                                     ballMask(balls[ball], camera, path[i].roomFromCamera)});
-        }
-        return frame;
-    });
 }
 
 /// The folders in which each frame has a picture.
@@ -330,8 +311,8 @@ void CameraWalk::finish() const {
     writeFile(m_folder / "times.csv", bytesOf(times));
     writePoses(m_options.formats, m_camera, m_folder);
     if (m_options.writesLabels) {
-        writeFile(m_folder / "annotations.json",
-                  bytesOf(annotations(m_model, m_camera.path, m_options.balls, m_folder).dump(1) + "\n"));
+        const Json json = annotations(m_model, m_camera.path, m_options, pictures().labels);
+        writeFile(m_folder / "annotations.json", bytesOf(json.dump(1) + "\n"));
     }
     const std::size_t count = m_camera.path.size();
     const std::size_t sheetStep = std::max<std::size_t>(1, (count + kSheetCells - 1) / kSheetCells);
@@ -362,9 +343,9 @@ void requirePossible(const std::vector<TimedPose>& path, const WalkOptions& opti
     if (options.sensor) {
         requireAscendingTimes(path);
     }
-    if (options.writesLabels && options.balls.empty()) {
+    if (options.writesLabels && options.balls.empty() && options.meshes.empty()) {
         throw Error(ErrorKind::InvalidInput, "Labels tell which pixels show an object: lay one into the "
-                                             "frames, by --ball.");
+                                             "frames, by --ball or --object.");
     }
 }
 

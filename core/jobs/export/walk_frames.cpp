@@ -2,6 +2,13 @@
 #include "export/walk_frames.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/json.h"
+#include "spherewalk/base/text.h"
+#include "spherewalk/dataset/coco.h"
+#include "spherewalk/photo/picture_file.h"
+
+#include <algorithm>
+#include <string>
 
 namespace spherewalk::jobs {
 
@@ -83,6 +90,51 @@ const render::View& WalkFrames::make(std::size_t frame) {
                        [this](double timeS) { return poseAt(m_path, timeS); }, pose.timeS, frame, m_view);
     m_sensor->measureDepth(frame, m_view.depth);
     return m_view;
+}
+
+namespace {
+
+constexpr const char* kBall = "ball";
+
+/// The objects in a frame, in the order of the overlays, which numbers them.
+std::vector<dataset::LabelledObject> objectsAt(const Rigid3& roomFromCamera, const CameraModel& camera,
+                                               const WalkOptions& options) {
+    std::vector<dataset::LabelledObject> objects;
+    const auto next = [&objects] { return static_cast<std::uint16_t>(objects.size() + 1); };
+    for (const Ball& ball : options.balls) {
+        const double widthM = 2 * ball.radiusM;
+        objects.push_back({next(),
+                           kBall,
+                           {Eigen::Quaterniond::Identity(), ball.centreM},
+                           {widthM, widthM, widthM},
+                           ballMask(ball, camera, roomFromCamera)});
+    }
+    for (const PlacedMesh& mesh : options.meshes) {
+        objects.push_back({next(), mesh.category, mesh.roomFromBox(), mesh.boxSizeM(),
+                           meshMask(mesh, camera, roomFromCamera)});
+    }
+    return objects;
+}
+
+} // namespace
+
+Json annotations(const CameraModel& camera, const std::vector<TimedPose>& path, const WalkOptions& options,
+                 const std::vector<std::filesystem::path>& labels) {
+    std::vector<std::string> categories{kBall};
+    for (const PlacedMesh& mesh : options.meshes) {
+        if (std::find(categories.begin(), categories.end(), mesh.category) == categories.end()) {
+            categories.push_back(mesh.category);
+        }
+    }
+    return dataset::cocoJson(categories, path.size(), [&](std::size_t i) {
+        const std::string file = labels[i].filename().string();
+        return dataset::LabelledFrame{file,
+                                      text(labels[i].parent_path().filename().string(), "/", file),
+                                      path[i].timeS,
+                                      path[i].roomFromCamera,
+                                      photo::readPng16(labels[i]),
+                                      objectsAt(path[i].roomFromCamera, camera, options)};
+    });
 }
 
 } // namespace spherewalk::jobs

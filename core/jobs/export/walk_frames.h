@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/json_fwd.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/jobs/walk.h"
 #include "spherewalk/render/overlay.h"
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -43,5 +45,9 @@ class WalkFrames {
     std::vector<render::Overlay> m_overlays;
     render::View m_view;
 };
+
+/// What is known of the objects in all frames, as COCO has it. labels: the pictures of labels, one a frame.
+Json annotations(const CameraModel& camera, const std::vector<TimedPose>& path, const WalkOptions& options,
+                 const std::vector<std::filesystem::path>& labels);
 
 } // namespace spherewalk::jobs

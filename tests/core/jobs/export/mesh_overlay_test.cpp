@@ -186,4 +186,18 @@ TEST_F(ObjFile, WithNeedlesAndDoubledFacesIsNoTrouble) {
     EXPECT_TRUE(hit.normal.allFinite());
 }
 
+TEST(ParsedObject, IsACubeOrAFileWithAPlace) {
+    const PlacedMesh cube = parseObject(" cube 1 2.5 0 0.4 90 ");
+    EXPECT_EQ(cube.category, "cube");
+    EXPECT_EQ(cube.footM, Eigen::Vector3d(1, 2.5, 0));
+    EXPECT_EQ(cube.sizeM, 0.4);
+    EXPECT_NEAR(cube.yaw.value(), std::acos(0.), 1e-12);
+    EXPECT_EQ(parseObject("cube 1 2 3 4").yaw.value(), 0) << "the heading may be left out";
+    for (const char* wrong :
+         {"", "cube", "cube 1 2 3", "1 2 3 4 5", "cube a b c d", "cube 1 2 0 0", "cube nan 2 0 1"}) {
+        test::expectError(ErrorKind::InvalidInput, "", [&] { parseObject(wrong); });
+    }
+    test::expectError(ErrorKind::NotFound, "no chair.obj", [] { parseObject("no chair.obj 1 2 0 0.5 0"); });
+}
+
 } // namespace spherewalk::jobs

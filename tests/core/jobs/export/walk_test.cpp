@@ -328,6 +328,51 @@ TEST_F(WalkTest, LabelsWhatIsLaidInTheSameInParts) {
     EXPECT_TRUE(std::filesystem::exists(folder / "whole/walk.mcap"));
 }
 
+TEST_F(WalkTest, LabelsObjectsWithBoxesThatAreTurnedAsTheyAre) {
+    render::DatasetInfo info = render::Dataset::open(folder / "d").info();
+    info.sphereRadiusM = 2;
+    writeFile(folder / "d" / render::kDatasetFile, bytesOf(render::toJson(info).dump()));
+    writeFile(folder / "slab.obj", bytesOf("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+    WalkOptions options;
+    options.view.scene = render::SceneKind::Sphere;
+    options.writesLabels = true;
+    options.meshes = {parseObject("cube 1 0 0.6 0.4 45"),
+                      parseObject((folder / "slab.obj").string() + " 1 0 1.2 1.6")};
+    run("labelled", options);
+    const Json json = parseJson(readTextFile(folder / "labelled/annotations.json"), "annotations.json");
+    ASSERT_EQ(json["categories"].size(), 4U);
+    EXPECT_EQ(json["categories"][2]["name"], "cube");
+    EXPECT_EQ(json["categories"][3]["name"], "slab");
+    const Image<std::uint16_t, 1> labels = photo::readPng16(folder / "labelled/labels/000004.png");
+    EXPECT_EQ(*labels.at(16, 12), 1);
+    std::map<int, Json> seen;
+    for (const Json& annotation : json["annotations"]) {
+        if (annotation["image_id"] == 4) {
+            seen[annotation["instance"].get<int>()] = annotation;
+        }
+    }
+    ASSERT_EQ(seen.size(), 2U);
+    EXPECT_EQ(seen[1]["category_id"], 2);
+    EXPECT_EQ(seen[1]["visible_share"], 1);
+    const auto expectNumbers = [](const Json& numbers, const std::vector<double>& expected) {
+        ASSERT_EQ(numbers.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            EXPECT_NEAR(numbers[i].get<double>(), expected[i], 1e-6) << i;
+        }
+    };
+    expectNumbers(seen[1]["box_in_room"]["center_m"], {1, 0, 0.8});
+    expectNumbers(seen[1]["box_in_room"]["size_m"], {0.4, 0.4, 0.4});
+    EXPECT_NEAR(seen[1]["box_in_room"]["rotation"]["w"].get<double>(), std::cos(std::acos(-1.) / 8), 1e-12);
+    EXPECT_EQ(seen[2]["category_id"], 3);
+    expectNumbers(seen[2]["box_in_room"]["size_m"], {1.6, 0.8, 0});
+    expectNumbers(seen[2]["box_in_camera"]["center_m"], {0, 0, 1.2});
+    EXPECT_GT(seen[2]["hidden_by_objects_share"], 0.05) << "by the cube before it";
+    // Another mesh of the same name and bounds is another walk's.
+    writeFile(folder / "slab.obj", bytesOf("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n"));
+    options.meshes[1] = parseObject((folder / "slab.obj").string() + " 1 0 1.2 1.6");
+    EXPECT_EQ(run("labelled", options).reused, 0U);
+}
+
 TEST_F(WalkTest, OfARigHasTheFramesOfEachCameraAndOneBagWithEqualStamps) {
     render::DatasetInfo info = render::Dataset::open(folder / "d").info();
     info.sphereRadiusM = 2;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -80,6 +81,9 @@ class ObjectMesh {
     /// The sides of the bounds, of which the longest is 1.
     Eigen::Vector3f sides() const { return m_greatest - m_least; }
 
+    /// A hash of all triangles.
+    std::string fingerprint() const;
+
     bool contains(const Eigen::Vector3d& point) const;
 
     /// Where a ray first meets a triangle, from either side.
@@ -124,10 +128,20 @@ struct PlacedMesh {
     double sizeM = 0.4;                                  ///< Its longest side.
     Radians yaw;                                         ///< Counter-clockwise from above.
     std::array<std::uint8_t, 3> colour = {30, 110, 190}; ///< Red, green, blue.
+    std::string category = "mesh";                       ///< In labels.
+
+    /// The pose of the middle of the box about the object, and the box's size along its own axes.
+    Rigid3 roomFromBox() const;
+    Eigen::Vector3d boxSizeM() const;
 
     /// Errors: InvalidInput for numbers that are not finite, and for a size of zero or less.
     void validate() const;
 };
+
+/// The object that "FILE x y z size yaw" spells: an OBJ file or "cube", the place of its foot and its longest
+/// side in metres, and its heading in degrees, which may be left out. Its category is "cube" or the file's
+/// name without ".obj". Errors: InvalidInput, and those of readObj().
+PlacedMesh parseObject(std::string_view text);
 
 /// Colour and depth of the object as a simulator would render it from the view's own pose, lit from above.
 /// The pictures are empty where the camera stands in the object's bounds or does not see it.
@@ -136,5 +150,8 @@ struct PlacedMesh {
 /// Cost: about a microsecond for each pixel of the box around the object, shared by the machine's threads.
 render::Overlay meshOverlay(const PlacedMesh& object, const CameraModel& camera,
                             const Rigid3& roomFromCamera);
+
+/// 255 in each pixel at whose centre the object would be seen if nothing hid it, else 0.
+MaskImage meshMask(const PlacedMesh& object, const CameraModel& camera, const Rigid3& roomFromCamera);
 
 } // namespace spherewalk::jobs

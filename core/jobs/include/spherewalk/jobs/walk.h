@@ -59,7 +59,7 @@ struct WalkOptions {
     std::optional<render::SensorModel> sensor = {};
     bool writesDepth = false;            ///< Whether depth/000000.png ... are written, with what is laid in.
     bool writesLabels = false;           ///< Whether annotations.json and labels/000000.png ... are written.
-    std::vector<PlacedMesh> meshes = {}; ///< Meshes that are laid into each frame. They have no labels.
+    std::vector<PlacedMesh> meshes = {}; ///< Meshes that are laid into each frame.
     bool lightsBalls = false;            ///< Whether balls are lit as by litBallOverlay(), and cast shadows.
 };
 
@@ -91,8 +91,8 @@ struct WalkReport {
 /// columns exposure_time_s and gain_db. The path between the poses is straight, and turns evenly; see
 /// poseAt().
 ///
-/// With WalkOptions::writesLabels, labels/000000.png, ... hold in 16 bits which ball each pixel shows: 1 for
-/// the first, 0 for the room. annotations.json has masks, boxes and visible shares as COCO has them, see
+/// With WalkOptions::writesLabels, labels/000000.png, ... hold in 16 bits which object each pixel shows: 1 for
+/// the first ball, the numbers after those of balls for meshes, 0 for the room. annotations.json has masks, boxes and visible shares as COCO has them, see
 /// dataset::cocoJson(). With a sensor, labels are those of the view at the frame's time, without the sensor's
 /// blur. A bag has them as /camera/labels/image_raw.
 ///
@@ -102,7 +102,7 @@ struct WalkReport {
 ///
 /// Frames: the poses are those of the optical frame.
 /// Errors: those of rendering and writing; InvalidInput before anything is rendered, if a bag is wanted and
-/// ROS cannot hold a pose's time, labels are wanted without a ball, or a sensor is given and the path's times
+/// ROS cannot hold a pose's time, labels are wanted without an object, or a sensor is given and the path's times
 /// do not ascend. InvalidInput for depth and labels, where the scene model knows no depth.
 /// Stop: Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
