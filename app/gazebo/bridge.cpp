@@ -36,6 +36,18 @@ std::string Topics::beside(const std::string& name) const {
     return image.substr(0, image.rfind('/') + 1) + name;
 }
 
+Topics Topics::of(const std::string& camera) const {
+    Topics topics = *this;
+    for (std::string* topic :
+         {&topics.image, &topics.overlayColour, &topics.overlayDepth, &topics.overlayLabels}) {
+        if (!topic->empty() && !camera.empty()) {
+            const std::size_t last = topic->rfind('/');
+            topic->insert(last == std::string::npos ? 0 : last + 1, camera + "/");
+        }
+    }
+    return topics;
+}
+
 void Topics::validate() const {
     std::vector<std::string> all = poses;
     all.push_back(image);
@@ -112,7 +124,27 @@ Json toJson(const simulator::CameraCounters& counters, const Latencies& latencie
             {"latency_99_ms", latencies.quantile(0.99)}};
 }
 
+namespace {
+
+std::vector<simulator::MountedCamera> mounted(const std::vector<render::RigCamera>& cameras) {
+    const std::vector<Rigid3> places = render::placesOnRig(cameras, "of this program");
+    std::vector<simulator::MountedCamera> result;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        result.push_back({CameraModel(cameras[i].camera), places[i]});
+    }
+    return result;
+}
+
+} // namespace
+
 Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
+               const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
+               simulator::Refusals::Tell tell)
+    : Bridge(renderer, std::vector{render::RigCamera{"", options.frameId, camera.intrinsics(), Rigid3()}},
+             cameraOptions, options, std::move(tell)) {
+}
+
+Bridge::Bridge(const render::Renderer& renderer, const std::vector<render::RigCamera>& cameras,
                const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
                simulator::Refusals::Tell tell)
     : m_options(options),
@@ -120,30 +152,40 @@ Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
       m_hasDepth(cameraOptions.wantsDepth),
       m_tree(options.frame),
       m_camera(
-          renderer, camera, cameraOptions, [this](const simulator::Frame& frame) { publish(frame); },
-          std::move(tell)) {
-    const Topics& topics = m_options.topics;
-    topics.validate();
+          renderer, mounted(cameras), cameraOptions,
+          [this](const simulator::Frame& frame) { publish(frame); }, std::move(tell)) {
+    m_options.topics.validate();
+    for (const render::RigCamera& camera : cameras) {
+        m_outgoing.push_back(advertised(camera));
+    }
+    subscribeToPoses();
+}
+
+Bridge::Outgoing Bridge::advertised(const render::RigCamera& camera) {
+    const Topics topics = m_options.topics.of(camera.name);
     const auto checked = [](transport::Node::Publisher publisher, const std::string& topic) {
         if (!publisher) {
             failWith("advertise", topic);
         }
         return publisher;
     };
-    m_imagePublisher = checked(m_node.Advertise<msgs::Image>(topics.image), topics.image);
+    Outgoing outgoing;
+    outgoing.topics = topics;
+    outgoing.frameId = camera.frameId;
+    outgoing.image = checked(m_node.Advertise<msgs::Image>(topics.image), topics.image);
     if (m_hasDepth) {
-        m_depthPublisher = checked(m_node.Advertise<msgs::Image>(topics.beside("depth_image")),
-                                   topics.beside("depth_image"));
+        outgoing.depth = checked(m_node.Advertise<msgs::Image>(topics.beside("depth_image")),
+                                 topics.beside("depth_image"));
     }
     if (m_hasOverlay) {
-        m_labelsPublisher =
+        outgoing.labels =
             checked(m_node.Advertise<msgs::Image>(topics.beside("labels")), topics.beside("labels"));
     }
-    m_infoPublisher = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
-                              topics.beside("camera_info"));
-    m_reportPublisher =
+    outgoing.info = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
+                            topics.beside("camera_info"));
+    outgoing.report =
         checked(m_node.Advertise<msgs::Param>(topics.beside("report")), topics.beside("report"));
-    subscribeToPoses();
+    return outgoing;
 }
 
 void Bridge::subscribeToPoses() {
@@ -159,24 +201,29 @@ void Bridge::subscribeToPoses() {
 }
 
 void Bridge::subscribeToOverlay() {
-    const auto subscribe = [this](const std::string& topic, OverlayPart part) {
-        std::function<void(const msgs::Image&)> take = [this, part](const msgs::Image& message) {
-            takePicture(part, message);
+    const auto subscribe = [this](const std::string& topic, OverlayPart part, std::size_t camera) {
+        std::function<void(const msgs::Image&)> take = [this, part, camera](const msgs::Image& message) {
+            takePicture(part, message, camera);
         };
         if (!topic.empty() && !m_node.Subscribe(topic, take)) {
             failWith("subscribe to", topic);
         }
     };
-    subscribe(m_options.topics.overlayColour, OverlayPart::Colour);
-    subscribe(m_options.topics.overlayDepth, OverlayPart::Depth);
-    subscribe(m_options.topics.overlayLabels, OverlayPart::Labels);
+    for (std::size_t camera = 0; camera < m_outgoing.size(); ++camera) {
+        const Topics& topics = m_outgoing[camera].topics;
+        subscribe(topics.overlayColour, OverlayPart::Colour, camera);
+        subscribe(topics.overlayDepth, OverlayPart::Depth, camera);
+        subscribe(topics.overlayLabels, OverlayPart::Labels, camera);
+    }
 }
 
 void Bridge::unsubscribeFromOverlay() {
-    const Topics& topics = m_options.topics;
-    for (const std::string& topic : {topics.overlayColour, topics.overlayDepth, topics.overlayLabels}) {
-        if (!topic.empty()) {
-            m_node.Unsubscribe(topic);
+    for (const Outgoing& of : m_outgoing) {
+        const Topics& topics = of.topics;
+        for (const std::string& topic : {topics.overlayColour, topics.overlayDepth, topics.overlayLabels}) {
+            if (!topic.empty()) {
+                m_node.Unsubscribe(topic);
+            }
         }
     }
 }
@@ -211,18 +258,19 @@ void Bridge::takePoses(const Message& message) {
     }
 }
 
-void Bridge::takePicture(OverlayPart part, const msgs::Image& message) {
+void Bridge::takePicture(OverlayPart part, const msgs::Image& message, std::size_t camera) {
     try {
-        m_camera.takeOverlay(part, stampOf(message.header()), pictureOf(message));
+        m_camera.takeOverlay(part, stampOf(message.header()), pictureOf(message), camera);
     } catch (const Error& error) {
         m_camera.refuse(Refusal::Time, error.sentence());
     }
 }
 
 bool Bridge::hasListeners() const {
-    return m_imagePublisher.HasConnections() || m_infoPublisher.HasConnections() ||
-           m_reportPublisher.HasConnections() || (m_hasDepth && m_depthPublisher.HasConnections()) ||
-           (m_hasOverlay && m_labelsPublisher.HasConnections());
+    return std::any_of(m_outgoing.begin(), m_outgoing.end(), [this](const Outgoing& of) {
+        return of.image.HasConnections() || of.info.HasConnections() || of.report.HasConnections() ||
+               (m_hasDepth && of.depth.HasConnections()) || (m_hasOverlay && of.labels.HasConnections());
+    });
 }
 
 /// The simulator renders no pictures of objects while nobody wants ours.
@@ -236,29 +284,30 @@ void Bridge::followListeners() {
 }
 
 void Bridge::publish(const simulator::Frame& frame) {
+    Outgoing& outgoing = m_outgoing[frame.index];
     for (msgs::Header* header :
          {m_image.mutable_header(), m_depth.mutable_header(), m_labels.mutable_header(),
           m_info.mutable_header(), m_report.mutable_header()}) {
-        setHeader(*header, frame.stamp, m_options.frameId, m_sequence);
+        setHeader(*header, frame.stamp, outgoing.frameId, m_sequence);
     }
-    ++m_sequence;
-    setCameraInfo(m_info, calibration(frame.camera));
+    m_sequence += frame.index + 1 == m_outgoing.size() ? 1 : 0; // the same for all cameras
+    setCameraInfo(m_info, render::stereoCalibration(frame.camera, frame.baselineM));
     setImage(m_image, frame.view.picture);
-    m_infoPublisher.Publish(m_info);
-    m_imagePublisher.Publish(m_image);
+    outgoing.info.Publish(m_info);
+    outgoing.image.Publish(m_image);
     if (m_hasDepth && !frame.view.depth.empty()) {
         setDepth(m_depth, frame.view.depth);
-        m_depthPublisher.Publish(m_depth);
+        outgoing.depth.Publish(m_depth);
     }
     if (m_hasOverlay && !frame.view.labels.empty()) {
         setLabels(m_labels, frame.view.labels);
-        m_labelsPublisher.Publish(m_labels);
+        outgoing.labels.Publish(m_labels);
     }
     const std::chrono::duration<double, std::milli> latency =
         std::chrono::steady_clock::now() - frame.poseTakenAt;
     m_latencies.add(latency);
     setReport(m_report, frame, latency.count());
-    m_reportPublisher.Publish(m_report);
+    outgoing.report.Publish(m_report);
 }
 
 void Bridge::run(const std::stop_token& stop) {

@@ -4,6 +4,7 @@
 #include "messages.h"
 
 #include "spherewalk/base/json_fwd.h"
+#include "spherewalk/render/camera_info.h"
 #include "spherewalk/simulator/simulated_camera.h"
 
 #include <chrono>
@@ -25,6 +26,10 @@ struct Topics {
     /// The topic of this name on the level of the image.
     std::string beside(const std::string& name) const;
 
+    /// Those of a camera of a rig: the camera's name comes before the last level of the topics of pictures,
+    /// /robot/front/left/image. The same for an empty name.
+    Topics of(const std::string& camera) const;
+
     /// Errors: InvalidInput for impossible topics, and for an image's topic of one level.
     void validate() const;
 };
@@ -32,7 +37,7 @@ struct Topics {
 struct BridgeOptions {
     Topics topics;
     std::string frame;   ///< Name of the frame whose poses are the camera's: "robot::base::camera".
-    std::string frameId; ///< Name of the optical frame, for the headers of pictures.
+    std::string frameId; ///< Name of the optical frame, for the headers of pictures of one camera.
 };
 
 /// The times that the latest frames took from the arrival of their poses to the transport. Threads: one at a
@@ -63,6 +68,10 @@ class Bridge {
   public:
     /// Errors: those of Topics::validate() and of SimulatedCamera; Network where a topic cannot be subscribed
     /// or advertised.
+    Bridge(const render::Renderer& renderer, const std::vector<render::RigCamera>& cameras,
+           const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
+           simulator::Refusals::Tell tell);
+    /// With one camera.
     Bridge(const render::Renderer& renderer, const CameraModel& camera,
            const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
            simulator::Refusals::Tell tell);
@@ -76,9 +85,21 @@ class Bridge {
     const Latencies& latencies() const { return m_latencies; }
 
   private:
+    /// What is published of one camera.
+    struct Outgoing {
+        Topics topics;
+        std::string frameId;
+        transport::Node::Publisher image;
+        transport::Node::Publisher depth;  ///< unless depth is not wanted
+        transport::Node::Publisher labels; ///< unless there is no overlay
+        transport::Node::Publisher info;
+        transport::Node::Publisher report;
+    };
+
+    Outgoing advertised(const render::RigCamera& camera);
     template <class Message>
     void takePoses(const Message& message);
-    void takePicture(simulator::OverlayPart part, const msgs::Image& message);
+    void takePicture(simulator::OverlayPart part, const msgs::Image& message, std::size_t camera);
     void publish(const simulator::Frame& frame);
     bool hasListeners() const;
     void followListeners();
@@ -100,11 +121,7 @@ class Bridge {
     msgs::CameraInfo m_info;
     msgs::Param m_report;
     bool m_isOverlaySubscribed = false;
-    transport::Node::Publisher m_imagePublisher;
-    transport::Node::Publisher m_depthPublisher;  ///< unless depth is not wanted
-    transport::Node::Publisher m_labelsPublisher; ///< unless there is no overlay
-    transport::Node::Publisher m_infoPublisher;
-    transport::Node::Publisher m_reportPublisher;
+    std::vector<Outgoing> m_outgoing; ///< one a camera
     simulator::SimulatedCamera m_camera;
     transport::Node m_node; ///< last: its callbacks use the others
 };

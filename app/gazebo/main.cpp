@@ -59,8 +59,10 @@ void SimulatorOptions::declare(const program::Command& command) {
         .showDefault();
     m_stream.declare(command);
     command
-        .option("--mount", m_mount,
-                "Pose of the camera (x forward) on the link whose poses come: \"x y z qx qy qz qw\"")
+        .option(
+            "--mount", m_mount,
+            "Pose of the camera (x forward) or of the rig's frame on the link whose poses come: \"x y z qx "
+            "qy qz qw\"")
         .showDefault();
     command
         .option("--room-from-world", m_roomFromWorld,
@@ -137,7 +139,8 @@ void declareTopics(const program::Command& app, Options& options) {
         .required();
     app.option("--image", topics.image,
                "Topic of two levels or more for the pictures; camera_info, report, and with objects labels "
-               "go beside it")
+               "go beside it. With --rig, each camera's name comes before the last level, there and in the "
+               "overlay's topics")
         .required();
     app.option("--frame-id", options.bridge.frameId,
                "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "
@@ -171,14 +174,25 @@ simulator::CameraOptions cameraOptions(const Options& options) {
     return camera;
 }
 
+/// The camera, or those of the rig, whose file says which axes they have.
+std::vector<render::RigCamera> camerasOf(const Options& options, simulator::CameraOptions& camera) {
+    std::vector<render::RigCamera> rig = options.render.rig();
+    if (rig.empty()) {
+        return {{"", options.bridge.frameId, options.render.cameraModel().intrinsics(), Rigid3()}};
+    }
+    render::placesOnRig(rig, options.render.rigFile());
+    camera.mounting.axes = simulator::CameraAxes::Optical;
+    return rig;
+}
+
 int run(Options& options, const std::stop_token& stop) {
     BridgeOptions& wanted = options.bridge;
     wanted.frameId = wanted.frameId.empty() ? wanted.frame + "_optical" : wanted.frameId;
     wanted.topics.validate();
-    const simulator::CameraOptions camera = cameraOptions(options);
-    const CameraModel model = options.render.cameraModel();
+    simulator::CameraOptions camera = cameraOptions(options);
+    const std::vector<render::RigCamera> cameras = camerasOf(options, camera);
     const render::Renderer renderer = options.render.renderer(noProgress(), stop);
-    Bridge bridge(renderer, model, camera, wanted,
+    Bridge bridge(renderer, cameras, camera, wanted,
                   [](const std::string& sentence) { printLine(stderr, sentence); });
     printLine(stderr, text("Waits for poses of ", wanted.frame, "; pictures go to ", wanted.topics.image,
                            ". Ctrl-C ends it."));
@@ -193,7 +207,7 @@ int runProgram(int argc, char** argv) {
                               "spherewalk-gz " SPHEREWALK_VERSION);
     const program::Command command = line.program();
     Options options;
-    options.render.declare(command);
+    options.render.declare(command, "Folder of the dataset", true);
     declareTopics(command, options);
     options.simulator.declare(command);
     command.flag("--json", options.isJson, "Print the summary at the end as one JSON object");

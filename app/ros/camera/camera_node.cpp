@@ -28,9 +28,14 @@ const NodeOptions& complete(const NodeOptions& options) {
         throw Error(ErrorKind::InvalidInput,
                     "The parameter dataset is missing: set it to the dataset's folder.");
     }
-    if (options.cameraInfoUrl.empty()) {
+    if (options.cameraInfoUrl.empty() && options.rig.empty()) {
         throw Error(ErrorKind::InvalidInput, "The parameter camera_info_url is missing: set it to the "
-                                             "camera-info YAML of the robot's camera.");
+                                             "camera-info YAML of the robot's camera, or rig to that of "
+                                             "several cameras.");
+    }
+    if (!options.cameraInfoUrl.empty() && !options.rig.empty()) {
+        throw Error(ErrorKind::InvalidInput, "The parameters camera_info_url and rig are both set: the rig's "
+                                             "file names the cameras, so leave camera_info_url out.");
     }
     return options;
 }
@@ -43,10 +48,41 @@ render::Renderer openRenderer(const NodeOptions& options) {
                             renderer);
 }
 
-CameraModel readCamera(const std::string& urlOrFile) {
+std::string fileOf(const std::string& urlOrFile) {
     constexpr std::string_view kFile = "file://";
-    return CameraModel(
-        render::readCameraInfo(urlOrFile.starts_with(kFile) ? urlOrFile.substr(kFile.size()) : urlOrFile));
+    return urlOrFile.starts_with(kFile) ? urlOrFile.substr(kFile.size()) : urlOrFile;
+}
+
+/// The cameras of the rig; without a rig, one that sits at the camera's frame.
+std::vector<render::RigCamera> readCameras(const NodeOptions& options) {
+    complete(options);
+    if (!options.rig.empty()) {
+        return render::readRig(fileOf(options.rig));
+    }
+    return {{"camera", options.cameraFrame, render::readCameraInfo(fileOf(options.cameraInfoUrl)), Rigid3()}};
+}
+
+std::vector<simulator::MountedCamera> mounted(const std::vector<render::RigCamera>& cameras) {
+    std::vector<simulator::MountedCamera> result;
+    for (const render::RigCamera& camera : cameras) {
+        result.push_back({CameraModel(camera.camera), camera.rigFromOptical.value_or(Rigid3())});
+    }
+    return result;
+}
+
+std::vector<PublishedCamera> published(const std::vector<render::RigCamera>& cameras,
+                                       const NodeOptions& options) {
+    const DepthEncoding depth = depthEncoding(options.depth);
+    std::vector<PublishedCamera> result;
+    for (const render::RigCamera& camera : cameras) {
+        result.push_back(
+            {camera.name, camera.frameId,
+             depth == DepthEncoding::None
+                 ? ""
+                 : text(camera.name, depth == DepthEncoding::Metres ? "/depth/image" : "/depth/image_raw"),
+             options.overlay == "none" ? "" : camera.name + "/labels/image_raw"});
+    }
+    return result;
 }
 
 OverlayPart partOf(OverlayTopic topic) {
@@ -65,10 +101,16 @@ std::uint64_t sum(const simulator::Refusals::Counts& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-std::string waitingFor(const CameraCounters& counters, const NodeOptions& options) {
-    return counters.poses == 0
-               ? text("waiting for transforms from ", options.roomFrame, " to ", options.cameraFrame)
-               : "nobody listens, or no pose comes";
+/// frames: that the cameras sit on.
+std::string waitingFor(const CameraCounters& counters, const std::string& roomFrame,
+                       const std::vector<std::string>& frames) {
+    std::string list;
+    for (auto frame = frames.begin(); frame != frames.end(); ++frame) {
+        const bool isKnown = std::find(frames.begin(), frame, *frame) != frame;
+        list += isKnown ? "" : text(list.empty() ? "" : ", ", *frame);
+    }
+    return counters.poses == 0 ? text("waiting for transforms from ", roomFrame, " to ", list)
+                               : "nobody listens, or no pose comes";
 }
 
 } // namespace
@@ -80,7 +122,8 @@ class CameraDiagnostics {
     void add(const simulator::Frame& frame);
 
     /// Tells what happened since the last call.
-    Diagnostics since(const simulator::CameraCounters& counters, const NodeOptions& options);
+    /// idle: what to say if there were no frames and nothing else.
+    Diagnostics since(const simulator::CameraCounters& counters, const std::string& idle);
 
   private:
     double m_leastTrust = 1;
@@ -99,7 +142,7 @@ void CameraDiagnostics::add(const simulator::Frame& frame) {
     m_offsetM = frame.view.report.offsetM;
 }
 
-Diagnostics CameraDiagnostics::since(const CameraCounters& now, const NodeOptions& options) {
+Diagnostics CameraDiagnostics::since(const CameraCounters& now, const std::string& idle) {
     Diagnostics status;
     const auto put = [&](const std::string& key, const std::string& value) {
         status.values.emplace_back(key, value);
@@ -130,7 +173,7 @@ Diagnostics CameraDiagnostics::since(const CameraCounters& now, const NodeOption
         put(text("refused so far: ", name(static_cast<simulator::Refusal>(kind))), text(now.refused[kind]));
     }
     if (status.message.empty()) {
-        status.message = frames > 0 ? "giving frames" : waitingFor(now, options);
+        status.message = frames > 0 ? "giving frames" : idle;
     }
     *this = {};
     m_last = now;
@@ -151,19 +194,33 @@ const char* nameOf(OverlayTopic topic) {
 
 struct CameraNode::State {
     State(const NodeOptions& wanted, GiveFrame give, Tell tell)
-        : options(complete(wanted)),
+        : options(wanted),
+          rig(readCameras(wanted)),
+          cameras(published(rig, wanted)),
+          frames(framesOf(rig, wanted)),
           giveFrame(std::move(give)),
           camera(
-              openRenderer(wanted), readCamera(wanted.cameraInfoUrl), cameraOptions(wanted),
+              openRenderer(wanted), mounted(rig), cameraOptions(wanted),
               [this](const simulator::Frame& frame) { publish(frame); }, std::move(tell)) {}
+
+    /// The frame that each camera sits on: the camera's own where transforms tell its place on the rig.
+    static std::vector<std::string> framesOf(const std::vector<render::RigCamera>& rig,
+                                             const NodeOptions& options) {
+        std::vector<std::string> frames;
+        for (const render::RigCamera& camera : rig) {
+            frames.push_back(camera.rigFromOptical ? options.cameraFrame : camera.frameId);
+        }
+        return frames;
+    }
 
     void publish(const simulator::Frame& frame) {
         const RgbImage& picture = frame.view.picture;
-        giveFrame({frame.stamp,
+        giveFrame({frame.index,
+                   frame.stamp,
                    {picture.width(), picture.height(), "rgb8", 3, picture.values().data()},
                    depthOf(frame.view.depth),
                    labelsOf(frame.view.labels),
-                   calibration(frame.camera)});
+                   render::stereoCalibration(frame.camera, frame.baselineM)});
         const std::scoped_lock lock(mutex);
         diagnostics.add(frame);
     }
@@ -191,15 +248,38 @@ struct CameraNode::State {
         return published("16UC1", millimetres.values());
     }
 
+    /// The newest time at which all cameras' places are known; Stamp::max() if they never change. With the
+    /// lock held.
+    std::optional<Stamp> newest() const {
+        Stamp newest = Stamp::max();
+        for (const std::string& frame : frames) {
+            const std::optional<Stamp> of = tree.newest(options.roomFrame, frame);
+            if (!of) {
+                return std::nullopt;
+            }
+            newest = std::min(newest, *of);
+        }
+        return newest;
+    }
+
     /// With the lock held.
     void takeNewest(Stamp newest) {
-        if (const auto pose = tree.at(options.roomFrame, options.cameraFrame, newest)) {
-            lastPose = newest;
-            camera.takePose(newest, *pose);
+        std::vector<Rigid3> poses;
+        for (const std::string& frame : frames) {
+            const std::optional<Rigid3> pose = tree.at(options.roomFrame, frame, newest);
+            if (!pose) {
+                return;
+            }
+            poses.push_back(*pose);
         }
+        lastPose = newest;
+        camera.takePoses(newest, poses);
     }
 
     const NodeOptions options;
+    const std::vector<render::RigCamera> rig;
+    const std::vector<PublishedCamera> cameras;
+    const std::vector<std::string> frames;
     const DepthEncoding depthKind = depthEncoding(options.depth);
     GiveFrame giveFrame;
     Image<std::uint16_t, 1> millimetres; ///< of the rendering thread
@@ -230,20 +310,13 @@ std::vector<OverlayTopic> CameraNode::overlayTopics() const {
     return {OverlayTopic::Colour, OverlayTopic::Depth};
 }
 
-std::string CameraNode::depthTopic() const {
-    switch (m_state->depthKind) {
-    case DepthEncoding::Metres:
-        return "camera/depth/image";
-    case DepthEncoding::Millimetres:
-        return "camera/depth/image_raw";
-    case DepthEncoding::None:
-        break;
-    }
-    return "";
+const std::vector<PublishedCamera>& CameraNode::cameras() const {
+    return m_state->cameras;
 }
 
-std::string CameraNode::labelsTopic() const {
-    return m_state->options.overlay == "none" ? "" : "camera/labels/image_raw";
+std::string CameraNode::overlayTopic(OverlayTopic topic, std::size_t camera) const {
+    return m_state->options.rig.empty() ? nameOf(topic)
+                                        : text(m_state->cameras[camera].name, "/", nameOf(topic));
 }
 
 void CameraNode::takeTransform(const Transform& transform, bool isStatic) {
@@ -253,7 +326,7 @@ void CameraNode::takeTransform(const Transform& transform, bool isStatic) {
         state.camera.refuse(refused->kind, refused->sentence);
         return;
     }
-    const auto newest = state.tree.newest(state.options.roomFrame, state.options.cameraFrame);
+    const auto newest = state.newest();
     if (newest && newest != Stamp::max() && newest != state.lastPose) {
         state.takeNewest(*newest);
     }
@@ -262,7 +335,7 @@ void CameraNode::takeTransform(const Transform& transform, bool isStatic) {
 void CameraNode::takeTime(Stamp now) {
     State& state = *m_state;
     const std::scoped_lock lock(state.mutex);
-    if (state.tree.newest(state.options.roomFrame, state.options.cameraFrame) == Stamp::max()) {
+    if (state.newest() == Stamp::max()) {
         state.takeNewest(now);
     }
 }
@@ -277,31 +350,45 @@ void CameraNode::takePose(const std::string& frame, Stamp stamp, const Rigid3& f
                                                    state.options.roomFrame, " at its time."));
         return;
     }
-    state.camera.takePose(stamp, *roomFromFrame * frameFromCamera);
+    std::vector<Rigid3> poses;
+    for (const std::string& of : state.frames) {
+        const std::optional<Rigid3> rigFromCamera = state.tree.at(state.options.cameraFrame, of, stamp);
+        if (!rigFromCamera) {
+            state.camera.refuse(Refusal::FrameId, text("A pose of ", state.options.cameraFrame,
+                                                       " came and was not used; no "
+                                                       "transform leads from it to the camera's frame ",
+                                                       printable(of), " at its time."));
+            return;
+        }
+        poses.push_back(*roomFromFrame * frameFromCamera * *rigFromCamera);
+    }
+    state.camera.takePoses(stamp, poses);
 }
 
-void CameraNode::takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture) {
+void CameraNode::takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture, std::size_t camera) {
     m_state->camera.takeOverlay(partOf(topic), stamp,
                                 {picture.width,
                                  picture.height,
                                  picture.stepBytes,
                                  picture.encoding,
                                  picture.isBigEndian,
-                                 {picture.bytes, picture.sizeBytes}});
+                                 {picture.bytes, picture.sizeBytes}},
+                                camera);
 }
 
 void CameraNode::setListening(bool isListening) {
     m_state->camera.setListening(isListening);
 }
 
-void CameraNode::setCamera(const Calibration& calibration) {
-    m_state->camera.setCamera(CameraModel(intrinsicsOf(calibration)));
+void CameraNode::setCamera(const Calibration& calibration, std::size_t camera) {
+    m_state->camera.setCamera(CameraModel(intrinsicsOf(calibration)), camera);
 }
 
 Diagnostics CameraNode::diagnostics() {
     const simulator::CameraCounters counters = m_state->camera.counters();
     const std::scoped_lock lock(m_state->mutex);
-    return m_state->diagnostics.since(counters, m_state->options);
+    return m_state->diagnostics.since(counters,
+                                      waitingFor(counters, m_state->options.roomFrame, m_state->frames));
 }
 
 } // namespace spherewalk::ros

@@ -21,11 +21,13 @@ using Stamp = std::chrono::nanoseconds;
 
 /// The parameters of a node in every middleware. ROS spells their names with underscores: room_frame.
 struct NodeOptions {
-    std::string dataset;                        ///< Folder of the dataset.
-    std::string cameraInfoUrl;                  ///< ROS camera-info YAML; "file://" in front is dropped.
-    std::string roomFrame = "map";              ///< Frame of the dataset's room.
-    std::string cameraFrame = "camera_optical"; ///< Optical frame: z forward, x right, y down.
-    double rate = 30;                           ///< Frames a second; 0: one for each pose.
+    std::string dataset;           ///< Folder of the dataset.
+    std::string cameraInfoUrl;     ///< ROS camera-info YAML; "file://" in front is dropped.
+    std::string rig;               ///< YAML of a rig of cameras, in place of one camera.
+    std::string roomFrame = "map"; ///< Frame of the dataset's room.
+    /// Optical frame: z forward, x right, y down. Of a rig, the frame in which its file places cameras.
+    std::string cameraFrame = "camera_optical";
+    double rate = 30; ///< Frames a second; 0: one for each pose.
     std::string scene = "auto";
     std::string sampling = "best";
     std::string late = "wait";            ///< "wait", "coarse" or "previous".
@@ -68,8 +70,21 @@ struct PublishedPicture {
     const std::uint8_t* bytes = nullptr; ///< Null without a picture.
 };
 
-/// A frame to be published. Its messages have the same stamp.
+/// A camera whose frames are published. Topics are relative to the name space of the node.
+struct PublishedCamera {
+    std::string name;    ///< Of the topics: "camera", or the camera's name in its rig.
+    std::string frameId; ///< Of the headers.
+    /// Depth images: camera/depth/image for 32FC1 and camera/depth/image_raw for 16UC1 (REP 118). Empty
+    /// without depth images.
+    std::string depthTopic;
+    /// Pictures that tell the laid-in object of each pixel: the overlay's labels, 65535 for an object without
+    /// one, 0 for the room. Empty without an overlay.
+    std::string labelsTopic;
+};
+
+/// A frame to be published. Its messages have the same stamp, which is that of all cameras of a rig.
 struct PublishedFrame {
+    std::size_t camera = 0;  ///< Index in CameraNode::cameras().
     Stamp stamp{};           ///< Time of the pose that the frame shows.
     PublishedPicture image;  ///< rgb8
     PublishedPicture depth;  ///< As REP 118 says; none without NodeOptions::depth.
@@ -86,7 +101,8 @@ struct Diagnostics {
 
 enum class OverlayTopic { Colour, Depth, Labels };
 
-/// The topic's name, relative to the camera's name space.
+/// The topic's name, relative to the name space of a node with one camera. Those of a rig's cameras begin
+/// with the camera's name: left/overlay/depth.
 const char* nameOf(OverlayTopic topic);
 
 /// A node without its middleware: an adapter hands over messages and publishes frames. Each time at which the
@@ -107,14 +123,12 @@ class CameraNode {
     CameraNode& operator=(const CameraNode&) = delete;
 
     const NodeOptions& options() const;
-    /// The topics that the adapter subscribes for the overlay; empty without an overlay.
+    /// One camera, or those of the rig in the order of its file.
+    const std::vector<PublishedCamera>& cameras() const;
+    /// The pictures that the adapter subscribes for each camera's overlay; empty without an overlay.
     std::vector<OverlayTopic> overlayTopics() const;
-    /// The topic of depth images, relative to the camera's name space: camera/depth/image for 32FC1 and
-    /// camera/depth/image_raw for 16UC1 (REP 118). Empty without depth images.
-    std::string depthTopic() const;
-    /// The topic of pictures that tell the laid-in object of each pixel, likewise: the overlay's labels,
-    /// 65535 for an object without one, 0 for the room. Empty without an overlay.
-    std::string labelsTopic() const;
+    /// The topic of such pictures of a camera.
+    std::string overlayTopic(OverlayTopic topic, std::size_t camera) const;
 
     /// isStatic: the transform came on /tf_static and holds at all times.
     void takeTransform(const Transform& transform, bool isStatic);
@@ -122,17 +136,17 @@ class CameraNode {
     /// Tells the time. Where only static transforms connect room and camera, each call gives a pose.
     void takeTime(Stamp now);
 
-    /// Takes a pose of the camera that is no transform. frame: the frame of reference, the room or a frame
-    /// that transforms connect with the room.
+    /// Takes a pose of the camera, or of the frame of its rig, that is no transform. frame: the frame of
+    /// reference, the room or a frame that transforms connect with the room.
     void takePose(const std::string& frame, Stamp stamp, const Rigid3& frameFromCamera);
 
-    void takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture);
+    void takeOverlay(OverlayTopic topic, Stamp stamp, const Picture& picture, std::size_t camera = 0);
 
     /// Frames are rendered only while somebody listens.
     void setListening(bool isListening);
 
-    /// Replaces the camera for the following frames. Errors: those of intrinsicsOf().
-    void setCamera(const Calibration& calibration);
+    /// Replaces a camera for the following frames. Errors: those of intrinsicsOf().
+    void setCamera(const Calibration& calibration, std::size_t camera = 0);
 
     /// What happened since the last call.
     Diagnostics diagnostics();

@@ -89,9 +89,10 @@ Message statusOf(const Diagnostics& diagnostics, const std::string& node) {
 
 /// Gives the camera to the node, and fills the response of SetCameraInfo.
 template <class Response>
-void answerSetCamera(CameraNode& node, const Calibration& calibration, Response& response) {
+void answerSetCamera(CameraNode& node, const Calibration& calibration, std::size_t camera,
+                     Response& response) {
     try {
-        node.setCamera(calibration);
+        node.setCamera(calibration, camera);
         response.success = true;
         response.status_message = "The camera is used until the node ends; its file is unchanged.";
     } catch (const Error& error) {

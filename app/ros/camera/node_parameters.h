@@ -30,8 +30,10 @@ void visitParameters(NodeOptions& options, const Visit& visit) {
     visit("dataset", "Folder of the dataset", options.dataset);
     visit("camera_info_url", "Camera-info YAML of the robot's camera: a path or file://",
           options.cameraInfoUrl);
+    visit("rig", "YAML of a rig of cameras, in place of camera_info_url", options.rig);
     visit("room_frame", "Frame of the dataset's room", options.roomFrame);
-    visit("camera_frame", "Optical frame of the camera: z forward, x right, y down", options.cameraFrame);
+    visit("camera_frame", "Optical frame of the camera: z forward, x right, y down; of a rig, its own frame",
+          options.cameraFrame);
     visit("rate", "Frames a second of the transforms' time; 0: one for each pose", options.rate);
     visit("scene", "none, sphere, room, depth, blend, or auto", options.scene);
     visit("sampling", "nearest, bilinear, reduced, footprint, bicubic, best, or auto", options.sampling);

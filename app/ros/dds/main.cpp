@@ -7,10 +7,12 @@
 
 #include "spherewalk/base/error.h"
 
-#include <atomic>
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace spherewalk::ros {
 
@@ -36,10 +38,20 @@ class DdsNode {
   private:
     using Clock = std::chrono::steady_clock;
 
+    /// Writers of one camera; 0 for what is not wanted.
+    struct Writers {
+        dds_entity_t images = 0;
+        dds_entity_t infos = 0;
+        dds_entity_t depths = 0;
+        dds_entity_t depthInfos = 0;
+        dds_entity_t labels = 0;
+    };
+
     std::string topic(const std::string& name) const;
+    Writers writersOf(const PublishedCamera& camera);
     void readPoses();
-    void readOverlay(OverlayTopic topic);
-    void readCamera();
+    void readOverlay(OverlayTopic topic, std::size_t camera);
+    void readCamera(std::size_t camera);
     void publish(const PublishedFrame& frame);
     void publishDiagnostics();
     bool hasReaders() const;
@@ -47,39 +59,29 @@ class DdsNode {
 
     DdsOptions m_options;
     DdsPort m_port;
-    dds_entity_t m_images;
-    dds_entity_t m_infos;
     dds_entity_t m_diagnostics;
-    std::atomic<dds_entity_t> m_depths = 0; ///< 0 without depth
-    std::atomic<dds_entity_t> m_depthInfos = 0;
-    std::atomic<dds_entity_t> m_labels = 0; ///< 0 without an overlay
-    Stamp m_clock{};                        ///< what /clock said last
-    CameraNode m_node;                      ///< after what its thread writes to
+    std::vector<Writers> m_writers; ///< one a camera; constant once somebody listens
+    Stamp m_clock{};                ///< what /clock said last
+    CameraNode m_node;              ///< after what its thread writes to
 };
 
 DdsNode::DdsNode(const DdsOptions& options)
     : m_options(options),
       m_port(options.domain),
-      m_images(m_port.writer(topic("camera/image_raw"), sensor_msgs_msg_dds__Image__desc, Quality::Sensor)),
-      m_infos(
-          m_port.writer(topic("camera/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc, Quality::Sensor)),
       m_diagnostics(
           m_port.writer("/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc, Quality::Reliable)),
       m_node(
           options.node, [this](const PublishedFrame& frame) { publish(frame); },
           [](const std::string& sentence) { program::printLine(stderr, sentence); }) {
-    if (const std::string depth = m_node.depthTopic(); !depth.empty()) {
-        m_depths = m_port.writer(topic(depth), sensor_msgs_msg_dds__Image__desc, Quality::Sensor);
-        m_depthInfos = m_port.writer(topic("camera/depth/camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
-                                     Quality::Sensor);
-    }
-    if (const std::string labels = m_node.labelsTopic(); !labels.empty()) {
-        m_labels = m_port.writer(topic(labels), sensor_msgs_msg_dds__Image__desc, Quality::Sensor);
+    for (const PublishedCamera& camera : m_node.cameras()) {
+        m_writers.push_back(writersOf(camera));
     }
     readPoses();
-    readCamera();
-    for (const OverlayTopic overlay : m_node.overlayTopics()) {
-        readOverlay(overlay);
+    for (std::size_t camera = 0; camera < m_writers.size(); ++camera) {
+        readCamera(camera);
+        for (const OverlayTopic overlay : m_node.overlayTopics()) {
+            readOverlay(overlay, camera);
+        }
     }
     if (options.usesSimTime) {
         m_port.read<ClockMessage>("/clock", rosgraph_msgs_msg_dds__Clock__desc, Quality::Sensor,
@@ -90,6 +92,24 @@ DdsNode::DdsNode(const DdsOptions& options)
 std::string DdsNode::topic(const std::string& name) const {
     const std::string& in = m_options.nameSpace;
     return (in.starts_with('/') ? "" : "/") + in + (in.ends_with('/') ? "" : "/") + name;
+}
+
+DdsNode::Writers DdsNode::writersOf(const PublishedCamera& camera) {
+    const auto writer = [this](const std::string& name, const dds_topic_descriptor_t& type) {
+        return m_port.writer(topic(name), type, Quality::Sensor);
+    };
+    Writers writers;
+    writers.images = writer(camera.name + "/image_raw", sensor_msgs_msg_dds__Image__desc);
+    writers.infos = writer(camera.name + "/camera_info", sensor_msgs_msg_dds__CameraInfo__desc);
+    if (!camera.depthTopic.empty()) {
+        writers.depths = writer(camera.depthTopic, sensor_msgs_msg_dds__Image__desc);
+        writers.depthInfos =
+            writer(camera.name + "/depth/camera_info", sensor_msgs_msg_dds__CameraInfo__desc);
+    }
+    if (!camera.labelsTopic.empty()) {
+        writers.labels = writer(camera.labelsTopic, sensor_msgs_msg_dds__Image__desc);
+    }
+    return writers;
 }
 
 void DdsNode::readPoses() {
@@ -111,23 +131,25 @@ void DdsNode::readPoses() {
                              });
 }
 
-void DdsNode::readOverlay(OverlayTopic overlay) {
-    m_port.read<ImageMessage>(topic(nameOf(overlay)), sensor_msgs_msg_dds__Image__desc, Quality::Sensor,
-                              [this, overlay](const ImageMessage& message) {
+void DdsNode::readOverlay(OverlayTopic overlay, std::size_t camera) {
+    m_port.read<ImageMessage>(topic(m_node.overlayTopic(overlay, camera)), sensor_msgs_msg_dds__Image__desc,
+                              Quality::Sensor, [this, overlay, camera](const ImageMessage& message) {
                                   const std::string encoding = message.encoding;
                                   m_node.takeOverlay(overlay, stampOf(message.header.stamp),
                                                      {message.width, message.height, message.step, encoding,
                                                       message.is_bigendian != 0, message.data._buffer,
-                                                      message.data._length});
+                                                      message.data._length},
+                                                     camera);
                               });
 }
 
 /// ROS 2's services are laid out differently by each of its middlewares; a topic is the same for all.
-void DdsNode::readCamera() {
-    m_port.read<CameraInfoMessage>(topic("camera/set_camera_info"), sensor_msgs_msg_dds__CameraInfo__desc,
-                                   Quality::Reliable, [this](const CameraInfoMessage& message) {
+void DdsNode::readCamera(std::size_t camera) {
+    m_port.read<CameraInfoMessage>(topic(m_node.cameras()[camera].name + "/set_camera_info"),
+                                   sensor_msgs_msg_dds__CameraInfo__desc, Quality::Reliable,
+                                   [this, camera](const CameraInfoMessage& message) {
                                        try {
-                                           m_node.setCamera(calibrationOf(message));
+                                           m_node.setCamera(calibrationOf(message), camera);
                                        } catch (const Error& error) {
                                            program::printLine(stderr, error.sentence());
                                        }
@@ -135,19 +157,20 @@ void DdsNode::readCamera() {
 }
 
 void DdsNode::publish(const PublishedFrame& frame) {
-    const std::string& frameId = m_node.options().cameraFrame;
+    const std::string& frameId = m_node.cameras()[frame.camera].frameId;
+    const Writers& writers = m_writers[frame.camera];
     const CameraInfoMessage info = cameraInfoOf(frame, frameId);
     const ImageMessage image = imageOf(frame, frame.image, frameId);
-    DdsPort::write(m_infos, &info);
-    DdsPort::write(m_images, &image);
-    if (m_depths != 0 && frame.depth.bytes != nullptr) {
+    DdsPort::write(writers.infos, &info);
+    DdsPort::write(writers.images, &image);
+    if (writers.depths != 0 && frame.depth.bytes != nullptr) {
         const ImageMessage depth = imageOf(frame, frame.depth, frameId);
-        DdsPort::write(m_depthInfos, &info);
-        DdsPort::write(m_depths, &depth);
+        DdsPort::write(writers.depthInfos, &info);
+        DdsPort::write(writers.depths, &depth);
     }
-    if (m_labels != 0 && frame.labels.bytes != nullptr) {
+    if (writers.labels != 0 && frame.labels.bytes != nullptr) {
         const ImageMessage labels = imageOf(frame, frame.labels, frameId);
-        DdsPort::write(m_labels, &labels);
+        DdsPort::write(writers.labels, &labels);
     }
 }
 
@@ -182,7 +205,9 @@ Stamp DdsNode::now() const {
 
 bool DdsNode::hasReaders() const {
     const auto is = [](dds_entity_t writer) { return writer != 0 && DdsPort::readersOf(writer) > 0; };
-    return is(m_images) || is(m_infos) || is(m_depths) || is(m_depthInfos) || is(m_labels);
+    return std::any_of(m_writers.begin(), m_writers.end(), [&is](const Writers& of) {
+        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels);
+    });
 }
 
 void DdsNode::run(const std::stop_token& stop) {
@@ -208,7 +233,11 @@ namespace {
 void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOptions& options) {
     spherewalk::ros::NodeOptions& node = options.node;
     command.option("dataset", node.dataset, "Folder of the dataset").required();
-    command.option("--camera", node.cameraInfoUrl, "Camera: a ROS camera-info YAML").required();
+    const spherewalk::program::Command cameras =
+        command.oneOf("Camera", "One camera, or several that a robot carries");
+    cameras.option("--camera", node.cameraInfoUrl, "Camera: a ROS camera-info YAML");
+    cameras.option("--rig", node.rig,
+                   "Rig: a YAML that names cameras, their camera-info files, and where they sit");
     command.option("--namespace", options.nameSpace, "That the camera's topics are in").showDefault();
     command.option("--domain", options.domain, "DDS domain")
         .fromEnvironment("ROS_DOMAIN_ID")
@@ -216,7 +245,8 @@ void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOp
         .showDefault();
     command.flag("--sim-time", options.usesSimTime, "Time is what /clock says");
     command.option("--room-frame", node.roomFrame, "Frame of the dataset's room").showDefault();
-    command.option("--camera-frame", node.cameraFrame, "Optical frame of the camera").showDefault();
+    command.option("--camera-frame", node.cameraFrame, "Optical frame of the camera; of a rig, its own frame")
+        .showDefault();
     command.option("--rate", node.rate, "Frames a second of simulation time; 0: one for each pose")
         .showDefault();
     command.option("--scene", node.scene, "none, sphere, room, depth, blend, or auto").showDefault();

@@ -4,8 +4,10 @@
 #include "camera/message_fields.h"
 #include "camera/node_parameters.h"
 
+#include <algorithm>
 #include <builtin_interfaces/msg/time.hpp>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <exception>
@@ -91,60 +93,79 @@ class RclcppNode : public rclcpp::Node {
   private:
     using SetCameraInfo = sensor_msgs::srv::SetCameraInfo;
 
+    /// Publishers of one camera; null for what is not wanted.
+    struct Publishers {
+        rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr images;
+        rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr infos;
+        rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr depths;
+        rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr depthInfos;
+        rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr labels;
+    };
+
     NodeOptions readParameters();
+    void advertise(const PublishedCamera& camera);
     void subscribePoses();
-    void subscribe(OverlayTopic topic);
+    void subscribe(OverlayTopic topic, std::size_t camera);
     void publish(const PublishedFrame& frame);
     bool hasListeners() const;
     void publishDiagnostics();
-    void setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response);
 
-    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_images;
-    rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_infos;
-    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_depths; ///< null unless depth is wanted
-    rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr m_depthInfos;
-    rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr m_labels; ///< null without an overlay
+    std::vector<Publishers> m_publishers; ///< one a camera
     rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr m_diagnostics;
     std::unique_ptr<CameraNode> m_node;
     std::vector<rclcpp::SubscriptionBase::SharedPtr>
         m_subscriptions; ///< last: their callbacks use the others
-    rclcpp::Service<SetCameraInfo>::SharedPtr m_service;
+    std::vector<rclcpp::Service<SetCameraInfo>::SharedPtr> m_services; ///< one a camera
     std::vector<rclcpp::TimerBase::SharedPtr> m_timers;
 };
 
 constexpr std::size_t kTransformQueue = 100; ///< as tf2_ros has it
 
 RclcppNode::RclcppNode() : rclcpp::Node("spherewalk") {
-    // Offered reliably, which suits subscribers of both kinds.
-    m_images = create_publisher<sensor_msgs::msg::Image>("camera/image_raw", rclcpp::QoS(2));
-    m_infos = create_publisher<sensor_msgs::msg::CameraInfo>("camera/camera_info", rclcpp::QoS(2));
     m_diagnostics = create_publisher<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", rclcpp::QoS(10));
     m_node = std::make_unique<CameraNode>(
         readParameters(), [this](const PublishedFrame& frame) { publish(frame); },
         [logger = get_logger()](const std::string& sentence) {
             RCLCPP_WARN(logger, "%s", sentence.c_str());
         });
-    if (const std::string depth = m_node->depthTopic(); !depth.empty()) {
-        m_depths = create_publisher<sensor_msgs::msg::Image>(depth, rclcpp::QoS(2));
-        m_depthInfos =
-            create_publisher<sensor_msgs::msg::CameraInfo>("camera/depth/camera_info", rclcpp::QoS(2));
-    }
-    if (const std::string labels = m_node->labelsTopic(); !labels.empty()) {
-        m_labels = create_publisher<sensor_msgs::msg::Image>(labels, rclcpp::QoS(2));
+    for (const PublishedCamera& camera : m_node->cameras()) {
+        advertise(camera);
     }
     subscribePoses();
-    for (const OverlayTopic topic : m_node->overlayTopics()) {
-        subscribe(topic);
+    for (std::size_t camera = 0; camera < m_publishers.size(); ++camera) {
+        for (const OverlayTopic topic : m_node->overlayTopics()) {
+            subscribe(topic, camera);
+        }
     }
-    m_service = create_service<SetCameraInfo>(
-        "camera/set_camera_info",
-        [this](const SetCameraInfo::Request::SharedPtr request,
-               const SetCameraInfo::Response::SharedPtr response) { setCamera(*request, *response); });
     m_timers.push_back(create_wall_timer(std::chrono::milliseconds(10), [this] {
         m_node->setListening(hasListeners());
         m_node->takeTime(Stamp(get_clock()->now().nanoseconds()));
     }));
     m_timers.push_back(create_wall_timer(std::chrono::seconds(1), [this] { publishDiagnostics(); }));
+}
+
+void RclcppNode::advertise(const PublishedCamera& camera) {
+    // Offered reliably, which suits subscribers of both kinds.
+    using sensor_msgs::msg::CameraInfo;
+    using sensor_msgs::msg::Image;
+    const std::size_t index = m_publishers.size();
+    Publishers publishers;
+    publishers.images = create_publisher<Image>(camera.name + "/image_raw", rclcpp::QoS(2));
+    publishers.infos = create_publisher<CameraInfo>(camera.name + "/camera_info", rclcpp::QoS(2));
+    if (!camera.depthTopic.empty()) {
+        publishers.depths = create_publisher<Image>(camera.depthTopic, rclcpp::QoS(2));
+        publishers.depthInfos =
+            create_publisher<CameraInfo>(camera.name + "/depth/camera_info", rclcpp::QoS(2));
+    }
+    if (!camera.labelsTopic.empty()) {
+        publishers.labels = create_publisher<Image>(camera.labelsTopic, rclcpp::QoS(2));
+    }
+    m_publishers.push_back(publishers);
+    m_services.push_back(create_service<SetCameraInfo>(
+        camera.name + "/set_camera_info", [this, index](const SetCameraInfo::Request::SharedPtr request,
+                                                        const SetCameraInfo::Response::SharedPtr response) {
+            answerSetCamera(*m_node, calibrationOf(request->camera_info), index, *response);
+        }));
 }
 
 NodeOptions RclcppNode::readParameters() {
@@ -179,44 +200,47 @@ void RclcppNode::subscribePoses() {
         }));
 }
 
-void RclcppNode::subscribe(OverlayTopic topic) {
+void RclcppNode::subscribe(OverlayTopic topic, std::size_t camera) {
     m_subscriptions.push_back(create_subscription<sensor_msgs::msg::Image>(
-        nameOf(topic), rclcpp::SensorDataQoS(),
-        [this, topic](const sensor_msgs::msg::Image::ConstSharedPtr message) {
-            m_node->takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message));
+        m_node->overlayTopic(topic, camera), rclcpp::SensorDataQoS(),
+        [this, topic, camera](const sensor_msgs::msg::Image::ConstSharedPtr message) {
+            m_node->takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message), camera);
         }));
 }
 
 bool RclcppNode::hasListeners() const {
-    return m_images->get_subscription_count() > 0 || m_infos->get_subscription_count() > 0 ||
-           (m_depths &&
-            (m_depths->get_subscription_count() > 0 || m_depthInfos->get_subscription_count() > 0)) ||
-           (m_labels && m_labels->get_subscription_count() > 0);
+    const auto is = [](const auto& publisher) {
+        return publisher && publisher->get_subscription_count() > 0;
+    };
+    return std::any_of(m_publishers.begin(), m_publishers.end(), [&is](const Publishers& of) {
+        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels);
+    });
 }
 
 void RclcppNode::publish(const PublishedFrame& frame) {
     auto info = std::make_unique<sensor_msgs::msg::CameraInfo>();
     info->header.stamp = timeOf(frame.stamp);
-    info->header.frame_id = m_node->options().cameraFrame;
+    info->header.frame_id = m_node->cameras()[frame.camera].frameId;
+    const Publishers& publishers = m_publishers[frame.camera];
     fill(*info, frame.calibration);
     auto image = std::make_unique<sensor_msgs::msg::Image>();
     image->header = info->header;
     fillImage(*image, frame.image);
-    if (m_depths && frame.depth.bytes != nullptr) {
+    if (publishers.depths && frame.depth.bytes != nullptr) {
         auto depth = std::make_unique<sensor_msgs::msg::Image>();
         depth->header = info->header;
         fillImage(*depth, frame.depth);
-        m_depthInfos->publish(*info);
-        m_depths->publish(std::move(depth));
+        publishers.depthInfos->publish(*info);
+        publishers.depths->publish(std::move(depth));
     }
-    if (m_labels && frame.labels.bytes != nullptr) {
+    if (publishers.labels && frame.labels.bytes != nullptr) {
         auto labels = std::make_unique<sensor_msgs::msg::Image>();
         labels->header = info->header;
         fillImage(*labels, frame.labels);
-        m_labels->publish(std::move(labels));
+        publishers.labels->publish(std::move(labels));
     }
-    m_infos->publish(std::move(info));
-    m_images->publish(std::move(image));
+    publishers.infos->publish(std::move(info));
+    publishers.images->publish(std::move(image));
 }
 
 void RclcppNode::publishDiagnostics() {
@@ -225,10 +249,6 @@ void RclcppNode::publishDiagnostics() {
     message.status.push_back(
         statusOf<diagnostic_msgs::msg::DiagnosticStatus>(m_node->diagnostics(), get_fully_qualified_name()));
     m_diagnostics->publish(message);
-}
-
-void RclcppNode::setCamera(const SetCameraInfo::Request& request, SetCameraInfo::Response& response) {
-    answerSetCamera(*m_node, calibrationOf(request.camera_info), response);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseStamped.h>
@@ -72,26 +74,30 @@ class Ros1Node {
     Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options);
 
   private:
-    void subscribe(OverlayTopic topic);
+    /// Publishers of one camera.
+    struct Publishers {
+        image_transport::CameraPublisher images;
+        image_transport::CameraPublisher depths; ///< unless no depth is wanted
+        ::ros::Publisher labels; ///< Unless there is no overlay. No transport that may lose pixels.
+    };
+
+    void advertise(const PublishedCamera& camera);
+    void subscribe(OverlayTopic topic, std::size_t camera);
     void listen();
     void publish(const PublishedFrame& frame);
     void publishDiagnostics();
-    bool setCamera(sensor_msgs::SetCameraInfo::Request& request,
-                   sensor_msgs::SetCameraInfo::Response& response);
     void takeTransforms(const tf2_msgs::TFMessage& message, bool isStatic);
 
     ::ros::NodeHandle m_handle;
     image_transport::ImageTransport m_transport;
-    image_transport::CameraPublisher m_publisher;
-    image_transport::CameraPublisher m_depthPublisher; ///< unless no depth is wanted
-    ::ros::Publisher m_labels; ///< Unless there is no overlay. No transport that may lose pixels.
+    std::vector<Publishers> m_publishers; ///< one a camera
     ::ros::Publisher m_diagnostics;
     sensor_msgs::Image m_image;     ///< of the rendering thread
     sensor_msgs::CameraInfo m_info; ///< of the rendering thread
     CameraNode m_node;
     std::vector<::ros::Subscriber> m_subscribers; ///< last: their callbacks use the others
-    ::ros::ServiceServer m_service;
-    ::ros::Timer m_clock;         ///< of ROS's time
+    std::vector<::ros::ServiceServer> m_services; ///< one a camera
+    ::ros::Timer m_clock;                         ///< of ROS's time
     ::ros::WallTimer m_listening; ///< who comes and goes without a callback: remote subscribers that die
     ::ros::WallTimer m_diagnosing;
 };
@@ -125,18 +131,11 @@ Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
       m_node(
           options, [this](const PublishedFrame& frame) { publish(frame); },
           [](const std::string& sentence) { ROS_WARN("%s", sentence.c_str()); }) {
-    const auto changed = [this](const auto&) { listen(); };
-    m_publisher = m_transport.advertiseCamera("camera/image_raw", frameQueue(options), changed, changed,
-                                              changed, changed);
-    if (const std::string depth = m_node.depthTopic(); !depth.empty()) {
-        m_depthPublisher =
-            m_transport.advertiseCamera(depth, frameQueue(options), changed, changed, changed, changed);
-    }
-    if (const std::string labels = m_node.labelsTopic(); !labels.empty()) {
-        m_labels = m_handle.advertise<sensor_msgs::Image>(labels, frameQueue(options), changed, changed);
+    m_publishers.reserve(m_node.cameras().size());
+    for (const PublishedCamera& camera : m_node.cameras()) {
+        advertise(camera);
     }
     m_diagnostics = m_handle.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
-    m_service = m_handle.advertiseService("camera/set_camera_info", &Ros1Node::setCamera, this);
     m_subscribers.push_back(m_handle.subscribe<tf2_msgs::TFMessage>(
         "/tf_static", kTransformQueue,
         [this](const tf2_msgs::TFMessage::ConstPtr& message) { takeTransforms(*message, true); }));
@@ -148,8 +147,10 @@ Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
         "camera/pose", kTransformQueue, [this](const geometry_msgs::PoseStamped::ConstPtr& message) {
             m_node.takePose(message->header.frame_id, stampOf(message->header.stamp), poseOf(message->pose));
         }));
-    for (const OverlayTopic topic : m_node.overlayTopics()) {
-        subscribe(topic);
+    for (std::size_t camera = 0; camera < m_publishers.size(); ++camera) {
+        for (const OverlayTopic topic : m_node.overlayTopics()) {
+            subscribe(topic, camera);
+        }
     }
     if (options.rate > 0) {
         m_clock = m_handle.createTimer(::ros::Duration(1 / options.rate), [this](const ::ros::TimerEvent&) {
@@ -162,35 +163,65 @@ Ros1Node::Ros1Node(const ::ros::NodeHandle& handle, const NodeOptions& options)
                                             [this](const ::ros::WallTimerEvent&) { publishDiagnostics(); });
 }
 
-void Ros1Node::subscribe(OverlayTopic topic) {
+void Ros1Node::advertise(const PublishedCamera& camera) {
+    using SetCameraInfo = sensor_msgs::SetCameraInfo;
+    const std::uint32_t queue = frameQueue(m_node.options());
+    const auto changed = [this](const auto&) { listen(); };
+    const std::size_t index = m_publishers.size();
+    Publishers publishers;
+    publishers.images =
+        m_transport.advertiseCamera(camera.name + "/image_raw", queue, changed, changed, changed, changed);
+    if (!camera.depthTopic.empty()) {
+        publishers.depths =
+            m_transport.advertiseCamera(camera.depthTopic, queue, changed, changed, changed, changed);
+    }
+    if (!camera.labelsTopic.empty()) {
+        publishers.labels =
+            m_handle.advertise<sensor_msgs::Image>(camera.labelsTopic, queue, changed, changed);
+    }
+    m_publishers.push_back(publishers);
+    const ::ros::ServiceServer service =
+        m_handle.advertiseService<SetCameraInfo::Request, SetCameraInfo::Response>(
+            camera.name + "/set_camera_info",
+            [this, index](SetCameraInfo::Request& request, SetCameraInfo::Response& response) {
+                answerSetCamera(m_node, calibrationOf(request.camera_info), index, response);
+                return true; // it was answered
+            });
+    m_services.push_back(service);
+}
+
+void Ros1Node::subscribe(OverlayTopic topic, std::size_t camera) {
     m_subscribers.push_back(m_handle.subscribe<sensor_msgs::Image>(
-        nameOf(topic), kPictureQueue,
-        [this, topic](const sensor_msgs::Image::ConstPtr& message) {
-            m_node.takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message));
+        m_node.overlayTopic(topic, camera), kPictureQueue,
+        [this, topic, camera](const sensor_msgs::Image::ConstPtr& message) {
+            m_node.takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message), camera);
         },
         {}, ::ros::TransportHints().tcpNoDelay()));
 }
 
 void Ros1Node::listen() {
-    m_node.setListening(m_publisher.getNumSubscribers() > 0 ||
-                        (m_depthPublisher && m_depthPublisher.getNumSubscribers() > 0) ||
-                        (m_labels && m_labels.getNumSubscribers() > 0));
+    const auto isHeard = [](const Publishers& of) {
+        return of.images.getNumSubscribers() > 0 || (of.depths && of.depths.getNumSubscribers() > 0) ||
+               (of.labels && of.labels.getNumSubscribers() > 0);
+    };
+    m_node.setListening(std::any_of(m_publishers.begin(), m_publishers.end(), isHeard));
 }
 
 void Ros1Node::publish(const PublishedFrame& frame) {
     m_image.header.stamp = rosTime(frame.stamp);
-    m_image.header.frame_id = m_node.options().cameraFrame;
+    m_image.header.frame_id = m_node.cameras()[frame.camera].frameId;
+    const Publishers& publishers = m_publishers[frame.camera];
     fillImage(m_image, frame.image);
     fill(m_info, frame.calibration);
     m_info.header = m_image.header;
-    m_publisher.publish(m_image, m_info);
-    if (m_depthPublisher && frame.depth.bytes != nullptr) {
+    publishers.images.publish(m_image, m_info);
+    if (publishers.depths && frame.depth.bytes != nullptr) {
         fillImage(m_image, frame.depth);
-        m_depthPublisher.publish(m_image, m_info);
+        publishers.depths.publish(m_image, m_info);
     }
-    if (m_labels && frame.labels.bytes != nullptr) {
+    if (publishers.labels && frame.labels.bytes != nullptr) {
         fillImage(m_image, frame.labels);
-        m_labels.publish(m_image);
+        publishers.labels.publish(m_image);
     }
 }
 
@@ -200,12 +231,6 @@ void Ros1Node::publishDiagnostics() {
     message.status.push_back(
         statusOf<diagnostic_msgs::DiagnosticStatus>(m_node.diagnostics(), ::ros::this_node::getName()));
     m_diagnostics.publish(message);
-}
-
-bool Ros1Node::setCamera(sensor_msgs::SetCameraInfo::Request& request,
-                         sensor_msgs::SetCameraInfo::Response& response) {
-    answerSetCamera(m_node, calibrationOf(request.camera_info), response);
-    return true; // it was answered
 }
 
 void Ros1Node::takeTransforms(const tf2_msgs::TFMessage& message, bool isStatic) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gazebo_fixture.h"
 
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/photo/picture_file.h"
 
@@ -44,6 +45,37 @@ TEST_F(Gazebo, InLockStepEachPoseGivesItsPictureWithItsStamp) {
     // Poses that came before anyone was known to listen gave none.
     EXPECT_GE(summary["frames"], 12);
     EXPECT_GE(summary["poses"], summary["frames"]);
+}
+
+TEST_F(Gazebo, ARigGivesPicturesOfAllItsCamerasWithOneStamp) {
+    writeFile(folder / "rig.yaml", bytesOf("axes: body\ncameras:\n"
+                                           "  - {name: left, camera_info: camera.yaml, rig_from_camera: "
+                                           "[0, 0.06, 0, 0, 0, 0, 1]}\n"
+                                           "  - {name: right, camera_info: camera.yaml, rig_from_camera: "
+                                           "[0, -0.06, 0, 0, 0, 0, 1], frame_id: eye}\n"));
+    start({"--rate", "0", "--pace", "every", "--rig", folder / "rig.yaml"});
+    Simulation simulation;
+    Listener left("/robot/front/left");
+    Listener right("/robot/front/right");
+    connect(simulation, left);
+    settle(simulation, right);
+    left.clear();
+    simulation.robotAt(5s, 0.7, 0.3);
+    ASSERT_TRUE(left.waitFor(1) && right.waitFor(1)) << program->errors();
+    EXPECT_EQ(stampOf(left.images().back().header()), 5s);
+    EXPECT_EQ(stampOf(right.images().back().header()), 5s);
+    EXPECT_EQ(entryOf(left.images().back().header(), "frame_id"), "left_optical");
+    EXPECT_EQ(entryOf(right.images().back().header(), "frame_id"), "eye");
+    EXPECT_EQ(entryOf(left.images().back().header(), "seq"), entryOf(right.images().back().header(), "seq"));
+    const auto seen = [&](double y) {
+        return renderer->render(camera, Simulation::cameraAt(0.7, 0.3) * Rigid3{bodyFromOptical(), {0, y, 0}})
+            .picture;
+    };
+    expectPicture(left.images().back(), seen(0.06));
+    expectPicture(right.images().back(), seen(-0.06));
+    EXPECT_EQ(left.infos().back().projection().p(3), 0);
+    EXPECT_NEAR(right.infos().back().projection().p(3), -120 * 0.12, 1e-6);
+    end();
 }
 
 TEST_F(Gazebo, ThePictureIsThatOfTheCommandLinesView) {

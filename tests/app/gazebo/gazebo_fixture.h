@@ -208,8 +208,11 @@ class Gazebo : public testing::Test {
                                                           {"--poses", "/model/robot/pose"},
                                                           {"--frame", "robot::camera"},
                                                           {"--image", "/robot/front/image"}};
+        const auto isGiven = [&options](const std::string& option) {
+            return std::find(options.begin(), options.end(), option) != options.end();
+        };
         for (const auto& [option, value] : usual) {
-            if (std::find(options.begin(), options.end(), option) == options.end()) {
+            if (!isGiven(option) && !(option == "--camera" && isGiven("--rig"))) {
                 words.insert(words.end(), {option, value});
             }
         }

@@ -5,6 +5,8 @@
 #include "program.h"
 #include "temporary_folder.h"
 
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/renderer.h"
@@ -85,10 +87,12 @@ class DdsTest : public testing::Test {
                           {message.data._buffer, message.data._buffer + message.data._length}});
     }
 
-    void startNode(const std::vector<std::string>& more = {}, const std::string& rate = "0") {
-        std::vector<std::string> command{SPHEREWALK_DDS, kDataset, "--camera", kCamera,
-                                         "--namespace",  "/robot", "--pace",   "every",
-                                         "--rate",       rate,     "--domain", std::to_string(domain)};
+    void startNode(const std::vector<std::string>& more = {}, const std::string& rate = "0",
+                   const std::vector<std::string>& cameras = {"--camera", kCamera}) {
+        std::vector<std::string> command{
+            SPHEREWALK_DDS, kDataset, "--namespace", "/robot",   "--pace",
+            "every",        "--rate", rate,          "--domain", std::to_string(domain)};
+        command.insert(command.end(), cameras.begin(), cameras.end());
         command.insert(command.end(), more.begin(), more.end());
         node.emplace(command);
     }
@@ -223,6 +227,61 @@ TEST_F(DdsTest, GivesDepthImagesOfTheSameStampsAsRep118Says) {
         node->signal(SIGINT);
         EXPECT_EQ(node->wait(), 0) << node->errors();
     }
+}
+
+// The rig's file places the left camera on camera_optical; transforms place the right one.
+TEST_F(DdsTest, ARigGivesColourAndDepthOfItsCamerasWithEqualStamps) {
+    const test::TemporaryFolder folder;
+    const CameraModel camera({160, 120, 120, 120, 79.5, 59.5, LensModel::Pinhole, {}});
+    const std::string file = folder / "pinhole.yaml";
+    writeFile(file, bytesOf(render::cameraInfoYaml(camera.intrinsics(), "robot")));
+    writeFile(folder / "rig.yaml",
+              bytesOf("cameras:\n  - {name: left, camera_info: " + file +
+                      ", rig_from_camera: [0, 0, 0, 0, 0, 0, 1]}\n  - {name: right, camera_info: " + file +
+                      "}\n"));
+    const Rigid3 leftFromRight{Eigen::Quaterniond::Identity(), {0.12, 0, 0}};
+    std::map<std::string, std::map<Stamp, Image>> came;
+    std::map<std::string, double> p3;
+    DdsPort listener(domain);
+    for (const std::string name : {"left", "right"}) {
+        for (const std::string topic : {"image_raw", "depth/image"}) {
+            listener.read<ImageMessage>("/robot/" + name + "/" + topic, sensor_msgs_msg_dds__Image__desc,
+                                        Quality::Reliable,
+                                        [&, key = name + topic](const ImageMessage& message) {
+                                            takeImage(message);
+                                            came[key][images.back().stamp] = images.back();
+                                        });
+        }
+        listener.read<CameraInfoMessage>(
+            "/robot/" + name + "/camera_info", sensor_msgs_msg_dds__CameraInfo__desc, Quality::Reliable,
+            [&, name](const CameraInfoMessage& message) { p3[name] = message.p[3]; });
+    }
+    startNode({"--depth", "32FC1", "--scene", "sphere"}, "0", {"--rig", folder / "rig.yaml"});
+    moveUntil("pictures of both cameras", [&] {
+        // Who came late to the static transforms has the last one only.
+        sendTransform(tfStatic, "base", "camera_optical", 0s, kBaseFromCamera);
+        sendTransform(tfStatic, "base", "right_optical", 0s, kBaseFromCamera * leftFromRight);
+        listener.spinFor(20ms);
+        return came["rightimage_raw"].size() > 3 && came["rightdepth/image"].size() > 3 && p3.size() == 2;
+    });
+    const render::Renderer renderer(std::make_shared<const render::Dataset>(render::Dataset::open(kDataset)));
+    render::ViewOptions options;
+    options.scene = render::SceneKind::Sphere;
+    options.wantsDepth = true;
+    std::size_t pairs = 0;
+    for (const auto& [stamp, right] : came["rightimage_raw"]) {
+        EXPECT_EQ(right.frame, "right_optical");
+        const Rigid3 pose = baseAt(stamp) * kBaseFromCamera * leftFromRight;
+        const RgbImage expected = renderer.render(camera, pose, options).picture;
+        EXPECT_TRUE(std::equal(right.data.begin(), right.data.end(), expected.values().begin(),
+                               expected.values().end()));
+        pairs += came["leftimage_raw"].contains(stamp) && came["leftdepth/image"].contains(stamp) ? 1 : 0;
+    }
+    EXPECT_GE(pairs, 3U) << "the same stamps";
+    EXPECT_EQ(p3["left"], 0);
+    EXPECT_NEAR(p3["right"], -camera.intrinsics().fx * 0.12, 1e-6);
+    node->signal(SIGINT);
+    EXPECT_EQ(node->wait(), 0) << node->errors();
 }
 
 TEST_F(DdsTest, TakesGarbageWithoutHarmAndReportsIt) {

@@ -51,7 +51,7 @@ TEST(NodeParameters, HaveNamesAndDescriptionsOfTheirOwn) {
         EXPECT_TRUE(descriptions.insert(description).second) << description;
         EXPECT_GT(description.size(), 10U);
     });
-    EXPECT_EQ(names.size(), 16U);
+    EXPECT_EQ(names.size(), 17U);
 }
 
 TEST(NodeParameters, ThatAreMissingAreNamed) {

@@ -169,6 +169,37 @@ class Ros1(unittest.TestCase):
             for field in "distortion_model", "D", "K", "R", "P", "width", "height":
                 self.assertEqual(getattr(info, field), getattr(expected, field), field)
 
+    def test_a_rig_gives_pictures_of_all_its_cameras_with_equal_stamps(self):
+        rig, pinhole = SCRATCH.name + "/rig.yaml", SCRATCH.name + "/pinhole.yaml"
+        with open(pinhole, "w") as file:
+            print("image_width: 160\nimage_height: 120\ncamera_matrix: {data: [120, 0, 79.5, 0, 120, 59.5, 0, 0, 1]}",
+                  file=file)
+        with open(rig, "w") as file:  # transforms say where the right camera is
+            print("cameras:", f"  - {{name: left, camera_info: {pinhole}, rig_from_camera: [0, 0, 0, 0, 0, 0, 1]}}",
+                  f"  - {{name: right, camera_info: {pinhole}}}", sep="\n", file=file)
+        turn = (-0.5, 0.5, -0.5, 0.5)
+        self.tf_static.publish([transform("base", "camera_optical", 0, (0.1, 0, 0.05), turn),
+                                transform("base", "right_optical", 0, (0.1, -0.12, 0.05), turn)])
+        self.start_node(rate=0, camera_info_url="", rig=rig, depth="16UC1", scene="sphere")
+        came = {}
+        for topic in ("left/image_raw", "right/image_raw", "left/depth/image_raw", "right/depth/image_raw"):
+            kept = came[topic] = {}
+            rospy.Subscriber("/" + topic, Image, lambda m, kept=kept: kept.__setitem__(m.header.stamp.to_nsec(), m),
+                             buff_size=2**24)
+        rospy.Subscriber("/right/camera_info", CameraInfo, self.infos.append, buff_size=2**24)
+
+        def whole():
+            return set.intersection(*(set(kept) for kept in came.values()))
+
+        self.move_until("both cameras with depth", lambda: len(whole()) > 3 and self.infos)
+        stamp = max(whole())
+        self.assertEqual(came["left/image_raw"][stamp].header.frame_id, "left_optical")
+        self.assertEqual(came["right/image_raw"][stamp].header.frame_id, "right_optical")
+        self.assertNotEqual(came["left/image_raw"][stamp].data, came["right/image_raw"][stamp].data)
+        self.assertEqual(came["right/depth/image_raw"][stamp].encoding, "16UC1")
+        info = self.infos[-1]
+        self.assertAlmostEqual(info.P[3], -0.12 * info.K[0], 5)
+
     def test_keeps_the_rate_of_simulation_time(self):
         rospy.set_param("/use_sim_time", True)
         clock = rospy.Publisher("/clock", Clock, queue_size=10, latch=True)
@@ -341,6 +372,8 @@ class Ros1(unittest.TestCase):
     def test_refuses_in_a_sentence(self):
         for wrong, said in (({"dataset": "/nowhere"}, "/nowhere"), ({"scene": "cubist"}, "cubist"),
                             ({"room_frame": "camera_optical"}, "frames of the room and of the camera"),
+                            ({"rig": "/nowhere.yaml"}, "both set"), ({"camera_info_url": "", "rig": ""}, "or rig"),
+                            ({"camera_info_url": "", "rig": "/nowhere.yaml"}, "/nowhere.yaml"),
                             ({"rate": "often"}, "of another type")):
             node = self.start_node(**wrong)
             self.assertEqual(node.wait(PATIENCE_S), 1, self.log_of(node))

@@ -12,7 +12,8 @@ from launch_ros.parameter_descriptions import ParameterValue
 # Argument, parameter, type, default (None: must be given), description.
 ARGUMENTS = (
     ("dataset", "dataset", str, None, "Folder of the dataset"),
-    ("camera_info", "camera_info_url", str, None, "Camera-info YAML of the robot's camera"),
+    ("camera_info", "camera_info_url", str, "", "Camera-info YAML of the robot's camera"),
+    ("rig", "rig", str, "", "YAML of a rig of cameras, in place of camera_info"),
     ("room_frame", "room_frame", str, "map", "Frame of the dataset's room"),
     ("camera_frame", "camera_frame", str, "camera_optical", "Optical frame of the camera"),
     ("rate", "rate", float, "30", "Frames a second; 0: one for each transform"),
