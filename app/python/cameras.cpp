@@ -73,6 +73,16 @@ std::string described(const CameraModel& camera) {
                 ", cy ", c.cy, ", ", name(c.lens), ">");
 }
 
+py::dict readRigFile(const std::filesystem::path& file) {
+    py::dict cameras;
+    for (const render::RigCamera& camera : render::readRig(file)) {
+        const py::object pose =
+            camera.rigFromOptical ? py::object(matrixOf(*camera.rigFromOptical)) : py::object(py::none());
+        cameras[py::str(camera.name)] = py::make_tuple(CameraModel(camera.camera), pose);
+    }
+    return cameras;
+}
+
 void bindProperties(py::class_<CameraModel>& camera) {
     camera.def_property_readonly("width", &CameraModel::width, "Pixels.")
         .def_property_readonly("height", &CameraModel::height, "Pixels.")
@@ -146,6 +156,11 @@ void bindCameras(py::module_& module) {
             "for "
             "what the lens cannot see. Shape: (..., 3) to (..., 2).");
     bindProperties(camera);
+    module.def(
+        "read_rig", &readRigFile, py::arg("file"),
+        "The cameras of a rig's YAML by name, in the file's order: a camera and rig_from_camera of its "
+        "optical frame, (4, 4), which is None where the file leaves it to tf. A camera's pose is the "
+        "rig's times that: room_from_rig @ rig_from_camera.");
 }
 
 } // namespace spherewalk::python

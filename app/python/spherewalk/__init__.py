@@ -33,6 +33,7 @@ from ._core import (
     ViewStream,
     __version__,
     pose_matrix,
+    read_rig,
     read_tum,
     simd_target,
 )
@@ -85,6 +86,7 @@ __all__ = [
     "ViewStream",
     "__version__",
     "pose_matrix",
+    "read_rig",
     "read_tum",
     "simd_target",
 ]

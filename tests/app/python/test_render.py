@@ -133,6 +133,24 @@ def test_cameras_come_from_everywhere(camera, tmp_path):
     assert np.isnan(camera.project([0, 0, -1])).all()
 
 
+def test_a_rig_has_cameras_and_their_places(camera, tmp_path):
+    (tmp_path / "c.yaml").write_text(camera.to_yaml("robot"))
+    (tmp_path / "rig.yaml").write_text(
+        "axes: body\ncameras:\n"
+        "  - {name: left, camera_info: c.yaml, rig_from_camera: [0, 0.06, 0, 0, 0, 0, 1]}\n"
+        "  - {name: right, camera_info: c.yaml}\n"
+    )
+    rig = spherewalk.read_rig(tmp_path / "rig.yaml")
+    assert list(rig) == ["left", "right"]
+    left, rig_from_left = rig["left"]
+    assert left == camera
+    assert np.allclose(rig_from_left @ [0, 0, 1, 1], [1, 0.06, 0, 1])  # it looks along the rig's x
+    assert rig["right"] == (camera, None)
+    with pytest.raises(ValueError, match="no entry|cameras"):
+        (tmp_path / "c.yaml").write_text("3")
+        spherewalk.read_rig(tmp_path / "c.yaml")
+
+
 def test_the_light_at_a_place(renderer, tmp_path):
     probe = renderer.light_probe([2.5, 2.0, 1.2], width=64)
     assert probe.radiance.shape == (32, 64, 3) and probe.radiance.dtype == np.float32
