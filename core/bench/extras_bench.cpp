@@ -22,6 +22,7 @@ namespace {
 constexpr const char* kDepth = "view.with_depth";
 constexpr const char* kTrust = "view.with_trust";
 constexpr const char* kOverlay = "view.with_overlay";
+constexpr const char* kShadow = "view.with_overlay.shadow";
 constexpr const char* kOtherLens = "view.with_overlay.other_lens";
 
 /// A disc with a soft rim in the middle, half as high as the picture, nearer than anything in a room.
@@ -39,6 +40,19 @@ render::Overlay disc(const CameraIntrinsics& camera) {
             const std::array<std::uint8_t, 4> pixel{200, 40, 40, static_cast<std::uint8_t>(255 * alpha)};
             std::copy(pixel.begin(), pixel.end(), overlay.picture.at(x, y));
             *overlay.depth.at(x, y) = alpha > 0 ? 0.5F : 0.0F;
+        }
+    }
+    return overlay;
+}
+
+/// The same disc with a shadow that darkens all of the picture, by half in the middle.
+render::Overlay discWithShadow(const CameraIntrinsics& camera) {
+    render::Overlay overlay = disc(camera);
+    overlay.shadow = Image<float, 1>(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y) {
+        for (int x = 0; x < camera.width; ++x) {
+            const double out = Eigen::Vector2d(x - 0.5 * camera.width, y - 0.5 * camera.height).norm();
+            *overlay.shadow.at(x, y) = static_cast<float>(1 - 0.5 / (1 + out / (0.5 * camera.height)));
         }
     }
     return overlay;
@@ -81,6 +95,7 @@ class ExtrasBench {
         : m_photo(photo),
           m_camera(standardCamera(90)),
           m_own{disc(m_camera.intrinsics())},
+          m_shadowed{discWithShadow(m_camera.intrinsics())},
           m_other{disc(wideWithDistortion())} {}
 
     void fill(Contest& contest) {
@@ -100,7 +115,8 @@ class ExtrasBench {
         options.wantsDepth = true;
         add(contest, kDepth, options);
         options.wantsDepth = false;
-        for (const auto& [name, object] : {std::pair(kOverlay, std::span(m_own)), {kOtherLens, m_other}}) {
+        for (const auto& [name, object] :
+             {std::pair(kOverlay, std::span(m_own)), {kShadow, m_shadowed}, {kOtherLens, m_other}}) {
             options.overlays = object;
             requireSeen(options);
             add(contest, name, options);
@@ -172,6 +188,7 @@ class ExtrasBench {
     const BenchPhoto& m_photo;
     CameraModel m_camera;
     std::array<render::Overlay, 1> m_own;
+    std::array<render::Overlay, 1> m_shadowed;
     std::array<render::Overlay, 1> m_other;
     render::View m_view;
     std::vector<std::string> m_names;

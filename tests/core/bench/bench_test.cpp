@@ -49,11 +49,20 @@ BenchOptions withCopies(int gridPhotos) {
 }
 
 std::set<std::string> namesOfAllRows() {
-    std::set<std::string> names{
-        "view.with_depth",     "view.with_trust",      "view.with_overlay", "view.with_overlay.other_lens",
-        "decode.whole",        "decode.region",        "decode.reduced",    "decode.thumbnail",
-        "decode.whole.planes", "decode.region.planes", "cold_cell",         "cold_cell.unverified",
-        "cold_cell.disk"};
+    std::set<std::string> names{"view.with_depth",
+                                "view.with_trust",
+                                "view.with_overlay",
+                                "view.with_overlay.shadow",
+                                "view.with_overlay.other_lens",
+                                "decode.whole",
+                                "decode.region",
+                                "decode.reduced",
+                                "decode.thumbnail",
+                                "decode.whole.planes",
+                                "decode.region.planes",
+                                "cold_cell",
+                                "cold_cell.unverified",
+                                "cold_cell.disk"};
     names.merge(test::sensorRows());
     for (const render::Sampling rung : kRungs) {
         for (const ViewSetting& setting :

@@ -77,7 +77,8 @@ TEST_F(Phases, ExtrasAreComparedWithTheViewAlone) {
     made.hasSphere = false;
     const BenchPhoto without(test::openMadeDataset(other.path(), made));
     EXPECT_EQ(namesOf(measureExtras(without, 1, noProgress(), {})), expected);
-    expected.insert({"view.with_depth", "view.with_overlay", "view.with_overlay.other_lens"});
+    expected.insert(
+        {"view.with_depth", "view.with_overlay", "view.with_overlay.shadow", "view.with_overlay.other_lens"});
     EXPECT_EQ(namesOf(rows), expected);
     for (const BenchRow& row : rows) {
         EXPECT_EQ(row.peer->name, kViewAlone);
