@@ -1798,6 +1798,198 @@
         <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3: %4 photos, about %5.</source>
         <translation>Für %1 px an 95 von 100 Stellen genügt ein Raster von %2 cm mit dem Szenenmodell %3: %4 Fotos, etwa %5.</translation>
     </message>
+    <message>
+        <source>Looking for features</source>
+        <translation>Merkmale werden gesucht</translation>
+    </message>
+    <message>
+        <source>Matching photos</source>
+        <translation>Fotos werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>Looking for AprilTags</source>
+        <translation>AprilTags werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for photos that look alike</source>
+        <translation>Ähnliche Fotos werden gesucht</translation>
+    </message>
+    <message>
+        <source>Averaging rotations</source>
+        <translation>Drehungen werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Ausgleichung läuft</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Orte gefunden</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>Ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Reading what the photos say</source>
+        <translation>Angaben der Fotos werden gelesen</translation>
+    </message>
+    <message>
+        <source>Estimating how neighbours are turned to each other</source>
+        <translation>Drehungen zwischen Nachbarn werden geschätzt</translation>
+    </message>
+    <message>
+        <source>Checking the positions</source>
+        <translation>Positionen werden geprüft</translation>
+    </message>
+    <message>
+        <source>Looking for what moved</source>
+        <translation>Bewegtes wird gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for what stands where other photos look through</source>
+        <translation>Gesucht wird, was dort steht, wo andere Fotos hindurchsehen</translation>
+    </message>
+    <message>
+        <source>Writing the photos&apos; position tags</source>
+        <translation>Positionen werden in die Fotos geschrieben</translation>
+    </message>
+    <message>
+        <source>Retagged</source>
+        <translation>Neu zugeordnet</translation>
+    </message>
+    <message>
+        <source>Photo %1 of %2, %3</source>
+        <translation>Foto %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>Judging photo %1 of %2</source>
+        <translation>Foto %1 von %2 wird beurteilt</translation>
+    </message>
+    <message>
+        <source>Importing photo %1 of %2</source>
+        <translation>Foto %1 von %2 wird importiert</translation>
+    </message>
+    <message>
+        <source>Looking at the place of %1</source>
+        <translation>Der Ort von %1 wird geprüft</translation>
+    </message>
+    <message>
+        <source>Looked at all places</source>
+        <translation>Alle Orte sind geprüft</translation>
+    </message>
+    <message>
+        <source>Writing photo %1 of %2</source>
+        <translation>Foto %1 von %2 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Estimating depth, photo %1 of %2</source>
+        <translation>Tiefe wird geschätzt, Foto %1 von %2</translation>
+    </message>
+    <message>
+        <source>Clearing the floor below the camera, photo %1 of %2</source>
+        <translation>Der Boden unter der Kamera wird freigelegt, Foto %1 von %2</translation>
+    </message>
+    <message>
+        <source>Trying one photo</source>
+        <translation>Ein Foto wird probiert</translation>
+    </message>
+    <message>
+        <source>Trying one depth</source>
+        <translation>Eine Tiefe wird probiert</translation>
+    </message>
+    <message>
+        <source>Looking at the survey</source>
+        <translation>Das Projekt wird durchgesehen</translation>
+    </message>
+    <message>
+        <source>Making boxes of furniture</source>
+        <translation>Quader für Möbel werden gebildet</translation>
+    </message>
+    <message>
+        <source>Finding surfaces</source>
+        <translation>Flächen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Reading depth %1 of %2</source>
+        <translation>Tiefe %1 von %2 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Painting surfaces, photo %1 of %2</source>
+        <translation>Flächen erhalten Farbe, Foto %1 von %2</translation>
+    </message>
+    <message>
+        <source>Fusing depths</source>
+        <translation>Tiefen werden vereinigt</translation>
+    </message>
+    <message>
+        <source>Looking which photos see each other</source>
+        <translation>Gesucht wird, welche Fotos einander sehen</translation>
+    </message>
+    <message>
+        <source>Drawing picture %1 of %2</source>
+        <translation>Bild %1 von %2 wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Rendering the walk</source>
+        <translation>Die Fahrt wird gerechnet</translation>
+    </message>
+    <message>
+        <source>Registering picture %1 of %2 by its tags</source>
+        <translation>Bild %1 von %2 wird an seinen Marken eingepasst</translation>
+    </message>
+    <message>
+        <source>Comparing picture %1 of %2 again</source>
+        <translation>Bild %1 von %2 wird noch einmal verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing picture %1 of %2</source>
+        <translation>Bild %1 von %2 wird verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing border %1 of %2</source>
+        <translation>Grenze %1 von %2 wird verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing view %1 of %2</source>
+        <translation>Ansicht %1 von %2 wird verglichen</translation>
+    </message>
+    <message>
+        <source>Grid of %1: comparing view %2 of %3</source>
+        <translation>Raster von %1: Ansicht %2 von %3 wird verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing with the exact room</source>
+        <translation>Vergleich mit dem genauen Raum</translation>
+    </message>
+    <message>
+        <source>Timing views</source>
+        <translation>Zeiten von Ansichten werden gemessen</translation>
+    </message>
+    <message>
+        <source>Checking the dataset</source>
+        <translation>Der Datensatz wird geprüft</translation>
+    </message>
+    <message>
+        <source>Checking the database</source>
+        <translation>Die Datenbank wird geprüft</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>rail %1, stop %2</source>
+        <translation>Schiene %1, Halt %2</translation>
+    </message>
+    <message>
+        <source>Checking %1</source>
+        <translation>%1 wird geprüft</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -1808,6 +1808,198 @@
         <source>For %1 px in 95 of 100 places a grid of %2 cm is enough with the scene model %3: %4 photos, about %5.</source>
         <translation>Dla %1 px w 95 ze 100 miejsc wystarcza siatka %2 cm z modelem sceny %3: %4 zdjęć, około %5.</translation>
     </message>
+    <message>
+        <source>Looking for features</source>
+        <translation>Szukanie cech</translation>
+    </message>
+    <message>
+        <source>Matching photos</source>
+        <translation>Dopasowywanie zdjęć</translation>
+    </message>
+    <message>
+        <source>Looking for AprilTags</source>
+        <translation>Szukanie AprilTagów</translation>
+    </message>
+    <message>
+        <source>Looking for photos that look alike</source>
+        <translation>Szukanie podobnych zdjęć</translation>
+    </message>
+    <message>
+        <source>Averaging rotations</source>
+        <translation>Uśrednianie obrotów</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Rozwiązywanie</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Rozwiązano</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Położenia znalezione</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>Wyrównano</translation>
+    </message>
+    <message>
+        <source>Reading what the photos say</source>
+        <translation>Odczyt danych ze zdjęć</translation>
+    </message>
+    <message>
+        <source>Estimating how neighbours are turned to each other</source>
+        <translation>Szacowanie obrotów między sąsiadami</translation>
+    </message>
+    <message>
+        <source>Checking the positions</source>
+        <translation>Sprawdzanie położeń</translation>
+    </message>
+    <message>
+        <source>Looking for what moved</source>
+        <translation>Szukanie tego, co się poruszyło</translation>
+    </message>
+    <message>
+        <source>Looking for what stands where other photos look through</source>
+        <translation>Szukanie tego, co stoi tam, gdzie inne zdjęcia widzą na wskroś</translation>
+    </message>
+    <message>
+        <source>Writing the photos&apos; position tags</source>
+        <translation>Zapis położeń w zdjęciach</translation>
+    </message>
+    <message>
+        <source>Retagged</source>
+        <translation>Przypisano na nowo</translation>
+    </message>
+    <message>
+        <source>Photo %1 of %2, %3</source>
+        <translation>Zdjęcie %1 z %2, %3</translation>
+    </message>
+    <message>
+        <source>Judging photo %1 of %2</source>
+        <translation>Ocena zdjęcia %1 z %2</translation>
+    </message>
+    <message>
+        <source>Importing photo %1 of %2</source>
+        <translation>Import zdjęcia %1 z %2</translation>
+    </message>
+    <message>
+        <source>Looking at the place of %1</source>
+        <translation>Sprawdzanie miejsca zdjęcia %1</translation>
+    </message>
+    <message>
+        <source>Looked at all places</source>
+        <translation>Wszystkie miejsca sprawdzone</translation>
+    </message>
+    <message>
+        <source>Writing photo %1 of %2</source>
+        <translation>Zapis zdjęcia %1 z %2</translation>
+    </message>
+    <message>
+        <source>Estimating depth, photo %1 of %2</source>
+        <translation>Szacowanie głębi, zdjęcie %1 z %2</translation>
+    </message>
+    <message>
+        <source>Clearing the floor below the camera, photo %1 of %2</source>
+        <translation>Odsłanianie podłogi pod aparatem, zdjęcie %1 z %2</translation>
+    </message>
+    <message>
+        <source>Trying one photo</source>
+        <translation>Próba na jednym zdjęciu</translation>
+    </message>
+    <message>
+        <source>Trying one depth</source>
+        <translation>Próba jednej głębi</translation>
+    </message>
+    <message>
+        <source>Looking at the survey</source>
+        <translation>Przegląd pomiaru</translation>
+    </message>
+    <message>
+        <source>Making boxes of furniture</source>
+        <translation>Tworzenie brył mebli</translation>
+    </message>
+    <message>
+        <source>Finding surfaces</source>
+        <translation>Szukanie powierzchni</translation>
+    </message>
+    <message>
+        <source>Reading depth %1 of %2</source>
+        <translation>Odczyt głębi %1 z %2</translation>
+    </message>
+    <message>
+        <source>Painting surfaces, photo %1 of %2</source>
+        <translation>Kolorowanie powierzchni, zdjęcie %1 z %2</translation>
+    </message>
+    <message>
+        <source>Fusing depths</source>
+        <translation>Łączenie głębi</translation>
+    </message>
+    <message>
+        <source>Looking which photos see each other</source>
+        <translation>Szukanie zdjęć, które widzą się nawzajem</translation>
+    </message>
+    <message>
+        <source>Drawing picture %1 of %2</source>
+        <translation>Rysowanie obrazu %1 z %2</translation>
+    </message>
+    <message>
+        <source>Rendering the walk</source>
+        <translation>Obliczanie przejazdu</translation>
+    </message>
+    <message>
+        <source>Registering picture %1 of %2 by its tags</source>
+        <translation>Pasowanie obrazu %1 z %2 do znaczników</translation>
+    </message>
+    <message>
+        <source>Comparing picture %1 of %2 again</source>
+        <translation>Ponowne porównanie obrazu %1 z %2</translation>
+    </message>
+    <message>
+        <source>Comparing picture %1 of %2</source>
+        <translation>Porównanie obrazu %1 z %2</translation>
+    </message>
+    <message>
+        <source>Comparing border %1 of %2</source>
+        <translation>Porównanie granicy %1 z %2</translation>
+    </message>
+    <message>
+        <source>Comparing view %1 of %2</source>
+        <translation>Porównanie widoku %1 z %2</translation>
+    </message>
+    <message>
+        <source>Grid of %1: comparing view %2 of %3</source>
+        <translation>Siatka %1: porównanie widoku %2 z %3</translation>
+    </message>
+    <message>
+        <source>Comparing with the exact room</source>
+        <translation>Porównanie z dokładnym pokojem</translation>
+    </message>
+    <message>
+        <source>Timing views</source>
+        <translation>Pomiar czasu widoków</translation>
+    </message>
+    <message>
+        <source>Checking the dataset</source>
+        <translation>Sprawdzanie zbioru danych</translation>
+    </message>
+    <message>
+        <source>Checking the database</source>
+        <translation>Sprawdzanie bazy danych</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Sprawdzono</translation>
+    </message>
+    <message>
+        <source>rail %1, stop %2</source>
+        <translation>Szyna %1, postój %2</translation>
+    </message>
+    <message>
+        <source>Checking %1</source>
+        <translation>Sprawdzanie %1</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -6,6 +6,8 @@ import re
 MET = ("core/base/file.cpp", "core/base/folder.cpp", "core/base/progress.cpp", "core/camera/", "core/jobs/capture/capture_",
        "core/jobs/capture/store_journal.cpp", "core/jobs/export/export_dataset.cpp", "core/jobs/survey/align_survey.cpp",
        "core/photo/picture/integrity.cpp", "core/store/database.cpp", "core/store/survey_store.cpp", "core/survey/room.cpp")
+# The work that the window waits for.
+WORKED = ("core/align/", "core/dataset/", "core/jobs/", "core/place/", "core/render/", "core/store/")
 WORDS = ("ui/look/core_errors.cpp", "ui/look/core_words.cpp")
 # Sentences for programmers, about options that no field of the window sets; and for people at a command line.
 NOT_MET = re.compile(r"\boptions?\b|must lie|must be|time scale|TMPDIR|--|There is no %1 %2|cannot be used: it must|libcurl|^%1 is left|"
@@ -58,13 +60,23 @@ def told(text):
                 yield text.count("\n", 0, match.start()) + 1, part
 
 
+def steps(text):
+    """(line, words) of each step of which a source reports progress."""
+    for match in re.finditer(r"\bprogress\(", text):
+        given = arguments(text, match.end() - 1)
+        words = spelled(given[1]) if len(given) == 2 and '"' in given[1] else None
+        if words:
+            yield text.count("\n", 0, match.start()) + 1, words
+
+
 def core_words(tree):
     known = [sentence for name in WORDS
              for found in re.findall(r'"spherewalk::ui::CoreWords",\s*((?:%s\s*)+)\)' % STRING, tree.sources.get(name, ""), re.S)
              for sentence in ["".join(re.findall(STRING, found[0], re.S)).replace('\\"', '"')]]
     complaints = []
     for name, text in sorted(tree.sources.items()):
-        for line, sentence in told(text) if name.startswith(MET) else ():
+        said = list(told(text)) if name.startswith(MET) else []
+        for line, sentence in said + list(steps(text) if name.startswith(WORKED) else ()):
             asked = expression(sentence)
             if not any(expression(one).fullmatch(sentence) or asked.fullmatch(one) for one in known):
                 complaints.append("%s:%d: the window cannot translate %r; add the sentence to ui/look/core_errors.cpp" % (name, line, sentence))

@@ -186,11 +186,63 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos closer together, or export the dataset with "
                                                    "a richer scene model."),
-    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for faces in photo %1 of %2"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Faces cannot be looked for: there is no file %1."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Install the package opencv-data, or mark the regions yourself."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The file %1 is no cascade."),
+};
+
+/// What the core says that it does now, while it works. A step that others match, too, comes after them.
+constexpr const char* kSteps[] = {
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for features"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Matching photos"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for AprilTags"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for photos that look alike"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Averaging rotations"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Solving"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Solved"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Placed"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Aligned"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Reading what the photos say"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Estimating how neighbours are turned to each other"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Checking the positions"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for what moved"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for what stands where other photos look through"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Writing the photos' position tags"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Retagged"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Photo %1 of %2, %3"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Judging photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Importing photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking at the place of %1"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looked at all places"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Writing photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Estimating depth, photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Clearing the floor below the camera, photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Trying one photo"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Trying one depth"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking at the survey"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Making boxes of furniture"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Finding surfaces"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Reading depth %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Painting surfaces, photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Fusing depths"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for faces in photo %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking which photos see each other"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Drawing picture %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Rendering the walk"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Registering picture %1 of %2 by its tags"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing picture %1 of %2 again"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing picture %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing border %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing view %1 of %2"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Grid of %1: comparing view %2 of %3"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing with the exact room"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Timing views"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Checking the dataset"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Checking the database"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Checked"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "rail %1, stop %2"), // as steps name stations
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Checking %1"),
 };
 
 /// A sentence with the expression that finds it.
@@ -224,6 +276,7 @@ const std::vector<Pattern>& patterns() {
         };
         std::for_each(std::begin(kSentences), std::end(kSentences), add);
         std::for_each(coreErrors().begin(), coreErrors().end(), add);
+        std::for_each(std::begin(kSteps), std::end(kSteps), add);
         return made;
     }();
     return all;
