@@ -227,8 +227,8 @@ class CameraWalk {
                     options.shard),
           m_frames(renderer, m_model, camera.path, m_options, lights) {}
 
-    /// isOwn: whether the frame is of this part, or was before.
-    void take(std::size_t frame, bool isOwn, WalkTally& tally);
+    /// isOwn: whether the frame is of this part, or was before. Returns whether it was made.
+    bool take(std::size_t frame, bool isOwn, WalkTally& tally);
 
     /// Whether the frames of all parts are there.
     bool isComplete() {
@@ -277,7 +277,7 @@ class CameraWalk {
     WalkFrames m_frames;
 };
 
-void CameraWalk::take(std::size_t frame, bool isOwn, WalkTally& tally) {
+bool CameraWalk::take(std::size_t frame, bool isOwn, WalkTally& tally) {
     const TimedPose& pose = m_camera.path[frame];
     if (isOwn) {
         ++tally.report.frames;
@@ -286,7 +286,7 @@ void CameraWalk::take(std::size_t frame, bool isOwn, WalkTally& tally) {
     if (!isOwn || isThere(frame)) {
         tally.report.reused += isOwn ? 1 : 0;
         m_frames.pass(frame); // a frame has the same photos in any part
-        return;
+        return false;
     }
     const render::View& view = m_frames.make(frame);
     photo::writePng(m_folder / frameName(frame), view.picture);
@@ -298,6 +298,7 @@ void CameraWalk::take(std::size_t frame, bool isOwn, WalkTally& tally) {
     }
     m_journal.add(frame, linesOf(pose, view.report, m_frames.sensorReport()));
     tally.add(view.report);
+    return true;
 }
 
 void CameraWalk::finish() const {
@@ -389,11 +390,12 @@ WalkReport walk(const render::Renderer& renderer, const std::vector<WalkCamera>&
     WalkTally tally;
     const auto [begin, end] = options.shard.range(path.size());
     for (std::size_t i = 0; i < end; ++i) {
+        bool isMade = false;
         for (CameraWalk& camera : walks) {
             throwIfStopped(stop);
-            camera.take(i, i >= begin, tally);
+            isMade = camera.take(i, i >= begin, tally) || isMade;
         }
-        if (i >= begin) {
+        if (isMade) {
             progress.progress(static_cast<double>(i + 1 - begin) / static_cast<double>(end - begin),
                               "Rendering the walk");
         }
