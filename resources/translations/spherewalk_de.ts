@@ -885,6 +885,13 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::ColumnScrollArea</name>
+    <message>
+        <source>Column that scrolls</source>
+        <translation>Spalte, die sich rollen lässt</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CoreWords</name>
     <message>
         <source>It is %1 pixels wide instead of %2; set the camera&apos;s size and take it again.</source>
@@ -2433,6 +2440,76 @@
         <source>not moved</source>
         <translation>nicht bewegt</translation>
     </message>
+    <message>
+        <source>Taken %1 as %2</source>
+        <translation>Aufgenommen %1 als %2</translation>
+    </message>
+    <message>
+        <source>Taken as %1, it does not say when</source>
+        <translation>Aufgenommen als %1, ohne Angabe der Zeit</translation>
+    </message>
+    <message>
+        <source>, by the camera %1</source>
+        <translation>, von der Kamera %1</translation>
+    </message>
+    <message>
+        <source>%1%2; stored %3.</source>
+        <translation>%1%2; gespeichert %3.</translation>
+    </message>
+    <message>
+        <source>No check has judged it.</source>
+        <translation>Keine Prüfung hat es beurteilt.</translation>
+    </message>
+    <message>
+        <source>The checks found nothing.</source>
+        <translation>Die Prüfungen fanden nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The checks found %n thing(s).</source>
+        <translation>
+            <numerusform>Die Prüfungen fanden %n Sache.</numerusform>
+            <numerusform>Die Prüfungen fanden %n Sachen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not aligned yet.</source>
+        <translation>Es ist noch nicht ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 found no heading for it.</source>
+        <translation>Die Ausrichtung vom %1 fand keine Richtung dafür.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
+        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad, auf %L3 Grad bekannt.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees.</source>
+        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad.</translation>
+    </message>
+    <message>
+        <source>Somebody has accepted it.</source>
+        <translation>Jemand hat es angenommen.</translation>
+    </message>
+    <message>
+        <source>Somebody has rejected it.</source>
+        <translation>Jemand hat es abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Nobody has decided on it yet.</source>
+        <translation>Niemand hat darüber entschieden.</translation>
+    </message>
+    <message>
+        <source>Moved here from %1, where it was tagged first.</source>
+        <translation>Von %1 hierher verlegt, wo es zuerst eingetragen war.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The station has %n other photo(s).</source>
+        <translation>
+            <numerusform>Der Standort hat %n anderes Foto.</numerusform>
+            <numerusform>Der Standort hat %n andere Fotos.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::FloorPicture</name>
@@ -3614,6 +3691,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>Plan of the room</source>
+        <translation>Plan des Raums</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditor</name>
@@ -4023,10 +4104,6 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
 </context>
 <context>
     <name>spherewalk::ui::PlanView</name>
-    <message>
-        <source>Plan of the room</source>
-        <translation>Plan des Raums</translation>
-    </message>
     <message>
         <source>No survey is open</source>
         <translation>Kein Projekt ist offen</translation>
@@ -4993,6 +5070,22 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>While a region is being hidden: move the box, size it, store it</source>
         <translation>Beim Verbergen eines Bereichs: den Rahmen verschieben, seine Größe ändern, ihn speichern</translation>
+    </message>
+    <message>
+        <source>Contact sheet</source>
+        <translation>Übersichtsbogen</translation>
+    </message>
+    <message>
+        <source>Show the listed photos beside each other, in place of one photo and the plan</source>
+        <translation>Die gelisteten Fotos nebeneinander zeigen, statt eines Fotos und des Plans</translation>
+    </message>
+    <message>
+        <source>Story</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Tell what became of this photo: taken, judged, moved, aligned, decided</source>
+        <translation>Sagen, was mit diesem Foto geschah: aufgenommen, beurteilt, verlegt, ausgerichtet, entschieden</translation>
     </message>
 </context>
 <context>

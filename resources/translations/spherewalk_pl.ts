@@ -895,6 +895,13 @@
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::ColumnScrollArea</name>
+    <message>
+        <source>Column that scrolls</source>
+        <translation>Przewijana kolumna</translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::CoreWords</name>
     <message>
         <source>It is %1 pixels wide instead of %2; set the camera&apos;s size and take it again.</source>
@@ -2451,6 +2458,78 @@
         <source>not moved</source>
         <translation>nie przesunięto</translation>
     </message>
+    <message>
+        <source>Taken %1 as %2</source>
+        <translation>Wykonano %1 jako %2</translation>
+    </message>
+    <message>
+        <source>Taken as %1, it does not say when</source>
+        <translation>Wykonano jako %1, bez podanego czasu</translation>
+    </message>
+    <message>
+        <source>, by the camera %1</source>
+        <translation>, aparatem %1</translation>
+    </message>
+    <message>
+        <source>%1%2; stored %3.</source>
+        <translation>%1%2; zapisano %3.</translation>
+    </message>
+    <message>
+        <source>No check has judged it.</source>
+        <translation>Żadne sprawdzenie go nie oceniło.</translation>
+    </message>
+    <message>
+        <source>The checks found nothing.</source>
+        <translation>Sprawdzenia niczego nie wykryły.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The checks found %n thing(s).</source>
+        <translation>
+            <numerusform>Sprawdzenia wykryły %n rzecz.</numerusform>
+            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
+            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not aligned yet.</source>
+        <translation>Nie jest jeszcze wyrównane.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 found no heading for it.</source>
+        <translation>Wyrównanie z %1 nie znalazło jego kierunku.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
+        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni, znanym z dokładnością %L3 stopnia.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees.</source>
+        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni.</translation>
+    </message>
+    <message>
+        <source>Somebody has accepted it.</source>
+        <translation>Ktoś je przyjął.</translation>
+    </message>
+    <message>
+        <source>Somebody has rejected it.</source>
+        <translation>Ktoś je odrzucił.</translation>
+    </message>
+    <message>
+        <source>Nobody has decided on it yet.</source>
+        <translation>Nikt jeszcze o nim nie zdecydował.</translation>
+    </message>
+    <message>
+        <source>Moved here from %1, where it was tagged first.</source>
+        <translation>Przeniesione tu z %1, gdzie było najpierw przypisane.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The station has %n other photo(s).</source>
+        <translation>
+            <numerusform>Stanowisko ma jeszcze %n zdjęcie.</numerusform>
+            <numerusform>Stanowisko ma jeszcze %n zdjęcia.</numerusform>
+            <numerusform>Stanowisko ma jeszcze %n zdjęć.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::FloorPicture</name>
@@ -3642,6 +3721,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>Plan of the room</source>
+        <translation>Plan pomieszczenia</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanEditor</name>
@@ -4052,10 +4135,6 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
 </context>
 <context>
     <name>spherewalk::ui::PlanView</name>
-    <message>
-        <source>Plan of the room</source>
-        <translation>Plan pomieszczenia</translation>
-    </message>
     <message>
         <source>No survey is open</source>
         <translation>Nie otwarto pomiaru</translation>
@@ -5034,6 +5113,22 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>While a region is being hidden: move the box, size it, store it</source>
         <translation>Przy ukrywaniu obszaru: przesuń ramkę, zmień jej rozmiar, zapisz ją</translation>
+    </message>
+    <message>
+        <source>Contact sheet</source>
+        <translation>Arkusz stykowy</translation>
+    </message>
+    <message>
+        <source>Show the listed photos beside each other, in place of one photo and the plan</source>
+        <translation>Pokaż zdjęcia z listy obok siebie, zamiast jednego zdjęcia i planu</translation>
+    </message>
+    <message>
+        <source>Story</source>
+        <translation>Historia</translation>
+    </message>
+    <message>
+        <source>Tell what became of this photo: taken, judged, moved, aligned, decided</source>
+        <translation>Pokaż, co się działo z tym zdjęciem: wykonane, ocenione, przeniesione, wyrównane, rozstrzygnięte</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "ui/frame/mode.h"
 
 #include "ui/look/icon.h"
+#include "ui/look/words.h"
 
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace spherewalk::ui {
 Mode::Mode(const QString& name, QString title, QString hint, QWidget* parent)
     : QWidget(parent), m_title(std::move(title)), m_hint(std::move(hint)) {
     setObjectName(name);
+    announceAs(*this, QAccessible::Pane, m_title);
 }
 
 QIcon Mode::icon() const {

@@ -2,6 +2,7 @@
 #include "ui/look/side_panel.h"
 
 #include "ui/look/theme.h"
+#include "ui/look/words.h"
 
 #include <QEvent>
 #include <QFormLayout>
@@ -49,6 +50,7 @@ void Section::addRow(QFormLayout* form, const QString& label, QWidget* field, co
 
 ColumnScrollArea::ColumnScrollArea(QWidget* column, QWidget* parent) : QScrollArea(parent) {
     setWidgetResizable(true);
+    announceAs(*this, QAccessible::Pane, tr("Column that scrolls"));
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(column);

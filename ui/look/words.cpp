@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/words.h"
 
+#include <QAccessibleWidget>
 #include <QCoreApplication>
 #include <QLocale>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +70,25 @@ QString standingSign(Standing standing) {
         return QStringLiteral("⊘");
     }
     return {};
+}
+
+namespace {
+
+constexpr const char* kRole = "announcedRole";
+
+QAccessibleInterface* announced(const QString& /*className*/, QObject* object) {
+    auto* widget = qobject_cast<QWidget*>(object);
+    const QVariant role = widget != nullptr ? widget->property(kRole) : QVariant();
+    return role.isValid() ? new QAccessibleWidget(widget, static_cast<QAccessible::Role>(role.toInt()))
+                          : nullptr;
+}
+
+} // namespace
+
+void announceAs(QWidget& widget, QAccessible::Role role, const QString& name) {
+    widget.setAccessibleName(name);
+    widget.setProperty(kRole, static_cast<int>(role));
+    QAccessible::installFactory(&announced); // once, however often
 }
 
 } // namespace spherewalk::ui

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAccessible>
 #include <QString>
 
 #include <chrono>
 #include <cstdint>
+
+class QWidget;
 
 namespace spherewalk::ui {
 
@@ -22,5 +25,8 @@ QString standingText(Standing standing);
 
 /// Returns a sign for the state that needs no colour.
 QString standingSign(Standing standing);
+
+/// Tells assistive tools what a widget is that draws itself, and its name.
+void announceAs(QWidget& widget, QAccessible::Role role, const QString& name);
 
 } // namespace spherewalk::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/map/plan_canvas.h"
 
+#include "ui/look/words.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -44,6 +46,7 @@ QPolygonF mapped(const Polygon& polygon, const QTransform& widgetFromRoom) {
 PlanCanvas::PlanCanvas(QWidget* parent) : QWidget(parent) {
     setMinimumSize(160, 120);
     setFocusPolicy(Qt::StrongFocus);
+    announceAs(*this, QAccessible::Graphic, tr("Plan of the room"));
 }
 
 void PlanCanvas::setExtent(const Bounds2& extent) {

@@ -31,7 +31,6 @@ double spacing(const std::vector<StationMark>& marks) {
 } // namespace
 
 PlanView::PlanView(QWidget* parent) : PlanCanvas(parent) {
-    setAccessibleName(tr("Plan of the room"));
     connect(this, &PlanCanvas::pressedAt, this, [this](const QPointF& pInRoom) {
         if (const StationMark* mark = markAt(widgetFromRoom().map(pInRoom))) {
             emit stationClicked(mark->id);

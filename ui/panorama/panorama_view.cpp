@@ -2,6 +2,7 @@
 #include "ui/panorama/panorama_view.h"
 
 #include "ui/look/theme.h"
+#include "ui/look/words.h"
 #include "ui/panorama/panorama_presenter.h"
 
 #include <QKeyEvent>
@@ -34,9 +35,9 @@ const QColor kMarkedColour(240, 228, 66);
 
 PanoramaView::PanoramaView(QWidget* parent) : QWidget(parent), m_presenter(new PanoramaPresenter(this)) {
     setFocusPolicy(Qt::StrongFocus);
+    announceAs(*this, QAccessible::Graphic, tr("Photo to look around in"));
     setMinimumSize(240, 160);
     setCursor(Qt::OpenHandCursor);
-    setAccessibleName(tr("Photo to look around in"));
     setToolTip(tr("Drag or use the arrow keys to look around; wheel, + and - change the field of view; 0 "
                   "looks level"));
     connect(m_presenter, &PanoramaPresenter::changed, this, &PanoramaView::showState);

@@ -3,6 +3,7 @@
 
 #include "ui/fields/scene_fields.h"
 #include "ui/look/theme.h"
+#include "ui/look/words.h"
 #include "ui/map/station_words.h"
 #include "ui/preview/preview_presenter.h"
 
@@ -26,13 +27,10 @@ Radians dragAngle(const CameraIntrinsics& camera) {
 std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
     std::vector<StationMark> marks;
     for (std::size_t i = 0; i < info.photos.size(); ++i) {
-        StationMark mark;
-        mark.id = static_cast<std::int64_t>(i);
-        mark.positionM = info.photos[i].roomFromPhoto.translation.head<2>();
-        mark.name = stationWords(info.photos[i].station);
-        mark.standing = Standing::Taken;
-        mark.note = QString::fromStdString(info.photos[i].file);
-        marks.push_back(std::move(mark));
+        const render::DatasetPhoto& photo = info.photos[i];
+        marks.push_back({static_cast<std::int64_t>(i), photo.roomFromPhoto.translation.head<2>(),
+                         stationWords(photo.station), Standing::Taken});
+        marks.back().note = QString::fromStdString(photo.file);
     }
     return marks;
 }
@@ -70,8 +68,8 @@ const QColor kPath(204, 121, 167);
 
 DriveView::DriveView(PreviewPresenter& presenter, QWidget* parent) : QWidget(parent), m_presenter(presenter) {
     setFocusPolicy(Qt::StrongFocus);
+    announceAs(*this, QAccessible::Graphic, tr("What the robot's camera sees"));
     setMinimumSize(320, 240);
-    setAccessibleName(tr("What the robot's camera sees"));
     setToolTip(
         tr("W A S D or the arrow keys drive, Q and E go sideways; drag to turn. Shift and a click put the "
            "object there."));

@@ -101,4 +101,22 @@ void FaceSearchBar::showState() {
     m_search->setEnabled(m_presenter.canSearchFaces());
 }
 
+StoryLabel::StoryLabel(ReviewPresenter& presenter, QWidget* parent) : QLabel(parent), m_presenter(presenter) {
+    setObjectName("story");
+    setWordWrap(true);
+    setTextInteractionFlags(Qt::TextSelectableByMouse);
+    connect(&presenter, &ReviewPresenter::currentChanged, this, &StoryLabel::showState);
+    showState();
+}
+
+void StoryLabel::setWanted(bool isWanted) {
+    m_isWanted = isWanted;
+    showState();
+}
+
+void StoryLabel::showState() {
+    setVisible(m_isWanted);
+    setText(m_isWanted ? m_presenter.story().join(QLatin1Char('\n')) : QString());
+}
+
 } // namespace spherewalk::ui

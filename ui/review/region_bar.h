@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 
 class QAction;
@@ -48,6 +49,22 @@ class FaceSearchBar : public QWidget {
     ReviewPresenter& m_presenter;
     QPushButton* m_search;
     TaskBar* m_progress;
+};
+
+/// Tells what became of the current photo, if that is wanted.
+class StoryLabel : public QLabel {
+    Q_OBJECT
+
+  public:
+    explicit StoryLabel(ReviewPresenter& presenter, QWidget* parent = nullptr);
+
+    void setWanted(bool isWanted);
+
+  private:
+    void showState();
+
+    ReviewPresenter& m_presenter;
+    bool m_isWanted = false;
 };
 
 } // namespace spherewalk::ui

@@ -36,8 +36,9 @@ ReviewMode::ReviewMode(TaskList& tasks, std::filesystem::path thumbnailFolder, Q
     m_presenter->setShown(false);
     auto* columns = new QSplitter(this);
     columns->addWidget(makeList());
-    columns->addWidget(makeViewer());
-    columns->addWidget(makePlan());
+    m_besideList = {makeViewer(), makePlan()};
+    columns->addWidget(m_besideList.first());
+    columns->addWidget(m_besideList.last());
     columns->setStretchFactor(0, 0);
     columns->setStretchFactor(1, 3);
     columns->setStretchFactor(2, 2);
@@ -120,6 +121,20 @@ QWidget* ReviewMode::makeList() {
     m_list->setUniformItemSizes(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_list->setResizeMode(QListView::Adjust);
+    m_sheet = makeAction(tr("Contact sheet"), {QKeySequence(Qt::Key_G)},
+                         tr("Show the listed photos beside each other, in place of one photo and the plan"));
+    m_sheet->setCheckable(true);
+    connect(m_sheet, &QAction::toggled, this, &ReviewMode::showSheet);
+    connect(m_list, &QListView::activated, this, [this] { m_sheet->setChecked(false); });
+    m_sheet->setIcon(ui::icon("contact"));
+    auto* sheet = new QToolButton(column);
+    sheet->setObjectName("contactSheet");
+    sheet->setDefaultAction(m_sheet);
+    sheet->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    auto* searching = new QHBoxLayout;
+    searching->addWidget(m_search, 1);
+    searching->addWidget(sheet);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& index) {
                 if (index.isValid()) {
@@ -139,7 +154,7 @@ QWidget* ReviewMode::makeList() {
     m_check->setToolTip(tr("Judge the photos that no check has seen, such as imported ones"));
     connect(m_check, &QPushButton::clicked, m_presenter, &ReviewPresenter::check);
     layout->addWidget(m_filter);
-    layout->addWidget(m_search);
+    layout->addLayout(searching);
     layout->addWidget(m_list, 1);
     layout->addWidget(m_summary);
     layout->addWidget(m_check);
@@ -187,20 +202,22 @@ QWidget* ReviewMode::makeViewer() {
     connect(m_comparison, &QComboBox::currentIndexChanged, this, &ReviewMode::compare);
     connect(m_neighbour, &QComboBox::currentIndexChanged, this,
             [this] { compare(m_comparison->currentIndex()); });
-    connect(makeAction(tr("Next way to compare"), {QKeySequence(Qt::Key_C)}, {}), &QAction::triggered, this,
-            [this] {
-                m_comparison->setCurrentIndex((m_comparison->currentIndex() + 1) % m_comparison->count());
-            });
-    connect(makeAction(tr("Next neighbour"), {QKeySequence(Qt::Key_N)}, {}), &QAction::triggered, this,
-            [this] {
-                if (m_neighbour->count() > 0) {
-                    m_neighbour->setCurrentIndex((m_neighbour->currentIndex() + 1) % m_neighbour->count());
-                }
-            });
+    const auto addCycle = [&](const QString& text, Qt::Key key, QComboBox* box) {
+        connect(makeAction(text, {QKeySequence(key)}, {}), &QAction::triggered, box, [box] {
+            box->setCurrentIndex(box->count() > 0 ? (box->currentIndex() + 1) % box->count() : -1);
+        });
+    };
+    addCycle(tr("Next way to compare"), Qt::Key_C, m_comparison);
+    addCycle(tr("Next neighbour"), Qt::Key_N, m_neighbour);
 
     m_reasons = new ToldLabel(column);
     m_reasons->setObjectName("reasons");
 
+    auto* story = new StoryLabel(*m_presenter, column);
+    QAction* tells = makeAction(tr("Story"), {QKeySequence(Qt::Key_I)},
+                                tr("Tell what became of this photo: taken, judged, moved, aligned, decided"));
+    tells->setCheckable(true);
+    connect(tells, &QAction::toggled, story, &StoryLabel::setWanted);
     m_note = new QLineEdit(column);
     m_note->setObjectName("note");
     m_note->setMaxLength(500);
@@ -235,6 +252,10 @@ QWidget* ReviewMode::makeViewer() {
         connect(makeAction(text, keys, text), &QAction::triggered, this,
                 [this, by] { m_presenter->step(by); });
     };
+    auto* teller = new QToolButton(this);
+    teller->setDefaultAction(tells);
+    teller->setMinimumHeight(34);
+    buttons->addWidget(teller);
     addStep(tr("Next photo"), {QKeySequence(Qt::Key_J), QKeySequence(Qt::Key_PageDown)}, 1);
     addStep(tr("Previous photo"), {QKeySequence(Qt::Key_K), QKeySequence(Qt::Key_PageUp)}, -1);
 
@@ -244,6 +265,7 @@ QWidget* ReviewMode::makeViewer() {
     layout->addWidget(m_viewer, 1);
     layout->addWidget(regions);
     layout->addWidget(m_reasons);
+    layout->addWidget(story);
     layout->addWidget(m_note);
     layout->addLayout(buttons);
     return column;
@@ -360,6 +382,17 @@ void ReviewMode::showCurrent() {
     showNeighbours();
     showBatch();
     showRegions();
+}
+
+/// Lets the list take the page, in as many columns as it has room for.
+void ReviewMode::showSheet(bool isSheet) {
+    for (QWidget* beside : std::as_const(m_besideList)) {
+        beside->setVisible(!isSheet);
+    }
+    m_list->setFlow(isSheet ? QListView::LeftToRight : QListView::TopToBottom);
+    m_list->setWrapping(isSheet);
+    m_list->scrollTo(m_list->currentIndex());
+    m_list->setFocus();
 }
 
 /// Turns to the first private region of each photo while photos with such are listed.

@@ -63,6 +63,7 @@ class ReviewMode : public Mode {
     void compare(int comparison);
     void chooseReport();
     void showMeasure();
+    void showSheet(bool isSheet);
 
     PanoramaView* m_viewer;
     ReviewPresenter* m_presenter;
@@ -74,6 +75,8 @@ class ReviewMode : public Mode {
     QPushButton* m_check = nullptr;
     QPushButton* m_align = nullptr;
     ToldLabel* m_reasons = nullptr;
+    QAction* m_sheet = nullptr;   ///< Whether the list is a contact sheet.
+    QList<QWidget*> m_besideList; ///< What a contact sheet takes the room of.
     QLineEdit* m_note = nullptr;
     std::optional<std::int64_t> m_notePhoto; ///< The photo that m_note belongs to.
     QComboBox* m_neighbour = nullptr;

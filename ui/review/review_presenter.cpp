@@ -4,6 +4,7 @@
 #include "ui/fields/scene_fields.h"
 #include "ui/frame/settings.h"
 #include "ui/look/core_words.h"
+#include "ui/review/finding_words.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -398,6 +399,12 @@ void ReviewPresenter::showCurrent() {
     const bool isCompared = m_compared && *m_compared < m_neighbours.size();
     m_viewer.setOther(isCompared ? std::optional(shown(*m_neighbours[*m_compared])) : std::nullopt);
     emit currentChanged();
+}
+
+QStringList ReviewPresenter::story() const {
+    const ReviewRow* row = current();
+    return session() != nullptr && row != nullptr && row->photo ? storyOf(session()->store(), *row->photo)
+                                                                : QStringList();
 }
 
 QString ReviewPresenter::summary() const {

@@ -253,4 +253,39 @@ TEST_F(ReviewModeTest, ListsTheDoubtfulForAnotherPage) {
     EXPECT_EQ(session->selection()->current(), second);
 }
 
+TEST_F(ReviewModeTest, ShowsAllPhotosOnAContactSheet) {
+    auto& list = widget<QListView>("stations");
+    const auto rowOf = [&](int row) { return list.visualRect(list.model()->index(row, 0)); };
+    EXPECT_EQ(rowOf(0).x(), rowOf(1).x());
+    press(Qt::Key_G);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return rowOf(1).x() > rowOf(0).x(); }));
+    EXPECT_EQ(rowOf(0).y(), rowOf(1).y());
+    EXPECT_GT(list.width(), mode.width() * 3 / 4);
+    EXPECT_FALSE(widget<CoverageView>("coverage").isVisible());
+    press(Qt::Key_Right); // its photos are walked through and decided on as in the list
+    press(Qt::Key_R);
+    EXPECT_EQ(review(1).decision, store::Decision::Rejected);
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, rowOf(2).center());
+    press(Qt::Key_Return); // shows the photo
+    EXPECT_TRUE(widget<CoverageView>("coverage").isVisible());
+    EXPECT_EQ(session->selection()->current(), session->store().stations().at(2).id);
+}
+
+TEST_F(ReviewModeTest, TellsTheStoryOfAPhoto) {
+    auto& story = widget<QLabel>("story");
+    EXPECT_FALSE(story.isVisible());
+    press(Qt::Key_Home);
+    press(Qt::Key_I);
+    ASSERT_TRUE(story.isVisible());
+    for (const char* words : {"Taken as R1001.JPG", "stored", "No check has judged it.",
+                              "it looks along 0.0 degrees", "Nobody has decided on it yet."}) {
+        EXPECT_TRUE(story.text().contains(words)) << words << " in " << story.text().toStdString();
+    }
+    press(Qt::Key_A); // and goes on
+    press(Qt::Key_K);
+    EXPECT_TRUE(story.text().contains("Somebody has accepted it.")) << story.text().toStdString();
+    press(Qt::Key_I);
+    EXPECT_FALSE(story.isVisible());
+}
+
 } // namespace spherewalk::ui

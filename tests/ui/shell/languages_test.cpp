@@ -16,6 +16,7 @@
 #include "spherewalk/photo/verdict.h"
 
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QAction>
 #include <QLabel>
 #include <QMenu>
@@ -160,6 +161,25 @@ TEST_P(LanguagesTest, EachLetterOpensOneThing) {
             if (target != nullptr && widget->isVisible()) {
                 take(textOf(*widget));
             }
+        }
+    });
+}
+
+/// What AT-SPI hands on to a screen reader.
+TEST_P(LanguagesTest, WhatTakesTheFocusHasANameAndARole) {
+    onPages([](const MainWindow& window, const QString& page) {
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            if (!widget->isVisible() || (widget->focusPolicy() & Qt::TabFocus) == 0 ||
+                widget->focusProxy() != nullptr) {
+                continue;
+            }
+            const QString what =
+                QString("%1: %2 %3").arg(page, widget->metaObject()->className(), widget->objectName());
+            QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
+            ASSERT_NE(interface, nullptr) << what.toStdString();
+            EXPECT_FALSE(interface->text(QAccessible::Name).isEmpty()) << what.toStdString();
+            EXPECT_NE(interface->role(), QAccessible::NoRole) << what.toStdString();
+            EXPECT_NE(interface->role(), QAccessible::Client) << what.toStdString();
         }
     });
 }
