@@ -333,6 +333,9 @@ void CameraNode::takeTransform(const Transform& transform, bool isStatic) {
 }
 
 void CameraNode::takeTime(Stamp now) {
+    if (now == Stamp::zero()) {
+        return; // simulated time of which no /clock has told
+    }
     State& state = *m_state;
     const std::scoped_lock lock(state.mutex);
     if (state.newest() == Stamp::max()) {

@@ -133,7 +133,8 @@ class CameraNode {
     /// isStatic: the transform came on /tf_static and holds at all times.
     void takeTransform(const Transform& transform, bool isStatic);
 
-    /// Tells the time. Where only static transforms connect room and camera, each call gives a pose.
+    /// Tells the time. Where only static transforms connect room and camera, each call gives a pose. Zero
+    /// stands for a time that is not known, as in ROS, and gives none.
     void takeTime(Stamp now);
 
     /// Takes a pose of the camera, or of the frame of its rig, that is no transform. frame: the frame of

@@ -67,6 +67,7 @@ class DdsTest : public testing::Test {
                                      });
         port.read<DiagnosticMessage>("/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc,
                                      Quality::Reliable, [this](const DiagnosticMessage& message) {
+                                         ++reports;
                                          const auto& status = message.status._buffer[0];
                                          for (std::uint32_t i = 0; i < status.values._length; ++i) {
                                              diagnostics[status.values._buffer[i].key] =
@@ -159,6 +160,7 @@ class DdsTest : public testing::Test {
     std::vector<Image> images;
     std::map<Stamp, Calibration> infos;
     std::map<std::string, std::string> diagnostics;
+    int reports = 0; ///< of diagnostics
     Stamp now = 1000s;
     std::optional<test::Program> node;
 };
@@ -391,6 +393,22 @@ TEST_F(DdsTest, LaysASimulatorsObjectsInBetweenTwoTransforms) {
     EXPECT_EQ(labels.back().stamp.count() % 10'000'000, 5'000'000);
     EXPECT_EQ(labels.back().encoding, "16UC1");
     EXPECT_EQ(labels.back().data, std::vector<std::uint8_t>(2 * kPixels, 255)) << "objects without a label";
+}
+
+TEST_F(DdsTest, ACameraThatStandsStillWaitsForTheSimulationsTime) {
+    startNode({"--sim-time"});
+    waitFor("two reports", [&] {
+        sendTransform(tfStatic, "base", "camera_optical", 0s, kBaseFromCamera);
+        sendTransform(tfStatic, "map", "base", 0s, baseAt(0s));
+        return reports > 1;
+    });
+    const dds_entity_t clock = port.writer("/clock", rosgraph_msgs_msg_dds__Clock__desc, Quality::Sensor);
+    const ClockMessage message{timeOf(5s)};
+    waitFor("a frame", [&] {
+        DdsPort::write(clock, &message);
+        return !images.empty();
+    });
+    EXPECT_EQ(images.front().stamp, Stamp(5s));
 }
 
 TEST_F(DdsTest, RefusesInASentence) {
