@@ -106,7 +106,9 @@ class RclcppNode : public rclcpp::Node {
     void advertise(const PublishedCamera& camera);
     void subscribePoses();
     void subscribe(OverlayTopic topic, std::size_t camera);
+    /// Errors: Network, in place of rclcpp's own exceptions, which the camera's thread does not take.
     void publish(const PublishedFrame& frame);
+    void publishPictures(const PublishedFrame& frame);
     bool hasListeners() const;
     void publishDiagnostics();
 
@@ -201,11 +203,14 @@ void RclcppNode::subscribePoses() {
 }
 
 void RclcppNode::subscribe(OverlayTopic topic, std::size_t camera) {
+    rclcpp::SubscriptionOptions options; // a simulator that publishes reliably need not lose pictures
+    options.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
     m_subscriptions.push_back(create_subscription<sensor_msgs::msg::Image>(
         m_node->overlayTopic(topic, camera), rclcpp::SensorDataQoS(),
         [this, topic, camera](const sensor_msgs::msg::Image::ConstSharedPtr message) {
             m_node->takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message), camera);
-        }));
+        },
+        options));
 }
 
 bool RclcppNode::hasListeners() const {
@@ -218,6 +223,14 @@ bool RclcppNode::hasListeners() const {
 }
 
 void RclcppNode::publish(const PublishedFrame& frame) {
+    try {
+        publishPictures(frame);
+    } catch (const rclcpp::exceptions::RCLErrorBase& error) {
+        throw Error(ErrorKind::Network, "A frame could not be published: " + error.formatted_message);
+    }
+}
+
+void RclcppNode::publishPictures(const PublishedFrame& frame) {
     auto info = std::make_unique<sensor_msgs::msg::CameraInfo>();
     info->header.stamp = timeOf(frame.stamp);
     info->header.frame_id = m_node->cameras()[frame.camera].frameId;
