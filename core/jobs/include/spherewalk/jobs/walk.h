@@ -91,10 +91,10 @@ struct WalkReport {
 /// columns exposure_time_s and gain_db. The path between the poses is straight, and turns evenly; see
 /// poseAt().
 ///
-/// With WalkOptions::writesLabels, labels/000000.png, ... hold in 16 bits which object each pixel shows: 1 for
-/// the first ball, the numbers after those of balls for meshes, 0 for the room. annotations.json has masks, boxes and visible shares as COCO has them, see
-/// dataset::cocoJson(). With a sensor, labels are those of the view at the frame's time, without the sensor's
-/// blur. A bag has them as /camera/labels/image_raw.
+/// With WalkOptions::writesLabels, labels/000000.png, ... hold in 16 bits which object each pixel shows: 1
+/// for the first ball, the numbers after those of balls for meshes, 0 for the room. annotations.json has
+/// masks, boxes and visible shares as COCO has them, see dataset::cocoJson(). With a sensor, labels are those
+/// of the view at the frame's time, without the sensor's blur. A bag has them as /camera/labels/image_raw.
 ///
 /// A bag holds the picture and /camera/camera_info in the frame camera_optical, and the true pose of
 /// camera_optical in the frame map, which is the room: /camera/pose (geometry_msgs/PoseStamped) and /tf. The
@@ -102,9 +102,9 @@ struct WalkReport {
 ///
 /// Frames: the poses are those of the optical frame.
 /// Errors: those of rendering and writing; InvalidInput before anything is rendered, if a bag is wanted and
-/// ROS cannot hold a pose's time, labels are wanted without an object, or a sensor is given and the path's times
-/// do not ascend. InvalidInput for depth and labels, where the scene model knows no depth.
-/// Stop: Stopped, with the frames so far kept.
+/// ROS cannot hold a pose's time, labels are wanted without an object, or a sensor is given and the path's
+/// times do not ascend. InvalidInput for depth and labels, where the scene model knows no depth. Stop:
+/// Stopped, with the frames so far kept.
 WalkReport walk(const render::Renderer& renderer, const CameraModel& camera,
                 const std::vector<TimedPose>& path, const WalkOptions& options,
                 const std::filesystem::path& folder, ProgressSink& progress, const std::stop_token& stop);
