@@ -16,6 +16,7 @@
 #include "ui/remote/phone_remote.h"
 #include "ui/remote/remote_form.h"
 #include "ui/review/coverage_view.h"
+#include "ui/review/region_bar.h"
 #include "ui/review/review_mode.h"
 #include "ui/shell/application.h"
 #include "ui/shell/help_window.h"
@@ -298,6 +299,12 @@ class Album {
         waitUntil([&] { return viewer.remark().isEmpty(); });
         shoot("review-slider");
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Off));
+        review.findChild<StoryLabel*>()->setWanted(true);
+        shoot("review-story");
+        review.findChild<StoryLabel*>()->setWanted(false);
+        review.findChild<QToolButton*>("contactSheet")->click();
+        shoot("review-sheet");
+        review.findChild<QToolButton*>("contactSheet")->click();
     }
 
     void shootAlign() {

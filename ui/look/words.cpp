@@ -86,9 +86,9 @@ QAccessibleInterface* announced(const QString& /*className*/, QObject* object) {
 } // namespace
 
 void announceAs(QWidget& widget, QAccessible::Role role, const QString& name) {
-    widget.setAccessibleName(name);
     widget.setProperty(kRole, static_cast<int>(role));
     QAccessible::installFactory(&announced); // once, however often
+    widget.setAccessibleName(name);          // last: what is announced is kept from here on
 }
 
 } // namespace spherewalk::ui
