@@ -131,7 +131,6 @@ QWidget* ReviewMode::makeList() {
     auto* sheet = new QToolButton(column);
     sheet->setObjectName("contactSheet");
     sheet->setDefaultAction(m_sheet);
-    sheet->setToolButtonStyle(Qt::ToolButtonIconOnly);
     auto* searching = new QHBoxLayout;
     searching->addWidget(m_search, 1);
     searching->addWidget(sheet);
@@ -386,11 +385,12 @@ void ReviewMode::showCurrent() {
 
 /// Lets the list take the page, in as many columns as it has room for.
 void ReviewMode::showSheet(bool isSheet) {
-    for (QWidget* beside : std::as_const(m_besideList)) {
-        beside->setVisible(!isSheet);
-    }
+    m_besideList.first()->setVisible(!isSheet);
+    m_besideList.last()->setVisible(!isSheet);
     m_list->setFlow(isSheet ? QListView::LeftToRight : QListView::TopToBottom);
     m_list->setWrapping(isSheet);
+    const QSize cell(3 * m_list->sizeHintForColumn(0) / 2, m_list->sizeHintForRow(0));
+    m_list->setGridSize(isSheet ? cell : QSize());
     m_list->scrollTo(m_list->currentIndex());
     m_list->setFocus();
 }
