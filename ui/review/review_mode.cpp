@@ -389,8 +389,6 @@ void ReviewMode::showSheet(bool isSheet) {
     m_besideList.last()->setVisible(!isSheet);
     m_list->setFlow(isSheet ? QListView::LeftToRight : QListView::TopToBottom);
     m_list->setWrapping(isSheet);
-    const QSize cell(3 * m_list->sizeHintForColumn(0) / 2, m_list->sizeHintForRow(0));
-    m_list->setGridSize(isSheet ? cell : QSize());
     m_list->scrollTo(m_list->currentIndex());
     m_list->setFocus();
 }

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QListView>
 #include <QPainter>
 
 #include <algorithm>
@@ -365,7 +366,10 @@ bool ReviewProxy::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const
 
 QSize ReviewDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& /*index*/) const {
     constexpr int kFewWordsPx = 60; // else a narrow list scrolls sideways, and a wide one gives more anyway
-    return {kThumbnailWidth + kFewWordsPx,
+    constexpr int kWordsPx = 150;
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    const bool isSheet = list != nullptr && list->isWrapping();
+    return {kThumbnailWidth + (isSheet ? kWordsPx : kFewWordsPx),
             std::max(kThumbnailHeight, 3 * option.fontMetrics.height()) + 2 * kGap};
 }
 
