@@ -8,14 +8,21 @@
 
 namespace spherewalk::program {
 
+namespace {
+constexpr const char* kCameraHelp = "Camera: a ROS camera-info YAML";
+}
+
+void declareCameras(const Command& command, std::string& camera, std::string& rig) {
+    const Command cameras = command.oneOf("Camera", "One camera, or several that a robot carries");
+    cameras.option("--camera", camera, kCameraHelp);
+    cameras.option("--rig", rig,
+                   "Rig: a YAML that names cameras, their camera-info files, and where they sit");
+}
+
 void RenderOptions::declare(const Command& command, const std::string& datasetHelp, bool withRig) {
     declareWithoutCamera(command, datasetHelp);
-    constexpr const char* kCameraHelp = "Camera: a ROS camera-info YAML";
     if (withRig) {
-        const Command cameras = command.oneOf("Camera", "One camera, or several that a robot carries");
-        cameras.option("--camera", m_camera, kCameraHelp);
-        cameras.option("--rig", m_rig,
-                       "Rig: a YAML that names cameras, their camera-info files, and where they sit");
+        declareCameras(command, m_camera, m_rig);
     } else {
         command.option("--camera", m_camera, kCameraHelp).required();
     }

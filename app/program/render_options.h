@@ -18,6 +18,9 @@ namespace spherewalk::program {
 /// Declares --frame, for commands that take poses from the user.
 void declareFrame(const Command& command, std::string& frame);
 
+/// Declares --camera and --rig, of which one is wanted.
+void declareCameras(const Command& command, std::string& camera, std::string& rig);
+
 /// The pose of the optical frame (z forward). roomFromGiven: the pose of the frame that --frame names.
 Rigid3 opticalPose(const Rigid3& roomFromGiven, std::string_view frame);
 

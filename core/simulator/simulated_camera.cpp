@@ -56,9 +56,7 @@ struct FrameMaker {
                             options.overlay->camera.value_or(model.intrinsics()), options.view.threads);
         }
         if (options.sensor) {
-            render::SensorModel own = *options.sensor;
-            own.seed += index;
-            sensor.emplace(own, model, options.view.threads);
+            sensor.emplace(options.sensor->ofCamera(index), model, options.view.threads);
         }
     }
 

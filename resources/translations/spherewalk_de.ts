@@ -2440,76 +2440,6 @@
         <source>not moved</source>
         <translation>nicht bewegt</translation>
     </message>
-    <message>
-        <source>Taken %1 as %2</source>
-        <translation>Aufgenommen %1 als %2</translation>
-    </message>
-    <message>
-        <source>Taken as %1, it does not say when</source>
-        <translation>Aufgenommen als %1, ohne Angabe der Zeit</translation>
-    </message>
-    <message>
-        <source>, by the camera %1</source>
-        <translation>, von der Kamera %1</translation>
-    </message>
-    <message>
-        <source>%1%2; stored %3.</source>
-        <translation>%1%2; gespeichert %3.</translation>
-    </message>
-    <message>
-        <source>No check has judged it.</source>
-        <translation>Keine Prüfung hat es beurteilt.</translation>
-    </message>
-    <message>
-        <source>The checks found nothing.</source>
-        <translation>Die Prüfungen fanden nichts.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The checks found %n thing(s).</source>
-        <translation>
-            <numerusform>Die Prüfungen fanden %n Sache.</numerusform>
-            <numerusform>Die Prüfungen fanden %n Sachen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>It is not aligned yet.</source>
-        <translation>Es ist noch nicht ausgerichtet.</translation>
-    </message>
-    <message>
-        <source>The alignment of %1 found no heading for it.</source>
-        <translation>Die Ausrichtung vom %1 fand keine Richtung dafür.</translation>
-    </message>
-    <message>
-        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
-        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad, auf %L3 Grad bekannt.</translation>
-    </message>
-    <message>
-        <source>Aligned %1: it looks along %L2 degrees.</source>
-        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad.</translation>
-    </message>
-    <message>
-        <source>Somebody has accepted it.</source>
-        <translation>Jemand hat es angenommen.</translation>
-    </message>
-    <message>
-        <source>Somebody has rejected it.</source>
-        <translation>Jemand hat es abgelehnt.</translation>
-    </message>
-    <message>
-        <source>Nobody has decided on it yet.</source>
-        <translation>Niemand hat darüber entschieden.</translation>
-    </message>
-    <message>
-        <source>Moved here from %1, where it was tagged first.</source>
-        <translation>Von %1 hierher verlegt, wo es zuerst eingetragen war.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The station has %n other photo(s).</source>
-        <translation>
-            <numerusform>Der Standort hat %n anderes Foto.</numerusform>
-            <numerusform>Der Standort hat %n andere Fotos.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>spherewalk::ui::FloorPicture</name>
@@ -5350,6 +5280,79 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>Lay the rail. First stop: %1. Last stop: %2.</source>
         <translation>Legen Sie die Schiene. Erster Halt: %1. Letzter Halt: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StoryWords</name>
+    <message>
+        <source>Taken %1 as %2</source>
+        <translation>Aufgenommen %1 als %2</translation>
+    </message>
+    <message>
+        <source>Taken as %1, it does not say when</source>
+        <translation>Aufgenommen als %1, ohne Angabe der Zeit</translation>
+    </message>
+    <message>
+        <source>, by the camera %1</source>
+        <translation>, von der Kamera %1</translation>
+    </message>
+    <message>
+        <source>%1%2; stored %3.</source>
+        <translation>%1%2; gespeichert %3.</translation>
+    </message>
+    <message>
+        <source>No check has judged it.</source>
+        <translation>Keine Prüfung hat es beurteilt.</translation>
+    </message>
+    <message>
+        <source>The checks found nothing.</source>
+        <translation>Die Prüfungen fanden nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The checks found %n thing(s).</source>
+        <translation>
+            <numerusform>Die Prüfungen fanden %n Sache.</numerusform>
+            <numerusform>Die Prüfungen fanden %n Sachen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not aligned yet.</source>
+        <translation>Es ist noch nicht ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 found no heading for it.</source>
+        <translation>Die Ausrichtung vom %1 fand keine Richtung dafür.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
+        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad, auf %L3 Grad bekannt.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees.</source>
+        <translation>Ausgerichtet %1: es blickt in Richtung %L2 Grad.</translation>
+    </message>
+    <message>
+        <source>Somebody has accepted it.</source>
+        <translation>Jemand hat es angenommen.</translation>
+    </message>
+    <message>
+        <source>Somebody has rejected it.</source>
+        <translation>Jemand hat es abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Nobody has decided on it yet.</source>
+        <translation>Niemand hat darüber entschieden.</translation>
+    </message>
+    <message>
+        <source>Moved here from %1, where it was tagged first.</source>
+        <translation>Von %1 hierher verlegt, wo es zuerst eingetragen war.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The station has %n other photo(s).</source>
+        <translation>
+            <numerusform>Der Standort hat %n anderes Foto.</numerusform>
+            <numerusform>Der Standort hat %n andere Fotos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -152,23 +152,6 @@
     </message>
 </context>
 <context>
-    <name>spherewalk::ui::FindingWords</name>
-    <message numerus="yes">
-        <source>The checks found %n thing(s).</source>
-        <translation>
-            <numerusform>The checks found %n thing.</numerusform>
-            <numerusform>The checks found %n things.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The station has %n other photo(s).</source>
-        <translation>
-            <numerusform>The station has %n other photo.</numerusform>
-            <numerusform>The station has %n other photos.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>spherewalk::ui::GridStudyModel</name>
     <message numerus="yes">
         <source>%1: %n photo(s), %2</source>
@@ -396,6 +379,23 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
         <translation>
             <numerusform>in %n photo</numerusform>
             <numerusform>in %n photos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StoryWords</name>
+    <message numerus="yes">
+        <source>The checks found %n thing(s).</source>
+        <translation>
+            <numerusform>The checks found %n thing.</numerusform>
+            <numerusform>The checks found %n things.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The station has %n other photo(s).</source>
+        <translation>
+            <numerusform>The station has %n other photo.</numerusform>
+            <numerusform>The station has %n other photos.</numerusform>
         </translation>
     </message>
 </context>

@@ -2458,78 +2458,6 @@
         <source>not moved</source>
         <translation>nie przesunięto</translation>
     </message>
-    <message>
-        <source>Taken %1 as %2</source>
-        <translation>Wykonano %1 jako %2</translation>
-    </message>
-    <message>
-        <source>Taken as %1, it does not say when</source>
-        <translation>Wykonano jako %1, bez podanego czasu</translation>
-    </message>
-    <message>
-        <source>, by the camera %1</source>
-        <translation>, aparatem %1</translation>
-    </message>
-    <message>
-        <source>%1%2; stored %3.</source>
-        <translation>%1%2; zapisano %3.</translation>
-    </message>
-    <message>
-        <source>No check has judged it.</source>
-        <translation>Żadne sprawdzenie go nie oceniło.</translation>
-    </message>
-    <message>
-        <source>The checks found nothing.</source>
-        <translation>Sprawdzenia niczego nie wykryły.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The checks found %n thing(s).</source>
-        <translation>
-            <numerusform>Sprawdzenia wykryły %n rzecz.</numerusform>
-            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
-            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>It is not aligned yet.</source>
-        <translation>Nie jest jeszcze wyrównane.</translation>
-    </message>
-    <message>
-        <source>The alignment of %1 found no heading for it.</source>
-        <translation>Wyrównanie z %1 nie znalazło jego kierunku.</translation>
-    </message>
-    <message>
-        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
-        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni, znanym z dokładnością %L3 stopnia.</translation>
-    </message>
-    <message>
-        <source>Aligned %1: it looks along %L2 degrees.</source>
-        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni.</translation>
-    </message>
-    <message>
-        <source>Somebody has accepted it.</source>
-        <translation>Ktoś je przyjął.</translation>
-    </message>
-    <message>
-        <source>Somebody has rejected it.</source>
-        <translation>Ktoś je odrzucił.</translation>
-    </message>
-    <message>
-        <source>Nobody has decided on it yet.</source>
-        <translation>Nikt jeszcze o nim nie zdecydował.</translation>
-    </message>
-    <message>
-        <source>Moved here from %1, where it was tagged first.</source>
-        <translation>Przeniesione tu z %1, gdzie było najpierw przypisane.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The station has %n other photo(s).</source>
-        <translation>
-            <numerusform>Stanowisko ma jeszcze %n zdjęcie.</numerusform>
-            <numerusform>Stanowisko ma jeszcze %n zdjęcia.</numerusform>
-            <numerusform>Stanowisko ma jeszcze %n zdjęć.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>spherewalk::ui::FloorPicture</name>
@@ -5398,6 +5326,81 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>%1 (check: %2)</source>
         <translation>%1 (kontrola: %2)</translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::StoryWords</name>
+    <message>
+        <source>Taken %1 as %2</source>
+        <translation>Wykonano %1 jako %2</translation>
+    </message>
+    <message>
+        <source>Taken as %1, it does not say when</source>
+        <translation>Wykonano jako %1, bez podanego czasu</translation>
+    </message>
+    <message>
+        <source>, by the camera %1</source>
+        <translation>, aparatem %1</translation>
+    </message>
+    <message>
+        <source>%1%2; stored %3.</source>
+        <translation>%1%2; zapisano %3.</translation>
+    </message>
+    <message>
+        <source>No check has judged it.</source>
+        <translation>Żadne sprawdzenie go nie oceniło.</translation>
+    </message>
+    <message>
+        <source>The checks found nothing.</source>
+        <translation>Sprawdzenia niczego nie wykryły.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The checks found %n thing(s).</source>
+        <translation>
+            <numerusform>Sprawdzenia wykryły %n rzecz.</numerusform>
+            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
+            <numerusform>Sprawdzenia wykryły %n rzeczy.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is not aligned yet.</source>
+        <translation>Nie jest jeszcze wyrównane.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 found no heading for it.</source>
+        <translation>Wyrównanie z %1 nie znalazło jego kierunku.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees, known to %L3 degrees.</source>
+        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni, znanym z dokładnością %L3 stopnia.</translation>
+    </message>
+    <message>
+        <source>Aligned %1: it looks along %L2 degrees.</source>
+        <translation>Wyrównano %1: patrzy w kierunku %L2 stopni.</translation>
+    </message>
+    <message>
+        <source>Somebody has accepted it.</source>
+        <translation>Ktoś je przyjął.</translation>
+    </message>
+    <message>
+        <source>Somebody has rejected it.</source>
+        <translation>Ktoś je odrzucił.</translation>
+    </message>
+    <message>
+        <source>Nobody has decided on it yet.</source>
+        <translation>Nikt jeszcze o nim nie zdecydował.</translation>
+    </message>
+    <message>
+        <source>Moved here from %1, where it was tagged first.</source>
+        <translation>Przeniesione tu z %1, gdzie było najpierw przypisane.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The station has %n other photo(s).</source>
+        <translation>
+            <numerusform>Stanowisko ma jeszcze %n zdjęcie.</numerusform>
+            <numerusform>Stanowisko ma jeszcze %n zdjęcia.</numerusform>
+            <numerusform>Stanowisko ma jeszcze %n zdjęć.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

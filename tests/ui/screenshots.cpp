@@ -30,6 +30,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QListView>
 #include <QProcess>
 #include <QPushButton>
 #include <QScrollArea>
@@ -66,6 +67,21 @@ void waitUntil(const std::function<bool()>& holds) {
         }
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
     }
+}
+
+/// Runs the event loop until the widget has looked the same for a second: pictures are coarse first.
+void waitUntilSettled(QWidget& widget) {
+    constexpr int kStillMs = 1000;
+    QImage last;
+    QElapsedTimer still;
+    waitUntil([&] {
+        const QImage now = widget.grab().toImage();
+        if (now != last) {
+            last = now;
+            still.start();
+        }
+        return still.elapsed() > kStillMs;
+    });
 }
 
 /// The window, led from page to page.
@@ -294,9 +310,11 @@ class Album {
     /// Of aligned photos: only some others can be compared.
     void shootSlider() {
         auto& review = open<ReviewMode>();
+        auto* list = review.findChild<QListView*>("stations");
+        constexpr int kWithoutRegions = 4;
+        list->setCurrentIndex(list->model()->index(kWithoutRegions, 0));
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Slider));
-        const PanoramaPresenter& viewer = review.findChild<PanoramaView*>()->presenter();
-        waitUntil([&] { return viewer.remark().isEmpty(); });
+        waitUntilSettled(*review.findChild<PanoramaView*>());
         shoot("review-slider");
         review.findChild<QComboBox*>("comparison")->setCurrentIndex(static_cast<int>(Comparison::Off));
         review.findChild<StoryLabel*>()->setWanted(true);

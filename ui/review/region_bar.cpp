@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/region_bar.h"
 
+#include "ui/look/core_words.h"
 #include "ui/look/icon.h"
+#include "ui/map/station_words.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/review_presenter.h"
 #include "ui/tasks/task_panel.h"
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/geometry/rotation.h"
+
 #include <QAction>
 #include <QCheckBox>
+#include <QDateTime>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -101,6 +108,85 @@ void FaceSearchBar::showState() {
     m_search->setEnabled(m_presenter.canSearchFaces());
 }
 
+namespace {
+
+/// The words of a photo's story, for translators.
+struct StoryWords {
+    Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::StoryWords)
+};
+
+QString timeWords(store::Moment at) {
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count();
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(ms), QLocale::ShortFormat);
+}
+
+QString takenWords(const store::PhotoRecord& photo) {
+    const QString file = QString::fromStdString(photo.cameraFileName);
+    const QString taken = photo.takenAt
+                              ? StoryWords::tr("Taken %1 as %2").arg(timeWords(*photo.takenAt), file)
+                              : StoryWords::tr("Taken as %1, it does not say when").arg(file);
+    const QString camera =
+        photo.cameraSerial.empty()
+            ? QString()
+            : StoryWords::tr(", by the camera %1").arg(QString::fromStdString(photo.cameraSerial));
+    return StoryWords::tr("%1%2; stored %3.").arg(taken, camera, timeWords(photo.addedAt));
+}
+
+QString judgedWords(const ReviewRow& row) {
+    return !row.isChecked ? StoryWords::tr("No check has judged it.")
+           : row.flags.isEmpty()
+               ? StoryWords::tr("The checks found nothing.")
+               : StoryWords::tr("The checks found %n thing(s).", nullptr, static_cast<int>(row.flags.size()));
+}
+
+QString solvedWords(const ReviewRow& row, const std::optional<store::SolutionRecord>& solution) {
+    if (!solution) {
+        return StoryWords::tr("It is not aligned yet.");
+    }
+    const QString when = timeWords(solution->createdAt);
+    if (!row.roomFromPhoto) {
+        return StoryWords::tr("The alignment of %1 found no heading for it.").arg(when);
+    }
+    const double yawDeg = Degrees(yawPitchRoll(row.roomFromPhoto->rotation).yaw).value();
+    return row.sigmaYaw
+               ? StoryWords::tr("Aligned %1: it looks along %L2 degrees, known to %L3 degrees.")
+                     .arg(when)
+                     .arg(yawDeg, 0, 'f', 1)
+                     .arg(Degrees(*row.sigmaYaw).value(), 0, 'f', 3)
+               : StoryWords::tr("Aligned %1: it looks along %L2 degrees.").arg(when).arg(yawDeg, 0, 'f', 1);
+}
+
+QString decidedWords(store::Decision decision) {
+    switch (decision) {
+    case store::Decision::Accepted:
+        return StoryWords::tr("Somebody has accepted it.");
+    case store::Decision::Rejected:
+        return StoryWords::tr("Somebody has rejected it.");
+    case store::Decision::Open:
+        break;
+    }
+    return StoryWords::tr("Nobody has decided on it yet.");
+}
+
+/// A sentence each: taken, moved, judged, aligned, decided on. Errors: those of the store.
+QStringList storyOf(const store::SurveyStore& store, const ReviewRow& row) {
+    const store::PhotoRecord photo = store.photo(*row.photo);
+    QStringList story{takenWords(photo)};
+    const auto shot = store.shotOf(photo.id);
+    if (shot && shot->station != photo.station) {
+        story << StoryWords::tr("Moved here from %1, where it was tagged first.")
+                     .arg(stationWords(store.station(shot->station).name));
+    }
+    const auto others = static_cast<int>(store.photosAt(photo.station).size()) - 1;
+    if (others > 0) {
+        story << StoryWords::tr("The station has %n other photo(s).", nullptr, others);
+    }
+    story << judgedWords(row) << solvedWords(row, store.activeSolution()) << decidedWords(row.decision);
+    return story;
+}
+
+} // namespace
+
 StoryLabel::StoryLabel(ReviewPresenter& presenter, QWidget* parent) : QLabel(parent), m_presenter(presenter) {
     setObjectName("story");
     setWordWrap(true);
@@ -116,7 +202,19 @@ void StoryLabel::setWanted(bool isWanted) {
 
 void StoryLabel::showState() {
     setVisible(m_isWanted);
-    setText(m_isWanted ? m_presenter.story().join(QLatin1Char('\n')) : QString());
+    setText(m_isWanted ? story() : QString());
+}
+
+QString StoryLabel::story() const {
+    const ReviewRow* row = m_presenter.current();
+    if (m_presenter.session() == nullptr || row == nullptr || !row->photo) {
+        return {};
+    }
+    try {
+        return storyOf(m_presenter.session()->store(), *row).join(QLatin1Char('\n'));
+    } catch (const Error& error) {
+        return coreWords(error.sentence());
+    }
 }
 
 } // namespace spherewalk::ui

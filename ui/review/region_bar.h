@@ -62,6 +62,7 @@ class StoryLabel : public QLabel {
 
   private:
     void showState();
+    QString story() const;
 
     ReviewPresenter& m_presenter;
     bool m_isWanted = false;

@@ -401,12 +401,6 @@ void ReviewPresenter::showCurrent() {
     emit currentChanged();
 }
 
-QStringList ReviewPresenter::story() const {
-    const ReviewRow* row = current();
-    return session() != nullptr && row != nullptr && row->photo ? storyOf(session()->store(), *row->photo)
-                                                                : QStringList();
-}
-
 QString ReviewPresenter::summary() const {
     std::map<Standing, int> counts;
     int open = 0;

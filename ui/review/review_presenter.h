@@ -110,9 +110,6 @@ class ReviewPresenter : public SurveyPresenter {
     /// Says which dataset the errors belong to, or how to measure them.
     QString errorWords() const;
 
-    /// Returns what became of the current photo, a sentence each; none without a photo.
-    QStringList story() const;
-
     /// Returns "12 accepted, 3 rejected, 40 to be reviewed, 5 missing".
     QString summary() const;
 

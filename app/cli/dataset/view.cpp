@@ -54,12 +54,9 @@ std::string doubtOf(const render::ViewReport& report, std::string_view what = "c
 /// The ball in the light at its place, with its shadow.
 render::Overlay litBall(const jobs::Ball& ball, const render::Renderer& renderer, const CameraModel& camera,
                         const Rigid3& pose, render::ViewOptions options) {
-    render::ProbeOptions light;
-    light.scene = options.scene;
-    light.threads = options.threads;
-    const render::LightProbe probe = render::lightProbe(renderer, ball.centreM, light);
+    const jobs::BallLight light(renderer, ball, options);
     options.wantsDepth = true;
-    return jobs::litBallOverlay(ball, camera, pose, probe, renderer.render(camera, pose, options).depth);
+    return jobs::litBallOverlay(ball, camera, pose, light, renderer.render(camera, pose, options).depth);
 }
 
 Result renderView(const ViewArguments& options, Context& context) {

@@ -4,6 +4,7 @@
 #include "dds_port.h"
 #include "program/command_line.h"
 #include "program/program.h"
+#include "program/render_options.h"
 
 #include "spherewalk/base/error.h"
 
@@ -233,11 +234,7 @@ namespace {
 void declare(const spherewalk::program::Command& command, spherewalk::ros::DdsOptions& options) {
     spherewalk::ros::NodeOptions& node = options.node;
     command.option("dataset", node.dataset, "Folder of the dataset").required();
-    const spherewalk::program::Command cameras =
-        command.oneOf("Camera", "One camera, or several that a robot carries");
-    cameras.option("--camera", node.cameraInfoUrl, "Camera: a ROS camera-info YAML");
-    cameras.option("--rig", node.rig,
-                   "Rig: a YAML that names cameras, their camera-info files, and where they sit");
+    spherewalk::program::declareCameras(command, node.cameraInfoUrl, node.rig);
     command.option("--namespace", options.nameSpace, "That the camera's topics are in").showDefault();
     command.option("--domain", options.domain, "DDS domain")
         .fromEnvironment("ROS_DOMAIN_ID")

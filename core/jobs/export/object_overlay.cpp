@@ -217,8 +217,22 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
 }
 
 namespace {
+
 constexpr int kLights = 512;
+
+render::LightProbe probeAt(const render::Renderer& renderer, const Ball& ball,
+                           const render::ViewOptions& views) {
+    render::ProbeOptions options;
+    options.scene = views.scene;
+    options.threads = views.threads;
+    return render::lightProbe(renderer, ball.centreM, options);
+}
+
 } // namespace
+
+BallLight::BallLight(const render::Renderer& renderer, const Ball& ball, const render::ViewOptions& views)
+    : BallLight(probeAt(renderer, ball, views)) {
+}
 
 BallLight::BallLight(const render::LightProbe& probe)
     : harmonics(render::lightHarmonics(probe.radiance)),

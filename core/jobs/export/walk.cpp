@@ -353,22 +353,19 @@ void requirePossible(const std::vector<TimedPose>& path, const WalkOptions& opti
 /// The light at each ball's place; none if balls are not lit.
 std::vector<BallLight> lightsOf(const render::Renderer& renderer, const WalkOptions& options) {
     std::vector<BallLight> lights;
-    render::ProbeOptions probe;
-    probe.scene = options.view.scene;
-    probe.threads = options.view.threads;
     for (const Ball& ball : options.balls) {
         if (options.lightsBalls) {
-            lights.emplace_back(render::lightProbe(renderer, ball.centreM, probe));
+            lights.emplace_back(renderer, ball, options.view);
         }
     }
     return lights;
 }
 
-/// Of a rig's camera. Each has noise of its own.
+/// Of a rig's camera.
 WalkOptions optionsOf(const WalkOptions& options, std::size_t camera) {
     WalkOptions own = options;
     if (own.sensor) {
-        own.sensor->seed += camera;
+        own.sensor = own.sensor->ofCamera(camera);
     }
     return own;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made_survey.h"
+#include "person.h"
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
@@ -13,12 +14,8 @@
 
 #include "spherewalk/jobs/export_dataset.h"
 
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QListWidget>
-#include <QMimeData>
 #include <QTest>
-#include <QUrl>
 #include <gtest/gtest.h>
 
 namespace spherewalk::ui {
@@ -27,21 +24,6 @@ namespace {
 
 QString textOf(const std::filesystem::path& path) {
     return QString::fromStdString(path.string());
-}
-
-/// Drags files over the window and lets go of them. Returns whether the window wants them.
-bool drop(MainWindow& window, const QString& path) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    enter.setAccepted(false);
-    QCoreApplication::sendEvent(&window, &enter);
-    if (enter.isAccepted()) {
-        QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(&window, &event);
-        QCoreApplication::processEvents();
-    }
-    return enter.isAccepted();
 }
 
 } // namespace

@@ -10,17 +10,36 @@
 #include "spherewalk/base/error.h"
 
 #include <QAction>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
 #include <QToolBar>
+#include <QUrl>
 #include <gtest/gtest.h>
 
 #include <functional>
 
 namespace spherewalk::ui {
+
+/// Drags files over the window and lets go of them. Returns whether the window wants them.
+inline bool drop(MainWindow& window, const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    enter.setAccepted(false);
+    QCoreApplication::sendEvent(&window, &enter);
+    if (enter.isAccepted()) {
+        QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&window, &event);
+        QCoreApplication::processEvents();
+    }
+    return enter.isAccepted();
+}
 
 /// Somebody at the window, who has nothing but what it shows, a mouse and a keyboard. Clicks and keys are
 /// counted, except those that draw.

@@ -10,10 +10,6 @@
 #include "spherewalk/jobs/export_dataset.h"
 
 #include <QComboBox>
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QMimeData>
-#include <QUrl>
 
 namespace spherewalk::ui {
 
@@ -24,12 +20,7 @@ TEST(EngineerTest, SavesFramesOfADriveInTenActions) {
     jobs::exportDataset(survey.open(), survey / "d", {}, noProgress(), {});
     Person person;
     int actions = 1; // the dataset is pulled into the window
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString((survey / "d").string()))});
-    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&person.window(), &enter);
-    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&person.window(), &drop);
+    ASSERT_TRUE(drop(person.window(), QString::fromStdString((survey / "d").string())));
     PreviewPresenter& presenter = person.page<PreviewMode>().presenter();
     person.waitUntil([&] { return !presenter.views().empty(); });
 

@@ -103,7 +103,7 @@ TEST(LitBall, IsNearerToItsRayCastTruthThanAFlatOneByFiveDecibels) {
         return renderer.render(camera, pose, options).picture;
     };
     const RgbImage flat = seen(ballOverlay(ball, camera, pose));
-    const RgbImage lit = seen(litBallOverlay(ball, camera, pose, probe, depth));
+    const RgbImage lit = seen(litBallOverlay(ball, camera, pose, BallLight(probe), depth));
     std::printf("flat %.2f dB, lit %.2f dB over %d pixels of %d\n", psnr(flat, truth, region),
                 psnr(lit, truth, region),
                 static_cast<int>(std::count(region.values().begin(), region.values().end(), 255)),
@@ -131,7 +131,7 @@ TEST(LitBall, InAnEvenLightIsEvenAndTakesItsFormFactor) {
                                           : std::numeric_limits<float>::infinity();
         }
     }
-    const render::Overlay overlay = litBallOverlay(ball, camera, pose, even(0.5), floor);
+    const render::Overlay overlay = litBallOverlay(ball, camera, pose, BallLight(even(0.5)), floor);
     std::vector<double> errors;
     for (int y = 0; y < camera.height(); ++y) {
         for (int x = 0; x < camera.width(); ++x) {
@@ -154,9 +154,9 @@ TEST(LitBall, InAnEvenLightIsEvenAndTakesItsFormFactor) {
         }
     }
     EXPECT_LT(median(errors), 0.008);
-    EXPECT_TRUE(litBallOverlay(ball, camera, pose, even(0.5), {}).shadow.empty());
+    EXPECT_TRUE(litBallOverlay(ball, camera, pose, BallLight(even(0.5)), {}).shadow.empty());
     test::expectError(ErrorKind::InvalidInput, "The room's depth has 3 x 2 pixels",
-                      [&] { litBallOverlay(ball, camera, pose, even(1), DepthImage(3, 2)); });
+                      [&] { litBallOverlay(ball, camera, pose, BallLight(even(1)), DepthImage(3, 2)); });
 }
 
 TEST(LitBall, WalksInItsLightWithItsShadow) {
@@ -188,7 +188,8 @@ TEST(LitBall, WalksInItsLightWithItsShadow) {
     render::ViewOptions view;
     view.wantsDepth = true;
     const DepthImage depth = renderer.render(camera, path[0].roomFromCamera, view).depth;
-    const render::Overlay overlay = litBallOverlay(ball, camera, path[0].roomFromCamera, probe, depth);
+    const render::Overlay overlay =
+        litBallOverlay(ball, camera, path[0].roomFromCamera, BallLight(probe), depth);
     view.overlays = {&overlay, 1};
     EXPECT_EQ(lit[0], renderer.render(camera, path[0].roomFromCamera, view).picture);
 

@@ -6,6 +6,7 @@
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/light_probe.h"
 #include "spherewalk/render/overlay.h"
+#include "spherewalk/render/renderer.h"
 
 #include <array>
 #include <cstddef>
@@ -40,8 +41,11 @@ render::Overlay ballOverlay(const Ball& ball, const CameraModel& camera, const R
 
 /// The light at a ball's place: what shades it, and what its shadow is made of.
 struct BallLight {
-    /// Cost: some milliseconds; frames of one ball share it.
-    BallLight(const render::LightProbe& probe); // NOLINT(google-explicit-constructor): a probe is light
+    /// probe: at the ball's centre.
+    explicit BallLight(const render::LightProbe& probe);
+    /// As the scene model of these views shows it. Errors: those of render::lightProbe(). Cost: that of a
+    /// probe; frames of one ball share it.
+    BallLight(const render::Renderer& renderer, const Ball& ball, const render::ViewOptions& views);
 
     render::LightHarmonics harmonics;
     std::vector<render::DirectionalLight> lights;

@@ -133,6 +133,14 @@ struct SensorModel {
 
     /// Errors: InvalidInput, with a sentence that names the value, what it is and its range.
     void validate() const;
+
+    /// The same sensor in a camera of a rig, with noise of its own. index: 0 for the first camera, which has
+    /// this one.
+    SensorModel ofCamera(std::size_t index) const {
+        SensorModel own = *this;
+        own.seed += index;
+        return own;
+    }
 };
 
 /// The sensor of a YAML file, as resources/docs/formats.md documents it: the entry `sensor` of the file,
