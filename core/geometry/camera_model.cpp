@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -277,6 +279,35 @@ std::optional<Vector2d> projected(const Eigen::Matrix3d& matrix, const Vector2d&
 
 } // namespace
 
+namespace {
+
+/// The angle up to `largest` that a fisheye with these coefficients shows at this radius. distorted: the
+/// radius of an angle, which grows up to `largest`.
+double fisheyeAngle(double radius, double largest, const std::vector<double>& k,
+                    const std::function<double(double)>& distorted) {
+    // Newton's method. It halves the bounds wherever it would leave them, as a bend of the curve may throw
+    // it.
+    constexpr int kMostSteps = 100;
+    constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
+    double low = 0;
+    double high = largest;
+    double angle = std::min(radius, largest);
+    for (int i = 0; i < kMostSteps; ++i) {
+        const double error = distorted(angle) - radius;
+        (error < 0 ? low : high) = angle;
+        const double a2 = angle * angle;
+        const double slope = 1 + a2 * (3 * k[0] + a2 * (5 * k[1] + a2 * (7 * k[2] + a2 * (9 * k[3]))));
+        const double next = angle - error / slope;
+        if (std::abs(next - angle) <= kRounding * angle) {
+            return std::clamp(next, low, high);
+        }
+        angle = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return angle;
+}
+
+} // namespace
+
 std::optional<Vector3d> CameraModel::ray(const Vector2d& pixel) const {
     const CameraIntrinsics& k = m_intrinsics;
     const Vector2d image((pixel.x() - k.cx) / k.fx, (pixel.y() - k.cy) / k.fy);
@@ -293,13 +324,8 @@ std::optional<Vector3d> CameraModel::ray(const Vector2d& pixel) const {
     if (!(radius <= distortedAngle(m_largestField))) {
         return std::nullopt;
     }
-    double low = 0; // bisection: monotone up to the end of the field, and immune to any coefficients
-    double high = m_largestField;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (distortedAngle(middle) < radius ? low : high) = middle;
-    }
-    const double angle = 0.5 * (low + high);
+    const double angle =
+        fisheyeAngle(radius, m_largestField, m_k, [this](double a) { return distortedAngle(a); });
     const Vector2d across = radius > 0 ? Vector2d(image / radius * std::sin(angle)) : Vector2d::Zero();
     return Vector3d(across.x(), across.y(), std::cos(angle));
 }

@@ -28,7 +28,7 @@ THIRD_PARTIES = {
     "JPEG::JPEG": "libjpeg-turbo", "yaml-cpp": "yaml-cpp", "hwy::hwy": "Highway", "exiv2lib": "exiv2",
     "Ceres::ceres": "Ceres", "meshoptimizer::meshoptimizer": "meshoptimizer", "SQLite::SQLite3": "SQLite", "ZLIB::ZLIB": "zlib", "CURL::libcurl": "libcurl",
     "spherewalk_avahi": "Avahi", "spherewalk_httplib": "cpp-httplib", "spherewalk_cairo": "cairo",
-    "spherewalk_rsvg": "librsvg", "spherewalk_three": "three.js", "pybind11::module": "pybind11", "mujoco::mujoco": "MuJoCo", "OpenGL::EGL": "MuJoCo",
+    "spherewalk_rsvg": "librsvg", "spherewalk_spng": "libspng", "spherewalk_three": "three.js", "pybind11::module": "pybind11", "mujoco::mujoco": "MuJoCo", "OpenGL::EGL": "MuJoCo",
 }
 NO_ROW = {"Threads::Threads"}
 

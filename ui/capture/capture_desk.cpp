@@ -386,16 +386,15 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
     const Told told = coreTold(sentence); // of a station that the cart may have left by now
     const Cure cure = told.cure == Cure::Capture ? Cure::None : told.cure; // that is here
     m_told = told.isEmpty() ? told : Told(tr("%1: %2").arg(stationWords(station.name), told.text), cure);
-    if (isThere || quality != survey::Quality::Failed) {
+    const bool isFailed = quality == survey::Quality::Failed;
+    if (isThere || !isFailed) {
         m_queue.pace().photo(systemClock().now());
-        m_queue.setAgain(station.id, false);
-    }
-    if (isThere && quality == survey::Quality::Failed) {
-        m_queue.setAgain(station.id, true); // offered for the next run, and taken back by a click
+        m_queue.setAgain(station.id, isFailed); // offered for the next run, and taken back by a click
     }
     if (m_session) {
         m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing
     }
+    emit changed(); // the colour comes with the sound, whatever is read later
     emit verdictGiven(quality);
     emit shotEnded(station);
 }

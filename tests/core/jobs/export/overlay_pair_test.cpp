@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/overlay.h"
 
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <span>
+#include <spng.h>
 
 namespace spherewalk {
 
@@ -16,35 +20,27 @@ namespace {
 
 const std::filesystem::path kPair = std::filesystem::path(SPHEREWALK_TEST_DATA) / "flat-a" / "overlay";
 
-/// As it stands in the file: 16 bits and alpha are kept.
-cv::Mat stored(const std::string& name) {
-    return cv::imread((kPair / (name + ".png")).string(), cv::IMREAD_UNCHANGED);
+/// As it stands in the file, with alpha, in one of libspng's formats.
+template <class T, int kChannels>
+Image<T, kChannels> stored(const std::string& name, spng_format format) {
+    const Bytes png = readFile(kPair / (name + ".png"));
+    const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context(spng_ctx_new(0), spng_ctx_free);
+    spng_ihdr header{};
+    spng_set_png_buffer(context.get(), png.data(), png.size());
+    EXPECT_EQ(spng_get_ihdr(context.get(), &header), SPNG_OK) << name;
+    Image<T, kChannels> picture(static_cast<int>(header.width), static_cast<int>(header.height));
+    const std::span<T> values = picture.values();
+    EXPECT_EQ(spng_decode_image(context.get(), values.data(), values.size_bytes(), format, SPNG_DECODE_TRNS),
+              SPNG_OK)
+        << name;
+    return picture;
 }
 
 DepthImage depth(const std::string& name) {
-    const cv::Mat millimetres = stored(name);
-    DepthImage result(millimetres.cols, millimetres.rows);
-    for (int y = 0; y < result.height(); ++y) {
-        for (int x = 0; x < result.width(); ++x) {
-            *result.at(x, y) = static_cast<float>(millimetres.at<std::uint16_t>(y, x)) / 1000;
-        }
-    }
-    return result;
-}
-
-RgbaImage colours(const std::string& name) {
-    const cv::Mat bgra = stored(name);
-    RgbaImage result(bgra.cols, bgra.rows);
-    for (int y = 0; y < result.height(); ++y) {
-        for (int x = 0; x < result.width(); ++x) {
-            const auto& from = bgra.at<cv::Vec4b>(y, x);
-            std::uint8_t* to = result.at(x, y);
-            to[0] = from[2];
-            to[1] = from[1];
-            to[2] = from[0];
-            to[3] = from[3];
-        }
-    }
+    const auto millimetres = stored<std::uint16_t, 1>(name, SPNG_FMT_PNG);
+    DepthImage result(millimetres.width(), millimetres.height());
+    std::transform(millimetres.values().begin(), millimetres.values().end(), result.values().begin(),
+                   [](std::uint16_t value) { return static_cast<float>(value) / 1000; });
     return result;
 }
 
@@ -57,11 +53,12 @@ TEST(OverlayPair, AnotherRenderersObjectIsShownWhereItIsVisible) {
     camera.height = 203;
     camera.cx -= 273;
     camera.cy -= 97;
-    const render::Overlay overlay{colours("object_rgba"), render::Alpha::Straight, depth("object_depth"),
-                                  camera, depth("scene_depth")};
+    const render::Overlay overlay{stored<std::uint8_t, 4>("object_rgba", SPNG_FMT_RGBA8),
+                                  render::Alpha::Straight, depth("object_depth"), camera,
+                                  depth("scene_depth")};
     const RgbImage without = photo::readPicture(kPair / "without.png");
     const RgbImage with = photo::readPicture(kPair / "with.png");
-    const cv::Mat visible = stored("truth_mask");
+    const auto visible = stored<std::uint8_t, 1>("truth_mask", SPNG_FMT_G8);
     RgbImage picture = without;
     MaskImage shown;
     WorkerPool pool;
@@ -77,7 +74,7 @@ TEST(OverlayPair, AnotherRenderersObjectIsShownWhereItIsVisible) {
             const int alpha = overlay.picture.at(x, y)[3];
             const bool isObject = *overlay.depth.at(x, y) > 0;
             objects += isObject ? 1 : 0;
-            right += isObject && (*shown.at(x, y) >= 128) == (visible.at<std::uint8_t>(y, x) >= 128) ? 1 : 0;
+            right += isObject && (*shown.at(x, y) >= 128) == (*visible.at(x, y) >= 128) ? 1 : 0;
             // All of it is in front of the room, so its antialiased border is as it was, also where the
             // centres of pixels miss it; but for the faintest, which is more than a pixel from any depth.
             rim += alpha > 0 && !isObject ? 1 : 0;

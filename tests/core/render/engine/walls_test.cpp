@@ -175,13 +175,13 @@ TEST_F(TwoRooms, AMillimetreOfJitterNeverChangesThePhotos) {
     write(Knows::Depth);
     const Renderer renderer = this->renderer();
     for (const SceneKind scene : {SceneKind::Sphere, SceneKind::Depth, SceneKind::Blend}) {
-        for (int place = 0; place < 40; ++place) {
+        for (int place = 0; place < 20; ++place) {
             // On the border between two photos, and on the edge of what some see.
             const Vector3d border(1.25 + 0.5 * (place % 4), random.uniform(0.5, 3.5),
                                   random.uniform(0.5, 1.8));
             ViewStream stream(renderer, camera, {LatePolicy::Wait, 0});
             std::set<std::size_t> photos;
-            for (int i = 0; i < 30; ++i) {
+            for (int i = 0; i < 20; ++i) {
                 const Vector3d jitter = 0.001 * random.direction();
                 const View view = stream.next({bodyFromOptical(), border + jitter}, i, {.scene = scene});
                 photos.insert(view.report.photo);
