@@ -6,6 +6,7 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spherewalk::place {
@@ -31,6 +32,9 @@ class Solids {
                 fillBelow(x, y);
             }
         });
+        if (m_options.isInset) {
+            shrink();
+        }
         return boxes();
     }
 
@@ -92,6 +96,26 @@ class Solids {
                 isSolid = isCovered ? 1 : 0;
             }
         }
+    }
+
+    /// Along x and y, cells from middle to middle take the place of cells. They are solid where all four
+    /// about them are.
+    void shrink() {
+        for (int z = 0; z < m_count.z(); ++z) {
+            for (int y = 0; y < m_count.y(); ++y) {
+                for (int x = 0; x < m_count.x(); ++x) {
+                    // Cells that come later are as they were.
+                    m_isSolid[indexOf(x, y, z)] = x + 1 < m_count.x() && y + 1 < m_count.y() &&
+                                                          m_isSolid[indexOf(x, y, z)] != 0 &&
+                                                          m_isSolid[indexOf(x + 1, y, z)] != 0 &&
+                                                          m_isSolid[indexOf(x, y + 1, z)] != 0 &&
+                                                          m_isSolid[indexOf(x + 1, y + 1, z)] != 0
+                                                      ? 1
+                                                      : 0;
+                }
+            }
+        }
+        m_origin.head<2>().array() += m_options.cellM / 2;
     }
 
     /// Each box grows along x, then y, then z, as long as all its cells are solid, and takes them away.
@@ -169,6 +193,27 @@ std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<con
     options.validate();
     return things.triangles.empty() ? std::vector<Eigen::AlignedBox3d>()
                                     : Solids(things, photos, options, stop).run();
+}
+
+void addBoxes(Surface& surface, std::span<const Eigen::AlignedBox3d> boxes) {
+    constexpr std::uint8_t kGrey = 128;
+    // The corners of each side, as one goes about it seen from outside: -x, +x, -y, +y, -z, +z.
+    constexpr std::array<std::array<int, 4>, 6> kSides = {
+        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    for (const Eigen::AlignedBox3d& box : boxes) {
+        for (std::size_t side = 0; side < kSides.size(); ++side) {
+            const auto first = static_cast<std::uint32_t>(surface.vertices.size());
+            SurfaceVertex vertex;
+            vertex.colour = {kGrey, kGrey, kGrey};
+            vertex.normal[static_cast<Eigen::Index>(side / 2)] = side % 2 == 0 ? -1.0F : 1.0F;
+            for (const int corner : kSides[side]) {
+                vertex.pInRoom = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+                surface.vertices.push_back(vertex);
+            }
+            surface.triangles.push_back({first, first + 1, first + 2});
+            surface.triangles.push_back({first, first + 2, first + 3});
+        }
+    }
 }
 
 } // namespace spherewalk::place

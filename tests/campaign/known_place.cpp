@@ -234,7 +234,14 @@ class ScannedPlace : public KnownPlace {
     }
 
     double laserM(const Eigen::Vector3d& from, const Eigen::Vector3d& along) const override {
-        return m_slice.rangeM(from.head<2>(), along.head<2>());
+        constexpr double kStepM = 0.03;
+        const double rangeM = m_slice.rangeM(from.head<2>(), along.head<2>());
+        for (double wayM = kStepM; wayM < rangeM - kStepM; wayM += kStepM) {
+            if (!isSeenThrough(from + wayM * along)) {
+                return HUGE_VAL; // what stands there, no scan shows
+            }
+        }
+        return rangeM;
     }
 
   private:

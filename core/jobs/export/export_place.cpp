@@ -66,9 +66,12 @@ class PlaceExport {
         things.dropSmallParts(kLeastPartM2);
         progress.progress(0.95, "Making boxes of furniture");
         const double cellM = kVoxelsACell * m_options.fusion.voxelM;
-        const place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
-        return {place::simplified(things, kFurnitureErrorM),
-                place::solidBoxes(things, m_depths, options, m_stop)};
+        place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
+        Furniture result{place::simplified(things, kFurnitureErrorM),
+                         place::solidBoxes(things, m_depths, options, m_stop)};
+        options.isInset = true;
+        place::addBoxes(result.mesh, place::solidBoxes(things, m_depths, options, m_stop));
+        return result;
     }
 
   private:

@@ -105,6 +105,39 @@ TEST(SolidBoxes, LeaveFreeWhatPhotosLookThrough) {
     EXPECT_FALSE(isIn(boxes, {1.4, 1, 0.02})) << "nor what is hidden below";
 }
 
+TEST(SolidBoxes, InsetOnesStandBehindTheSurfaceAndOnTheFloor) {
+    for (const double aside : {0.0, 0.011, 0.02, 0.03}) {
+        Surface box;
+        addBox(box, {1 + aside, 1, 0}, {0.8, 0.4, 0.6});
+        Eigen::AlignedBox3d around;
+        for (const Eigen::AlignedBox3d& one : solidBoxes(box, {}, {0.04, 0, 0, true})) {
+            around.extend(one);
+        }
+        EXPECT_GT(around.min().x(), 1 + aside - 0.0101);
+        EXPECT_LT(around.max().x(), 1.8 + aside + 0.0101);
+        EXPECT_EQ(around.min().z(), 0);
+        EXPECT_GT(around.volume(), 0.8 * 0.8 * 0.4 * 0.6);
+    }
+    Surface post; // of one cell
+    addBox(post, {1, 1, 0}, {0.04, 0.04, 0.6});
+    EXPECT_TRUE(solidBoxes(post, {}, {0.04, 0, 0, true}).empty());
+}
+
+TEST(SolidBoxes, CloseASurfaceFromOutside) {
+    Surface surface;
+    addBoxes(surface, std::vector{Eigen::AlignedBox3d(Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(2, 4, 3))});
+    double volumeM3 = 0;
+    for (const auto& triangle : surface.triangles) {
+        const Eigen::Vector3d area = surface.areaVector(triangle);
+        volumeM3 += surface.middle(triangle).dot(area) / 3;
+        for (const std::uint32_t corner : triangle) {
+            EXPECT_GT(surface.vertices[corner].normal.cast<double>().dot(area), 0);
+        }
+    }
+    EXPECT_NEAR(volumeM3, 6, 1e-9);
+    EXPECT_NEAR(surface.areaM2(), 22, 1e-9);
+}
+
 TEST(SolidBoxes, DoNotOverlap) {
     const Boxes boxes = solidBoxes(tableAndBox(), {}, {});
     EXPECT_GT(boxes.size(), 2U);

@@ -83,7 +83,7 @@ bool hasDepths(const std::filesystem::path& folder);
 
 /// What stands in a room. Frames: room.
 struct Furniture {
-    place::Surface mesh; ///< Of few triangles.
+    place::Surface mesh; ///< Of few triangles, and closed from behind; see place::addBoxes().
     /// The same for collisions, of cells of two voxels; see place::solidBoxes().
     std::vector<Eigen::AlignedBox3d> boxes;
 };

@@ -16,6 +16,8 @@ struct BoxOptions {
     double cellM = 0.04; ///< Edge of the cells that boxes are made of.
     double floorM = 0;   ///< Height of the floor in the room.
     int threads = 0;     ///< 0: all that the machine has. The result is the same for any number.
+    /// Boxes end half a cell inside of things, to all sides but up, so that none stands before the surface.
+    bool isInset = false;
 
     /// Errors: InvalidInput for a cell that is not 5 mm to 1 m.
     void validate() const;
@@ -29,5 +31,9 @@ struct BoxOptions {
 /// more than 2^28 cells. Stop: Stopped. Cost: about a second of one core for ten million cells and photos.
 std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
                                             const BoxOptions& options, const std::stop_token& stop = {});
+
+/// Adds the sides of boxes to a surface, in grey, as nobody saw them. With boxes that are inset, a surface
+/// with holes is closed, and what was seen of it stays in front.
+void addBoxes(Surface& surface, std::span<const Eigen::AlignedBox3d> boxes);
 
 } // namespace spherewalk::place
