@@ -96,7 +96,7 @@ endfunction()
 # owns, for tests that make their input with it.
 function(spherewalk_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LINK;THIRD_PARTY;LABELS;ENVIRONMENT")
-  set(properties TIMEOUT 120)
+  set(properties TIMEOUT 300) # on a busy machine
   if(arg_TIMEOUT)
     set(properties TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}) # what takes long begins first
   endif()

@@ -59,7 +59,7 @@ class AlignTest : public testing::Test {
     }
 
     bool waitForTasks() {
-        return QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000);
+        return QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000);
     }
 
     test::PhotographedSurvey survey{4};
@@ -153,7 +153,7 @@ TEST_F(AlignModeTest, AlignsAndShowsHowEachPhotoIsTurned) {
     click("run");
     EXPECT_FALSE(widget<QPushButton>("run").isEnabled());
     EXPECT_TRUE(widget<QPushButton>("stop").isEnabled());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("run").isEnabled(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("run").isEnabled(); }, 100'000));
     const auto solution = session->store().activeSolution();
     ASSERT_EQ(solution->source, "align");
     EXPECT_EQ(session->store().solvedPhotos(solution->id).size(), 4U);
@@ -165,7 +165,7 @@ TEST_F(AlignModeTest, StopsWithTheSurveyAsItWas) {
     const std::size_t before = session->store().solutions().size();
     click("run");
     click("stop");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("run").isEnabled(); }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("run").isEnabled(); }, 100'000));
     EXPECT_EQ(tasks.tasks().first()->state(), Task::State::Stopped);
     EXPECT_EQ(session->store().solutions().size(), before);
 }
@@ -216,7 +216,7 @@ TEST_F(AlignModeTest, MovesTheChosenPhotoToTheStationThatFits) {
     const std::int64_t first = photoAt(0);
     widget<QTableView>("photos").selectRow(0);
     click("retag");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return photoAt(1) == first; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return photoAt(1) == first; }, 100'000));
     ASSERT_TRUE(waitForTasks());
 }
 

@@ -18,7 +18,7 @@ class CameraFinderTest : public testing::Test {
         finder.find();
         QSignalSpy changes(&finder, &CameraFinder::changed);
         while (finder.isLooking()) {
-            ASSERT_TRUE(changes.wait(20'000));
+            ASSERT_TRUE(changes.wait(100'000));
         }
     }
 

@@ -27,7 +27,7 @@ class PreviewFeedTest : public testing::Test {
         time.start();
         QSignalSpy changes(&feed, &PreviewFeed::changed);
         while (feed.state() != state) {
-            constexpr int kMostMs = 60'000;
+            constexpr int kMostMs = 100'000;
             ASSERT_LT(time.elapsed(), kMostMs) << "state " << static_cast<int>(feed.state());
             changes.wait(50);
         }
@@ -148,7 +148,7 @@ TEST_F(LivePreviewTest, RestsDuringAShotAndGoesOnAtTheNextStation) {
     connectPractice();
     QSignalSpy pictures(&desk().preview(), &PreviewFeed::changed);
     const auto waitForPicture = [&] {
-        while (desk().preview().state() != PreviewFeed::State::Showing && pictures.wait(60'000)) {
+        while (desk().preview().state() != PreviewFeed::State::Showing && pictures.wait(100'000)) {
         }
         EXPECT_EQ(desk().preview().state(), PreviewFeed::State::Showing);
     };

@@ -47,7 +47,7 @@ class ExportTest : public testing::Test {
     void check() {
         mode.activated();
         ASSERT_TRUE(QTest::qWaitFor(
-            [&] { return !tasks.hasRunning() && widget<QPushButton>("check").isEnabled(); }, 30'000));
+            [&] { return !tasks.hasRunning() && widget<QPushButton>("check").isEnabled(); }, 100'000));
     }
 
     void exportNow() {
@@ -111,7 +111,7 @@ TEST_F(ExportTest, DoesNotExportOverWhatIsThere) {
     folder.setFocus();
     QTest::keyClicks(&folder, "2");
     QTest::keyClick(&folder, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("export").isEnabled(); }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("export").isEnabled(); }, 100'000));
     exportNow();
     EXPECT_TRUE(fs::exists(usual.string() + "2"));
 }
@@ -164,7 +164,7 @@ TEST_F(ExportTest, StopsAndLeavesNothing) {
     check();
     QTest::mouseClick(&widget<QPushButton>("export"), Qt::LeftButton);
     QTest::mouseClick(&widget<QPushButton>("stop"), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
     const bool isDone = tasks.tasks().last()->state() == Task::State::Done; // it was quicker
     EXPECT_EQ(fs::exists(usual), isDone);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !widget<QPushButton>("stop").isVisible(); }));

@@ -30,7 +30,7 @@ class MeasureTest : public testing::Test {
     static CameraIntrinsics camera() { return CameraIntrinsics::pinhole(160, 120, 1); }
 
     void waitForTasks() {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
         QCoreApplication::processEvents();
     }
 

@@ -33,7 +33,7 @@ class PhotoMoverTest : public testing::Test {
         presenter.show(first);
         presenter.setOther(second);
         presenter.setComparison(Comparison::Slider);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return presenter.remark().isEmpty(); }, 20'000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return presenter.remark().isEmpty(); }, 100'000));
         QTest::qWait(0);
         presenter.setShare(1);
         const QImage own = presenter.picture(kView);
@@ -96,7 +96,7 @@ TEST_F(PhotoMoverTest, PhotosOfWhichNothingTellsTheTurnAreNotCompared) {
     presenter.show(first);
     presenter.setOther(ShownPhoto{folder / "grey.jpg", "grey", there, false});
     presenter.setComparison(Comparison::Blink);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter.remark().contains("cannot be compared"); }, 20'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter.remark().contains("cannot be compared"); }, 100'000));
     const QImage own = presenter.picture(kView);
     presenter.blink();
     EXPECT_EQ(presenter.picture(kView), own);

@@ -94,7 +94,7 @@ TEST(GridStudyPresenter, SaysThatAStudyWasStopped) {
     presenter.study({smallCamera(), 2, true});
     ASSERT_NE(presenter.task(), nullptr);
     presenter.task()->stop();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter.task() == nullptr; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return presenter.task() == nullptr; }, 100'000));
     EXPECT_TRUE(presenter.words().startsWith("Stopped"));
     EXPECT_FALSE(presenter.found());
     presenter.setSession(nullptr);
@@ -122,7 +122,7 @@ TEST(GridStudyPanel, PlansTheNextSurveyWithTheStepThatWasFound) {
         ->readCamera(QString::fromStdString((survey / "small.yaml").string()));
     mode.findChild<QCheckBox*>("gridDepth")->setChecked(false);
     QTest::mouseClick(mode.findChild<QPushButton*>("gridStudy"), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return mode.study().task() == nullptr; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mode.study().task() == nullptr; }, 100'000));
     ASSERT_TRUE(mode.study().found()) << mode.study().words().toStdString();
     EXPECT_TRUE(mode.findChild<QLabel*>("gridWords")->text().contains("is enough"));
     EXPECT_GT(mode.findChild<QTableView*>("gridTable")->model()->rowCount(), 0);

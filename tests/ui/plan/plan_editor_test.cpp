@@ -16,7 +16,7 @@ namespace {
 void settle(PlanEditor& editor) {
     QSignalSpy outcomes(&editor, &PlanEditor::outcomeChanged);
     while (!editor.isSettled()) {
-        ASSERT_TRUE(outcomes.wait(10'000));
+        ASSERT_TRUE(outcomes.wait(100'000));
     }
 }
 
@@ -103,7 +103,7 @@ TEST(PlanEditor, ShowsThePlanOfAnOutlineWhileItIsDrawn) {
     const std::size_t before = editor.outcome().plan.stations.size();
     QSignalSpy outcomes(&editor, &PlanEditor::outcomeChanged);
     editor.preview({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-    ASSERT_TRUE(outcomes.wait(10'000));
+    ASSERT_TRUE(outcomes.wait(100'000));
     EXPECT_LT(editor.outcome().plan.stations.size(), before);
     EXPECT_FALSE(editor.isSettled());
     EXPECT_EQ(editor.draft().room.outline, firstDraft().room.outline);

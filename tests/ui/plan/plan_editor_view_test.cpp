@@ -175,7 +175,7 @@ TEST_F(PlanEditorViewTest, ARoomThatIsStillBeingDrawnIsNoProblem) {
     for (const Vector2d& corner : Polygon{{0, 0}, {2, 0}, {2, 3}, {2.3, 3}, {2.3, 0}, {4, 0}}) {
         QTest::mouseMove(&view, at(corner.x(), corner.y()));
         QTest::mouseClick(&view, Qt::LeftButton, {}, at(corner.x(), corner.y()));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return editor.isSettled(); }, 20'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return editor.isSettled(); }, 100'000));
         EXPECT_TRUE(editor.outcome().problem.isEmpty()) << editor.outcome().problem.toStdString();
     }
 }

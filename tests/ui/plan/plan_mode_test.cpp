@@ -41,7 +41,7 @@ struct Fixture : testing::Test {
     void settle() {
         QSignalSpy outcomes(&mode.editor(), &PlanEditor::outcomeChanged);
         while (!mode.editor().isSettled()) {
-            ASSERT_TRUE(outcomes.wait(10'000));
+            ASSERT_TRUE(outcomes.wait(100'000));
         }
     }
 
@@ -123,7 +123,7 @@ TEST_F(PlanModeTest, StoresEditsOfAnOpenSurveyByItself) {
     mode.setSession(session.get());
     QSignalSpy changes(session.get(), &SurveySession::changed);
     mode.editor().addObstacle({{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}});
-    ASSERT_TRUE(changes.wait(10'000));
+    ASSERT_TRUE(changes.wait(100'000));
     EXPECT_EQ(session->store().room().obstacles.size(), 2U);
     EXPECT_EQ(mode.storage().state(), PlanStorage::State::Stored);
     mode.setSession(nullptr);
@@ -155,7 +155,7 @@ TEST_F(PlanModeTest, WritesTheMarkingOutSheet) {
     const auto file = folder / "sheet.pdf";
     QSignalSpy ended(&tasks, &TaskList::ended);
     mode.writeSheet(QString::fromStdString(file.string()));
-    ASSERT_TRUE(ended.wait(10'000));
+    ASSERT_TRUE(ended.wait(100'000));
     EXPECT_EQ(readTextFile(file).substr(0, 5), "%PDF-");
 }
 

@@ -27,7 +27,7 @@ class PlanPanelTest : public testing::Test {
     void settlePlan() {
         QSignalSpy outcomes(&editor, &PlanEditor::outcomeChanged);
         while (!editor.isSettled()) {
-            ASSERT_TRUE(outcomes.wait(10'000));
+            ASSERT_TRUE(outcomes.wait(100'000));
         }
     }
 

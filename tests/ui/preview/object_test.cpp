@@ -116,7 +116,7 @@ TEST_F(ObjectTest, AMeshIsReadInItsOwnSize) {
     answer(mesh(kPyramid));
     auto& box = widget<QComboBox>("object");
     emit box.activated(box.findData(static_cast<int>(Shape::Mesh)));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return object().has_value(); }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return object().has_value(); }, 100'000));
     EXPECT_EQ(object()->shape, Shape::Mesh);
     EXPECT_NEAR(object()->sizeM, 2, 1e-6);
     EXPECT_TRUE(object()->sidesM().isApprox(Eigen::Vector3d(1, 1, 2), 1e-6));
@@ -129,7 +129,7 @@ TEST_F(ObjectTest, AHostileMeshIsOneSentenceAndLeavesWhatStands) {
     const LaidObject before = *object();
     for (const char* words : {"", "v 1 2\n", "v 0 0 0\nf 1 2 3\n", "\x7f\x45LF\x02\x01"}) {
         presenter().objects().readMesh(QString::fromStdString(mesh(words).string()), {0, 0, 0});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
         const Task* task = tasks.tasks().last();
         EXPECT_EQ(task->state(), Task::State::Failed);
         EXPECT_TRUE(task->sentence().contains("mesh.obj")) << task->sentence().toStdString();
@@ -154,7 +154,7 @@ TEST_F(ObjectTest, AClickInTheViewStandsItOnTheSurfaceThere) {
     auto& view = widget<DriveView>("view");
     QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, view.rect().center());
     const Eigen::Vector3d before = object()->footM;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return object()->footM != before; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return object()->footM != before; }, 100'000));
     const CameraModel camera(presenter().camera());
     const Rigid3 pose = roomFromOptical(presenter().robot(), presenter().mount());
     const Eigen::Vector3d middle = object()->footM + Eigen::Vector3d(0, 0, 0.5 * object()->sizeM);
@@ -170,7 +170,7 @@ TEST_F(ObjectTest, IsSavedWithTheFrames) {
         choose(shape);
         const fs::path folder = survey / ("walk" + std::to_string(static_cast<int>(shape)));
         presenter().saveFrames(QString::fromStdString(folder.string()));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
         const QImage frame(QString::fromStdString((folder / "000000.png").string()));
         const QImage saved = frame.convertToFormat(QImage::Format_RGB32);
         EXPECT_TRUE(QTest::qWaitFor([&] { return presenter().views()[0].picture == saved; }));

@@ -99,10 +99,11 @@ TEST_F(PreviewTest, IsWholeWhenTheRobotStands) {
     QObject::connect(&presenter(), &PreviewPresenter::viewsChanged, &scope,
                      [&] { widths.insert(presenter().views().front().picture.width()); });
     QTest::keyPress(&view, Qt::Key_D);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return widths.size() > 1; }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widths.size() > 1; }, 100'000));
     EXPECT_LT(*widths.begin(), 2560);
     QTest::keyRelease(&view, Qt::Key_D);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return presenter().views().front().picture.width() == 2560; }, 30'000));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return presenter().views().front().picture.width() == 2560; }, 100'000));
     const MadeView& whole = presenter().views().front();
     EXPECT_EQ(whole.share, 1);
     EXPECT_FALSE(DriveView::reportText(whole.report, whole.share).contains("of the size"));

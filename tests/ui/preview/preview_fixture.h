@@ -44,7 +44,7 @@ class PreviewTest : public testing::Test {
     /// Makes a dataset of the survey and waits for a view of it.
     void preview() {
         QTest::mouseClick(&widget<QPushButton>("make"), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return hasSharpViews(1); }, 100'000));
     }
 
     bool hasSharpViews(std::size_t count) {

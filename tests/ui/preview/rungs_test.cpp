@@ -46,7 +46,7 @@ class RungsTest : public testing::Test {
     void open(const test::PracticeDataset& dataset) {
         mode.show();
         mode.presenter().openDataset(QString::fromStdString(dataset.path().string()));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !mode.presenter().views().empty(); }, 30'000));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !mode.presenter().views().empty(); }, 100'000));
     }
 
     TaskList tasks;
@@ -85,7 +85,7 @@ TEST_F(RungsTest, OfADatasetWithDepthStandBesideEachOther) {
     choose("samplingB", static_cast<int>(Sampling::Bilinear));
     mode.findChild<QCheckBox*>("split")->setChecked(true);
     const auto& views = mode.presenter().views();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return views.size() == 2; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return views.size() == 2; }, 100'000));
     EXPECT_EQ(views[0].report.scene, SceneKind::Depth);
     EXPECT_EQ(views[1].report.scene, SceneKind::Room);
     const QString words = DriveView::reportText(views[1].report);

@@ -92,7 +92,7 @@ TEST_F(LocalServerTest, OneDeviceCannotTakeAllConnections) {
         return std::ranges::count_if(
             sockets, [](const auto& socket) { return socket->state() != QAbstractSocket::UnconnectedState; });
     };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return open() == LocalServer::kMostOfOneDevice; }, 30'000)) << open();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return open() == LocalServer::kMostOfOneDevice; }, 100'000)) << open();
     sockets.clear();
     ASSERT_TRUE(QTest::qWaitFor([&] { return statusOf("GET / HTTP/1.1\r\n\r\n") == 200; }));
 }

@@ -35,7 +35,7 @@ inline Reply sendRaw(const QUrl& server, const QByteArray& bytes) {
     QTcpSocket socket;
     socket.connectToHost(server.host(), static_cast<quint16>(server.port()));
     socket.write(bytes);
-    constexpr int kMostMs = 30'000;
+    constexpr int kMostMs = 100'000;
     QByteArray received;
     QObject::connect(&socket, &QTcpSocket::readyRead, [&] { received += socket.readAll(); });
     if (!QTest::qWaitFor([&] { return socket.state() == QAbstractSocket::UnconnectedState; }, kMostMs)) {

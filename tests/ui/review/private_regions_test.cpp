@@ -149,7 +149,7 @@ TEST_F(PrivateRegionsTest, ASearchFindsFacesAndLeadsToThem) {
 TEST_F(PrivateRegionsTest, AStoppedSearchKeepsWhatIsDone) {
     widget<QPushButton>("searchFaces").click();
     widget<QPushButton>("stopFaces").click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("searchFaces").isVisible(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return widget<QPushButton>("searchFaces").isVisible(); }, 100'000));
     EXPECT_TRUE(widget<QToolButton>("accept").isEnabled());
 }
 

@@ -239,7 +239,7 @@ TEST_F(ReviewModeTest, ChecksPhotosThatNoCheckHasSeen) {
     auto& check = widget<QPushButton>("checkPhotos");
     ASSERT_TRUE(check.isVisible());
     check.click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !check.isVisible(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !check.isVisible(); }, 100'000));
     EXPECT_EQ(session->store().verdicts().size(), 3U);
 }
 

@@ -45,7 +45,7 @@ TEST(Dropping, ADatasetIsPreviewed) {
     ASSERT_NE(window.mode(), nullptr);
     EXPECT_EQ(window.mode()->objectName(), "preview");
     auto* preview = qobject_cast<PreviewMode*>(window.mode());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return preview->presenter().dataset() != nullptr; }, 30'000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview->presenter().dataset() != nullptr; }, 100'000));
 }
 
 TEST(Dropping, PhotosWithTheirPositionsAreImported) {
@@ -55,7 +55,7 @@ TEST(Dropping, PhotosWithTheirPositionsAreImported) {
     window.openSurvey(textOf(test::makeSurvey(folder / "flat.spherewalk")));
     std::filesystem::copy_file(other / "p.csv", other / "in" / "p.csv");
     EXPECT_TRUE(drop(window, textOf(other / "in")));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
     EXPECT_EQ(window.session()->state().counts.photos, 3);
 }
 
@@ -86,7 +86,7 @@ TEST(RecentSurveys, TellFolderAndProgressWithAPicture) {
     EXPECT_TRUE(recent.item(0)->text().contains(parent)) << recent.item(0)->text().toStdString();
     const auto counts = survey.open().counts();
     const QString progress = QString("%1 of %2 photos").arg(counts.stationsWithPhoto).arg(counts.stations);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return recent.item(0)->text().contains(progress); }, 10'000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return recent.item(0)->text().contains(progress); }, 100'000))
         << recent.item(0)->text().toStdString();
     const QImage picture = summaryOf(folder).picture;
     QImage empty(picture.size(), picture.format());

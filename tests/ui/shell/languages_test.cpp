@@ -59,7 +59,7 @@ class LanguagesTest : public testing::TestWithParam<const char*> {
         for (Mode* mode : window.modes()) {
             window.showMode(mode);
             QTest::qWait(0);
-            ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 30'000));
+            ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
             law(window, mode->objectName());
         }
     }

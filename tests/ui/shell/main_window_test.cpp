@@ -72,7 +72,7 @@ TEST(MainWindow, SpeaksOfTheDatasetWhereOneIsShown) {
     window.showMode(preview);
     EXPECT_EQ(window.windowTitle(), "Küche - Spherewalk");
     preview->showPart(QString::fromStdString((other / "d").string()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return preview->presenter().dataset() != nullptr; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return preview->presenter().dataset() != nullptr; }, 100'000));
     EXPECT_EQ(window.windowTitle(), "room (dataset) - Spherewalk");
     EXPECT_TRUE(window.findChild<QLabel*>("counts")->text().startsWith("4 photo"));
     window.showMode(window.modes().first());
@@ -101,7 +101,7 @@ TEST(MainWindow, LeadsThroughThePagesInFiveSteps) {
         pages << window.mode()->objectName();
         if (pages.last() == "capture") { // the photos come by themselves
             CaptureDesk& desk = modeOf<CaptureMode>(window)->desk();
-            EXPECT_TRUE(QTest::qWaitFor([&] { return desk.isComplete(); }, 60'000));
+            EXPECT_TRUE(QTest::qWaitFor([&] { return desk.isComplete(); }, 100'000));
         }
         next->click();
     }
@@ -226,7 +226,7 @@ TEST(MainWindow, TheMainButtonOfTheFirstPagePhotographsThePracticeRoom) {
     window.findChild<QPushButton*>("practiceRoom")->click();
     EXPECT_EQ(window.mode(), modeOf<CaptureMode>(window));
     QSignalSpy ends(&desk, &CaptureDesk::runEnded);
-    ASSERT_TRUE(ends.wait(60'000));
+    ASSERT_TRUE(ends.wait(100'000));
     EXPECT_TRUE(ends[0][0].toBool()) << desk.sentence().toStdString();
     const store::Counts counts = window.session()->store().counts();
     EXPECT_EQ(counts.stationsWithPhoto, counts.stations);
@@ -310,7 +310,7 @@ TEST(MainWindow, ImportsPhotosIntoTheOpenSurvey) {
     EXPECT_TRUE(window.findChild<QAction*>("importPhotos")->isEnabled());
     window.importPhotos(QString::fromStdString((other / "p.csv").string()),
                         QString::fromStdString((other / "in").string()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 60'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
     EXPECT_EQ(window.session()->state().counts.photos, 3);
 }
 

@@ -161,7 +161,7 @@ class Person {
     }
 
     void waitUntil(const std::function<bool()>& holds) {
-        constexpr int kMostMs = 60'000;
+        constexpr int kMostMs = 100'000;
         ASSERT_TRUE(QTest::qWaitFor(holds, kMostMs)) << page<CaptureMode>().desk().sentence().toStdString();
     }
 
