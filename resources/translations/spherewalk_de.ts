@@ -942,6 +942,18 @@
         <translation>Es ist %1 Blenden heller als seine Nachbarn; prüfen Sie die Belichtung und die Lampen.</translation>
     </message>
     <message>
+        <source>It is %1 stops darker than %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Es ist %1 Blenden dunkler als %2, und zu wenige Fotos sagen, welches der beiden falsch ist; sehen Sie beide an, und nehmen Sie das falsche neu auf.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops brighter than %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Es ist %1 Blenden heller als %2, und zu wenige Fotos sagen, welches der beiden falsch ist; sehen Sie beide an, und nehmen Sie das falsche neu auf.</translation>
+    </message>
+    <message>
+        <source>Its colours differ by %1 % from those of %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Seine Farben weichen um %1 % von denen von %2 ab, und zu wenige Fotos sagen, welches der beiden falsch ist; sehen Sie beide an, und nehmen Sie das falsche neu auf.</translation>
+    </message>
+    <message>
         <source>Its colours differ by %1 % from its neighbours&apos;; fix the white balance, and check the lamps.</source>
         <translation>Seine Farben weichen um %1 % von denen seiner Nachbarn ab; legen Sie den Weißabgleich fest, und prüfen Sie die Lampen.</translation>
     </message>

@@ -952,6 +952,18 @@
         <translation>Jest o %1 EV jaśniejsze od sąsiadów; sprawdź ekspozycję i lampy.</translation>
     </message>
     <message>
+        <source>It is %1 stops darker than %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Jest o %1 EV ciemniejsze niż %2, a zbyt mało zdjęć wskazuje, które z nich jest złe; obejrzyj oba i powtórz złe.</translation>
+    </message>
+    <message>
+        <source>It is %1 stops brighter than %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Jest o %1 EV jaśniejsze niż %2, a zbyt mało zdjęć wskazuje, które z nich jest złe; obejrzyj oba i powtórz złe.</translation>
+    </message>
+    <message>
+        <source>Its colours differ by %1 % from those of %2, and too few photos tell which of the two is wrong; look at both, and take the wrong one again.</source>
+        <translation>Jego kolory różnią się o %1 % od kolorów %2, a zbyt mało zdjęć wskazuje, które z nich jest złe; obejrzyj oba i powtórz złe.</translation>
+    </message>
+    <message>
         <source>Its colours differ by %1 % from its neighbours&apos;; fix the white balance, and check the lamps.</source>
         <translation>Jego kolory różnią się o %1 % od kolorów sąsiadów; ustal balans bieli i sprawdź lampy.</translation>
     </message>

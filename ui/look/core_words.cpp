@@ -39,6 +39,15 @@ constexpr const char* kSentences[] = {
                       "It is %1 stops darker than its neighbours; check the exposure and the lamps."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "It is %1 stops brighter than its neighbours; check the exposure and the lamps."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is %1 stops darker than %2, and too few photos tell which of the two is wrong; "
+                      "look at both, and take the wrong one again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It is %1 stops brighter than %2, and too few photos tell which of the two is wrong; "
+                      "look at both, and take the wrong one again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Its colours differ by %1 % from those of %2, and too few photos tell which of the two "
+                      "is wrong; look at both, and take the wrong one again."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Its colours differ by %1 % from its neighbours'; fix the "
                                                    "white balance, and check the lamps."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "%1 % of it is black; check that nothing covers a lens."),

@@ -58,13 +58,17 @@ std::vector<store::PhotoRecord> PhotoJudge::neighbours(const store::PhotoRecord&
         return (other.positionM - of.positionM).norm();
     };
     return m_store.use([&](const store::SurveyStore& store) {
-        std::vector<store::PhotoRecord> near = store.keptPhotos();
-        std::erase_if(near, [&](const store::PhotoRecord& other) {
-            return other.station == of.station || distance(other) > photo::kNeighbourhoodM ||
-                   !isUsable(store, other.id);
-        });
-        std::ranges::stable_sort(near, {}, distance);
-        near.resize(std::min(near.size(), photo::kMostNeighbours));
+        std::vector<store::PhotoRecord> all = store.keptPhotos();
+        std::ranges::stable_sort(all, {}, distance);
+        std::vector<store::PhotoRecord> near;
+        for (const store::PhotoRecord& other : all) {
+            if (other.station != of.station && isUsable(store, other.id)) {
+                near.push_back(other);
+            }
+            if (near.size() == photo::kMostNeighbours + photo::kMostAround) {
+                break;
+            }
+        }
         return near;
     });
 }
@@ -144,7 +148,7 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
     for (const store::PhotoRecord& other : neighbours(record)) {
         throwIfStopped(stop);
         if (auto sketch = sketchOf(other)) {
-            near.push_back({sketch.get(), (other.positionM - record.positionM).norm()});
+            near.push_back({sketch.get(), (other.positionM - record.positionM).norm(), other.fileName});
             sketches.push_back(std::move(sketch));
         }
     }

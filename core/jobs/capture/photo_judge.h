@@ -38,6 +38,7 @@ class PhotoJudge {
         photo::ViewBand band;
     };
 
+    /// As many as a verdict asks for, the nearest first.
     std::vector<store::PhotoRecord> neighbours(const store::PhotoRecord& of) const;
     /// Null for a photo that cannot be read.
     std::shared_ptr<const photo::Sketch> sketchOf(const store::PhotoRecord& photo);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -293,6 +294,48 @@ std::optional<Radians> turnBetween(const Sketch& photo, const Sketch& other) {
     }
     const bool isClear = best.likeness >= kLeastAlike && bestOf(all).likeness < best.likeness - kClearly;
     return isClear ? std::optional(turnOfShift(best.shift)) : std::nullopt;
+}
+
+double stopsBrighter(const SketchMatch& match) {
+    constexpr double kStopsPerOctave = 2.2; // pictures store about the 2.2th root of light
+    return kStopsPerOctave * std::log2((match.gains[0] + match.gains[1] + match.gains[2]) / 3);
+}
+
+double unexplainedStops(const Sketch& photo, const MatchedSketch& neighbour) {
+    const double stops = stopsBrighter(neighbour.match);
+    if (!photo.exposureStops || !neighbour.sketch->exposureStops) {
+        return stops;
+    }
+    const double exposed = *photo.exposureStops - *neighbour.sketch->exposureStops;
+    return stops > 0 ? stops - std::clamp(exposed, 0.0, stops) : stops - std::clamp(exposed, stops, 0.0);
+}
+
+StandsApart standsApart(const Others& others, double limit,
+                        const std::function<double(const MatchedSketch&)>& difference) {
+    std::vector<double> near;
+    std::ranges::transform(others.near, std::back_inserter(near), difference);
+    std::vector<double> all = near;
+    std::ranges::transform(others.around, std::back_inserter(all), difference);
+    StandsApart result;
+    for (const int sign : {1, -1}) {
+        const auto differs = [&](double value) { return sign * value >= limit / 2; };
+        std::vector<double> differing;
+        std::ranges::copy_if(near, std::back_inserter(differing), differs);
+        if (2 * differing.size() > near.size() && std::abs(median(differing)) >= limit) {
+            result.by = median(differing);
+            result.other = static_cast<std::size_t>(std::ranges::find_if(near, differs) - near.begin());
+        }
+    }
+    const double half = std::abs(result.by) / 2;
+    const auto alike = std::ranges::count_if(all, [&](double one) { return std::abs(one) < half; });
+    const auto differing =
+        std::ranges::count_if(all, [&](double one) { return one * result.by > 0 && std::abs(one) >= half; });
+    const bool isRare = 4 * alike <= std::ssize(all);
+    if (differing <= alike || (alike > 1 && !isRare)) {
+        return {};
+    }
+    result.isCertain = isRare && differing > alike + 1;
+    return result;
 }
 
 ForeignArea foreignArea(const Sketch& photo, std::span<const MatchedSketch> neighbours) {

@@ -5,8 +5,12 @@
 #include "spherewalk/photo/sketch.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace spherewalk::photo {
 
@@ -32,8 +36,37 @@ SketchMatch match(const Sketch& photo, const Sketch& other);
 struct MatchedSketch {
     const Sketch* sketch = nullptr;
     SketchMatch match;
-    double distanceM = 0; ///< Distance between the two positions.
+    double distanceM = 0;  ///< Distance between the two positions.
+    std::string_view name; ///< Owner: the caller
 };
+
+/// By how many stops the photo is brighter than the other one.
+double stopsBrighter(const SketchMatch& match);
+
+/// By how many stops the photo is brighter than the neighbour, but for what both say of their exposures.
+/// Nothing is left where these explain the whole difference.
+double unexplainedStops(const Sketch& photo, const MatchedSketch& neighbour);
+
+/// By how much a photo differs from its neighbours.
+struct StandsApart {
+    double by = 0;          ///< 0 for a photo that does not stand apart.
+    bool isCertain = false; ///< Whether several photos agree that it is this one, and not a neighbour.
+    std::size_t other = 0;  ///< Index of the nearest neighbour that it differs from.
+};
+
+/// The other photos that one is compared with, the nearest first.
+struct Others {
+    std::vector<MatchedSketch> near;   ///< Its neighbours.
+    std::vector<MatchedSketch> around; ///< Those that stand next.
+};
+
+/// Tells whether a photo stands apart in a quantity. difference: the photo's value minus the other one's.
+/// limit: smaller differences are no fault.
+///
+/// A photo that differs from less than half of its neighbours and itself does not stand apart. Otherwise all
+/// others decide. A value that more than a quarter of them share is no fault: part of a room may be darker.
+StandsApart standsApart(const Others& others, double limit,
+                        const std::function<double(const MatchedSketch&)>& difference);
 
 /// The largest connected area of a photo that none of its neighbours shows anywhere near.
 struct ForeignArea {

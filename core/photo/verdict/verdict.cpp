@@ -36,15 +36,19 @@ constexpr EnumNames<Flaw, 14> kFlaws{{{Flaw::Damaged, "damaged"},
                                       {Flaw::Elsewhere, "elsewhere"},
                                       {Flaw::Unmoved, "unmoved"}}};
 
-std::vector<MatchedSketch> matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
-    std::vector<Neighbour> near(neighbours.begin(), neighbours.end());
-    std::erase_if(near, [](const Neighbour& one) { return !(one.distanceM <= kNeighbourhoodM); });
-    std::ranges::stable_sort(near, {}, &Neighbour::distanceM);
-    near.resize(std::min(near.size(), kMostNeighbours));
-    std::vector<MatchedSketch> result;
-    result.reserve(near.size());
-    for (const Neighbour& one : near) {
-        result.push_back({one.sketch, match(photo, *one.sketch), one.distanceM});
+/// The nearest first.
+Others matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
+    std::vector<const Neighbour*> nearest;
+    std::ranges::transform(neighbours, std::back_inserter(nearest),
+                           [](const Neighbour& one) { return &one; });
+    std::ranges::stable_sort(nearest, {}, &Neighbour::distanceM);
+    Others result;
+    for (const Neighbour* one : nearest) {
+        const bool isNear = one->distanceM <= kNeighbourhoodM && result.near.size() < kMostNeighbours;
+        std::vector<MatchedSketch>& part = isNear ? result.near : result.around;
+        if (isNear || part.size() < kMostAround) {
+            part.push_back({one->sketch, match(photo, *one->sketch), one->distanceM, one->name});
+        }
     }
     return result;
 }
@@ -172,23 +176,32 @@ std::optional<survey::Quality> graded(double value, double doubtful, double fail
     return value < failed ? survey::Quality::Doubtful : survey::Quality::Failed;
 }
 
-/// How much brighter the photo is than its neighbours, in stops; 0 without any.
-double stopsBrighter(std::span<const MatchedSketch> neighbours) {
-    if (neighbours.empty()) {
-        return 0;
-    }
-    const double gain = median(each(neighbours, [](const MatchedSketch& one) {
-        return (one.match.gains[0] + one.match.gains[1] + one.match.gains[2]) / 3;
-    }));
-    constexpr double kStopsPerOctave = 2.2; // pictures store about the 2.2th root of light
-    return kStopsPerOctave * std::log2(gain);
+constexpr double kDark = 40;
+constexpr double kBright = 215;
+
+/// Those that tell how light and colours should be: they are neither dark nor burnt, and show the same.
+Others forLight(Others others) {
+    const auto tellsNothing = [](const MatchedSketch& one) {
+        return one.sketch->brightness < kDark || one.sketch->brightness > kBright ||
+               one.match.likeness < kAlike;
+    };
+    std::erase_if(others.near, tellsNothing);
+    std::erase_if(others.around, tellsNothing);
+    return others;
+}
+
+constexpr std::string_view kWhichIsOpen =
+    ", and too few photos tell which of the two is wrong; look at both, and take the wrong one again.";
+
+/// From this on a photo differs too much from its neighbours, in stops.
+double leastStops(const ExpectedSettings& expected) {
+    // A camera that chooses its own exposure chooses another one at each place.
+    return expected.exposureS ? 0.4 : 1.6;
 }
 
 void addBrightness(Findings& findings, const Sketch& photo, const ExpectedSettings& expected,
-                   std::span<const MatchedSketch> neighbours) {
-    constexpr double kDark = 40;
+                   const Others& others) {
     constexpr double kVeryDark = 18;
-    constexpr double kBright = 215;
     constexpr double kVeryBright = 238;
     const double b = photo.brightness;
     if (b < kDark || b > kBright) {
@@ -199,34 +212,45 @@ void addBrightness(Findings& findings, const Sketch& photo, const ExpectedSettin
                        : "It is too bright; check the exposure."});
         return;
     }
-    // A camera that chooses its own exposure chooses another one at each place.
-    const bool isFixed = expected.exposureS.has_value();
-    const double stops = stopsBrighter(neighbours);
-    if (const auto quality = graded(std::abs(stops), isFixed ? 0.4 : 1.6, isFixed ? 1.2 : 3)) {
+    const StandsApart apart = standsApart(
+        others, leastStops(expected), [&](const MatchedSketch& one) { return unexplainedStops(photo, one); });
+    const auto quality = graded(std::abs(apart.by), leastStops(expected), expected.exposureS ? 1.2 : 3);
+    if (!quality) {
+        return;
+    }
+    const std::string stops = text("It is ", fixed(std::abs(apart.by), 1), " stops ",
+                                   apart.by < 0 ? "darker" : "brighter", " than ");
+    if (apart.isCertain) {
         findings.push_back(
-            {Flaw::Brightness, *quality,
-             text("It is ", fixed(std::abs(stops), 1), " stops ", stops < 0 ? "darker" : "brighter",
-                  " than its neighbours; check the exposure and the lamps.")});
+            {Flaw::Brightness, *quality, stops + "its neighbours; check the exposure and the lamps."});
+    } else {
+        findings.push_back({Flaw::Brightness, survey::Quality::Doubtful,
+                            text(stops, others.near[apart.other].name, kWhichIsOpen)});
     }
 }
 
-void addColour(Findings& findings, const ExpectedSettings& expected,
-               std::span<const MatchedSketch> neighbours) {
-    if (neighbours.empty()) {
+void addColour(Findings& findings, const ExpectedSettings& expected, const Others& others) {
+    const double limit = expected.hasFixedWhiteBalance.value_or(false) ? 0.07 : 0.17;
+    const auto inChannel = [&](std::size_t channel) {
+        return standsApart(others, limit, [channel](const MatchedSketch& one) {
+            return std::log(one.match.gains[channel] / one.match.gains[1]);
+        });
+    };
+    const StandsApart red = inChannel(0);
+    const StandsApart blue = inChannel(2);
+    const StandsApart& most = std::abs(red.by) > std::abs(blue.by) ? red : blue;
+    const auto quality = graded(std::abs(most.by), limit, 0.35);
+    if (!quality) {
         return;
     }
-    const double red = median(each(neighbours, [](const MatchedSketch& one) {
-        return std::log(one.match.gains[0] / one.match.gains[1]);
-    }));
-    const double blue = median(each(neighbours, [](const MatchedSketch& one) {
-        return std::log(one.match.gains[2] / one.match.gains[1]);
-    }));
-    const double most = std::max(std::abs(red), std::abs(blue));
-    if (const auto quality =
-            graded(most, expected.hasFixedWhiteBalance.value_or(false) ? 0.07 : 0.17, 0.35)) {
+    const std::string colours =
+        text("Its colours differ by ", percent(std::exp(std::abs(most.by)) - 1), " from ");
+    if (most.isCertain) {
         findings.push_back({Flaw::Colour, *quality,
-                            text("Its colours differ by ", percent(std::exp(most) - 1),
-                                 " from its neighbours'; fix the white balance, and check the lamps.")});
+                            colours + "its neighbours'; fix the white balance, and check the lamps."});
+    } else {
+        findings.push_back({Flaw::Colour, survey::Quality::Doubtful,
+                            text(colours, "those of ", others.near[most.other].name, kWhichIsOpen)});
     }
 }
 
@@ -297,19 +321,26 @@ void addTurn(Findings& findings, std::span<const MatchedSketch> neighbours) {
 
 /// Brightness, colour, black and burnt areas.
 void addLight(Findings& findings, const Sketch& photo, const ExpectedSettings& expected,
-              std::span<const MatchedSketch> neighbours) {
+              const Others& others) {
     constexpr double kBurntPerStop = 0.5; // Where walls are white, half a stop burns out a quarter of them.
-    const double burntByItself =
-        expected.exposureS ? 0 : kBurntPerStop * std::max(0.0, stopsBrighter(neighbours));
-    addBrightness(findings, photo, expected, neighbours);
-    addColour(findings, expected, neighbours);
+    const Others telling = forLight(others);
+    addBrightness(findings, photo, expected, telling);
+    addColour(findings, expected, telling);
     addPart(
         findings, Flaw::Black, photo.blackPart,
-        [](const MatchedSketch& one) { return one.sketch->blackPart; }, neighbours, 0,
+        [](const MatchedSketch& one) { return one.sketch->blackPart; }, others.near, 0,
         " of it is black; check that nothing covers a lens.");
+    // A neighbour that has lost its light hides what burns in it.
+    std::vector<MatchedSketch> lit = others.near;
+    std::erase_if(lit, [&](const MatchedSketch& one) {
+        return one.sketch->brightness < kDark || unexplainedStops(photo, one) >= leastStops(expected);
+    });
+    const double brighter =
+        median(each(lit, [](const MatchedSketch& one) { return stopsBrighter(one.match); }));
+    const double burntByItself = expected.exposureS ? 0 : kBurntPerStop * std::max(0.0, brighter);
     addPart(
         findings, Flaw::Burnt, photo.burntPart,
-        [](const MatchedSketch& one) { return one.sketch->burntPart; }, neighbours, burntByItself,
+        [](const MatchedSketch& one) { return one.sketch->burntPart; }, lit, burntByItself,
         " of it is burnt out; shorten the exposure, or keep the light out.");
 }
 
@@ -384,12 +415,13 @@ std::string Verdict::sentence() const {
 
 Verdict judge(const Sketch& photo, const PhotoMetadata& metadata, const ExpectedSettings& expected,
               std::span<const Neighbour> neighbours) {
-    const std::vector<MatchedSketch> near = matched(photo, neighbours);
+    const Others others = matched(photo, neighbours);
+    const std::vector<MatchedSketch>& near = others.near;
     Verdict verdict;
     verdict.isCompared = !near.empty();
     verdict.isContentCompared = !forContent(near).empty();
     addWhatItSays(verdict.findings, photo, metadata, expected);
-    addLight(verdict.findings, photo, expected, near);
+    addLight(verdict.findings, photo, expected, others);
     addBlur(verdict.findings, photo, near);
     addPlace(verdict.findings, photo, near);
     std::ranges::stable_sort(verdict.findings,

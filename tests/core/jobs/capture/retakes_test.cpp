@@ -2,12 +2,16 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
+#include "spherewalk/base/image.h"
 #include "spherewalk/jobs/judge_survey.h"
+#include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::jobs {
@@ -99,6 +103,24 @@ TEST_F(Retakes, VerdictsAreGivenToPhotosThatCameOtherwise) {
     EXPECT_EQ(first.failed, 0);
     EXPECT_EQ(judgeSurvey(m_store, false, noProgress(), {}).judged, 0);
     EXPECT_EQ(judgeSurvey(m_store, true, noProgress(), {}).judged, first.judged);
+}
+
+TEST_F(Retakes, APhotoWithoutItsLightIsHeldAgainstNoOther) {
+    m_survey.leaveUnchecked();
+    const store::PhotoRecord& unlit = m_photos[1];
+    const std::filesystem::path file = m_store.photoFolder() / unlit.fileName;
+    RgbImage picture = jpeg::decode(readFile(file), unlit.fileName);
+    for (std::uint8_t& value : picture.values()) {
+        value /= 12;
+    }
+    writeFile(file, jpeg::encode(picture, 95));
+    judgeSurvey(m_store, false, noProgress(), {});
+    for (const store::PhotoRecord& photo : m_photos) {
+        const photo::Verdict verdict = verdictOf(*m_store.verdict(photo.id));
+        const auto light =
+            std::ranges::count(verdict.findings, photo::Flaw::Brightness, &photo::Finding::flaw);
+        EXPECT_EQ(light, photo.id == unlit.id ? 1 : 0) << verdict.sentence();
+    }
 }
 
 TEST_F(Retakes, APhotoThatIsGoneIsFailed) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <utility>
 
 namespace spherewalk::photo {
 
@@ -44,7 +45,8 @@ class VerdictsOf : public testing::Test {
         std::vector<Neighbour> result;
         for (const Photo& other : m_photos) {
             if (&other != &photo) {
-                result.push_back({&other.sketch, (other.clean.positionM - photo.clean.positionM).norm()});
+                result.push_back(
+                    {&other.sketch, (other.clean.positionM - photo.clean.positionM).norm(), "other.JPG"});
             }
         }
         return result;
@@ -154,6 +156,88 @@ TEST_F(VerdictsOf, WrongExposuresAndWhiteBalancesAreTold) {
                              return jpegOf(test::tinted(picture, m_random.uniform(0.7, 0.9), 1.1));
                          }),
               kFound);
+}
+
+TEST_F(VerdictsOf, APhotoWithoutItsLightIsNotHeldAgainstItsOnlyNeighbour) {
+    RgbImage unlit = m_photos[4].clean.picture;
+    for (std::uint8_t& value : unlit.values()) {
+        value /= 12;
+    }
+    const Sketch black = sketch(jpegOf(unlit), {}, "unlit.JPG");
+    const std::vector<Neighbour> neighbours{{&black, 0.25, "unlit.JPG"}};
+    for (const ExpectedSettings& expected : {ExpectedSettings{}, ExpectedSettings{.exposureS = 1.0 / 60}}) {
+        const Verdict verdict = judge(m_photos[5].sketch, {}, expected, neighbours);
+        EXPECT_EQ(verdict.quality(), survey::Quality::Good) << verdict.sentence();
+    }
+}
+
+TEST_F(VerdictsOf, OfTwoPhotosThatDifferNeitherIsBlamedUntilOthersTell) {
+    const ExpectedSettings fixed{.exposureS = 1.0 / 60, .hasFixedWhiteBalance = true};
+    const Photo& bright = m_photos[5];
+    const RgbImage dim = test::tinted(test::exposed(m_photos[4].clean.picture, -1.3), 0.8, 1);
+    m_photos[4].sketch = sketch(jpegOf(dim), {}, "dim.JPG");
+    const Photo& dark = m_photos[4];
+    const auto sentence = [&](const Photo& photo, const std::vector<Neighbour>& neighbours) {
+        const Verdict verdict = judge(photo.sketch, {}, fixed, neighbours);
+        EXPECT_NE(verdict.quality(),
+                  neighbours.size() == 1 ? survey::Quality::Failed : survey::Quality::Doubtful)
+            << verdict.sentence();
+        return verdict.sentence();
+    };
+    const std::string open = "and too few photos tell which of the two is wrong";
+    EXPECT_THAT(sentence(bright, {{&dark.sketch, 0.25, "dim.JPG"}}),
+                testing::AllOf(testing::HasSubstr("stops brighter than dim.JPG, " + open),
+                               testing::HasSubstr("from those of dim.JPG, " + open)));
+    EXPECT_THAT(sentence(dark, {{&bright.sketch, 0.25, "bright.JPG"}}),
+                testing::AllOf(testing::HasSubstr("stops darker than bright.JPG, " + open),
+                               testing::HasSubstr("from those of bright.JPG, " + open)));
+    // All others stand too far off to be neighbours.
+    std::vector<Neighbour> ofBright = neighboursOf(bright);
+    std::vector<Neighbour> ofDark = neighboursOf(dark);
+    for (std::vector<Neighbour>* all : {&ofBright, &ofDark}) {
+        for (Neighbour& one : *all) {
+            one.distanceM += one.sketch == &bright.sketch || one.sketch == &dark.sketch ? 0 : kNeighbourhoodM;
+        }
+    }
+    EXPECT_EQ(sentence(bright, ofBright), "");
+    EXPECT_THAT(sentence(dark, ofDark),
+                testing::AllOf(testing::HasSubstr("stops darker than its neighbours;"),
+                               testing::HasSubstr("from its neighbours';")));
+}
+
+TEST_F(VerdictsOf, NobodyIsBlamedWhereHalfOfTheSurveyIsDarker) {
+    const double middle = (m_photos.front().clean.positionM.x() + m_photos.back().clean.positionM.x()) / 2;
+    const auto isInTheDark = [&](const Photo& photo) { return photo.clean.positionM.x() > middle; };
+    for (Photo& photo : m_photos) {
+        if (isInTheDark(photo)) {
+            photo.clean.picture = test::exposed(photo.clean.picture, -1.5);
+            photo.sketch = sketch(jpegOf(photo.clean.picture), {}, "a neighbour");
+        }
+    }
+    ASSERT_EQ(std::ranges::count_if(m_photos, isInTheDark), 8);
+    for (const Photo& photo : m_photos) {
+        const Verdict verdict = verdictOf(photo, jpegOf(photo.clean.picture));
+        EXPECT_EQ(verdict.quality(), survey::Quality::Good) << verdict.sentence();
+    }
+}
+
+TEST_F(VerdictsOf, AnExposureThatThePhotosStateIsNoFaultOfTheLight) {
+    PhotoMetadata metadata;
+    metadata.fNumber = 2;
+    metadata.iso = 100;
+    metadata.exposureS = 1.0 / 60;
+    const Photo& photo = m_photos[5];
+    for (Photo& other : m_photos) {
+        other.sketch = sketch(jpegOf(other.clean.picture), metadata, "a neighbour");
+    }
+    const Bytes dim = jpegOf(test::exposed(photo.clean.picture, -2));
+    for (const auto& [iso, flaws] : {std::pair{100, 1}, std::pair{25, 0}}) {
+        metadata.iso = iso;
+        const Sketch own = sketch(dim, metadata, "a.JPG");
+        const Verdict verdict = judge(own, metadata, {}, neighboursOf(photo));
+        EXPECT_EQ(std::ranges::count(verdict.findings, Flaw::Brightness, &Finding::flaw), flaws)
+            << iso << " " << verdict.sentence();
+    }
 }
 
 TEST_F(VerdictsOf, BlackAndBurntAreasAreTold) {

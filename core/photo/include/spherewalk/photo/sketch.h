@@ -33,6 +33,9 @@ struct Sketch {
     double brightness = 0; ///< Mean over the sphere, in [0, 255].
     double blackPart = 0;  ///< Part of the sphere, in [0, 1], that is too dark to show anything.
     double burntPart = 0;  ///< Part of the sphere, in [0, 1], that is as bright as the camera can record.
+    /// The exposure in stops: log2 of the time in seconds x ISO / f-number^2. Absent if the photo does not
+    /// say all three.
+    std::optional<double> exposureStops;
 
     bool operator==(const Sketch&) const = default;
 };

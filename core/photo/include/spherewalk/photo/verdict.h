@@ -78,6 +78,7 @@ struct ExpectedSettings {
 struct Neighbour {
     const Sketch* sketch = nullptr; ///< Owner: the caller
     double distanceM = 0;           ///< Distance between the positions of the two photos.
+    std::string name = {};          ///< The photo's name for sentences.
 };
 
 /// Photos that are farther away are no neighbours.
@@ -88,10 +89,13 @@ inline constexpr double kNeighbourhoodM = 0.75;
 inline constexpr double kContentNeighbourhoodM = 0.36;
 /// Only so many of the nearest neighbours are used.
 inline constexpr std::size_t kMostNeighbours = 4;
+/// So many photos that stand next, at any distance, help to tell whether the photo or a neighbour stands
+/// apart in light and colour.
+inline constexpr std::size_t kMostAround = 8;
 
 /// Judges a whole photo. The same input gives the same verdict. Neighbours beyond kNeighbourhoodM,
-/// and more than the nearest kMostNeighbours, are left out. Without neighbours only the photo itself and its
-/// metadata count. Threads: any. Cost: up to a fifth of a second.
+/// and more than the nearest kMostNeighbours, are left out, but for the kMostAround nearest of them. Without
+/// neighbours only the photo itself and its metadata count. Threads: any. Cost: up to a fifth of a second.
 Verdict judge(const Sketch& photo, const PhotoMetadata& metadata, const ExpectedSettings& expected,
               std::span<const Neighbour> neighbours);
 
