@@ -180,6 +180,8 @@ Bridge::Outgoing Bridge::advertised(const render::RigCamera& camera) {
     if (m_hasOverlay) {
         outgoing.labels =
             checked(m_node.Advertise<msgs::Image>(topics.beside("labels")), topics.beside("labels"));
+        outgoing.boxes = checked(m_node.Advertise<msgs::AnnotatedAxisAligned2DBox_V>(topics.beside("boxes")),
+                                 topics.beside("boxes"));
     }
     outgoing.info = checked(m_node.Advertise<msgs::CameraInfo>(topics.beside("camera_info")),
                             topics.beside("camera_info"));
@@ -269,7 +271,8 @@ void Bridge::takePicture(OverlayPart part, const msgs::Image& message, std::size
 bool Bridge::hasListeners() const {
     return std::any_of(m_outgoing.begin(), m_outgoing.end(), [this](const Outgoing& of) {
         return of.image.HasConnections() || of.info.HasConnections() || of.report.HasConnections() ||
-               (m_hasDepth && of.depth.HasConnections()) || (m_hasOverlay && of.labels.HasConnections());
+               (m_hasDepth && of.depth.HasConnections()) ||
+               (m_hasOverlay && (of.labels.HasConnections() || of.boxes.HasConnections()));
     });
 }
 
@@ -287,7 +290,7 @@ void Bridge::publish(const simulator::Frame& frame) {
     Outgoing& outgoing = m_outgoing[frame.index];
     for (msgs::Header* header :
          {m_image.mutable_header(), m_depth.mutable_header(), m_labels.mutable_header(),
-          m_info.mutable_header(), m_report.mutable_header()}) {
+          m_boxes.mutable_header(), m_info.mutable_header(), m_report.mutable_header()}) {
         setHeader(*header, frame.stamp, outgoing.frameId, m_sequence);
     }
     m_sequence += frame.index + 1 == m_outgoing.size() ? 1 : 0; // the same for all cameras
@@ -302,6 +305,10 @@ void Bridge::publish(const simulator::Frame& frame) {
     if (m_hasOverlay && !frame.view.labels.empty()) {
         setLabels(m_labels, frame.view.labels);
         outgoing.labels.Publish(m_labels);
+        if (outgoing.boxes.HasConnections()) {
+            setBoxes(m_boxes, frame.view.labels);
+            outgoing.boxes.Publish(m_boxes);
+        }
     }
     const std::chrono::duration<double, std::milli> latency =
         std::chrono::steady_clock::now() - frame.poseTakenAt;

@@ -17,8 +17,8 @@ namespace spherewalk::gazebo {
 
 struct Topics {
     std::vector<std::string> poses;
-    std::string image; ///< Topic of two levels or more; camera_info, depth_image, labels and
-                       ///< report go beside it.
+    std::string image; ///< Topic of two levels or more; camera_info, depth_image, labels,
+                       ///< boxes and report go beside it.
     std::string overlayColour;
     std::string overlayDepth;
     std::string overlayLabels;
@@ -92,6 +92,7 @@ class Bridge {
         transport::Node::Publisher image;
         transport::Node::Publisher depth;  ///< unless depth is not wanted
         transport::Node::Publisher labels; ///< unless there is no overlay
+        transport::Node::Publisher boxes;  ///< the same
         transport::Node::Publisher info;
         transport::Node::Publisher report;
     };
@@ -118,6 +119,7 @@ class Bridge {
     msgs::Image m_image;
     msgs::Image m_depth;
     msgs::Image m_labels;
+    msgs::AnnotatedAxisAligned2DBox_V m_boxes;
     msgs::CameraInfo m_info;
     msgs::Param m_report;
     bool m_isOverlaySubscribed = false;

@@ -139,8 +139,8 @@ void declareTopics(const program::Command& app, Options& options) {
         .required();
     app.option("--image", topics.image,
                "Topic of two levels or more for the pictures; camera_info, report, and with objects labels "
-               "go beside it. With --rig, each camera's name comes before the last level, there and in the "
-               "overlay's topics")
+               "and boxes go beside it. With --rig, each camera's name comes before the last level, there "
+               "and in the overlay's topics")
         .required();
     app.option("--frame-id", options.bridge.frameId,
                "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "

@@ -16,6 +16,7 @@
 // One name for Gazebo's transport and messages. Up to Fortress they are called ignition-transport and
 // ignition-msgs, later gz-transport and gz-msgs.
 #ifdef SPHEREWALK_IGNITION
+#include <ignition/msgs/annotated_axis_aligned_2d_box_v.pb.h>
 #include <ignition/msgs/camera_info.pb.h>
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/param.pb.h>
@@ -28,6 +29,7 @@ namespace msgs = ignition::msgs;
 namespace transport = ignition::transport;
 } // namespace spherewalk::gazebo
 #else
+#include <gz/msgs/annotated_axis_aligned_2d_box_v.pb.h>
 #include <gz/msgs/camera_info.pb.h>
 #include <gz/msgs/image.pb.h>
 #include <gz/msgs/param.pb.h>
@@ -68,6 +70,10 @@ void setImage(msgs::Image& message, const RgbImage& picture);
 void setDepth(msgs::Image& message, const DepthImage& depth);
 /// One channel of 16 bits (L_INT16): Gazebo's own pictures of labels hold 255 at most.
 void setLabels(msgs::Image& message, const render::LabelImage& labels);
+
+/// The box about all visible pixels of each label but 0, with the least label first. Units: pixels; the
+/// corners are the outermost pixels themselves, as those of Gazebo's bounding box camera are.
+void setBoxes(msgs::AnnotatedAxisAligned2DBox_V& message, const render::LabelImage& labels);
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 
 /// Fills the report on the picture of the same stamp: trust, late, outside, overlay, photo, origin, offset_m,

@@ -193,6 +193,18 @@ TEST_F(GazeboObjects, AreLaidIntoThePictureOfTheirStampAndTheRoomIsThePhoto) {
         const gz::Image labels = labelled(listener, stamp).value();
         EXPECT_EQ(labels.pixel_format_type(), gz::L_INT16);
         ASSERT_EQ(labels.data().size(), 2U * 160 * 120);
+        ASSERT_TRUE(waitUntil([&] {
+            const auto all = listener.boxes();
+            return !all.empty() && stampOf(all.back().header()) == stamp;
+        }));
+        const gz::AnnotatedAxisAligned2DBox_V boxes = listener.boxes().back();
+        ASSERT_EQ(boxes.annotated_box_size(), 1);
+        EXPECT_EQ(boxes.annotated_box(0).label(), 10U);
+        const gz::AxisAligned2DBox& box = boxes.annotated_box(0).box();
+        EXPECT_EQ(box.min_corner().x(), 61);
+        EXPECT_EQ(box.min_corner().y(), 41);
+        EXPECT_EQ(box.max_corner().x(), 99);
+        EXPECT_EQ(box.max_corner().y(), 79);
         const gz::Image picture = laid(listener, stamp).value();
         const RgbImage photo = expected(0.8, 0.3);
         for (int y = 0; y < 120; ++y) {

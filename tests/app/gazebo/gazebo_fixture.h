@@ -52,6 +52,7 @@ class Listener {
         listen(topic + "/camera_info", m_infos);
         listen(topic + "/report", m_reports);
         listen(topic + "/labels", m_labels);
+        listen(topic + "/boxes", m_boxes);
     }
 
     /// The messages once there are as many of each. A test fails if that takes a minute.
@@ -80,6 +81,8 @@ class Listener {
 
     std::vector<gz::Image> labels() { return copy(m_labels); }
 
+    std::vector<gz::AnnotatedAxisAligned2DBox_V> boxes() { return copy(m_boxes); }
+
   private:
     template <class Message>
     void listen(const std::string& topic, std::vector<Message>& into) {
@@ -106,8 +109,9 @@ class Listener {
     std::vector<gz::Image> m_images;
     std::vector<gz::CameraInfo> m_infos;
     std::vector<gz::Param> m_reports;
-    std::vector<gz::Image> m_labels; ///< none without an overlay
-    Node m_node;                     ///< last: its callbacks use the others
+    std::vector<gz::Image> m_labels;                      ///< none without an overlay
+    std::vector<gz::AnnotatedAxisAligned2DBox_V> m_boxes; ///< the same
+    Node m_node;                                          ///< last: its callbacks use the others
 };
 
 /// In Gazebo's place: says where a robot is whose camera is 1 m above it.
