@@ -156,17 +156,24 @@ PeopledOptions survey(RoomStyle room, double stepM, bool isReal) {
     return options;
 }
 
+PeopledOptions large(PeopledOptions options) {
+    options.mostPhotos = 20;
+    return options;
+}
+
 } // namespace
 
 TEST(ForeignCheck, FindsPersonsAndLeavesFurnitureAlone) {
     Tally all;
-    all += tallyOf(survey(RoomStyle::Lively, 0.4, false));
+    all += tallyOf(large(survey(RoomStyle::Lively, 0.4, false)));
     all += tallyOf(survey(RoomStyle::Lively, 0.8, true));
     all += tallyOf(survey(RoomStyle::Bare, 0.6, true));
     print("a few", all);
     EXPECT_LE(all.clean.found, 0.02 * all.clean.all);
     EXPECT_GE(all.persons().found, 0.85 * all.persons().all);
     EXPECT_GE(all.persons().all, 8);
+    EXPECT_EQ(all.still.found, all.still.all) << "who keeps still for several photos is named in each";
+    EXPECT_GE(all.still.all, 3);
 }
 
 TEST(ForeignCheck, JudgesNothingThatStandsAlone) {
@@ -178,15 +185,6 @@ TEST(ForeignCheck, JudgesNothingThatStandsAlone) {
     EXPECT_EQ(check.isJudged, (std::vector<bool>{false, false}));
     EXPECT_TRUE(check.things.empty());
 }
-
-namespace {
-
-PeopledOptions large(PeopledOptions options) {
-    options.mostPhotos = 20;
-    return options;
-}
-
-} // namespace
 
 /// The table of resources/docs/testing.md.
 TEST(ForeignCheck, TableByGridSizeAndDistance) {

@@ -12,6 +12,8 @@
 #include <functional>
 #include <iterator>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace spherewalk::align {
 
@@ -95,6 +97,21 @@ void leaveOut(const MaskImage& mask, cv::Mat& foreign) {
     }
 }
 
+/// The same picture, in which nothing fits what is foreign, and a cell about it.
+SoftPicture without(const cv::Mat& foreign, SoftPicture picture) {
+    cv::Mat wide;
+    cv::dilate(foreign, wide, cv::Mat::ones(3, 3, CV_8U));
+    for (int y = 0; y < kSightWidth / 2; ++y) {
+        const int row = y * kSightRowsOfSphere / (kSightWidth / 2) - kSightTop;
+        for (int x = 0; x < kSightWidth && row >= 0 && row < kSightRows; ++x) {
+            if (wide.at<std::uint8_t>(row, x * kSightColumns / kSightWidth) != 0) {
+                picture[static_cast<std::size_t>(y * kSightWidth + x)] = {0, 0, 0xFFFFFF, 0};
+            }
+        }
+    }
+    return picture;
+}
+
 /// The connected areas that are large enough, the largest first. An area across the seam counts once.
 std::vector<ForeignThing> areasIn(int photo, const cv::Mat& foreign) {
     cv::Mat twice;
@@ -126,51 +143,116 @@ std::vector<ForeignThing> areasIn(int photo, const cv::Mat& foreign) {
     return things;
 }
 
+/// Where photos of a survey show what others see through.
+class ForeignSearch {
+  public:
+    ForeignSearch(std::span<const SightPhoto> photos, const ForeignCheckOptions& options,
+                  const std::stop_token& stop)
+        : m_photos(photos),
+          m_options(options),
+          m_stop(stop),
+          m_sights(photos.size()),
+          m_observers(photos.size()),
+          m_foreign(photos.size()) {
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            m_neighbours.push_back(neighboursOf(i, photos));
+        }
+        m_pictures = softened(photos, gainsOf(photos, m_neighbours));
+    }
+
+    ForeignCheck run(ProgressSink& progress) {
+        std::vector<std::size_t> all(m_photos.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        lookFrom(all);
+        progress.progress(0.6, "Looking for what stands where other photos look through");
+        searchIn(all);
+        progress.progress(0.8, "Looking for what stands where other photos look through");
+        const std::vector<std::size_t> doubted = doubtedByWhatIsForeign();
+        lookFrom(doubted);
+        searchIn(doubted);
+        ForeignCheck result;
+        for (const std::size_t i : all) {
+            result.isJudged.push_back(!m_sights[i].empty());
+            std::ranges::move(things(i), std::back_inserter(result.things));
+        }
+        return result;
+    }
+
+  private:
+    void forEach(const std::vector<std::size_t>& photos, const std::function<void(std::size_t)>& work) const {
+        parallelFor(static_cast<int>(photos.size()), 1, m_options.threads, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                throwIfStopped(m_stop);
+                work(photos[static_cast<std::size_t>(i)]);
+            }
+        });
+    }
+
+    /// Learns how far away things are.
+    void lookFrom(const std::vector<std::size_t>& photos) {
+        forEach(photos, [&](std::size_t i) {
+            m_sights[i] = sightOf(static_cast<int>(i), m_photos, m_pictures, m_neighbours[i]);
+            if (!m_sights[i].empty()) {
+                m_observers[i] = observer(m_photos[i], m_sights[i]);
+            }
+        });
+    }
+
+    void searchIn(const std::vector<std::size_t>& photos) {
+        forEach(photos, [&](std::size_t i) {
+            std::vector<const Observer*> witnesses;
+            for (const int other : witnessesOf(i, m_photos, m_sights)) {
+                witnesses.push_back(&m_observers[static_cast<std::size_t>(other)]);
+            }
+            if (!m_sights[i].empty()) {
+                m_foreign[i] =
+                    cv::Mat(foreignCells(m_photos[i], m_sights[i], witnesses), true).reshape(1, kSightRows);
+                leaveOut(m_options.mask, m_foreign[i]);
+            }
+        });
+    }
+
+    std::vector<ForeignThing> things(std::size_t photo) const {
+        return m_sights[photo].empty() ? std::vector<ForeignThing>()
+                                       : areasIn(static_cast<int>(photo), m_foreign[photo]);
+    }
+
+    /// What is foreign in one photo explains nothing in another: somebody may have kept still for both. It is
+    /// taken out of the pictures. Returned are the photos without anything foreign that had it to go by.
+    std::vector<std::size_t> doubtedByWhatIsForeign() {
+        std::vector<bool> hasThings;
+        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+            hasThings.push_back(!things(i).empty());
+            if (hasThings[i]) {
+                m_pictures[i] = without(m_foreign[i], std::move(m_pictures[i]));
+            }
+        }
+        std::vector<std::size_t> doubted;
+        for (std::size_t i = 0; i < m_photos.size(); ++i) {
+            const bool hasDoubtful = std::ranges::any_of(
+                m_neighbours[i], [&](int other) { return hasThings[static_cast<std::size_t>(other)]; });
+            if (hasDoubtful && !hasThings[i]) {
+                doubted.push_back(i);
+            }
+        }
+        return doubted;
+    }
+
+    std::span<const SightPhoto> m_photos;
+    const ForeignCheckOptions& m_options;
+    std::stop_token m_stop;
+    std::vector<std::vector<int>> m_neighbours;
+    std::vector<SoftPicture> m_pictures;
+    std::vector<PhotoSight> m_sights;
+    std::vector<Observer> m_observers;
+    std::vector<cv::Mat> m_foreign;
+};
+
 } // namespace
 
 ForeignCheck foreignThings(std::span<const SightPhoto> photos, const ForeignCheckOptions& options,
                            ProgressSink& progress, const std::stop_token& stop) {
-    std::vector<std::vector<int>> neighbours;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        neighbours.push_back(neighboursOf(i, photos));
-    }
-    const auto pictures = softened(photos, gainsOf(photos, neighbours));
-    std::vector<PhotoSight> sights(photos.size());
-    std::vector<Observer> observers(photos.size());
-    std::vector<cv::Mat> foreign(photos.size());
-    const auto forEach = [&](const std::function<void(std::size_t)>& work) {
-        parallelFor(static_cast<int>(photos.size()), 1, options.threads, [&](int begin, int end) {
-            for (int i = begin; i < end; ++i) {
-                throwIfStopped(stop);
-                work(static_cast<std::size_t>(i));
-            }
-        });
-    };
-    forEach([&](std::size_t i) {
-        sights[i] = sightOf(static_cast<int>(i), photos, pictures, neighbours[i]);
-        if (!sights[i].empty()) {
-            observers[i] = observer(photos[i], sights[i]);
-        }
-    });
-    progress.progress(0.7, "Looking for what stands where other photos look through");
-    forEach([&](std::size_t i) {
-        std::vector<const Observer*> witnesses;
-        for (const int other : witnessesOf(i, photos, sights)) {
-            witnesses.push_back(&observers[static_cast<std::size_t>(other)]);
-        }
-        if (!sights[i].empty()) {
-            foreign[i] = cv::Mat(foreignCells(photos[i], sights[i], witnesses), true).reshape(1, kSightRows);
-            leaveOut(options.mask, foreign[i]);
-        }
-    });
-    ForeignCheck result;
-    for (std::size_t i = 0; i < photos.size(); ++i) {
-        result.isJudged.push_back(!sights[i].empty());
-        if (!sights[i].empty()) {
-            std::ranges::move(areasIn(static_cast<int>(i), foreign[i]), std::back_inserter(result.things));
-        }
-    }
-    return result;
+    return ForeignSearch(photos, options, stop).run(progress);
 }
 
 } // namespace spherewalk::align

@@ -50,11 +50,14 @@ struct ForeignCheckOptions {
 /// What furniture hides from the others is therefore never foreign, since nobody looks through it.
 ///
 /// A thing that stands at the same place in several photos is found too, if more photos look through its
-/// place than show it. It is not found if all neighbours show it, or if it lies on the line from one of two
-/// photos to the other. Things smaller than 0.2 % of the sphere are not told. Searched is from 45 degrees
-/// below the horizon to 30 degrees above it, against photos that stand 8 cm to 3 m away.
+/// place than show it. What is foreign in one photo is taken from it, and those photos are searched again
+/// that had it to go by: it may be the reason why nothing was foreign there. It is not found if all
+/// neighbours show it, or if it lies on the line from one of two photos to the other. Things smaller than 0.2
+/// % of the sphere are not told. Searched is from 45 degrees below the horizon to 30 degrees above it,
+/// against photos that stand 8 cm to 3 m away.
 ///
-/// Stop: Error{Stopped}. Threads: the result is the same for any number. Cost: 0.4 s a photo and core.
+/// Stop: Error{Stopped}. Threads: the result is the same for any number. Cost: 0.4 s a photo and core, and as
+/// much again for photos beside one with something foreign.
 ForeignCheck foreignThings(std::span<const SightPhoto> photos, const ForeignCheckOptions& options,
                            ProgressSink& progress, const std::stop_token& stop);
 
