@@ -277,10 +277,6 @@ std::optional<Vector2d> projected(const Eigen::Matrix3d& matrix, const Vector2d&
     return to.z() > 0 ? std::optional<Vector2d>(to.hnormalized()) : std::nullopt;
 }
 
-} // namespace
-
-namespace {
-
 /// The angle up to `largest` that a fisheye with these coefficients shows at this radius. distorted: the
 /// radius of an angle, which grows up to `largest`.
 double fisheyeAngle(double radius, double largest, const std::vector<double>& k,

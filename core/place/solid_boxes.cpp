@@ -24,7 +24,7 @@ class Solids {
         layOut();
     }
 
-    std::vector<Eigen::AlignedBox3d> run() {
+    SolidBoxes run() {
         spreadSurface();
         parallelFor(m_count.y(), 1, m_options.threads, [&](int y, int) {
             throwIfStopped(m_stop);
@@ -32,10 +32,13 @@ class Solids {
                 fillBelow(x, y);
             }
         });
-        if (m_options.isInset) {
-            shrink();
-        }
-        return boxes();
+        const std::vector<std::uint8_t> solid = m_isSolid;
+        SolidBoxes result;
+        result.whole = boxes();
+        m_isSolid = solid;
+        shrink();
+        result.inset = boxes();
+        return result;
     }
 
   private:
@@ -188,11 +191,10 @@ void BoxOptions::validate() const {
     }
 }
 
-std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
-                                            const BoxOptions& options, const std::stop_token& stop) {
+SolidBoxes solidBoxes(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
+                      const std::stop_token& stop) {
     options.validate();
-    return things.triangles.empty() ? std::vector<Eigen::AlignedBox3d>()
-                                    : Solids(things, photos, options, stop).run();
+    return things.triangles.empty() ? SolidBoxes() : Solids(things, photos, options, stop).run();
 }
 
 void addBoxes(Surface& surface, std::span<const Eigen::AlignedBox3d> boxes) {

@@ -66,12 +66,11 @@ class PlaceExport {
         things.dropSmallParts(kLeastPartM2);
         progress.progress(0.95, "Making boxes of furniture");
         const double cellM = kVoxelsACell * m_options.fusion.voxelM;
-        place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
-        Furniture result{place::simplified(things, kFurnitureErrorM),
-                         place::solidBoxes(things, m_depths, options, m_stop)};
-        options.isInset = true;
-        place::addBoxes(result.mesh, place::solidBoxes(things, m_depths, options, m_stop));
-        return result;
+        const place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
+        place::SolidBoxes boxes = place::solidBoxes(things, m_depths, options, m_stop);
+        place::Surface mesh = place::simplified(things, kFurnitureErrorM);
+        place::addBoxes(mesh, boxes.inset);
+        return {std::move(mesh), std::move(boxes.whole)};
     }
 
   private:

@@ -16,11 +16,16 @@ struct BoxOptions {
     double cellM = 0.04; ///< Edge of the cells that boxes are made of.
     double floorM = 0;   ///< Height of the floor in the room.
     int threads = 0;     ///< 0: all that the machine has. The result is the same for any number.
-    /// Boxes end half a cell inside of things, to all sides but up, so that none stands before the surface.
-    bool isInset = false;
 
     /// Errors: InvalidInput for a cell that is not 5 mm to 1 m.
     void validate() const;
+};
+
+struct SolidBoxes {
+    std::vector<Eigen::AlignedBox3d> whole; ///< Where things are, for collisions.
+    /// The same, but ending half a cell inside of things along x and y, so that none stands before the
+    /// surface.
+    std::vector<Eigen::AlignedBox3d> inset;
 };
 
 /// Boxes that together stand where things are, for collisions. They lie along the room's axes, and do not
@@ -29,8 +34,8 @@ struct BoxOptions {
 /// that nobody saw are closed. things: a surface of triangles smaller than cells, see furnitureOf(). photos:
 /// those that saw it. Errors: those of BoxOptions::validate(), and InvalidInput for a surface that would need
 /// more than 2^28 cells. Stop: Stopped. Cost: about a second of one core for ten million cells and photos.
-std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
-                                            const BoxOptions& options, const std::stop_token& stop = {});
+SolidBoxes solidBoxes(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
+                      const std::stop_token& stop = {});
 
 /// Adds the sides of boxes to a surface, in grey, as nobody saw them. With boxes that are inset, a surface
 /// with holes is closed, and what was seen of it stays in front.
