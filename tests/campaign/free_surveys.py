@@ -134,6 +134,11 @@ def similarity(made, true):
     return scale, turn, mean_made, mean_true
 
 
+def name_before(file):
+    """The name that a photo had before it was imported, which adds a part of its digest."""
+    return re.sub(r"_[0-9a-f]{8}(?=\.)", "", file)
+
+
 def mean_square(values):
     return sum(value * value for value in values) / len(values)
 
@@ -142,7 +147,7 @@ def judged(report, truth, unrelated):
     """The errors of all photos of the place, and what was missed."""
     solved, named, errors = {}, set(), {}
     for photo in report["photos"]:
-        name = re.sub(r"_[0-9a-f]{8}(?=\.)", "", photo["file"])
+        name = name_before(photo["file"])
         if photo["status"] == "good":
             solved[name] = photo
         else:

@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-from free_surveys import LENS_M, Camera, matrix, mean_square, product, similarity, times, transposed
+from free_surveys import LENS_M, Camera, matrix, mean_square, name_before, product, similarity, times, transposed
 
 ROOM_M = (5, 4)
 TAG_M = 0.16
@@ -63,7 +63,7 @@ def tags_of(given):
 
 def places(report, truth):
     good = [photo for photo in report["photos"] if photo["status"] in ("good", "doubtful")]
-    return [photo["position_m"] for photo in good], [truth[photo["file"]][0] for photo in good]
+    return [photo["position_m"] for photo in good], [truth[name_before(photo["file"])][0] for photo in good]
 
 
 def frame(report, truth):
