@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surveys by hand without any position, through the real command line: the table of resources/docs/testing.md.
 
-    python3 free_surveys.py CLI [--surveys N] [--first SEED] [--photos N] [--width PIXELS] [--unrelated FOLDER]
+    python3 free_surveys.py CLI [--surveys N] [--first SEED] [--photos N] [--width PIXELS] [--unrelated FOLDER] [--real]
 
 Each seed walks through the two rooms of the practice flat with steps of 0.3 to 1.5 m and a camera that leans in the hand, and adds
 a tenth of photos of another place: those of FOLDER, else of another practice room. All practice rooms have the same furniture, so
-that one is the harder test: only what stands around the furniture tells it from the flat. It imports the photos without positions, aligns them with --positions free, and compares with
+that one is the harder test: only what stands around the furniture tells it from the flat. With --real the camera has a real one's
+flaws, two lenses among them. It imports the photos without positions, aligns them with --positions free, and compares with
 the truth after the best common motion and scale of the photos that nothing names. A photo is wrong by more than 5 cm or 1 degree; it is missed if nothing names it.
 """
 
@@ -178,21 +179,21 @@ def judged(report, truth, unrelated):
     return result
 
 
-def survey(cli, seed, count, width, foreign):
+def survey(cli, seed, count, width, foreign, flaws):
     dice = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="free-") as name:
         folder = pathlib.Path(name)
         (folder / "in").mkdir()
         truth, unrelated = {}, set()
         strangers = max(1, round(count / 10))
-        flat = Camera(cli, folder, "flat", seed, width, 5)
+        flat = Camera(cli, folder, "flat", seed, width, 5, flaws)
         for at in places(dice, (8, 6), count - strangers):
             (folder / "in" / f"F{len(truth):03}.JPG").write_bytes(flat.photo(*at))
             truth[f"F{len(truth):03}.JPG"] = None
         for name, line in zip(sorted(truth), flat.end()):
             turned = line["roomFromPhoto"]
             truth[name] = (line["position_m"], matrix(*(turned[key] for key in "wxyz")))
-        elsewhere = None if foreign else Camera(cli, folder, "bare" if seed % 2 else "lively", seed + 1000, width, 5)
+        elsewhere = None if foreign else Camera(cli, folder, "bare" if seed % 2 else "lively", seed + 1000, width, 5, flaws)
         for i in range(strangers):
             name = f"E{i:03}.JPG"
             (folder / "in" / name).write_bytes(foreign[(seed + i) % len(foreign)].read_bytes() if foreign else
@@ -216,13 +217,14 @@ def main():
     options.add_argument("--photos", type=int, default=40)
     options.add_argument("--width", type=int, default=2048)
     options.add_argument("--unrelated", type=pathlib.Path)
+    options.add_argument("--real", action="store_const", const=["--real"], default=[])
     given = options.parse_args()
     foreign = sorted(given.unrelated.glob("*.[jJ][pP]*[gG]")) if given.unrelated else []
     print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | scale | s | missed |")
     print("|---|---|---|---|---|---|---|---|---|---|---|---|")
     missed = 0
     for seed in range(given.first, given.first + given.surveys):
-        row = survey(given.cli, seed, given.photos, given.width, foreign)
+        row = survey(given.cli, seed, given.photos, given.width, foreign, given.real)
         missed += len(row["missed"]) + row["unrelated_missed"]
         cells = [seed, row["photos"], row["placed"], row["named"], row["unrelated_missed"]]
         cells += [f"{row[key]:.4g}" if key in row else "-" for key in ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "scale")]

@@ -97,8 +97,9 @@ std::vector<SeenPoint> seenPoints(const Component& component, std::span<const in
 namespace {
 
 /// The distance on the unit sphere between where a photo sees a point and where it should see it, in standard
-/// deviations. Parameters: the photo's turn from its reference, its position, the point.
-class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3> {
+/// deviations. Parameters: the photo's turn from its reference, its position, the point, and how far the
+/// lenses stand ahead.
+class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3, 1> {
   public:
     RayBlock(const Eigen::Quaterniond& reference, const Ray& ray, double sigmaRad)
         : m_reference(reference), m_bearing(ray.bearing), m_sigmaRad(sigmaRad) {}
@@ -108,7 +109,9 @@ class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3> {
         const Eigen::Matrix3d photoFromRoom = (turn(moved) * m_reference).conjugate().toRotationMatrix();
         const Eigen::Vector3d apart = Eigen::Map<const Eigen::Vector3d>(parameters[2]) -
                                       Eigen::Map<const Eigen::Vector3d>(parameters[1]);
-        const Eigen::Vector3d inPhoto = photoFromRoom * apart;
+        const double side = softSide(m_bearing);
+        const Eigen::Vector3d inPhoto =
+            photoFromRoom * apart - side * parameters[3][0] * Eigen::Vector3d::UnitX();
         const double distance = std::max(inPhoto.norm(), 1e-9);
         const Eigen::Vector3d unit = inPhoto / distance;
         Eigen::Map<Eigen::Vector3d> off(residuals);
@@ -117,8 +120,9 @@ class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3> {
             return true;
         }
         using RowMajor = Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-        const Eigen::Matrix3d byInRoom =
-            (Eigen::Matrix3d::Identity() - unit * unit.transpose()) * photoFromRoom / (distance * m_sigmaRad);
+        const Eigen::Matrix3d byInPhoto =
+            (Eigen::Matrix3d::Identity() - unit * unit.transpose()) / (distance * m_sigmaRad);
+        const Eigen::Matrix3d byInRoom = byInPhoto * photoFromRoom;
         if (jacobians[0] != nullptr) {
             RowMajor rows(jacobians[0]);
             rows = byInRoom * skew(apart) * leftJacobian(moved);
@@ -130,6 +134,10 @@ class RayBlock : public ceres::SizedCostFunction<3, 3, 3, 3> {
         if (jacobians[2] != nullptr) {
             RowMajor rows(jacobians[2]);
             rows = byInRoom;
+        }
+        if (jacobians[3] != nullptr) {
+            Eigen::Map<Eigen::Vector3d> column(jacobians[3]);
+            column = -side * byInPhoto.col(0);
         }
         return true;
     }
@@ -146,7 +154,7 @@ Eigen::Vector3d inRoom(const Bundle& bundle, const Ray& ray) {
 
 /// How far the ray misses the point, as an angle; pi where the point lies behind.
 double missRad(const Bundle& bundle, const Ray& ray, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d apart = point - bundle.photos[static_cast<std::size_t>(ray.photo)].positionM;
+    const Eigen::Vector3d apart = point - bundle.lensOf(ray);
     const Eigen::Vector3d seen = inRoom(bundle, ray);
     return std::atan2(apart.cross(seen).norm(), apart.dot(seen));
 }
@@ -160,7 +168,7 @@ std::optional<Eigen::Vector3d> meetingPoint(const Bundle& bundle, std::span<cons
         const Eigen::Vector3d seen = inRoom(bundle, ray);
         const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - seen * seen.transpose();
         matrix += across;
-        right += across * bundle.photos[static_cast<std::size_t>(ray.photo)].positionM;
+        right += across * bundle.lensOf(ray);
         parallax = std::max(parallax, inRoom(bundle, rays.front()).cross(seen).norm() / ray.sigmaRad);
     }
     if (parallax < kLeastPointParallax * bundle.scale) {
@@ -214,8 +222,14 @@ double rayScale(const Bundle& bundle) {
 /// One run of least squares on the present points and rays.
 class Adjustment {
   public:
-    Adjustment(Bundle& bundle, std::span<const PhotoPrior> priors, double width)
-        : m_bundle(bundle), m_turns(bundle.photos.size(), {0, 0, 0}) {
+    Adjustment(Bundle& bundle, std::span<const PhotoPrior> priors, double width, bool solvesLenses)
+        : m_bundle(bundle),
+          m_turns(bundle.photos.size(), {0, 0, 0}),
+          m_ahead(bundle.photos.front().lenses.aheadM) {
+        m_problem.AddParameterBlock(&m_ahead, 1);
+        if (!solvesLenses) {
+            m_problem.SetParameterBlockConstant(&m_ahead);
+        }
         for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
             const UpPrior up = upPrior(priors[i]);
             m_problem.AddParameterBlock(m_turns[i].data(), 3);
@@ -231,7 +245,7 @@ class Adjustment {
                 m_problem.AddResidualBlock(
                     new RayBlock(bundle.photos[i].roomFromPhoto, ray, bundle.scale * ray.sigmaRad),
                     new ceres::CauchyLoss(width), m_turns[i].data(), bundle.photos[i].positionM.data(),
-                    point.at.data());
+                    point.at.data(), &m_ahead);
             }
         }
     }
@@ -258,12 +272,14 @@ class Adjustment {
         for (std::size_t i = 0; i < m_turns.size(); ++i) {
             Eigen::Quaterniond& rotation = m_bundle.photos[i].roomFromPhoto;
             rotation = (turn(Eigen::Map<const Eigen::Vector3d>(m_turns[i].data())) * rotation).normalized();
+            m_bundle.photos[i].lenses.aheadM = m_ahead;
         }
     }
 
   private:
     Bundle& m_bundle;
     std::vector<std::array<double, 3>> m_turns;
+    double m_ahead; ///< In the unit of the positions.
     ceres::Problem m_problem;
 };
 
@@ -282,6 +298,16 @@ std::vector<SeenPoint> enoughPoints(std::vector<SeenPoint> points, std::size_t p
     return points;
 }
 
+/// Photos of a camera that joins its pictures as if both lenses stood in one place give 0.
+void keepClearLenses(Bundle& bundle) {
+    constexpr double kClearSigmas = 5;
+    if (!(std::abs(bundle.photos.front().lenses.aheadM) > kClearSigmas * lensSigma(bundle))) {
+        for (PhotoState& photo : bundle.photos) {
+            photo.lenses.aheadM = 0;
+        }
+    }
+}
+
 } // namespace
 
 void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& progress,
@@ -297,8 +323,12 @@ void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& pr
         bundle.points = placed(bundle, all, round == 0);
         std::erase_if(bundle.points, [](const SeenPoint& point) { return !point.isPlaced; });
         bundle.scale = round == 0 ? 1 : rayScale(bundle);
-        Adjustment(bundle, priors, kWidths[round]).solve(kIterations[round], step, stop);
+        const bool solvesLenses = round == 1 || (round > 1 && bundle.photos.front().lenses.aheadM != 0);
+        Adjustment(bundle, priors, kWidths[round], solvesLenses).solve(kIterations[round], step, stop);
         bundle.scale = rayScale(bundle);
+        if (solvesLenses) {
+            keepClearLenses(bundle);
+        }
     }
     std::erase_if(bundle.points, [&](SeenPoint& point) {
         std::erase_if(point.rays, [&](const Ray& ray) {
@@ -311,94 +341,6 @@ void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& pr
             bundle.seen.push_back(point.at);
         }
     }
-}
-
-namespace {
-
-using Rows36 = Eigen::Matrix<double, 3, 6>;
-
-/// The derivatives of one ray, in standard deviations.
-struct RayRows {
-    Rows36 byPhoto; ///< Turn, then position.
-    Eigen::Matrix3d byPoint;
-};
-
-RayRows rowsOf(const Bundle& bundle, const Ray& ray, const Eigen::Vector3d& point) {
-    const PhotoState& photo = bundle.photos[static_cast<std::size_t>(ray.photo)];
-    const Eigen::Vector3d apart = point - photo.positionM;
-    const double distance = std::max(apart.norm(), 1e-9);
-    const Eigen::Vector3d unit = apart / distance;
-    RayRows rows;
-    rows.byPoint =
-        (Eigen::Matrix3d::Identity() - unit * unit.transpose()) / (distance * bundle.scale * ray.sigmaRad);
-    rows.byPhoto.leftCols<3>() = rows.byPoint * skew(apart);
-    rows.byPhoto.rightCols<3>() = -rows.byPoint;
-    return rows;
-}
-
-/// The normal matrix of the photos alone, with all points solved for.
-Eigen::MatrixXd photoNormal(const Bundle& bundle) {
-    const auto size = static_cast<Eigen::Index>(6 * bundle.photos.size());
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-    for (const SeenPoint& point : bundle.points) {
-        Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
-        std::vector<std::pair<Eigen::Index, Eigen::Matrix<double, 6, 3>>> mixed;
-        for (const Ray& ray : point.rays) {
-            const RayRows rows = rowsOf(bundle, ray, point.at);
-            const Eigen::Index at = 6 * ray.photo;
-            normal.block<6, 6>(at, at) += rows.byPhoto.transpose() * rows.byPhoto;
-            own += rows.byPoint.transpose() * rows.byPoint;
-            mixed.emplace_back(at, rows.byPhoto.transpose() * rows.byPoint);
-        }
-        const Eigen::Matrix3d inverse = own.inverse();
-        for (const auto& [i, ofI] : mixed) {
-            const Eigen::Matrix<double, 6, 3> left = ofI * inverse;
-            for (const auto& [j, ofJ] : mixed) {
-                normal.block<6, 6>(i, j) -= left * ofJ.transpose();
-            }
-        }
-    }
-    return normal;
-}
-
-/// Seven orthonormal motions that no picture tells: of all photos together.
-Eigen::MatrixXd commonMotions(const Bundle& bundle) {
-    const auto size = static_cast<Eigen::Index>(6 * bundle.photos.size());
-    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(size, 7);
-    for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(6 * i);
-        motions.block<3, 3>(at + 3, 0) = Eigen::Matrix3d::Identity();
-        motions.block<3, 3>(at, 3) = Eigen::Matrix3d::Identity();
-        motions.block<3, 3>(at + 3, 3) = -skew(bundle.photos[i].positionM);
-        motions.block<3, 1>(at + 3, 6) = bundle.photos[i].positionM;
-    }
-    return motions.householderQr().householderQ() * Eigen::MatrixXd::Identity(size, 7);
-}
-
-double largestSigma(const Eigen::Matrix3d& covariance) {
-    const double largest =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[2];
-    return std::sqrt(std::max(0., largest));
-}
-
-} // namespace
-
-std::vector<BundleSigma> bundleSigmas(const Bundle& bundle) {
-    Eigen::MatrixXd normal = photoNormal(bundle);
-    const Eigen::MatrixXd motions = commonMotions(bundle);
-    const double weight = normal.diagonal().mean();
-    normal += weight * motions * motions.transpose();
-    normal.diagonal().array() += 1e-12 * weight;
-    const Eigen::MatrixXd covariance =
-        normal.llt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())) -
-        motions * motions.transpose() / weight;
-    std::vector<BundleSigma> sigmas;
-    for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(6 * i);
-        sigmas.push_back({largestSigma(covariance.block<3, 3>(at, at)),
-                          largestSigma(covariance.block<3, 3>(at + 3, at + 3))});
-    }
-    return sigmas;
 }
 
 } // namespace spherewalk::align

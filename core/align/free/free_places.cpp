@@ -105,6 +105,7 @@ void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const 
     for (PhotoState& photo : bundle.photos) {
         photo.roomFromPhoto = (turned * photo.roomFromPhoto).normalized();
         photo.positionM = scale * (turned * photo.positionM) + shift;
+        photo.lenses.aheadM *= scale;
     }
     for (SeenPoint& point : bundle.points) {
         point.at = scale * (turned * point.at) + shift;
@@ -298,6 +299,7 @@ void report(const Part& part, FreePlaces& made) {
         FreePlace& place = made.photos[static_cast<std::size_t>(part.photos[i])];
         const PhotoState& state = part.bundle.photos[i];
         place.roomFromPhoto = Rigid3{state.roomFromPhoto, state.positionM};
+        place.lenses = state.lenses;
         place.sigmaM = sigmas[i].place;
         place.sigmaRad = sigmas[i].turnRad;
         int confirming = 0;

@@ -57,10 +57,17 @@ struct SeenPoint {
 
 /// The photos of a component and the points that they see.
 struct Bundle {
-    std::vector<PhotoState> photos;
+    std::vector<PhotoState> photos; ///< All have the same lenses.
     std::vector<SeenPoint> points;
     std::vector<Eigen::Vector3d> seen; ///< All points that rays of the adjusted photos meet at.
     double scale = 1;                  ///< Of the residuals: 1 if the bearings' sigmas are right.
+
+    /// Where the lens stands that sees the ray.
+    Eigen::Vector3d lensOf(const Ray& ray) const {
+        const PhotoState& photo = photos[static_cast<std::size_t>(ray.photo)];
+        const double ahead = softSide(ray.bearing) * photo.lenses.aheadM;
+        return photo.positionM + ahead * (photo.roomFromPhoto * Eigen::Vector3d::UnitX());
+    }
 };
 
 /// The things that the component's pairs join over its photos, those that most photos see first. A thing that
@@ -68,10 +75,11 @@ struct Bundle {
 std::vector<SeenPoint> seenPoints(const Component& component, std::span<const int> placeOf,
                                   std::span<const PhotoPair> pairs, std::span<const PairEstimate> estimates);
 
-/// Moves photos and points to where the rays meet best. Rays that miss by far are left out, and so are points
-/// without parallax, and points beyond some hundreds a photo. priors: one a photo of the bundle; they say
-/// what is level, and nothing else of them is used. The first photo stays where it is. Errors: Internal if
-/// Ceres gives up; Stopped. Source: Triggs et al., Bundle Adjustment: A Modern Synthesis, 2000.
+/// Moves photos and points to where the rays meet best, and finds how far the lenses stand ahead. Rays that
+/// miss by far are left out, and so are points without parallax, and points beyond some hundreds a photo.
+/// priors: one a photo of the bundle; they say what is level, and nothing else of them is used. The first
+/// photo stays where it is. Errors: Internal if Ceres gives up; Stopped. Source: Triggs et al., Bundle
+/// Adjustment: A Modern Synthesis, 2000.
 void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& progress,
             const std::stop_token& stop);
 
@@ -83,6 +91,9 @@ struct BundleSigma {
 };
 
 std::vector<BundleSigma> bundleSigmas(const Bundle& bundle);
+
+/// Standard deviation of how far the lenses stand ahead, in the unit of the positions.
+double lensSigma(const Bundle& bundle);
 
 /// A floor below the photos, in the unit of the positions.
 struct FloorPlane {

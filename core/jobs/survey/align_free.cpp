@@ -156,6 +156,7 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report) {
             report.photos[i].flags.push_back(place.doubt);
         }
         pose.roomFromPhoto = *place.roomFromPhoto;
+        pose.lenses = place.lenses;
         const double byScaleM = places.scaleSigma * (pose.roomFromPhoto.translation - middle).norm();
         pose.sigmaOwnPositionM = std::max(place.sigmaM, kLeastPlaceSigmaM);
         pose.sigmaPositionM = std::hypot(pose.sigmaOwnPositionM, byScaleM);

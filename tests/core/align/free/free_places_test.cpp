@@ -112,6 +112,34 @@ TEST(FreePlaces, AreSolvedFromMatchesAloneAndMeasuredByTheFloor) {
     }
 }
 
+// Both lenses taken for one bend the places: things a metre away are seen from a centimetre aside.
+TEST(FreePlaces, KnowThatACameraHasTwoLenses) {
+    for (const std::uint64_t seed : {21, 22, 23}) {
+        SCOPED_TRACE(seed);
+        SyntheticSurveyOptions options = byHand(seed);
+        const Errors oneLens = errorsOf(solved(withoutPlaces(syntheticSurvey(options))),
+                                        withoutPlaces(syntheticSurvey(options)));
+        options.lensAheadM = 0.01;
+        const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(options));
+        const FreePlaces places = solved(survey);
+        const Errors errors = errorsOf(places, survey);
+        EXPECT_LT(errors.placeRmsM, 1.5 * oneLens.placeRmsM + 0.0005);
+        for (const FreePlace& place : places.photos) {
+            ASSERT_TRUE(place.roomFromPhoto.has_value()) << place.why;
+            EXPECT_NEAR(errors.scale * place.lenses.aheadM, 0.01, 0.001);
+        }
+    }
+}
+
+TEST(FreePlaces, TakeTheLensesForOneWhereNothingTellsThemApart) {
+    for (const std::uint64_t seed : {24, 25, 26}) {
+        const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(seed)));
+        for (const FreePlace& place : solved(survey).photos) {
+            EXPECT_EQ(place.lenses.aheadM, 0) << seed;
+        }
+    }
+}
+
 TEST(FreePlaces, TakeTheirScaleFromAMeasuredDistance) {
     const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(4)));
     FreeOptions options;

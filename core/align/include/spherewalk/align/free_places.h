@@ -90,6 +90,7 @@ struct FreeOptions {
 /// Where one photo was taken.
 struct FreePlace {
     std::optional<Rigid3> roomFromPhoto; ///< Empty if it could not be placed.
+    LensPair lenses;                     ///< As far as the pictures tell; the same for all photos.
     std::string why;                     ///< A sentence if it was not placed.
     std::string doubt;                   ///< A sentence if it was placed, but little confirms it.
     int part = 0;                        ///< Index of the part of the survey; 0 for the largest; -1 for none.
