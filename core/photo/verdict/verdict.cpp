@@ -156,6 +156,8 @@ void addWhatItSays(Findings& findings, const Sketch& photo, const PhotoMetadata&
 }
 
 constexpr double kAlike = 0.3; ///< correlation of photos that show the same room from places near each other
+/// Beside furniture, photos farther apart may look like different rooms.
+constexpr double kLookingAlikeM = 0.5;
 
 std::vector<double> each(std::span<const MatchedSketch> neighbours,
                          const std::function<double(const MatchedSketch&)>& value) {
@@ -373,19 +375,22 @@ void addPlace(Findings& findings, const Sketch& photo, std::span<const MatchedSk
         return;
     }
     constexpr double kClearly = 0.1;
-    const double upright =
-        median(each(neighbours, [](const MatchedSketch& one) { return one.match.likeness; }));
-    const double upsideDown =
-        median(each(neighbours, [](const MatchedSketch& one) { return one.match.upsideDownLikeness; }));
-    if (upsideDown > upright + kClearly && upsideDown >= kAlike) {
+    const std::vector<double> upright =
+        each(neighbours, [](const MatchedSketch& one) { return one.match.likeness; });
+    const std::vector<double> upsideDown =
+        each(neighbours, [](const MatchedSketch& one) { return one.match.upsideDownLikeness; });
+    // Beside furniture most neighbours look like nothing much: the one that is most alike counts, too.
+    const double best = std::ranges::max(upright);
+    if (median(upsideDown) >= kAlike && median(upsideDown) > median(upright) + kClearly &&
+        std::ranges::max(upsideDown) > best + kClearly) {
         findings.push_back(
             {Flaw::UpsideDown, survey::Quality::Failed,
              "It is upside down against its neighbours; put the camera upright and take it again."});
         return;
     }
-    const double best =
-        std::ranges::max(each(neighbours, [](const MatchedSketch& one) { return one.match.likeness; }));
-    if (best < kAlike) {
+    const bool isNextTo = std::ranges::any_of(
+        neighbours, [](const MatchedSketch& one) { return one.distanceM <= kLookingAlikeM; });
+    if (best < kAlike && isNextTo) {
         findings.push_back({Flaw::Elsewhere, survey::Quality::Doubtful,
                             "It does not look like its neighbours, however it is turned; check that the "
                             "camera stood at this station."});

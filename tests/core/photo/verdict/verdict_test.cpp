@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict/labelled_photos.h"
 
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/verdict.h"
+#include "spherewalk/practice/practice_room.h"
 #include "spherewalk/practice/theta_jpeg.h"
 
 #include <gmock/gmock.h>
@@ -279,6 +281,34 @@ TEST_F(VerdictsOf, APhotoOfAnotherPlaceLooksLikeNoneOfItsNeighbours) {
     }();
     const Verdict verdict = verdictOf(m_photos.front(), jpegOf(grey));
     EXPECT_EQ(std::ranges::count(verdict.findings, Flaw::Elsewhere, &Finding::flaw), 1) << verdict.sentence();
+}
+
+// 72 cm apart, photos beside furniture may look like other rooms, or like rooms upside down.
+TEST(Verdict, CallsNoPhotoOfAFlatWrongBesideFurniture) {
+    Random random(3);
+    practice::PracticeRoomOptions options;
+    options.sizeM = {8, 6, 2.6};
+    options.style = practice::RoomStyle::Flat;
+    const practice::PracticeRoom flat(options);
+    std::vector<std::pair<Eigen::Vector3d, Sketch>> photos;
+    for (int i = 0; i < 88; ++i) {
+        const Eigen::Vector3d at(0.4 + 0.72 * (i % 11), 0.4 + 0.72 * (i / 11), 1.2);
+        const Rigid3 pose{rotation({Radians(random.uniform(-3, 3)), Radians(0), Radians(0)}), at};
+        const RgbImage picture = flat.spherical(pose, {kWidth, kWidth / 2});
+        photos.emplace_back(at, sketch(jpeg::encode(picture, 90), {}, "a photo"));
+    }
+    for (const auto& [at, own] : photos) {
+        std::vector<Neighbour> neighbours;
+        for (const auto& [there, other] : photos) {
+            if (&own != &other) {
+                neighbours.push_back({&other, (there - at).norm(), "other.JPG"});
+            }
+        }
+        EXPECT_THAT(judge(own, {}, {}, neighbours).sentence(),
+                    testing::Not(testing::AnyOf(testing::HasSubstr("upside down"),
+                                                testing::HasSubstr("does not look like"))))
+            << at.transpose();
+    }
 }
 
 TEST(Verdict, TellsWhenSettingsAndSizeAreNotTheProfiles) {
