@@ -247,24 +247,33 @@ void scaleSigmas(std::vector<PhotoPrior>& priors, const Unknowns& unknowns, cons
     }
 }
 
+/// How much more the offsets may scatter by chance than their priors promise. A scatter that is found by a
+/// median is good to its part of 0.83 / sqrt(freedom) (one standard deviation).
+double mostByChance(double freedom) {
+    constexpr double kSigmas = 3;
+    constexpr double kHarmless = 1.5;
+    return std::max(kHarmless, 1 + kSigmas * 0.83 / std::sqrt(std::max(1.0, freedom)));
+}
+
 /// Solves again with wider priors where the solved places contradict what the priors promise: a camera in the
 /// hand does not keep its height like a cart, and heights that are believed too much make the whole lean.
 /// priors: those of the input.
 void widenPriors(std::vector<PhotoPrior>& priors, const ComponentInput& input, SolveAttempt& made,
                  ProgressSink& progress, const std::stop_token& stop) {
-    constexpr double kContradicted = 3;
     constexpr double kSettled = 1.2;
     constexpr int kMostRounds = 4;
     PriorScatter widened;
-    const auto step = [](double scatter, double& all) {
-        const bool isOff = all > 1 ? std::max(scatter, 1 / scatter) > kSettled : scatter > kContradicted;
+    const Eigen::Vector3d freedom = offsetFreedom(made.state.unknowns);
+    const auto step = [](double scatter, double most, double& all) {
+        const bool isOff = all > 1 ? std::max(scatter, 1 / scatter) > kSettled : scatter > most;
         const double by = isOff ? std::max(scatter, 1 / all) : 1;
         all *= by;
         return by;
     };
     for (int round = 0; round < kMostRounds && solvesPosition(made.choice.model); ++round) {
         const PriorScatter scatter = priorScatter(made.state.unknowns, priors);
-        const PriorScatter by = {step(scatter.along, widened.along), step(scatter.height, widened.height)};
+        const PriorScatter by = {step(scatter.along, mostByChance(freedom.x()), widened.along),
+                                 step(scatter.height, mostByChance(freedom.z()), widened.height)};
         if (by.along == 1 && by.height == 1) {
             break;
         }
