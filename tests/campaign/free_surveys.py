@@ -157,7 +157,8 @@ def judged(report, truth, unrelated):
                 solved[name] = photo
     here = sorted(name for name in solved if name in truth)
     result = {"photos": len(truth), "placed": len(here), "named": len(named - unrelated), "unrelated": len(unrelated),
-              "unrelated_missed": len(unrelated - named), "seconds": report["seconds"], "missed": []}
+              "unrelated_missed": len(unrelated - named), "seconds": report["seconds"], "missed": [],
+              "stated": report["places"]["scale_sigma"]}
     trusted = [name for name in here if name not in named]
     if len(trusted) < 3:
         return result
@@ -220,14 +221,14 @@ def main():
     options.add_argument("--real", action="store_const", const=["--real"], default=[])
     given = options.parse_args()
     foreign = sorted(given.unrelated.glob("*.[jJ][pP]*[gG]")) if given.unrelated else []
-    print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | scale | s | missed |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | scale | stated | s | missed |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     missed = 0
     for seed in range(given.first, given.first + given.surveys):
         row = survey(given.cli, seed, given.photos, given.width, foreign, given.real)
         missed += len(row["missed"]) + row["unrelated_missed"]
         cells = [seed, row["photos"], row["placed"], row["named"], row["unrelated_missed"]]
-        cells += [f"{row[key]:.4g}" if key in row else "-" for key in ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "scale")]
+        cells += [f"{row[key]:.4g}" if key in row else "-" for key in ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "scale", "stated")]
         print("| " + " | ".join(map(str, cells + [f"{row['seconds']:.0f}", " ".join(row["missed"])])) + " |", flush=True)
     print(f"\nMissed: {missed}.")
     return 1 if missed else 0

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kLargestPhotoBytes = 1ULL << 30;
 constexpr std::uint64_t kMostCacheBytes = 1ULL << 22;
-constexpr std::string_view kFormat = "april-tags 1"; ///< Changes whenever other tags would be found.
+constexpr std::string_view kFormat = "april-tags 2"; ///< Changes whenever other tags would be found.
 /// Features of tags are counted from here on, beyond those that are found otherwise.
 constexpr int kFirstTagFeature = 1 << 24;
 constexpr double kLeastTagSigmaRad = 1.5e-4; ///< Lenses and seams err so much, however sharp a tag is.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace spherewalk::photo {
 
@@ -26,8 +27,8 @@ constexpr int kUnknowns = kLight + kLights;
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-constexpr double kFirstBlurPx = 0.6;
-constexpr double kLeastBlurPx = 0.25;
+constexpr double kFirstBlurPx = 0.5;
+constexpr double kLeastBlurPx = 0.08;
 constexpr double kMostBlurPx = 3;
 constexpr double kRim = 0.7;          ///< Of the white rim, in cells, so much is compared.
 constexpr double kLeastContrast = 12; ///< Grey levels between black and white.
@@ -36,11 +37,10 @@ constexpr double kMostMove = 1.5;     ///< Cells.
 constexpr int kRounds = 25;
 /// Errors of neighbouring pixels are alike: pictures are resampled, compressed and sharpened.
 constexpr double kAlike = 2;
-/// A pixel is a square, whose edges a Gaussian follows badly. From the square alone to where a lens blurs it
-/// by half a pixel more, the error of corners along each axis falls from a tenth of a pixel to nothing.
-constexpr double kSquareBlurPx = 0.29;
-constexpr double kLensBlurPx = 0.58;
-constexpr double kSquareErrorPx = 0.1;
+/// Edges that no lens blurs tell least of where they lie within a pixel. From there to where a lens blurs
+/// them by half a pixel, what the fit itself cannot know of the corners' error falls to nothing.
+constexpr double kLensBlurPx = 0.45;
+constexpr double kSharpErrorPx = 0.04;
 
 /// The tag's corner in cells.
 Vector2d cellCorner(int corner) {
@@ -73,23 +73,36 @@ struct Shares {
     std::array<double, kCount> slope{};
 };
 
-Shares sharesOf(double at, double blur) {
+/// A blur along one axis, in cells: a Gaussian, and the pixel's own square.
+struct Blur {
+    double sigma = 0;
+    double box = 0;
+};
+
+/// The share of the blur that lies below `far`, and its density there.
+std::pair<double, double> below(double far, const Blur& blur) {
+    const auto normal = [](double t) { return 0.5 * std::erfc(-t / std::numbers::sqrt2); };
+    const auto integral = [&](double t) {
+        return t * normal(t) + std::exp(-0.5 * t * t) / std::sqrt(2 * std::numbers::pi);
+    };
+    const double upper = (far + blur.box / 2) / blur.sigma;
+    const double lower = (far - blur.box / 2) / blur.sigma;
+    return {(integral(upper) - integral(lower)) * blur.sigma / blur.box,
+            (normal(upper) - normal(lower)) / blur.box};
+}
+
+Shares sharesOf(double at, const Blur& blur) {
     Shares made;
     made.first = static_cast<int>(std::floor(at)) - Shares::kCount / 2;
     double before = 0;
     double slopeBefore = 0;
     for (int i = 0; i < Shares::kCount; ++i) {
-        double upTo = 1;
-        double slopeUpTo = 0;
-        if (i + 1 < Shares::kCount) {
-            const double far = (made.first + i + 1 - at) / blur;
-            upTo = 0.5 * std::erfc(-far / std::numbers::sqrt2);
-            slopeUpTo = -std::exp(-0.5 * far * far) / (blur * std::sqrt(2 * std::numbers::pi));
-        }
+        const bool isLast = i + 1 == Shares::kCount;
+        const auto [upTo, density] = isLast ? std::pair(1.0, 0.0) : below(made.first + i + 1 - at, blur);
         made.share[static_cast<std::size_t>(i)] = upTo - before;
-        made.slope[static_cast<std::size_t>(i)] = slopeUpTo - slopeBefore;
+        made.slope[static_cast<std::size_t>(i)] = slopeBefore - density;
         before = upTo;
-        slopeBefore = slopeUpTo;
+        slopeBefore = density;
     }
     return made;
 }
@@ -104,9 +117,9 @@ class Pattern {
   public:
     explicit Pattern(const TagCells& cells) : m_cells(cells) {}
 
-    Shade shade(const Vector2d& cell, const Vector2d& blur) const {
-        const Shares across = sharesOf(cell.x(), blur.x());
-        const Shares down = sharesOf(cell.y(), blur.y());
+    Shade shade(const Vector2d& cell, const std::array<Blur, 2>& blur) const {
+        const Shares across = sharesOf(cell.x(), blur[0]);
+        const Shares down = sharesOf(cell.y(), blur[1]);
         Shade made;
         for (int j = 0; j < Shares::kCount; ++j) {
             const auto row = static_cast<std::size_t>(j);
@@ -239,12 +252,20 @@ class Fit {
         return m_used.size() >= kFewest;
     }
 
-    Vector2d blurInCells(const Matrix3d& homography, const Vector2d& at, const Vector2d& cell,
-                         double blurPx) const {
+    /// blurPx: of the Gaussian. A pixel that lies aslant has two sides along each axis of the tag; the
+    /// smaller one goes into the Gaussian.
+    std::array<Blur, 2> blurInCells(const Matrix3d& homography, const Vector2d& at, const Vector2d& cell,
+                                    double blurPx) const {
         const double depth = homography.row(2).dot(at.homogeneous());
-        const Eigen::Matrix2d slope =
-            (homography.topLeftCorner<2, 2>() - cell * homography.bottomLeftCorner<1, 2>()) / depth;
-        return slope.rowwise().norm() * (m_pitch * blurPx);
+        const Eigen::Matrix2d sides =
+            m_pitch * (homography.topLeftCorner<2, 2>() - cell * homography.bottomLeftCorner<1, 2>()) / depth;
+        std::array<Blur, 2> made;
+        for (int axis = 0; axis < 2; ++axis) {
+            const Vector2d side = sides.row(axis).cwiseAbs();
+            made[static_cast<std::size_t>(axis)] = {
+                std::hypot(blurPx * side.norm(), side.minCoeff() / std::sqrt(12.0)), side.maxCoeff()};
+        }
+        return made;
     }
 
     /// The light by linear least squares, with the geometry as it is.
@@ -278,10 +299,12 @@ class Fit {
         for (const Used& used : m_used) {
             const Eigen::Vector3d at = used.pixel.at.homogeneous();
             const Vector2d cell = (homography * at).hnormalized();
-            const Vector2d blur = blurInCells(homography, used.pixel.at, cell, unknowns[kBlur]);
-            const Shade shade = m_pattern.shade(cell, blur);
             constexpr double kMoreBlur = 1.01;
-            const Shade blurred = m_pattern.shade(cell, kMoreBlur * blur);
+            const auto shadeBy = [&](double blurPx) {
+                return m_pattern.shade(cell, blurInCells(homography, used.pixel.at, cell, blurPx));
+            };
+            const Shade shade = shadeBy(unknowns[kBlur]);
+            const Shade blurred = shadeBy(kMoreBlur * unknowns[kBlur]);
             const Lights lights = unknowns.tail<kLights>();
             const Lights factors = lightFactors(shade.value, cell);
             const Vector2d byCell = greyByCell(lights, shade, cell);
@@ -340,11 +363,10 @@ class Fit {
         for (int i = 0; i < 4; ++i) {
             fit.corners[static_cast<std::size_t>(i)] = m_now.segment<2>(2 * i);
         }
-        const double sharp =
-            std::clamp((kLensBlurPx - m_now[kBlur]) / (kLensBlurPx - kSquareBlurPx), 0.0, 1.0);
+        const double sharp = std::max(0.0, 1 - m_now[kBlur] / kLensBlurPx);
         fit.sigma = std::hypot(
             kAlike * std::sqrt(covariance.diagonal().head<kCornerNumbers>().sum() / kCornerNumbers),
-            sharp * kSquareErrorPx * m_pitch);
+            sharp * kSharpErrorPx * m_pitch);
         return std::isfinite(fit.sigma) ? std::optional(fit) : std::nullopt;
     }
 
