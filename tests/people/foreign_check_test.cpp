@@ -176,6 +176,13 @@ TEST(ForeignCheck, FindsPersonsAndLeavesFurnitureAlone) {
     EXPECT_GE(all.still.all, 3);
 }
 
+TEST(ForeignCheck, LeavesPlainWallsAloneHoweverBrightThePhotosAre) {
+    const PeopledOptions options = large(survey(RoomStyle::Bare, 0.4, true));
+    const ForeignCheck check =
+        foreignThings(solved(test::emptySurvey(options), options.seed), {}, noProgress(), {});
+    EXPECT_TRUE(check.things.empty()) << "photo " << check.things.front().photo;
+}
+
 TEST(ForeignCheck, JudgesNothingThatStandsAlone) {
     PeopledOptions options = survey(RoomStyle::Lively, 0.4, false);
     options.mostPhotos = 1;

@@ -157,7 +157,7 @@ class ForeignSearch {
         for (std::size_t i = 0; i < photos.size(); ++i) {
             m_neighbours.push_back(neighboursOf(i, photos));
         }
-        m_pictures = softened(photos, gainsOf(photos, m_neighbours));
+        m_pictures = softened(photos, gainsOf(photos, m_neighbours, options.threads, stop));
     }
 
     ForeignCheck run(ProgressSink& progress) {

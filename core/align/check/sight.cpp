@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/sight.h"
 
-#include "spherewalk/base/statistics.h"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -15,39 +13,13 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kHeight = kSightWidth / 2;
 constexpr int kPatch = 5;
 constexpr int kRim = kPatch / 2; ///< Columns that are repeated beyond the seam.
 constexpr int kWide = kSightColumns + 2 * kRim;
 
-/// Good to 0.0003 radians, a hundredth of a cell. Without branches, so that several are made at once.
-inline float quickAtan2(float y, float x) {
-    const float ax = std::abs(x);
-    const float ay = std::abs(y);
-    const float most = std::max(ax, ay);
-    const float a = std::min(ax, ay) / (most + 1e-20F);
-    const float s = a * a;
-    float r = ((-0.0464964749F * s + 0.15931422F) * s - 0.327622764F) * s * a + a;
-    r = ay > ax ? kPi / 2 - r : r;
-    r = x < 0 ? kPi - r : r;
-    return y < 0 ? -r : r;
-}
-
-/// The place of a direction in a picture of this width, in pixels from its upper left corner.
-struct Place {
-    float u = 0;
-    float v = 0;
-};
-
-Place placeOf(const Eigen::Vector3f& d, float width) {
-    const float perRadian = width / (2 * kPi);
-    return {(kPi - quickAtan2(d.y(), d.x())) * perRadian,
-            (kPi / 2 - quickAtan2(d.z(), std::sqrt(d.x() * d.x() + d.y() * d.y()))) * perRadian};
-}
-
 const SoftPixel& pixelAt(const SoftPicture& picture, const Eigen::Vector3f& direction) {
-    const Place at = placeOf(direction, kSightWidth);
+    const SightPlace at = placeOf(direction, kSightWidth);
     const int x = static_cast<int>(at.u) & (kSightWidth - 1);
     const int y = std::clamp(static_cast<int>(at.v), 0, kHeight - 1);
     return picture[static_cast<std::size_t>(y) * kSightWidth + static_cast<std::size_t>(x)];
@@ -68,36 +40,6 @@ std::uint8_t difference(const SoftPixel& own, const SoftPixel& other) {
     return static_cast<std::uint8_t>(most);
 }
 
-std::array<double, 3> ratios(const SightPhoto& a, const SightPhoto& b) {
-    constexpr int kStep = 6;
-    constexpr int kDark = 12;
-    constexpr int kBright = 243;
-    const Eigen::Matrix3d bFromA =
-        (b.roomFromPhoto->rotation.conjugate() * a.roomFromPhoto->rotation).matrix();
-    std::array<std::vector<double>, 3> values;
-    for (int row = 0; row < kSightRows; row += kStep / 2) {
-        for (int column = 0; column < kSightColumns; column += kStep) {
-            const Eigen::Vector3f inA = sightDirection(row, column);
-            const Place atA = placeOf(inA, kSightWidth);
-            const Place atB = placeOf((bFromA * inA.cast<double>()).cast<float>(), kSightWidth);
-            const std::uint8_t* p = a.picture.at(static_cast<int>(atA.u) & (kSightWidth - 1),
-                                                 std::clamp(static_cast<int>(atA.v), 0, kHeight - 1));
-            const std::uint8_t* q = b.picture.at(static_cast<int>(atB.u) & (kSightWidth - 1),
-                                                 std::clamp(static_cast<int>(atB.v), 0, kHeight - 1));
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (std::min(p[c], q[c]) >= kDark && std::max(p[c], q[c]) <= kBright) {
-                    values[c].push_back(std::log(static_cast<double>(p[c]) / q[c]));
-                }
-            }
-        }
-    }
-    std::array<double, 3> result{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        result[c] = values[c].empty() ? 0 : median(std::move(values[c]));
-    }
-    return result;
-}
-
 /// How much a patch varies by itself. What is full of detail never fits to the last grey level.
 cv::Mat activityOf(const cv::Mat& own) {
     cv::Mat mean;
@@ -116,58 +58,18 @@ cv::Mat activityOf(const cv::Mat& own) {
 } // namespace
 
 Eigen::Vector3f sightDirection(int row, int column) {
-    const float azimuth = kPi - 2 * kPi * (static_cast<float>(column) + 0.5F) / kSightColumns;
-    const float elevation = kPi / 2 - kPi * (static_cast<float>(row + kSightTop) + 0.5F) / kSightRowsOfSphere;
+    const float azimuth = kSightPi - 2 * kSightPi * (static_cast<float>(column) + 0.5F) / kSightColumns;
+    const float elevation =
+        kSightPi / 2 - kSightPi * (static_cast<float>(row + kSightTop) + 0.5F) / kSightRowsOfSphere;
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
             std::sin(elevation)};
 }
 
 int sightCell(const Eigen::Vector3f& direction) {
-    const Place at = placeOf(direction, kSightColumns);
+    const SightPlace at = placeOf(direction, kSightColumns);
     const int row = static_cast<int>(std::floor(at.v)) - kSightTop;
     const int column = static_cast<int>(at.u) & (kSightColumns - 1);
     return row < 0 || row >= kSightRows ? -1 : row * kSightColumns + column;
-}
-
-PhotoGains gainsOf(std::span<const SightPhoto> photos, std::span<const std::vector<int>> neighbours) {
-    struct Ratio {
-        std::size_t a = 0;
-        std::size_t b = 0;
-        std::array<double, 3> log{};
-    };
-
-    std::vector<Ratio> all;
-    for (std::size_t a = 0; a < photos.size(); ++a) {
-        for (const int b : neighbours[a]) {
-            all.push_back(
-                {a, static_cast<std::size_t>(b), ratios(photos[a], photos[static_cast<std::size_t>(b)])});
-        }
-    }
-    PhotoGains logs(photos.size(), {0, 0, 0});
-    constexpr int kRounds = 30;
-    for (int round = 0; round < kRounds; ++round) {
-        PhotoGains sums(photos.size(), {0, 0, 0});
-        std::vector<int> counts(photos.size(), 0);
-        for (const Ratio& ratio : all) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                sums[ratio.a][c] += logs[ratio.b][c] + ratio.log[c];
-                sums[ratio.b][c] += logs[ratio.a][c] - ratio.log[c];
-            }
-            ++counts[ratio.a];
-            ++counts[ratio.b];
-        }
-        for (std::size_t i = 0; i < photos.size(); ++i) {
-            for (std::size_t c = 0; c < 3 && counts[i] > 0; ++c) {
-                logs[i][c] = 0.5 * (logs[i][c] + sums[i][c] / counts[i]); // Half the way: it never swings.
-            }
-        }
-    }
-    for (auto& photo : logs) {
-        for (double& value : photo) {
-            value = std::exp(-value);
-        }
-    }
-    return logs;
 }
 
 namespace {
@@ -313,13 +215,13 @@ class Comparison {
         const float* rx = m_rays[0].data() + std::ptrdiff_t{row} * kWide;
         const float* ry = m_rays[1].data() + std::ptrdiff_t{row} * kWide;
         const float* rz = m_rays[2].data() + std::ptrdiff_t{row} * kWide;
-        constexpr float kPerRadian = kSightWidth / (2 * kPi);
+        constexpr float kPerRadian = kSightWidth / (2 * kSightPi);
         for (int i = 0; i < kWide; ++i) {
             const float x = m(0, 0) * rx[i] + m(0, 1) * ry[i] + m(0, 2) * rz[i] + t.x();
             const float y = m(1, 0) * rx[i] + m(1, 1) * ry[i] + m(1, 2) * rz[i] + t.y();
             const float z = m(2, 0) * rx[i] + m(2, 1) * ry[i] + m(2, 2) * rz[i] + t.z();
-            const float u = (kPi - quickAtan2(y, x)) * kPerRadian;
-            const float v = (kPi / 2 - quickAtan2(z, std::sqrt(x * x + y * y))) * kPerRadian;
+            const float u = (kSightPi - quickAtan2(y, x)) * kPerRadian;
+            const float v = (kSightPi / 2 - quickAtan2(z, std::sqrt(x * x + y * y))) * kPerRadian;
             const int line = std::min(static_cast<int>(v), kHeight - 1);
             index[static_cast<std::size_t>(i)] =
                 line * kSightWidth + (static_cast<int>(u) & (kSightWidth - 1));
