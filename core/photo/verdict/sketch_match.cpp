@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <memory>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -310,12 +312,34 @@ double unexplainedStops(const Sketch& photo, const MatchedSketch& neighbour) {
     return stops > 0 ? stops - std::clamp(exposed, 0.0, stops) : stops - std::clamp(exposed, stops, 0.0);
 }
 
+Others matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
+    std::vector<const Neighbour*> nearest;
+    std::ranges::transform(neighbours, std::back_inserter(nearest),
+                           [](const Neighbour& one) { return &one; });
+    std::ranges::stable_sort(nearest, {}, &Neighbour::distanceM);
+    const auto matchedWith = [&photo](const Neighbour* one) {
+        return MatchedSketch{one->sketch, match(photo, *one->sketch), one->distanceM, one->name};
+    };
+    const auto isFar = [](const Neighbour* one) { return one->distanceM > kNeighbourhoodM; };
+    const auto near = std::min(std::ranges::find_if(nearest, isFar) - nearest.begin(),
+                               static_cast<std::ptrdiff_t>(kMostNeighbours));
+    Others result;
+    std::ranges::transform(nearest | std::views::take(near), std::back_inserter(result.near), matchedWith);
+    nearest.erase(nearest.begin(), nearest.begin() + near);
+    nearest.resize(std::min(nearest.size(), kMostAround));
+    result.around = [=, known = std::make_shared<std::vector<MatchedSketch>>()] {
+        if (known->empty()) {
+            std::ranges::transform(nearest, std::back_inserter(*known), matchedWith);
+        }
+        return *known;
+    };
+    return result;
+}
+
 StandsApart standsApart(const Others& others, double limit,
                         const std::function<double(const MatchedSketch&)>& difference) {
     std::vector<double> near;
     std::ranges::transform(others.near, std::back_inserter(near), difference);
-    std::vector<double> all = near;
-    std::ranges::transform(others.around, std::back_inserter(all), difference);
     StandsApart result;
     for (const int sign : {1, -1}) {
         const auto differs = [&](double value) { return sign * value >= limit / 2; };
@@ -326,6 +350,11 @@ StandsApart standsApart(const Others& others, double limit,
             result.other = static_cast<std::size_t>(std::ranges::find_if(near, differs) - near.begin());
         }
     }
+    if (result.by == 0) {
+        return {};
+    }
+    std::vector<double> all = near;
+    std::ranges::transform(others.around(), std::back_inserter(all), difference);
     const double half = std::abs(result.by) / 2;
     const auto alike = std::ranges::count_if(all, [&](double one) { return std::abs(one) < half; });
     const auto differing =

@@ -3,6 +3,7 @@
 
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/photo/sketch.h"
+#include "spherewalk/photo/verdict.h"
 
 #include <array>
 #include <cstddef>
@@ -56,15 +57,21 @@ struct StandsApart {
 
 /// The other photos that one is compared with, the nearest first.
 struct Others {
-    std::vector<MatchedSketch> near;   ///< Its neighbours.
-    std::vector<MatchedSketch> around; ///< Those that stand next.
+    std::vector<MatchedSketch> near; ///< Its neighbours.
+    /// Those that stand next. They are matched when they are first asked for, which most photos never do.
+    std::function<std::vector<MatchedSketch>()> around;
 };
+
+/// Matches the neighbours at once. Owner: the caller keeps the photo and the neighbours as long as the
+/// result.
+Others matched(const Sketch& photo, std::span<const Neighbour> neighbours);
 
 /// Tells whether a photo stands apart in a quantity. difference: the photo's value minus the other one's.
 /// limit: smaller differences are no fault.
 ///
-/// A photo that differs from less than half of its neighbours and itself does not stand apart. Otherwise all
-/// others decide. A value that more than a quarter of them share is no fault: part of a room may be darker.
+/// A photo that differs from less than half of its neighbours and itself does not stand apart, whatever those
+/// around show. Otherwise all others decide. A value that more than a quarter of them share is no fault: part
+/// of a room may be darker.
 StandsApart standsApart(const Others& others, double limit,
                         const std::function<double(const MatchedSketch&)>& difference);
 

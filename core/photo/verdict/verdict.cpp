@@ -36,23 +36,6 @@ constexpr EnumNames<Flaw, 14> kFlaws{{{Flaw::Damaged, "damaged"},
                                       {Flaw::Elsewhere, "elsewhere"},
                                       {Flaw::Unmoved, "unmoved"}}};
 
-/// The nearest first.
-Others matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
-    std::vector<const Neighbour*> nearest;
-    std::ranges::transform(neighbours, std::back_inserter(nearest),
-                           [](const Neighbour& one) { return &one; });
-    std::ranges::stable_sort(nearest, {}, &Neighbour::distanceM);
-    Others result;
-    for (const Neighbour* one : nearest) {
-        const bool isNear = one->distanceM <= kNeighbourhoodM && result.near.size() < kMostNeighbours;
-        std::vector<MatchedSketch>& part = isNear ? result.near : result.around;
-        if (isNear || part.size() < kMostAround) {
-            part.push_back({one->sketch, match(photo, *one->sketch), one->distanceM, one->name});
-        }
-    }
-    return result;
-}
-
 using Findings = std::vector<Finding>;
 
 constexpr int kEquirectangular = 1; ///< image type of the maker note
@@ -188,7 +171,11 @@ Others forLight(Others others) {
                one.match.likeness < kAlike;
     };
     std::erase_if(others.near, tellsNothing);
-    std::erase_if(others.around, tellsNothing);
+    others.around = [=, around = std::move(others.around)] {
+        std::vector<MatchedSketch> all = around();
+        std::erase_if(all, tellsNothing);
+        return all;
+    };
     return others;
 }
 
