@@ -375,7 +375,7 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
             }
         }
     }
-    doubtLooseParts(made, agreement);
+    doubtLooseParts(made, agreement, options.lensHeightM);
     return made;
 }
 

@@ -95,17 +95,44 @@ void doubt(FreePlace& place, const std::string& sentence) {
     place.doubt = place.doubt.empty() ? sentence : place.doubt;
 }
 
-void tellSteps(const std::vector<Room>& rooms, FreePlaces& places) {
-    if (rooms.empty()) {
+/// Gives lengths and heights as the floor of the largest room has them. The lowest floor of all, which gave
+/// them, may be that of a room whose lengths are wrong.
+void measureByFloor(const Room& room, const FloorPlane& floor, double lensHeightM, FreePlaces& places) {
+    const double scale = lensHeightM / floor.lensHeight;
+    const double floorAt = heightAt(floor, room.middle());
+    const auto measured = [&](Eigen::Vector3d& at) {
+        at = scale * (at - floorAt * Eigen::Vector3d::UnitZ());
+    };
+    for (FreePlace& place : places.photos) {
+        if (place.roomFromPhoto) {
+            measured(place.roomFromPhoto->translation);
+        }
+        place.lenses.aheadM *= scale;
+        place.sigmaM *= scale;
+    }
+    std::ranges::for_each(places.pointsM, measured);
+    for (Eigen::Vector2d& corner : places.outline) {
+        corner *= scale;
+    }
+    places.ceilingM = scale * (places.ceilingM - floorAt);
+}
+
+void tellSteps(const std::vector<Room>& rooms, double lensHeightM, FreePlaces& places) {
+    if (rooms.size() < 2) {
         return;
     }
     const std::optional<FloorPlane> below = floorOf(rooms.front());
+    bool isStep = false;
     for (const Room& room : std::span(rooms).subspan(1)) {
         const std::optional<FloorPlane> floor = below ? floorOf(room) : std::nullopt;
         const std::string step = floor ? stepOf(room, *floor, rooms.front(), *below) : "";
+        isStep = isStep || !step.empty();
         for (const std::size_t photo : room.photos) {
             doubt(places.photos[photo], step);
         }
+    }
+    if (isStep && places.scaleBy == ScaleBy::Floor) {
+        measureByFloor(rooms.front(), *below, lensHeightM, places);
     }
 }
 
@@ -124,8 +151,8 @@ std::vector<int> PlaceAgreement::parts(double leastShare) const {
     return agreeingParts(m_isPlaced, m_agreements, leastShare);
 }
 
-void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement) {
-    tellSteps(roomsOf(places, agreement.parts(kRoomShare)), places);
+void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM) {
+    tellSteps(roomsOf(places, agreement.parts(kRoomShare)), lensHeightM, places);
     const std::vector<int> sure = agreement.parts(kSurePlaceShare);
     for (std::size_t i = 0; i < sure.size(); ++i) {
         if (sure[i] > 0) {

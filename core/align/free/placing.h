@@ -137,7 +137,7 @@ class PlaceAgreement {
 
 /// Says it of photos that hang together with the largest part too loosely: little of what either side lets
 /// expect is seen from the other, or the floors of both lie at different heights, as where one side's lengths
-/// are wrong.
-void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement);
+/// are wrong. Where a floor gave the scale, it is then that of the largest room. lensHeightM: of the photos.
+void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM);
 
 } // namespace spherewalk::align

@@ -329,15 +329,35 @@ std::vector<PhotoPair> alongEachRoom() {
 
 TEST(LooseParts, NameARoomWhoseFloorLiesElsewhere) {
     FreePlaces places = twoRooms(0.045);
-    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()));
+    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()), 1.5);
     EXPECT_EQ(places.photos[0].doubt, "");
     EXPECT_THAT(places.photos[7].doubt, HasSubstr("4.5 cm above that of the largest part"));
     EXPECT_THAT(places.photos[7].doubt, HasSubstr("lengths around it are 3.0 % too short"));
 }
 
+// The lowest floor of all gave the lengths: here that of the smaller room, 3 % too low.
+TEST(LooseParts, AreNoMeasureForTheLargestRoom) {
+    FreePlaces places = twoRooms(-0.045);
+    places.photos.emplace_back().roomFromPhoto = // The first room is the larger one.
+        Rigid3{Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.2, 0.4, 1.5)};
+    std::vector<PhotoPair> pairs = alongEachRoom();
+    pairs.push_back({0, 8, {}});
+    for (FreePlace& place : places.photos) { // As the lowest floor has it.
+        place.roomFromPhoto->translation *= 1.5 / 1.545;
+    }
+    for (Eigen::Vector3d& point : places.pointsM) {
+        point *= 1.5 / 1.545;
+    }
+    places.scaleBy = ScaleBy::Floor;
+    doubtLooseParts(places, PlaceAgreement(places, pairs), 1.5);
+    EXPECT_THAT(places.photos[5].doubt, HasSubstr("below that of the largest part"));
+    EXPECT_NEAR(places.photos[0].roomFromPhoto->translation.z(), 1.5, 1e-9);
+    EXPECT_NEAR(places.photos[3].roomFromPhoto->translation.x(), 1.2, 1e-9);
+}
+
 TEST(LooseParts, SayOfALevelFloorOnlyThatLittleJoinsTheRooms) {
     FreePlaces places = twoRooms(0);
-    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()));
+    doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()), 1.5);
     EXPECT_EQ(places.photos[3].doubt, "");
     EXPECT_THAT(places.photos[4].doubt, HasSubstr("Little of what the largest part lets expect"));
 }
@@ -345,7 +365,7 @@ TEST(LooseParts, SayOfALevelFloorOnlyThatLittleJoinsTheRooms) {
 TEST(LooseParts, SayNothingWithoutPhotos) {
     FreePlaces none;
     none.photos.resize(3);
-    doubtLooseParts(none, PlaceAgreement(none, {}));
+    doubtLooseParts(none, PlaceAgreement(none, {}), 1.5);
     EXPECT_EQ(none.photos[0].doubt, "");
 }
 
