@@ -14,7 +14,6 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -324,7 +323,8 @@ Others matched(const Sketch& photo, std::span<const Neighbour> neighbours) {
     const auto near = std::min(std::ranges::find_if(nearest, isFar) - nearest.begin(),
                                static_cast<std::ptrdiff_t>(kMostNeighbours));
     Others result;
-    std::ranges::transform(nearest | std::views::take(near), std::back_inserter(result.near), matchedWith);
+    std::ranges::transform(std::span(nearest).first(static_cast<std::size_t>(near)),
+                           std::back_inserter(result.near), matchedWith);
     nearest.erase(nearest.begin(), nearest.begin() + near);
     nearest.resize(std::min(nearest.size(), kMostAround));
     result.around = [=, known = std::make_shared<std::vector<MatchedSketch>>()] {

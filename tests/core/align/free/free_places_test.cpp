@@ -114,7 +114,7 @@ TEST(FreePlaces, AreSolvedFromMatchesAloneAndMeasuredByTheFloor) {
 
 // Both lenses taken for one bend the places: things a metre away are seen from a centimetre aside.
 TEST(FreePlaces, KnowThatACameraHasTwoLenses) {
-    for (const std::uint64_t seed : {21, 22, 23}) {
+    for (const std::uint64_t seed : {21, 22}) {
         SCOPED_TRACE(seed);
         SyntheticSurveyOptions options = byHand(seed);
         const Errors oneLens = errorsOf(solved(withoutPlaces(syntheticSurvey(options))),
@@ -132,7 +132,7 @@ TEST(FreePlaces, KnowThatACameraHasTwoLenses) {
 }
 
 TEST(FreePlaces, TakeTheLensesForOneWhereNothingTellsThemApart) {
-    for (const std::uint64_t seed : {24, 25, 26}) {
+    for (const std::uint64_t seed : {24, 25}) {
         const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(seed)));
         for (const FreePlace& place : solved(survey).photos) {
             EXPECT_EQ(place.lenses.aheadM, 0) << seed;

@@ -291,7 +291,7 @@ TEST(Verdict, CallsNoPhotoOfAFlatWrongBesideFurniture) {
     options.style = practice::RoomStyle::Flat;
     const practice::PracticeRoom flat(options);
     std::vector<std::pair<Eigen::Vector3d, Sketch>> photos;
-    for (int i = 0; i < 88; ++i) {
+    for (int i = 0; i < 44; ++i) {
         const Eigen::Vector3d at(0.4 + 0.72 * (i % 11), 0.4 + 0.72 * (i / 11), 1.2);
         const Rigid3 pose{rotation({Radians(random.uniform(-3, 3)), Radians(0), Radians(0)}), at};
         const RgbImage picture = flat.spherical(pose, {kWidth, kWidth / 2});
