@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMostCells = 1 << 28;
 constexpr double kOccupiedM2 = 0.001; ///< less surface is a mistake of a few voxels
-constexpr double kFloorShare = 0.5;   ///< of a cell's floor that makes it seen
+constexpr double kFloorShare = 0.25;  ///< of a cell's floor that makes it seen
 constexpr double kThroughShare = 0.9; ///< of a column's lower half; else something low may be hidden there
 constexpr double kSampleM = 0.05;     ///< along a cell's column
 constexpr double kWallM = 0.15;       ///< how far beyond the outline something may be seen of a wall

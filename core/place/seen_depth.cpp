@@ -16,8 +16,8 @@ constexpr float kNoisePx = 0.5F;   ///< of parallax, standard deviation
 constexpr float kMostJump = 1.08F; ///< of 1 / distance within one surface, as views take it
 constexpr double kLeastBaselineM = 0.05;
 constexpr std::size_t kNeighbours = 6;
-constexpr float kBeyondM = 0.05F;       ///< farther than this from a surface a point is free
-constexpr float kLikelyBeyondM = 0.15F; ///< the same for a depth that is not sure
+constexpr float kHereM = 0.05F;         ///< a point as near to a surface belongs to it
+constexpr float kLikelyBeyondM = 0.15F; ///< farther than this from a depth that is not sure it does not
 constexpr int kLikelyPhotos = 2;        ///< that are not sure and make a point occupied
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -80,7 +80,7 @@ Eigen::Vector3d SeenDepth::point(int x, int y, double rangeM) const {
     return m_roomFromPhoto * (m_lenses.place(ray) + rangeM * ray);
 }
 
-Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom) {
+Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM) {
     int through = 0;
     int here = 0;
     for (const SeenDepth& photo : photos) {
@@ -89,11 +89,11 @@ Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom)
         if (sight.rangeM == 0) {
             continue;
         }
-        if (sight.isSure && beyondM > kBeyondM + 2 * photo.sigmaM(sight.rangeM)) {
+        if (sight.isSure && beyondM > marginM + 2 * photo.sigmaM(sight.rangeM)) {
             return Space::Free;
         }
         through += beyondM > kLikelyBeyondM ? 1 : 0;
-        here += std::abs(beyondM) < kBeyondM ? 1 : 0;
+        here += std::abs(beyondM) < kHereM ? 1 : 0;
     }
     return through > here ? Space::Free : here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
 }

@@ -24,21 +24,17 @@ class Solids {
         layOut();
     }
 
-    SolidBoxes run() {
+    std::vector<Eigen::AlignedBox3d> whole() {
         spreadSurface();
-        parallelFor(m_count.y(), 1, m_options.threads, [&](int y, int) {
-            throwIfStopped(m_stop);
-            for (int x = 0; x < m_count.x(); ++x) {
-                fillBelow(x, y);
-            }
-        });
-        const std::vector<std::uint8_t> solid = m_isSolid;
-        SolidBoxes result;
-        result.whole = boxes();
-        m_isSolid = solid;
+        fillBelow();
+        return boxes();
+    }
+
+    std::vector<Eigen::AlignedBox3d> inset() {
+        spreadSurface();
+        fillBelow();
         shrink();
-        result.inset = boxes();
-        return result;
+        return boxes();
     }
 
   private:
@@ -69,6 +65,10 @@ class Solids {
                static_cast<std::size_t>(x);
     }
 
+    Eigen::Vector3d middle(const Eigen::Vector3i& cell) const {
+        return m_origin + m_options.cellM * (cell.cast<double>().array() + 0.5).matrix();
+    }
+
     /// A cell is solid that lies behind the surface by half its length, so that its face is near the surface.
     void spreadSurface() {
         std::vector<float> areaM2(m_isSolid.size(), 0.0F);
@@ -86,19 +86,24 @@ class Solids {
                        [&](float area) { return static_cast<std::uint8_t>(area >= leastM2 ? 1 : 0); });
     }
 
-    void fillBelow(int x, int y) {
-        bool isCovered = false;
-        for (int z = m_count.z() - 1; z >= 0; --z) {
-            std::uint8_t& isSolid = m_isSolid[indexOf(x, y, z)];
-            if (isSolid != 0) {
-                isCovered = true;
-            } else if (isCovered) {
-                const Eigen::Vector3d middle =
-                    m_origin + m_options.cellM * (Eigen::Vector3d(x, y, z).array() + 0.5).matrix();
-                isCovered = spaceAt(m_photos, middle) != Space::Free;
-                isSolid = isCovered ? 1 : 0;
+    /// Things stand on something: below a solid cell, down to the first cell that is free, all is solid.
+    void fillBelow() {
+        const auto marginM = static_cast<float>(m_options.cellM);
+        parallelFor(m_count.y(), 1, m_options.threads, [&](int y, int) {
+            throwIfStopped(m_stop);
+            for (int x = 0; x < m_count.x(); ++x) {
+                bool isCovered = false;
+                for (int z = m_count.z() - 1; z >= 0; --z) {
+                    std::uint8_t& isSolid = m_isSolid[indexOf(x, y, z)];
+                    if (isSolid != 0) {
+                        isCovered = true;
+                    } else if (isCovered) {
+                        isCovered = spaceAt(m_photos, middle({x, y, z}), marginM) != Space::Free;
+                        isSolid = isCovered ? 1 : 0;
+                    }
+                }
             }
-        }
+        });
     }
 
     /// Along x and y, cells from middle to middle take the place of cells. They are solid where all four
@@ -191,10 +196,18 @@ void BoxOptions::validate() const {
     }
 }
 
-SolidBoxes solidBoxes(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
-                      const std::stop_token& stop) {
+std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
+                                            const BoxOptions& options, const std::stop_token& stop) {
     options.validate();
-    return things.triangles.empty() ? SolidBoxes() : Solids(things, photos, options, stop).run();
+    return things.triangles.empty() ? std::vector<Eigen::AlignedBox3d>()
+                                    : Solids(things, photos, options, stop).whole();
+}
+
+std::vector<Eigen::AlignedBox3d> closingBoxes(const Surface& things, std::span<const SeenDepth> photos,
+                                              const BoxOptions& options, const std::stop_token& stop) {
+    options.validate();
+    return things.triangles.empty() ? std::vector<Eigen::AlignedBox3d>()
+                                    : Solids(things, photos, options, stop).inset();
 }
 
 void addBoxes(Surface& surface, std::span<const Eigen::AlignedBox3d> boxes) {

@@ -32,7 +32,7 @@ constexpr EnumNames<PlaceFormat, 4> kFormats{{{PlaceFormat::Ply, "ply"},
 
 constexpr float kLeastConfidence = 0.5F; ///< as many photos look through as show a surface
 constexpr double kOfTheRoomM = 0.05;     ///< what is nearer to a wall, the floor or the ceiling belongs to it
-constexpr double kFurnitureErrorM = 0.01;
+constexpr double kFurnitureErrorM = 0.004;
 constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos
 
@@ -65,12 +65,12 @@ class PlaceExport {
         place::Surface things = place::furnitureOf(std::move(m_surface), room, kOfTheRoomM);
         things.dropSmallParts(kLeastPartM2);
         progress.progress(0.95, "Making boxes of furniture");
-        const double cellM = kVoxelsACell * m_options.fusion.voxelM;
-        const place::BoxOptions options{cellM, room.floorM, m_options.fusion.threads};
-        place::SolidBoxes boxes = place::solidBoxes(things, m_depths, options, m_stop);
+        const place::FusionOptions& fusion = m_options.fusion;
+        const place::BoxOptions coarse{kVoxelsACell * fusion.voxelM, room.floorM, fusion.threads};
+        const place::BoxOptions fine{fusion.voxelM, room.floorM, fusion.threads};
         place::Surface mesh = place::simplified(things, kFurnitureErrorM);
-        place::addBoxes(mesh, boxes.inset);
-        return {std::move(mesh), std::move(boxes.whole)};
+        place::addBoxes(mesh, place::closingBoxes(things, m_depths, fine, m_stop));
+        return {std::move(mesh), place::solidBoxes(things, m_depths, coarse, m_stop)};
     }
 
   private:

@@ -67,7 +67,7 @@ TEST(SolidBoxes, OfABoxAreTheBox) {
     for (const Eigen::Vector3d& origin : {Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1e6, -2e6, 0.5)}) {
         Surface box;
         addBox(box, origin, {0.8, 0.4, 0.6});
-        const Boxes boxes = solidBoxes(box, {}, {0.04, origin.z()}).whole;
+        const Boxes boxes = solidBoxes(box, {}, {0.04, origin.z()});
         ASSERT_EQ(boxes.size(), 1U);
         EXPECT_LT((boxes[0].min() - origin).norm(), 1e-6);
         EXPECT_LT((boxes[0].sizes() - Eigen::Vector3d(0.8, 0.4, 0.6)).norm(), 1e-6);
@@ -79,7 +79,7 @@ TEST(SolidBoxes, HaveTheirFacesWithinThreeQuartersOfACellOfTheSurface) {
         Surface box;
         addBox(box, {1 + aside, 1, 0}, {0.8, 0.4, 0.6});
         double least = HUGE_VAL;
-        for (const Eigen::AlignedBox3d& one : solidBoxes(box, {}, {0.04, 0}).whole) {
+        for (const Eigen::AlignedBox3d& one : solidBoxes(box, {}, {0.04, 0})) {
             least = std::min(least, one.min().x());
         }
         EXPECT_NEAR(least, 1 + aside, 0.0301);
@@ -89,7 +89,7 @@ TEST(SolidBoxes, HaveTheirFacesWithinThreeQuartersOfACellOfTheSurface) {
 TEST(SolidBoxes, CloseSidesThatNobodySaw) {
     Surface top;
     addSheet(top, {1, 1, 0.6}, {0.8, 0, 0}, {0, 0.4, 0});
-    const Boxes boxes = solidBoxes(top, {}, {}).whole;
+    const Boxes boxes = solidBoxes(top, {}, {});
     EXPECT_TRUE(isIn(boxes, {1.4, 1.2, 0.3}));
     EXPECT_TRUE(isIn(boxes, {1.02, 1.02, 0.01})) << "down to the floor";
     EXPECT_FALSE(isIn(boxes, {1.4, 1.2, 0.7}));
@@ -99,18 +99,18 @@ TEST(SolidBoxes, LeaveFreeWhatPhotosLookThrough) {
     const SeenRoom empty;
     Surface board;
     addSheet(board, {1, 0.7, 0.91}, {0.8, 0, 0}, {0, 0.6, 0});
-    const Boxes boxes = solidBoxes(board, empty.depths, {}).whole;
+    const Boxes boxes = solidBoxes(board, empty.depths, {});
     EXPECT_TRUE(isIn(boxes, {1.4, 1, 0.9})) << "the board itself";
     EXPECT_FALSE(isIn(boxes, {1.4, 1, 0.8}));
     EXPECT_FALSE(isIn(boxes, {1.4, 1, 0.02})) << "nor what is hidden below";
 }
 
-TEST(SolidBoxes, InsetOnesStandBehindTheSurfaceAndOnTheFloor) {
+TEST(ClosingBoxes, StandBehindTheSurfaceAndOnTheFloor) {
     for (const double aside : {0.0, 0.011, 0.02, 0.03}) {
         Surface box;
         addBox(box, {1 + aside, 1, 0}, {0.8, 0.4, 0.6});
         Eigen::AlignedBox3d around;
-        for (const Eigen::AlignedBox3d& one : solidBoxes(box, {}, {0.04, 0}).inset) {
+        for (const Eigen::AlignedBox3d& one : closingBoxes(box, {}, {0.04, 0})) {
             around.extend(one);
         }
         EXPECT_GT(around.min().x(), 1 + aside - 0.0101);
@@ -120,7 +120,7 @@ TEST(SolidBoxes, InsetOnesStandBehindTheSurfaceAndOnTheFloor) {
     }
     Surface post; // of one cell
     addBox(post, {1, 1, 0}, {0.04, 0.04, 0.6});
-    EXPECT_TRUE(solidBoxes(post, {}, {0.04, 0}).inset.empty());
+    EXPECT_TRUE(closingBoxes(post, {}, {0.04, 0}).empty());
 }
 
 TEST(SolidBoxes, CloseASurfaceFromOutside) {
@@ -139,7 +139,7 @@ TEST(SolidBoxes, CloseASurfaceFromOutside) {
 }
 
 TEST(SolidBoxes, DoNotOverlap) {
-    const Boxes boxes = solidBoxes(tableAndBox(), {}, {}).whole;
+    const Boxes boxes = solidBoxes(tableAndBox(), {}, {});
     EXPECT_GT(boxes.size(), 2U);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
@@ -152,8 +152,8 @@ TEST(SolidBoxes, DoNotOverlap) {
 
 TEST(SolidBoxes, AreTheSameForAnyNumberOfThreads) {
     const SeenRoom empty;
-    const Boxes one = solidBoxes(tableAndBox(), empty.depths, {0.04, 0, 1}).whole;
-    const Boxes three = solidBoxes(tableAndBox(), empty.depths, {0.04, 0, 3}).whole;
+    const Boxes one = solidBoxes(tableAndBox(), empty.depths, {0.04, 0, 1});
+    const Boxes three = solidBoxes(tableAndBox(), empty.depths, {0.04, 0, 3});
     ASSERT_EQ(one.size(), three.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_EQ(one[i].min(), three[i].min());
@@ -162,7 +162,7 @@ TEST(SolidBoxes, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SolidBoxes, OfNothingAreNoneAndOptionsAreChecked) {
-    EXPECT_TRUE(solidBoxes({}, {}, {}).whole.empty());
+    EXPECT_TRUE(solidBoxes({}, {}, {}).empty());
     for (const double wrong : {0.0, -1.0, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
         expectError(ErrorKind::InvalidInput, "cell", [&] { solidBoxes({}, {}, {wrong}); });
     }

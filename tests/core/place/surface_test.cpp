@@ -65,6 +65,39 @@ TEST(SurfaceNets, FaceThePhotos) {
     }
 }
 
+/// A board of 20 cm, a metre away, before a wall at 3 m.
+TEST(SurfaceNets, AreAsWideAsAThingBeforeAWall) {
+    constexpr EquirectSize kSize{4096, 2048};
+    constexpr double kWidthM = 0.2;
+    constexpr double kVoxelM = 0.02;
+    double sum = 0;
+    constexpr int kPlaces = 4;
+    for (int i = 0; i < kPlaces; ++i) {
+        const double asideM = kVoxelM * (i + 0.5) / kPlaces;
+        Image<float, 1> inverse(kSize.width, kSize.height);
+        MaskImage sure(kSize.width, kSize.height);
+        for (int y = kSize.height * 3 / 8; y < kSize.height * 5 / 8; ++y) {
+            for (int x = kSize.width * 3 / 8; x < kSize.width * 5 / 8; ++x) {
+                const Eigen::Vector3d ray = direction(kSize, Eigen::Vector2d(x, y));
+                const Eigen::Vector2d at = ray.tail<2>() / ray.x();
+                const bool isThing = std::abs(at.x() - asideM) < kWidthM / 2 && std::abs(at.y()) < 0.1;
+                *inverse.at(x, y) = static_cast<float>(ray.x() / (isThing ? 1 : 3));
+                *sure.at(x, y) = 1;
+            }
+        }
+        const std::vector<SeenDepth> photos = {
+            {render::DepthMap(inverse, sure), Rigid3{}, LensPair{}, std::numeric_limits<double>::infinity()}};
+        Eigen::AlignedBox3d around;
+        for (const SurfaceVertex& vertex : surfaceOf(fused(photos, {kVoxelM}, noProgress(), {})).vertices) {
+            if (std::abs(vertex.pInRoom.x() - 1) < 2 * kVoxelM && std::abs(vertex.pInRoom.z()) < 0.05) {
+                around.extend(vertex.pInRoom);
+            }
+        }
+        sum += around.sizes().y();
+    }
+    EXPECT_NEAR(sum / kPlaces, 1.03 * kWidthM, 0.006) << "the photo hides what is wider behind it";
+}
+
 TEST(SurfaceNets, HaveNoCracksInsideOfARoom) {
     const Surface surface = test::SeenRoom().surface();
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;

@@ -40,7 +40,7 @@ struct OccupancyGrid {
 
 /// The map of what was seen. A cell is occupied if there is a surface of 10 square centimetres or more
 /// between the two heights. Where nothing is sure, two photos that are not sure make it occupied, too, unless
-/// more look through. A cell is free if neither holds and half of its floor is seen, or if photos look
+/// more look through. A cell is free if neither holds and a quarter of its floor is seen, or if photos look
 /// through nine tenths of its lower half, between the heights. All other cells are unknown. Errors:
 /// InvalidInput for options, a surface without triangles, and a map of more than 2^28 cells. Stop: Stopped.
 OccupancyGrid occupancyOf(const Surface& surface, std::span<const SeenDepth> photos,

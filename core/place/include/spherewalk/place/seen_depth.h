@@ -68,10 +68,10 @@ class SeenDepth {
 /// What all photos say of a point.
 enum class Space { Unknown, Free, Occupied };
 
-/// A point is free if one photo surely shows something farther away, by more than 5 cm and two standard
+/// A point is free if one photo surely shows something farther away, by more than the margin and two standard
 /// deviations. Else those that are not sure are asked: it is free if more look through, by 15 cm, than show
 /// something here, and else occupied if two show something here.
-Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom);
+Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM = 0.05F);
 
 /// For each photo the mean distance of the six nearest others that stand at least 5 cm away, in metres: those
 /// that depth is estimated from. It is 0 for a photo without such a neighbour.

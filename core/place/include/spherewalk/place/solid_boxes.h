@@ -21,21 +21,20 @@ struct BoxOptions {
     void validate() const;
 };
 
-struct SolidBoxes {
-    std::vector<Eigen::AlignedBox3d> whole; ///< Where things are, for collisions.
-    /// The same, but ending half a cell inside of things along x and y, so that none stands before the
-    /// surface.
-    std::vector<Eigen::AlignedBox3d> inset;
-};
-
 /// Boxes that together stand where things are, for collisions. They lie along the room's axes, and do not
 /// overlap. A cell is solid if the surface passes through it. It is solid, too, if it lies below such a cell,
 /// down to the floor or to the first cell that is free (see spaceAt()): things stand on something, and sides
 /// that nobody saw are closed. things: a surface of triangles smaller than cells, see furnitureOf(). photos:
 /// those that saw it. Errors: those of BoxOptions::validate(), and InvalidInput for a surface that would need
 /// more than 2^28 cells. Stop: Stopped. Cost: about a second of one core for ten million cells and photos.
-SolidBoxes solidBoxes(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
-                      const std::stop_token& stop = {});
+std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
+                                            const BoxOptions& options, const std::stop_token& stop = {});
+
+/// Boxes that close a surface from behind, where nobody saw it: as solidBoxes(), but along x and y they end
+/// half a cell inside of things, so that what was seen stands in front of them. Errors, Stop: as for
+/// solidBoxes().
+std::vector<Eigen::AlignedBox3d> closingBoxes(const Surface& things, std::span<const SeenDepth> photos,
+                                              const BoxOptions& options, const std::stop_token& stop = {});
 
 /// Adds the sides of boxes to a surface, in grey, as nobody saw them. With boxes that are inset, a surface
 /// with holes is closed, and what was seen of it stays in front.
