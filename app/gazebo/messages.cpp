@@ -3,10 +3,8 @@
 
 #include "spherewalk/base/error.h"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -161,26 +159,10 @@ void setLabels(msgs::Image& message, const render::LabelImage& labels) {
 }
 
 void setBoxes(msgs::AnnotatedAxisAligned2DBox_V& message, const render::LabelImage& labels) {
-    struct Box {
-        int left;
-        int top;
-        int right;
-        int bottom;
-    };
-
-    std::map<std::uint16_t, Box> boxes;
-    for (int y = 0; y < labels.height(); ++y) {
-        for (int x = 0; x < labels.width(); ++x) {
-            if (const std::uint16_t label = *labels.at(x, y); label != 0) {
-                Box& box = boxes.try_emplace(label, Box{x, y, x, y}).first->second;
-                box = {std::min(box.left, x), box.top, std::max(box.right, x), y};
-            }
-        }
-    }
     message.clear_annotated_box();
-    for (const auto& [label, box] : boxes) {
+    for (const simulator::LabelBox& box : simulator::labelBoxes(labels)) {
         msgs::AnnotatedAxisAligned2DBox& one = *message.add_annotated_box();
-        one.set_label(label);
+        one.set_label(box.label);
         one.mutable_box()->mutable_min_corner()->set_x(box.left);
         one.mutable_box()->mutable_min_corner()->set_y(box.top);
         one.mutable_box()->mutable_max_corner()->set_x(box.right);

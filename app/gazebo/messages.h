@@ -71,8 +71,7 @@ void setDepth(msgs::Image& message, const DepthImage& depth);
 /// One channel of 16 bits (L_INT16): Gazebo's own pictures of labels hold 255 at most.
 void setLabels(msgs::Image& message, const render::LabelImage& labels);
 
-/// The box about all visible pixels of each label but 0, with the least label first. Units: pixels; the
-/// corners are the outermost pixels themselves, as those of Gazebo's bounding box camera are.
+/// The boxes of simulator::labelBoxes(). Their corners are those of Gazebo's bounding box camera, too.
 void setBoxes(msgs::AnnotatedAxisAligned2DBox_V& message, const render::LabelImage& labels);
 void setCameraInfo(msgs::CameraInfo& message, const Calibration& calibration);
 

@@ -2,17 +2,20 @@
 #include "object_overlay.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/simulator/frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace spherewalk::simulator {
 
 namespace {
 
-constexpr std::uint8_t kNoLabel = 0;
+constexpr std::uint8_t kNoLabel = 0; ///< of a simulator's picture
+constexpr std::uint16_t kRoom = 0;   ///< of a view
 
 /// False for the black of a camera that sees nothing. Without a label, nothing else tells what the depth
 /// camera sees and the colour camera does not: the simulator's own model of a room or a robot.
@@ -125,6 +128,31 @@ bool ObjectOverlay::isNearer(float depth, const Rigid3& roomFromCamera, int x, i
     }
     const double room = ray.z() / inverse;
     return static_cast<double>(depth) < room - std::max(m_options.nearerM, m_options.nearerShare * room);
+}
+
+std::vector<LabelBox> labelBoxes(const render::LabelImage& labels) {
+    std::map<std::uint16_t, LabelBox> boxes;
+    for (int y = 0; y < labels.height(); ++y) {
+        const auto row = labels.row(y);
+        for (auto first = row.begin(); first != row.end();) { // runs of one label, as objects are wide
+            const std::uint16_t label = *first;
+            const auto end =
+                std::find_if(first, row.end(), [label](std::uint16_t of) { return of != label; });
+            if (label != kRoom) {
+                const int left = static_cast<int>(first - row.begin());
+                const int right = static_cast<int>(end - row.begin()) - 1;
+                LabelBox& box = boxes.try_emplace(label, LabelBox{label, left, y, right, y}).first->second;
+                box = {label, std::min(box.left, left), box.top, std::max(box.right, right), y};
+            }
+            first = end;
+        }
+    }
+    std::vector<LabelBox> result;
+    result.reserve(boxes.size());
+    for (const auto& [label, box] : boxes) {
+        result.push_back(box);
+    }
+    return result;
 }
 
 } // namespace spherewalk::simulator

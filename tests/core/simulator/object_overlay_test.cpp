@@ -3,6 +3,7 @@
 #include "object_overlay.h"
 
 #include "spherewalk/geometry/rotation.h"
+#include "spherewalk/simulator/frame.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,20 @@ TEST_F(Objects, CannotBeToldByDepthWithoutAnOutline) {
     OverlayOptions options;
     options.by = ObjectsBy::Depth;
     test::expectError(ErrorKind::InvalidInput, "by labels", [&] { shown(options); });
+}
+
+TEST(LabelBoxes, AreTheOutermostPixelsOfEachLabelAndNoneOfTheRoom) {
+    render::LabelImage labels(8, 6);
+    EXPECT_TRUE(labelBoxes(labels).empty());
+    EXPECT_TRUE(labelBoxes({}).empty());
+    *labels.at(3, 2) = kUnlabelled; // a single pixel
+    *labels.at(0, 5) = 9;           // apart from each other, at the picture's edges
+    *labels.at(7, 5) = 9;
+    *labels.at(4, 0) = 9;
+    *labels.at(4, 2) = 2; // a row of two beside another label
+    *labels.at(5, 2) = 2;
+    const std::vector<LabelBox> expected{{2, 4, 2, 5, 2}, {9, 0, 0, 7, 5}, {kUnlabelled, 3, 2, 3, 2}};
+    EXPECT_EQ(labelBoxes(labels), expected);
 }
 
 } // namespace

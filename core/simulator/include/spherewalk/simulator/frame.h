@@ -8,7 +8,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace spherewalk::simulator {
 
@@ -34,5 +36,20 @@ struct Frame {
     OverlayUse overlay = OverlayUse::NotWanted;
     std::chrono::steady_clock::time_point poseTakenAt; ///< When the pose was handed over.
 };
+
+/// The box about all pixels that show one label. Units: pixels; the corners are the outermost pixels
+/// themselves, so a single pixel is its own left, top, right and bottom.
+struct LabelBox {
+    std::uint16_t label = 0;
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+
+    bool operator==(const LabelBox&) const = default;
+};
+
+/// The boxes of all labels of a picture but 0, the room, with the least label first.
+std::vector<LabelBox> labelBoxes(const render::LabelImage& labels);
 
 } // namespace spherewalk::simulator
