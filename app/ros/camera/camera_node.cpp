@@ -80,7 +80,8 @@ std::vector<PublishedCamera> published(const std::vector<render::RigCamera>& cam
              depth == DepthEncoding::None
                  ? ""
                  : text(camera.name, depth == DepthEncoding::Metres ? "/depth/image" : "/depth/image_raw"),
-             options.overlay == "none" ? "" : camera.name + "/labels/image_raw"});
+             options.overlay == "none" ? "" : camera.name + "/labels/image_raw",
+             options.overlay == "none" ? "" : camera.name + "/labels/detections"});
     }
     return result;
 }
@@ -220,6 +221,7 @@ struct CameraNode::State {
                    {picture.width(), picture.height(), "rgb8", 3, picture.values().data()},
                    depthOf(frame.view.depth),
                    labelsOf(frame.view.labels),
+                   detectionsOf(frame.view.labels),
                    render::stereoCalibration(frame.camera, frame.baselineM)});
         const std::scoped_lock lock(mutex);
         diagnostics.add(frame);
@@ -231,6 +233,15 @@ struct CameraNode::State {
         }
         return {labels.width(), labels.height(), "16UC1", sizeof(labels.values()[0]),
                 reinterpret_cast<const std::uint8_t*>(labels.values().data())};
+    }
+
+    static std::vector<Detection> detectionsOf(const render::LabelImage& labels) {
+        std::vector<Detection> detections;
+        for (const simulator::LabelBox& box : simulator::labelBoxes(labels)) {
+            detections.push_back({text(box.label), (box.left + box.right) / 2.0, (box.top + box.bottom) / 2.0,
+                                  box.right - box.left + 1.0, box.bottom - box.top + 1.0});
+        }
+        return detections;
     }
 
     PublishedPicture depthOf(const DepthImage& depth) {

@@ -70,6 +70,17 @@ struct PublishedPicture {
     const std::uint8_t* bytes = nullptr; ///< Null without a picture.
 };
 
+/// The content of a vision_msgs/Detection2D: the box about all visible pixels of a label. Units: pixels;
+/// whole numbers are pixels' centres, so the box about a single pixel is 1 x 1 about that pixel's own
+/// coordinates.
+struct Detection {
+    std::string classId; ///< The label in decimal digits.
+    double centreX = 0;
+    double centreY = 0;
+    double sizeX = 0;
+    double sizeY = 0;
+};
+
 /// A camera whose frames are published. Topics are relative to the name space of the node.
 struct PublishedCamera {
     std::string name;    ///< Of the topics: "camera", or the camera's name in its rig.
@@ -80,6 +91,7 @@ struct PublishedCamera {
     /// Pictures that tell the laid-in object of each pixel: the overlay's labels, 65535 for an object without
     /// one, 0 for the room. Empty without an overlay.
     std::string labelsTopic;
+    std::string detectionsTopic; ///< Boxes about the labels. Empty without an overlay.
 };
 
 /// A frame to be published. Its messages have the same stamp, which is that of all cameras of a rig.
@@ -89,6 +101,8 @@ struct PublishedFrame {
     PublishedPicture image;  ///< rgb8
     PublishedPicture depth;  ///< As REP 118 says; none without NodeOptions::depth.
     PublishedPicture labels; ///< 16UC1; none without NodeOptions::overlay.
+    std::vector<Detection>
+        detections; ///< Of all labels but the room's; they come with the picture of labels.
     Calibration calibration;
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace spherewalk::ros {
 
@@ -69,6 +70,23 @@ void fillImage(Message& message, const PublishedPicture& picture) {
     message.step = static_cast<std::uint32_t>(picture.pixelBytes) * message.width;
     message.encoding = picture.encoding;
     message.data.assign(picture.bytes, picture.bytes + std::size_t{message.step} * message.height);
+}
+
+/// Fills all of a Detection2DArray of vision_msgs 4 but its header, which the detections share. A simulator's
+/// label is certain, so its score is 1. The places of objects are not told: their poses stay the identity.
+template <class Message>
+void fillDetections(Message& message, const std::vector<Detection>& detections) {
+    for (const Detection& detection : detections) {
+        auto& one = message.detections.emplace_back();
+        one.header = message.header;
+        auto& hypothesis = one.results.emplace_back().hypothesis;
+        hypothesis.class_id = detection.classId;
+        hypothesis.score = 1;
+        one.bbox.center.position.x = detection.centreX;
+        one.bbox.center.position.y = detection.centreY;
+        one.bbox.size_x = detection.sizeX;
+        one.bbox.size_y = detection.sizeY;
+    }
 }
 
 /// The DiagnosticStatus with these diagnostics. node: name of the node.

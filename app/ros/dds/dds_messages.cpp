@@ -75,4 +75,23 @@ CameraInfoMessage cameraInfoOf(const PublishedFrame& frame, const std::string& f
     return message;
 }
 
+FrameDetections::FrameDetections(const PublishedFrame& frame, const std::string& frameId)
+    : m_hypotheses(frame.detections.size()), m_detections(frame.detections.size()) {
+    m_message.header = {timeOf(frame.stamp), borrowed(frameId)};
+    for (std::size_t i = 0; i < m_detections.size(); ++i) {
+        const Detection& detection = frame.detections[i];
+        m_hypotheses[i].hypothesis = {borrowed(detection.classId), 1};
+        m_hypotheses[i].pose.pose.orientation.w = 1;
+        m_detections[i].header = m_message.header;
+        m_detections[i].results._length = m_detections[i].results._maximum = 1;
+        m_detections[i].results._buffer = &m_hypotheses[i];
+        m_detections[i].bbox = {
+            {{detection.centreX, detection.centreY}, 0}, detection.sizeX, detection.sizeY};
+        m_detections[i].id = const_cast<char*>("");
+    }
+    m_message.detections._length = m_message.detections._maximum =
+        static_cast<std::uint32_t>(m_detections.size());
+    m_message.detections._buffer = m_detections.data();
+}
+
 } // namespace spherewalk::ros

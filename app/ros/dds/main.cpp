@@ -46,6 +46,7 @@ class DdsNode {
         dds_entity_t depths = 0;
         dds_entity_t depthInfos = 0;
         dds_entity_t labels = 0;
+        dds_entity_t detections = 0;
     };
 
     std::string topic(const std::string& name) const;
@@ -109,6 +110,7 @@ DdsNode::Writers DdsNode::writersOf(const PublishedCamera& camera) {
     }
     if (!camera.labelsTopic.empty()) {
         writers.labels = writer(camera.labelsTopic, sensor_msgs_msg_dds__Image__desc);
+        writers.detections = writer(camera.detectionsTopic, vision_msgs_msg_dds__Detection2DArray__desc);
     }
     return writers;
 }
@@ -171,7 +173,9 @@ void DdsNode::publish(const PublishedFrame& frame) {
     }
     if (writers.labels != 0 && frame.labels.bytes != nullptr) {
         const ImageMessage labels = imageOf(frame, frame.labels, frameId);
+        const FrameDetections detections(frame, frameId);
         DdsPort::write(writers.labels, &labels);
+        DdsPort::write(writers.detections, &detections.message());
     }
 }
 
@@ -207,7 +211,8 @@ Stamp DdsNode::now() const {
 bool DdsNode::hasReaders() const {
     const auto is = [](dds_entity_t writer) { return writer != 0 && DdsPort::readersOf(writer) > 0; };
     return std::any_of(m_writers.begin(), m_writers.end(), [&is](const Writers& of) {
-        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels);
+        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels) ||
+               is(of.detections);
     });
 }
 

@@ -24,6 +24,10 @@
 #include <tf2_msgs/msg/tf_message.hpp>
 #include <utility>
 #include <vector>
+#if __has_include(<vision_msgs/msg/detection2_d_array.hpp>)
+#include <vision_msgs/msg/detection2_d_array.hpp>
+#define SPHEREWALK_VISION_MSGS
+#endif
 
 namespace spherewalk::ros {
 
@@ -84,6 +88,43 @@ GivenValue givenValue(const rclcpp::ParameterValue& value) {
     }
 }
 
+/// Publishes boxes; where the program was built without vision_msgs, it does nothing.
+class DetectionsPublisher {
+  public:
+#ifdef SPHEREWALK_VISION_MSGS
+    void advertise(rclcpp::Node& node, const std::string& topic) {
+        m_publisher = node.create_publisher<vision_msgs::msg::Detection2DArray>(topic, rclcpp::QoS(2));
+    }
+
+    bool isHeard() const {
+        return m_publisher && m_publisher->get_subscription_count() > 0;
+    }
+
+    /// header: that of the picture.
+    template <class Header>
+    void publish(const Header& header, const std::vector<Detection>& detections) const {
+        auto message = std::make_unique<vision_msgs::msg::Detection2DArray>();
+        message->header = header;
+        fillDetections(*message, detections);
+        m_publisher->publish(std::move(message));
+    }
+
+  private:
+    rclcpp::Publisher<vision_msgs::msg::Detection2DArray>::SharedPtr m_publisher; ///< null until advertised
+#else
+    void advertise(rclcpp::Node& /*node*/, const std::string& /*topic*/) {
+    }
+
+    bool isHeard() const {
+        return false;
+    }
+
+    template <class Header>
+    void publish(const Header& /*header*/, const std::vector<Detection>& /*detections*/) const {
+    }
+#endif
+};
+
 /// Carries messages of ROS 2, as of Humble, to a CameraNode and back.
 class RclcppNode : public rclcpp::Node {
   public:
@@ -100,6 +141,7 @@ class RclcppNode : public rclcpp::Node {
         rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr depths;
         rclcpp::Publisher<sensor_msgs::msg::CameraInfo>::SharedPtr depthInfos;
         rclcpp::Publisher<sensor_msgs::msg::Image>::SharedPtr labels;
+        DetectionsPublisher detections;
     };
 
     NodeOptions readParameters();
@@ -161,6 +203,7 @@ void RclcppNode::advertise(const PublishedCamera& camera) {
     }
     if (!camera.labelsTopic.empty()) {
         publishers.labels = create_publisher<Image>(camera.labelsTopic, rclcpp::QoS(2));
+        publishers.detections.advertise(*this, camera.detectionsTopic);
     }
     m_publishers.push_back(publishers);
     m_services.push_back(create_service<SetCameraInfo>(
@@ -218,7 +261,8 @@ bool RclcppNode::hasListeners() const {
         return publisher && publisher->get_subscription_count() > 0;
     };
     return std::any_of(m_publishers.begin(), m_publishers.end(), [&is](const Publishers& of) {
-        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels);
+        return is(of.images) || is(of.infos) || is(of.depths) || is(of.depthInfos) || is(of.labels) ||
+               of.detections.isHeard();
     });
 }
 
@@ -251,6 +295,7 @@ void RclcppNode::publishPictures(const PublishedFrame& frame) {
         labels->header = info->header;
         fillImage(*labels, frame.labels);
         publishers.labels->publish(std::move(labels));
+        publishers.detections.publish(info->header, frame.detections);
     }
     publishers.infos->publish(std::move(info));
     publishers.images->publish(std::move(image));
