@@ -74,8 +74,11 @@ Json mapOf(const FloorMap& map, const PageWords& words) {
                           {"words", words(entry.words)},
                           {"value", entry.value ? Json(*entry.value) : Json()}});
     }
-    return {
-        {"name", words(map.name)}, {"about", words(map.about)}, {"colours", map.colours}, {"legend", legend}};
+    return {{"name", words(map.name)},
+            {"about", words(map.about)},
+            {"colours", map.colours},
+            {"legend", legend},
+            {"floor", map.floor ? floorOf(*map.floor) : Json()}};
 }
 
 Json placeOf(const Page& page, const PageWords& words) {

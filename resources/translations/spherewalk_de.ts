@@ -2009,6 +2009,10 @@
         <source>Checking %1</source>
         <translation>%1 wird geprüft</translation>
     </message>
+    <message>
+        <source>Foretelling how far views are off</source>
+        <translation>Die Fehler der Ansichten werden vorhergesagt</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -3333,6 +3337,18 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Foretold error of views</source>
+        <translation>Vorhergesagter Fehler der Ansichten</translation>
+    </message>
+    <message>
+        <source>Median displacement that the photos foretell for views from there, at their own height, in pixels of a camera of 640 pixels and 57 degrees</source>
+        <translation>Median der Verschiebung, die die Fotos für Ansichten von dort in ihrer eigenen Höhe vorhersagen, in Pixeln einer Kamera mit 640 Pixeln und 57 Grad</translation>
+    </message>
+    <message>
+        <source>nothing is known</source>
+        <translation>nichts ist bekannt</translation>
     </message>
 </context>
 <context>

@@ -2019,6 +2019,10 @@
         <source>Checking %1</source>
         <translation>Sprawdzanie %1</translation>
     </message>
+    <message>
+        <source>Foretelling how far views are off</source>
+        <translation>Przewidywanie błędów widoków</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -3358,6 +3362,18 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>not measured</source>
         <translation>niezmierzone</translation>
+    </message>
+    <message>
+        <source>Foretold error of views</source>
+        <translation>Przewidywany błąd widoków</translation>
+    </message>
+    <message>
+        <source>Median displacement that the photos foretell for views from there, at their own height, in pixels of a camera of 640 pixels and 57 degrees</source>
+        <translation>Mediana przesunięcia, jakie zdjęcia przewidują dla widoków stamtąd, na ich własnej wysokości, w pikselach kamery o 640 pikselach i 57 stopniach</translation>
+    </message>
+    <message>
+        <source>nothing is known</source>
+        <translation>nic nie wiadomo</translation>
     </message>
 </context>
 <context>

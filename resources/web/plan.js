@@ -120,18 +120,18 @@ spherewalk.Plan = class {
     this.sight.setAttribute("d", `M${x},${-y}L${edge(yaw - field / 2)}A${reach},${reach} 0 0 0 ${edge(yaw + field / 2)}Z`);
   }
 
-  /** Colours the floor by the nearest photo; null: no map. */
+  /** Colours the floor by the nearest photo, or as the map's own floor says; null: no map. */
   showMap(map) {
     this.cells.replaceChildren();
     if (!map) {
       return;
     }
-    const { origin, cell_m: cell, runs } = this.place.floor;
-    for (const [row, begin, end, photo] of runs) {
-      if (map.colours[photo]) {
+    const { origin, cell_m: cell, runs } = map.floor ?? this.place.floor;
+    for (const [row, begin, end, colour] of runs) {
+      if (map.colours[colour]) {
         this.add(this.cells, "rect", {
           x: origin[0] + cell * begin, y: -origin[1] - cell * (row + 1), width: cell * (end - begin), height: cell,
-          fill: map.colours[photo], "shape-rendering": "crispEdges",
+          fill: map.colours[colour], "shape-rendering": "crispEdges",
         });
       }
     }

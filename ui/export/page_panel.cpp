@@ -95,6 +95,11 @@ constexpr std::string_view kWords[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::PageWords", "Error of views"),
     QT_TRANSLATE_NOOP("spherewalk::ui::PageWords",
                       "95th percentile of displacement where the photo was left out"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::PageWords", "Foretold error of views"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::PageWords",
+                      "Median displacement that the photos foretell for views from there, at their own "
+                      "height, in pixels of a camera of 640 pixels and 57 degrees"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::PageWords", "nothing is known"),
     QT_TRANSLATE_NOOP("spherewalk::ui::PageWords", "Uncertainty of the heading"),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::PageWords",

@@ -237,6 +237,7 @@ constexpr const char* kSteps[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Fusing depths"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for faces in photo %1 of %2"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking which photos see each other"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Foretelling how far views are off"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Drawing picture %1 of %2"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Rendering the walk"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Registering picture %1 of %2 by its tags"),

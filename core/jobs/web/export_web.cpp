@@ -6,13 +6,17 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/folder.h"
 #include "spherewalk/base/json.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_place.h"
 #include "spherewalk/jobs/measure_dataset.h"
 #include "spherewalk/jobs/measure_page.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/place/seen_depth.h"
 #include "spherewalk/render/dataset.h"
+#include "spherewalk/render/renderer.h"
 #include "spherewalk/report/chart.h"
 #include "spherewalk/store/survey_store.h"
 #include "spherewalk/web/page.h"
@@ -21,6 +25,8 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <numbers>
 #include <set>
 
 namespace spherewalk::jobs {
@@ -201,9 +207,10 @@ class SurveyWords {
     std::map<std::int64_t, store::SolvedPhoto> m_solved;
 };
 
-/// A map of errors, one for each photo, beside a tolerance.
+/// A map of errors, one for each photo, beside a tolerance. unknown: the key of the word for no error.
 web::FloorMap floorErrors(const std::string& name, const std::string& about,
-                          const std::vector<std::optional<double>>& errorsPx, double tolerancePx) {
+                          const std::vector<std::optional<double>>& errorsPx, double tolerancePx,
+                          const std::string& unknown = "notMeasured") {
     constexpr double kLargestPx = 1e9; // an endless error is known to be too large
     web::FloorMap map{web::word(name), web::word(about), {}, {}};
     for (const std::optional<double>& error : errorsPx) {
@@ -218,7 +225,7 @@ web::FloorMap floorErrors(const std::string& name, const std::string& about,
         map.legend.push_back(
             {report::errorColour(step * tolerancePx, tolerancePx), web::word(key), step * tolerancePx});
     }
-    map.legend.push_back({report::errorColour(std::nullopt, tolerancePx), web::word("notMeasured")});
+    map.legend.push_back({report::errorColour(std::nullopt, tolerancePx), web::word(unknown)});
     return map;
 }
 
@@ -255,6 +262,87 @@ void putHeadings(const render::DatasetInfo& info, web::Page& page) {
     }
 }
 
+/// What views from all over the floor are foretold to be off, by the photos' own evidence.
+class Foretold {
+  public:
+    explicit Foretold(const std::shared_ptr<const render::Dataset>& dataset) : m_renderer(dataset) {}
+
+    /// Range: a dataset with photos.
+    void put(web::Page& page, ProgressSink& progress, const std::stop_token& stop) const {
+        const double heightM = this->heightM();
+        const Bounds2 area = this->area();
+        const Eigen::Vector2d size = area.greatest - area.least;
+        web::Floor floor{area.least, std::max(kLeastCellM, std::sqrt(size.prod() / kMostCells)), {}};
+        const auto rows = static_cast<int>(std::ceil(size.y() / floor.cellM));
+        const auto columns = static_cast<int>(std::ceil(size.x() / floor.cellM));
+        std::vector<std::optional<double>> errors;
+        for (int cell = 0; cell < rows * columns; ++cell) {
+            throwIfStopped(stop);
+            progress.progress(static_cast<double>(cell) / (rows * columns),
+                              "Foretelling how far views are off");
+            const Eigen::Vector2d middle =
+                floor.origin + floor.cellM * Eigen::Vector2d(cell % columns + 0.5, cell / columns + 0.5);
+            const Eigen::Vector3d place(middle.x(), middle.y(), heightM);
+            if (!m_renderer.dataset().isOutside(place)) {
+                floor.runs.push_back({cell / columns, cell % columns, cell % columns + 1, errors.size()});
+                errors.push_back(errorPx(place));
+            }
+        }
+        if (std::ranges::any_of(errors, [](const auto& error) { return error.has_value(); })) {
+            page.maps.push_back(floorErrors("foretold", "foretoldAbout", errors, MeasureOptions().tolerancePx,
+                                            "notForetold"));
+            page.maps.back().floor = std::move(floor);
+        }
+    }
+
+  private:
+    static constexpr double kLeastCellM = 0.2;
+    static constexpr double kMostCells = 600;
+    static constexpr int kDirections = 6; ///< So many views of 57 degrees see all around.
+    static constexpr int kCoarser = 4;    ///< Such views need a coarser and smaller part of the photos.
+
+    double heightM() const {
+        std::vector<double> heights;
+        for (const render::DatasetPhoto& photo : m_renderer.dataset().info().photos) {
+            heights.push_back(photo.roomFromPhoto.translation.z());
+        }
+        return median(heights);
+    }
+
+    /// Of the outline; without one, a metre about the photos.
+    Bounds2 area() const {
+        const render::DatasetInfo& info = m_renderer.dataset().info();
+        Polygon corners = info.outline;
+        if (corners.empty()) {
+            for (const render::DatasetPhoto& photo : info.photos) {
+                const Eigen::Vector2d at = photo.roomFromPhoto.translation.head<2>();
+                corners.emplace_back(at - Eigen::Vector2d::Ones());
+                corners.emplace_back(at + Eigen::Vector2d::Ones());
+            }
+        }
+        return bounds(corners);
+    }
+
+    /// The median of views all around, in pixels of the whole camera. Nothing where nothing is known.
+    std::optional<double> errorPx(const Eigen::Vector3d& place) const {
+        std::vector<double> errors;
+        for (int i = 0; i < kDirections; ++i) {
+            const Radians yaw(2 * std::numbers::pi * i / kDirections);
+            const render::ViewReport report =
+                m_renderer.render(m_camera, {yawRotation(yaw) * bodyFromOptical(), place}).report;
+            if (!(report.trust > 0)) {
+                return std::nullopt;
+            }
+            errors.push_back(kCoarser * report.parallaxPx);
+        }
+        return median(errors);
+    }
+
+    render::Renderer m_renderer;
+    CameraModel m_camera{
+        CameraIntrinsics::pinhole(640 / kCoarser, 480 / kCoarser, Radians(Degrees(57)).value())};
+};
+
 /// The photo nearest to the middle of all.
 std::size_t middlePhoto(const render::DatasetInfo& info) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -286,7 +374,9 @@ std::uint64_t writePhotos(const render::Dataset& dataset, const web::Page& page,
 
 WebReport write(const fs::path& source, const SurveyWords* survey, const fs::path& folder,
                 const WebOptions& options, ProgressSink& progress, const std::stop_token& stop) {
-    const auto dataset = render::Dataset::open(source, render::Verify::Sizes, noProgress(), stop);
+    const auto opened = std::make_shared<const render::Dataset>(
+        render::Dataset::open(source, render::Verify::Sizes, noProgress(), stop));
+    const render::Dataset& dataset = *opened;
     progress.progress(0, "Looking which photos see each other");
     web::Page page = DatasetPage(dataset, stop).page();
     page.begin = middlePhoto(dataset.info());
@@ -296,13 +386,17 @@ WebReport write(const fs::path& source, const SurveyWords* survey, const fs::pat
     if (!options.measured.empty()) {
         putMeasured(dataset.info(), options.measured, page);
     }
+    ProgressStep foretelling(progress, 0.1, 0.4);
+    if (!page.photos.empty()) {
+        Foretold(opened).put(page, foretelling, stop);
+    }
     putHeadings(dataset.info(), page);
     WebReport report;
     report.photos = page.photos.size();
     report.withDepth = static_cast<std::size_t>(
         std::ranges::count_if(page.photos, [](const web::Photo& photo) { return photo.depth.has_value(); }));
     report.leftOut = page.without.size();
-    ProgressStep writing(progress, 0.3, 1);
+    ProgressStep writing(progress, 0.4, 1);
     makeFolder(folder, "the page", [&](const fs::path& unfinished) {
         web::writePage(page, {options.language, options.translated}, unfinished);
         report.totalBytes = writePhotos(dataset, page, unfinished, writing, stop);

@@ -4,7 +4,12 @@
 #include "photographed_survey.h"
 #include "test_dataset.h"
 
+#include "spherewalk/base/statistics.h"
+#include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_place.h"
+#include "spherewalk/jobs/measure_dataset.h"
+#include "spherewalk/render/renderer.h"
+#include "spherewalk/report/chart.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -98,7 +103,7 @@ TEST_F(ExportWeb, HasThePhotosTheirDepthsAndWhoSeesWhom) {
     EXPECT_EQ(first["neighbours"][0], 2) << "the nearest first";
     EXPECT_GT(first["depth"]["sigma_m"].get<double>(), 0);
     EXPECT_GT(first["depth"]["sigma_per_m"].get<double>(), 0);
-    EXPECT_EQ(place["maps"].size(), 1U) << "coverage";
+    EXPECT_EQ(place["maps"].size(), 2U) << "coverage, and what the photos foretell";
     EXPECT_FALSE(place["has_review"].get<bool>());
     const std::string depth = fromBase64(photoOf(page(), 0)["depth"].get<std::string>());
     ASSERT_EQ(depth.size(), 2U * 256 * 128);
@@ -108,6 +113,46 @@ TEST_F(ExportWeb, HasThePhotosTheirDepthsAndWhoSeesWhom) {
                                                                      << 8;
     EXPECT_EQ(value & 1, 1) << "it was measured";
     EXPECT_NEAR((value >> 1) * render::DepthMap::kStepPerM, *map.inverseM().at(40, 70), 1e-6);
+}
+
+/// Views of the whole camera, all around, from cells near and far from the photos.
+TEST_F(ExportWeb, ForetellsWhatViewsFromAllOverTheFloorAreOff) {
+    info.outline = {{0, 0}, {3, 0}, {3, 2}, {0, 2}};
+    test::rewriteInfo(dataset(), info);
+    write();
+    const Json map = placeOf(page())["maps"][1];
+    EXPECT_EQ(map["name"], "Foretold error of views");
+    EXPECT_EQ(map["floor"]["cell_m"], 0.2);
+    ASSERT_EQ(map["floor"]["runs"].size(), 15U * 10U);
+    const render::Renderer renderer(
+        std::make_shared<const render::Dataset>(render::Dataset::open(dataset())));
+    const CameraModel camera(CameraIntrinsics::pinhole(640, 480, Radians(Degrees(57)).value()));
+    for (const int cell : {0, 4 * 15 + 5, 6 * 15 + 14}) {
+        const Json run = map["floor"]["runs"][static_cast<std::size_t>(cell)];
+        EXPECT_EQ(run, Json({cell / 15, cell % 15, cell % 15 + 1, cell}));
+        std::vector<double> errors;
+        for (int i = 0; i < 6; ++i) {
+            const Rigid3 pose{yawRotation(Radians(Degrees(60 * i))) * bodyFromOptical(),
+                              {0.2 * (cell % 15 + 0.5), 0.2 * (cell / 15 + 0.5), 1.2}};
+            errors.push_back(renderer.render(camera, pose).report.parallaxPx);
+        }
+        const std::string wanted = report::errorColour(median(errors), MeasureOptions().tolerancePx);
+        const std::string found = map["colours"][static_cast<std::size_t>(cell)];
+        for (const std::size_t channel : {1U, 3U, 5U}) {
+            EXPECT_NEAR(std::stoi(found.substr(channel, 2), nullptr, 16),
+                        std::stoi(wanted.substr(channel, 2), nullptr, 16), 12)
+                << found << " in place of " << wanted << " in cell " << cell << ", " << median(errors);
+        }
+    }
+}
+
+TEST_F(ExportWeb, ForetellsNothingFromPhotosOfUnknownHeading) {
+    for (render::DatasetPhoto& photo : info.photos) {
+        photo.rotationSource = "unknown";
+    }
+    test::rewriteInfo(dataset(), info);
+    write();
+    EXPECT_EQ(placeOf(page())["maps"].size(), 1U) << "coverage";
 }
 
 TEST_F(ExportWeb, KeepsThePixelsAndDropsWhatElseAPhotoSays) {

@@ -161,6 +161,20 @@ def shows_a_map_and_its_keys(page):
     expect(not page.browser.value("document.querySelector('#help').open"), "the list of keys is closed")
 
 
+def shows_what_is_foretold(page):
+    browser = page.browser
+    browser.value("document.querySelector('#map').focus()")
+    page.keys("ArrowDown")
+    expect(browser.value("document.querySelector('#map').selectedOptions[0].text") == "Foretold error of views", "chosen by the keyboard")
+    runs, fills = browser.value("[spherewalk.place.maps[1].floor.runs.length, [...document.querySelectorAll('#plan rect')]"
+                                ".map((cell) => cell.getAttribute('fill'))]")
+    expect(len(fills) == runs == 150, "cells", len(fills), runs)
+    expect(fills == browser.value("spherewalk.place.maps[1].colours"), "the cells have the colours of the map")
+    box = browser.value("(() => { const box = document.querySelector('#plan rect').getBBox(); return [box.x, box.y, box.width, box.height]; })()")
+    expect(all(abs(a - b) < 1e-5 for a, b in zip(box, (0, -0.2, 0.2, 0.2))), "the first cell is", box)
+    expect("2.00 px, the tolerance" in browser.text("#legend") and "nothing is known" in browser.text("#legend"), browser.text("#legend"))
+
+
 def follows_fingers(page):
     browser = page.browser
     browser.resize(390, 844, touch=True)
@@ -208,7 +222,7 @@ def main():
     try:
         page = Page(folder, browser)
         for test in (is_a_panorama, measures_by_keyboard, measures_by_pointer, walks, says_where_nothing_is_measured, shows_names_as_text,
-                     shows_a_map_and_its_keys, follows_fingers, follows_the_scheme):
+                     shows_a_map_and_its_keys, shows_what_is_foretold, follows_fingers, follows_the_scheme):
             test(page)
         expect(not browser.complaints, browser.complaints)
         names_a_missing_file(page)

@@ -54,7 +54,7 @@ struct FloorRun {
     int row = 0;
     int begin = 0;
     int end = 0;
-    std::size_t photo = 0;
+    std::size_t photo = 0; ///< In a map with a floor of its own: which of the map's colours.
 };
 
 /// The floor within reach of photos, as square cells from a corner with least x and y.
@@ -70,12 +70,14 @@ struct LegendEntry {
     std::optional<double> value = {}; ///< What stands for "%1" in the words.
 };
 
-/// Colours of the floor by the nearest photo. Words are English; PageOptions::translated translates them.
+/// Colours of the floor by the nearest photo, or of a floor of its own. Words are English;
+/// PageWords::translated translates them.
 struct FloorMap {
     std::string name;
     std::string about;
-    std::vector<std::string> colours; ///< One for each photo.
+    std::vector<std::string> colours; ///< One for each photo, or those that the runs of `floor` name.
     std::vector<LegendEntry> legend;
+    std::optional<Floor> floor = {};
 };
 
 /// What a page shows. Frames: room.
