@@ -37,7 +37,8 @@ void ProgressStep::warning(std::string_view sentence) {
 }
 
 std::optional<std::chrono::duration<double>> TimeLeft::at(TimePoint now, double fraction) {
-    constexpr int kSeenAtMost = 64; // in all of the time so far; about half of them are kept
+    constexpr double kLeastGained = 0.005; // a step that begins slowly says nothing of the rest
+    constexpr int kSeenAtMost = 64;        // in all of the time so far; about half of them are kept
     const auto passed = now - m_start;
     while (m_seen.size() > 1 && m_seen[1].at <= m_start + passed / 2) {
         m_seen.pop_front();
@@ -47,7 +48,7 @@ std::optional<std::chrono::duration<double>> TimeLeft::at(TimePoint now, double 
         m_seen.push_back({now, fraction});
     }
     const double gained = fraction - begin.fraction;
-    if (fraction < 0.01 || passed < std::chrono::seconds(1) || gained <= 0) {
+    if (fraction < 0.01 || passed < std::chrono::seconds(1) || gained < kLeastGained) {
         return std::nullopt;
     }
     return std::chrono::duration<double>(now - begin.at) * std::max(0.0, 1 - fraction) / gained;

@@ -53,7 +53,7 @@ TEST(TimeLeft, IsNotFooledByWhatAResumedJobFindsDone) {
     for (int i = 1; i <= 4000; ++i) { // 60 percent at once, then one percent in ten seconds
         const double seconds = i / 10.0;
         const auto rest = left.at(start + std::chrono::milliseconds(100 * i), 0.6 + seconds / 1000);
-        if (seconds >= 1) {
+        if (seconds >= 10) { // half a percent was gained
             ASSERT_TRUE(rest);
             EXPECT_NEAR(rest->count(), 400 - seconds, 1e-6) << seconds;
         }
@@ -65,6 +65,14 @@ TEST(TimeLeft, SaysNothingWhileNothingMoves) {
     TimeLeft left(start);
     EXPECT_TRUE(left.at(start + std::chrono::seconds(10), 0.5));
     EXPECT_FALSE(left.at(start + std::chrono::seconds(30), 0.5));
+}
+
+TEST(TimeLeft, SaysNothingWhileAStepHardlyBegins) {
+    const TimeLeft::TimePoint start{};
+    TimeLeft left(start);
+    EXPECT_FALSE(left.at(start + std::chrono::milliseconds(200), 0.09)) << "an easy step was done at once";
+    EXPECT_FALSE(left.at(start + std::chrono::seconds(2), 0.091)) << "not half an hour";
+    EXPECT_NEAR(left.at(start + std::chrono::seconds(6), 0.291)->count(), 4 * 0.709 / 0.2, 1e-9);
 }
 
 TEST(Stop, EndsASleepAndThrowsStopped) {
