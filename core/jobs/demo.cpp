@@ -8,6 +8,8 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/capture_survey.h"
+#include "spherewalk/jobs/measure_dataset.h"
+#include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/practice/practice_camera.h"
 #include "spherewalk/render/camera_info.h"
@@ -67,8 +69,7 @@ class Demo {
         store::SurveyStore store = newSurvey();
         photograph(store);
         align(store);
-        ProgressStep exporting(m_progress, 0.82, 0.85);
-        m_report.exported = exportDataset(store, m_folder / "dataset", {}, exporting, m_stop);
+        exportMeasured(store);
         walkThrough(store.plan());
         return std::move(m_report);
     }
@@ -104,7 +105,7 @@ class Demo {
         camera::OscClient client(endpoint, camera::OscOptions{}.scaled(kTimeScale), systemClock());
         const CaptureSurveyOptions capture = practiceCaptureOptions(kTimeScale);
         PracticeOperator people(endpoint);
-        ProgressStep capturing(m_progress, 0, 0.6);
+        ProgressStep capturing(m_progress, 0, kCaptured);
         m_report.capture = captureSurvey(store, client, people, systemClock(), capture, capturing, m_stop);
         if (m_report.capture.remaining > 0) {
             throw Error(ErrorKind::Internal,
@@ -114,10 +115,36 @@ class Demo {
     }
 
     void align(store::SurveyStore& store) {
-        ProgressStep aligning(m_progress, 0.6, 0.82);
+        ProgressStep aligning(m_progress, kCaptured, kAligned);
         m_report.aligned = alignSurvey(store, {}, aligning, m_stop);
         m_report.alignmentError =
             jobs::alignmentError(m_report.aligned, readTruePoses(store, m_folder / "truth.jsonl"));
+    }
+
+    void exportMeasured(const store::SurveyStore& store) {
+        constexpr int kViews = 12; // tell the scene models apart, and take a few seconds
+        const fs::path folder = m_folder / "dataset";
+        ExportOptions options;
+        options.scene = m_options.scene.value_or(render::SceneKind::Depth);
+        ProgressStep exporting(m_progress, kAligned, kExported);
+        m_report.exported = exportDataset(store, folder, options, exporting, m_stop);
+        m_report.scene = options.scene;
+        if (m_options.scene) {
+            return;
+        }
+        MeasureOptions measure;
+        measure.mostViews = kViews;
+        measure.samplingViews = kViews / 4;
+        ProgressStep measuring(m_progress, kExported, kMeasured);
+        const MeasureReport measured =
+            measureDataset(render::Renderer(std::make_shared<const render::Dataset>(
+                               render::Dataset::open(folder, render::Verify::Sizes, noProgress(), m_stop))),
+                           CameraModel(robotCamera()), measure, measuring, m_stop);
+        m_report.choice = measured.choice;
+        if (measured.choice.rung) {
+            m_report.scene = measured.rungs[*measured.choice.rung].scene;
+            storeChoice(folder, measured);
+        }
     }
 
     void walkThrough(const survey::Plan& plan) {
@@ -127,42 +154,64 @@ class Demo {
         writeFile(m_folder / "path.tum", bytesOf(tumText(path)));
         const render::Renderer renderer(
             std::make_shared<const render::Dataset>(render::Dataset::open(m_folder / "dataset")));
-        ProgressStep walking(m_progress, 0.85, 0.95);
+        ProgressStep walking(m_progress, kMeasured, kWalked);
         m_report.walk = walk(renderer, camera, path, {}, m_folder / "walk", walking, m_stop);
         compare(renderer, camera, path);
     }
 
-    /// Pairs of rendered and exact pictures, at photos and between them.
+    /// Rows of pictures, at photos and between them: with the chosen scene model, with the sphere, and exact.
     void compare(const render::Renderer& renderer, const CameraModel& camera,
                  const std::vector<TimedPose>& path) {
-        constexpr std::size_t kPairs = 6;
+        constexpr std::size_t kPlaces = 4;
+        Comparison atPhotos;
+        Comparison between;
+        const auto& photos = renderer.dataset().info().photos;
         std::vector<RgbImage> pictures;
         std::vector<std::string> captions;
-        const auto likeness = [&](const Rigid3& pose, const std::string& where) {
+        for (std::size_t i = 0; i < kPlaces; ++i) {
             throwIfStopped(m_stop);
-            pictures.push_back(renderer.render(camera, pose).picture);
-            pictures.push_back(m_practiceRoom.view(camera, pose));
-            const double db = photo::psnr(pictures[pictures.size() - 2], pictures.back());
-            captions.push_back(text(where, ": from the dataset, ", fixed(db, 1), " dB"));
-            captions.emplace_back("ray cast directly");
-            return db;
-        };
-        std::vector<double> atPhotos;
-        std::vector<double> between;
-        const auto& photos = renderer.dataset().info().photos;
-        for (std::size_t i = 0; i < kPairs; ++i) {
-            const Rigid3& onPath = path[i * path.size() / kPairs].roomFromCamera;
-            const std::size_t photo = i * photos.size() / kPairs;
-            atPhotos.push_back(
-                likeness({onPath.rotation, photos[photo].roomFromPhoto.translation}, "at a photo"));
-            between.push_back(likeness(onPath, "between photos"));
-            m_progress.progress(0.95 + 0.05 * static_cast<double>(i + 1) / kPairs,
+            const Rigid3& onPath = path[i * path.size() / kPlaces].roomFromCamera;
+            const std::size_t photo = i * photos.size() / kPlaces;
+            addRow(renderer, camera, {onPath.rotation, photos[photo].roomFromPhoto.translation}, "at a photo",
+                   atPhotos, pictures, captions);
+            addRow(renderer, camera, onPath, "between photos", between, pictures, captions);
+            m_progress.progress(kWalked + (1 - kWalked) * static_cast<double>(i + 1) / kPlaces,
                                 "Comparing with the exact room");
         }
-        m_report.atPhotosDb = median(atPhotos);
-        m_report.betweenDb = median(between);
-        photo::writePng(m_folder / "comparison.png", photo::contactSheet(pictures, 4, 480, captions));
+        m_report.atPhotosDb = median(atPhotos.chosenDb);
+        m_report.betweenDb = median(between.chosenDb);
+        m_report.betweenWithSphereDb = median(between.sphereDb);
+        photo::writePng(m_folder / "comparison.png", photo::contactSheet(pictures, 3, 480, captions));
     }
+
+    struct Comparison {
+        std::vector<double> chosenDb;
+        std::vector<double> sphereDb;
+    };
+
+    void addRow(const render::Renderer& renderer, const CameraModel& camera, const Rigid3& pose,
+                const std::string& where, Comparison& comparison, std::vector<RgbImage>& pictures,
+                std::vector<std::string>& captions) const {
+        const RgbImage exact = m_practiceRoom.view(camera, pose);
+        const auto likeness = [&](std::optional<render::SceneKind> scene, const std::string& words) {
+            render::ViewOptions options;
+            options.scene = scene;
+            pictures.push_back(renderer.render(camera, pose, options).picture);
+            const double db = photo::psnr(pictures.back(), exact);
+            captions.push_back(text(where, ", ", words, ": ", fixed(db, 1), " dB"));
+            return db;
+        };
+        comparison.chosenDb.push_back(likeness({}, text(name(m_report.scene))));
+        comparison.sphereDb.push_back(likeness(render::SceneKind::Sphere, "sphere"));
+        pictures.push_back(exact);
+        captions.emplace_back("ray cast directly");
+    }
+
+    static constexpr double kCaptured = 0.5; ///< Shares of the progress.
+    static constexpr double kAligned = 0.66;
+    static constexpr double kExported = 0.88;
+    static constexpr double kMeasured = 0.94;
+    static constexpr double kWalked = 0.98;
 
     fs::path m_folder;
     const DemoOptions& m_options;
@@ -195,9 +244,12 @@ Json toJson(const DemoReport& report) {
             {"align", toJson(report.aligned)},
             {"alignment_error", toJson(report.alignmentError)},
             {"export", toJson(report.exported)},
+            {"scene", name(report.scene)},
+            {"choice", report.choice ? Json(report.choice->reason) : Json()},
             {"walk", toJson(report.walk)},
             {"likeness_at_photos_db", report.atPhotosDb},
-            {"likeness_between_photos_db", report.betweenDb}};
+            {"likeness_between_photos_db", report.betweenDb},
+            {"likeness_between_photos_with_sphere_db", report.betweenWithSphereDb}};
 }
 
 } // namespace spherewalk::jobs

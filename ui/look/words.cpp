@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QVariant>
+#include <QWidget>
 
 #include <algorithm>
 #include <cmath>

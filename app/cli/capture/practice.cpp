@@ -155,11 +155,16 @@ Result drawPictures(const PicturesArguments& options, Context& context) {
 
 struct DemoArguments {
     std::string out;
+    std::string scene = "auto";
     jobs::DemoOptions demo;
 };
 
 Result runDemo(const DemoArguments& options, Context& context) {
-    const jobs::DemoReport report = jobs::demo(options.out, options.demo, context.progress, context.stop);
+    jobs::DemoOptions demo = options.demo;
+    if (options.scene != "auto") {
+        demo.scene = render::sceneKind(options.scene);
+    }
+    const jobs::DemoReport report = jobs::demo(options.out, demo, context.progress, context.stop);
     const auto seconds = [](double s) { return humanDuration(std::chrono::duration<double>(s)); };
     return {
         jobs::toJson(report),
@@ -172,13 +177,15 @@ Result runDemo(const DemoArguments& options, Context& context) {
             report.walk.frames, " views of a robot's camera, index.csv, contact-sheet.png; ",
             fixed(report.walk.medianRenderMs, 1), " ms a view\n",
             "  comparison.png            views beside exact pictures: ", fixed(report.atPhotosDb, 1),
-            " dB at photos, ", fixed(report.betweenDb, 1), " dB between them (medians)\n",
+            " dB at photos, ", fixed(report.betweenDb, 1), " dB between them with the scene model ",
+            name(report.scene), " (", fixed(report.betweenWithSphereDb, 1), " with the sphere; medians)\n",
             "  robot.yaml, path.tum      the robot's camera and its path\n",
             "  truth.jsonl               where the practice camera really was\n\n",
             "The photos' rotations were solved from the pictures: ", report.alignmentError.photos, " of ",
             report.capture.stations, " photos, off by ", fixed(report.alignmentError.yawRmsDeg, 3),
             " deg in yaw and ", fixed(report.alignmentError.tiltRmsDeg, 3), " in tilt (root mean square).\n",
-            "Look around:  spherewalk-cli view ", options.out, "/dataset --camera ", options.out,
+            report.choice ? report.choice->reason + "\n" : "", "Look around:  spherewalk-cli view ",
+            options.out, "/dataset --camera ", options.out,
             "/robot.yaml --frame body --pose \"2.5 2 1.2 0 0 0 1\" --out view.png")};
 }
 
@@ -241,6 +248,11 @@ void addDemo(Commands& commands) {
     command.option("--step", options->demo.stepM, "Of the grid, metres").showDefault();
     command.option("--frames", options->demo.frames, "Of the walk").range(6, 100000).showDefault();
     command.option("--seed", options->demo.seed, "Of the camera's errors").showDefault();
+    command
+        .option("--scene", options->scene,
+                "Richest scene model: sphere, room, depth, or auto to measure what is best")
+        .among({"sphere", "room", "depth", "auto"})
+        .showDefault();
 }
 
 } // namespace spherewalk::cli
