@@ -195,9 +195,9 @@ TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
     const test::PhotographedSurvey survey{2};
     const std::string camera = writeSmallCamera(survey / "c.yaml");
     const std::string dataset = survey / "d";
-    const CliResult refused = runCli({"export", survey.path(), dataset, "--scene", "auto"});
-    EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.errors, HasSubstr("--camera"));
+    const CliResult usual = runCli({"export", survey.path(), survey / "usual", "--scene", "auto"});
+    ASSERT_EQ(usual.status, 0) << usual.errors;
+    EXPECT_THAT(usual.output, HasSubstr("640 x 480")) << "it says which camera it took";
     const CliResult made = runCli({"export", survey.path(), dataset, "--scene", "auto", "--camera", camera,
                                    "--tolerance", "900", "--json"});
     ASSERT_EQ(made.status, 0) << made.errors;
@@ -206,6 +206,20 @@ TEST(ExportCommand, ExportsTheSceneModelThatEarnsItsPlace) {
     EXPECT_NE(description["choice"]["scene"], "depth") << "an endlessly far world needs no depth";
     EXPECT_EQ(made.json()["scene"], "sphere");
     EXPECT_EQ(description["scene_models"].size(), 1U);
+}
+
+TEST(ExportCommand, MeasuresUnlessASceneModelIsNamedFromEightPhotosOn) {
+    const test::PhotographedSurvey survey{8};
+    const std::string camera = writeSmallCamera(survey / "c.yaml");
+    const std::vector<std::string> command{"export",   survey.path(), survey / "d",
+                                           "--camera", camera,        "--json"};
+    const CliResult made = runCli(command);
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_TRUE(made.json().contains("measured"));
+    const test::PhotographedSurvey small{7};
+    const CliResult few = runCli({"export", small.path(), small / "d", "--json"});
+    ASSERT_EQ(few.status, 0) << few.errors;
+    EXPECT_FALSE(few.json().contains("measured"));
 }
 
 TEST(ExportCommand, CutsPhotosIntoFacesThatColmapReads) {

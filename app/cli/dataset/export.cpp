@@ -24,7 +24,7 @@ struct ExportArguments {
     std::string survey;
     std::string dataset;
     jobs::ExportOptions write;
-    std::string scene = "sphere";
+    std::string scene; ///< Empty: as sceneOf() proposes.
     bool keepsCarried = false;
     std::string camera;
     jobs::MeasureOptions measure;
@@ -35,21 +35,38 @@ struct ExportArguments {
     bool isCheck = false;
     jobs::PlaceOptions place;
     std::string measured;
-
-    bool isChosen() const { return scene == "auto"; }
 };
 
-jobs::ExportOptions exportOptions(const ExportArguments& options) {
+constexpr const char* kMeasured = "auto";
+
+/// To measure, unless a scene model is named, where there is enough to compare.
+std::string sceneOf(const ExportArguments& options, const store::SurveyStore& store) {
+    constexpr std::size_t kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
+    if (!options.scene.empty()) {
+        return options.scene;
+    }
+    const auto solution = store.activeSolution();
+    const bool isEnough = solution && store.solvedPhotos(solution->id).size() >= kEnoughToMeasure;
+    return isEnough && options.write.testEvery == 0 ? kMeasured : "sphere";
+}
+
+jobs::ExportOptions exportOptions(const ExportArguments& options, const std::string& scene) {
     jobs::ExportOptions wanted = options.write;
     wanted.clearsCarried = !options.keepsCarried;
-    wanted.scene = options.isChosen() ? render::SceneKind::Depth : render::sceneKind(options.scene);
+    wanted.scene = scene == kMeasured ? render::SceneKind::Depth : render::sceneKind(scene);
     return wanted;
+}
+
+CameraIntrinsics cameraOf(const ExportArguments& options) {
+    return options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
+                                  : render::readCameraInfo(options.camera);
 }
 
 Result checkedExport(const ExportArguments& options, Context& context) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     const jobs::ExportCheck check =
-        jobs::checkExport(store, options.dataset, exportOptions(options), context.progress, context.stop);
+        jobs::checkExport(store, options.dataset, exportOptions(options, sceneOf(options, store)),
+                          context.progress, context.stop);
     std::string words = text(check.photos, " photos, about ", humanBytes(check.totalBytes), " and ",
                              humanDuration(std::chrono::duration<double>(check.seconds)), "; ",
                              humanBytes(check.freeBytes), " are free.");
@@ -98,18 +115,17 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
 
 /// With the scene model that measuring finds to be enough for the camera.
 Result exportChosen(const ExportArguments& options, const store::SurveyStore& store, Context& context) {
-    if (options.camera.empty()) {
-        throw Error(ErrorKind::InvalidInput,
-                    "A scene model can be chosen for a camera only: name the robot's "
-                    "with --camera, or a scene model other than auto.");
-    }
     const jobs::ChosenExport chosen =
-        jobs::exportChosen(store, options.dataset, CameraModel(render::readCameraInfo(options.camera)),
-                           options.measure, options.write.write, context.progress, context.stop);
+        jobs::exportChosen(store, options.dataset, CameraModel(cameraOf(options)), options.measure,
+                           options.write.write, context.progress, context.stop);
     Result result = resultOf(chosen.exported, options.dataset);
     result.json["scene"] = render::name(chosen.scene);
     result.json["measured"] = jobs::toJson(chosen.measured);
     result.text += "\n" + chosen.measured.choice.reason;
+    if (options.camera.empty()) {
+        result.text +=
+            "\nThis holds for a camera of 640 x 480 pixels and 69 degrees; --camera names the robot's.";
+    }
     return result;
 }
 
@@ -130,10 +146,8 @@ Result exportForeign(const ExportArguments& options, const store::SurveyStore& s
                  report.points > 0 ? text("\n", report.points, " points were seen.") : "")};
 }
 
-/// Of a VGA camera, if none is named.
 Result exportWorld(const ExportArguments& options, jobs::WorldFormat format, Context& context) {
-    const CameraIntrinsics camera = options.camera.empty() ? CameraIntrinsics::pinhole(640, 480, 1.2)
-                                                           : render::readCameraInfo(options.camera);
+    const CameraIntrinsics camera = cameraOf(options);
     dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
     room.validate();
     if (jobs::hasDepths(options.survey)) {
@@ -206,7 +220,7 @@ void checkLearning(const ExportArguments& options) {
                     "Points go with --format colmap and nerfstudio; --format ply writes them alone.");
     }
     if (options.write.testEvery > 0 &&
-        ((!isForLearners && options.format != "spherewalk") || options.isChosen())) {
+        ((!isForLearners && options.format != "spherewalk") || options.scene == kMeasured)) {
         throw Error(ErrorKind::InvalidInput, "Photos are left out for tests with --format colmap, nerfstudio "
                                              "and spherewalk, and with a scene model other than auto.");
     }
@@ -227,12 +241,13 @@ Result exportSurvey(const ExportArguments& options, Context& context) {
     if (options.format != "spherewalk") {
         return exportForeign(options, store, context);
     }
-    if (options.isChosen()) {
+    const std::string scene = sceneOf(options, store);
+    if (scene == kMeasured) {
         return exportChosen(options, store, context);
     }
-    return resultOf(
-        jobs::exportDataset(store, options.dataset, exportOptions(options), context.progress, context.stop),
-        options.dataset);
+    return resultOf(jobs::exportDataset(store, options.dataset, exportOptions(options, scene),
+                                        context.progress, context.stop),
+                    options.dataset);
 }
 
 } // namespace
@@ -317,16 +332,18 @@ void addExport(Commands& commands) {
     command.flag("--check", options->isCheck,
                  "Only say how large it would become, how long it would take, and what it would lack");
     command
-        .option("--scene", options->scene,
-                "Richest scene model to export: sphere, room, depth, or auto for the cheapest that holds "
-                "the tolerance; the cheaper ones come with it")
-        .among({"sphere", "room", "depth", "auto"})
-        .showDefault();
+        .option(
+            "--scene", options->scene,
+            "Richest scene model to export: sphere, room, depth, or auto for the cheapest that holds "
+            "the tolerance; the cheaper ones come with it. Default: auto for eight aligned photos or more, "
+            "else sphere")
+        .among({"sphere", "room", "depth", "auto"});
     command.flag("--keep-carried", options->keepsCarried,
                  "With room or depth, leave cart, robot or operator below the camera in the photos");
     command.option(
         "--camera", options->camera,
-        "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML");
+        "Camera that a scene model is chosen for, or that a world's robot has: a ROS camera-info YAML; "
+        "default: 640 x 480 pixels, 69 degrees");
     declareTolerance(command, options->measure.tolerancePx);
 }
 
