@@ -12,11 +12,17 @@ namespace spherewalk::simulator {
 
 namespace {
 
-// At usual rates, no wait for an overlay makes as many frames due. The overlays bound the memory. The poses
-// suffice for one at each physics step of 1 ms during the longest wait of 10 s.
+// At usual rates, no wait for an overlay makes as many frames due. The overlays bound the memory; half of
+// their room is left for those that come while a frame is rendered. The poses suffice for one at each physics
+// step of 1 ms during the longest wait of 10 s.
 constexpr std::size_t kMostDue = 256;
 constexpr std::size_t kMostOverlays = 32;
+constexpr std::ptrdiff_t kMostWholeBehind = 16;
+constexpr std::size_t kMostStrays = 2;
 constexpr std::size_t kMostPoses = 16384;
+
+/// How long an overlay waits for its pose at least, where it may be one from before time went back.
+constexpr Stamp kPoseWait = std::chrono::seconds(1);
 
 /// Simulators round 1/30 s to whole nanoseconds, some downwards.
 constexpr long double kEarlyNs = 1000;
@@ -33,17 +39,39 @@ std::int64_t FrameSchedule::slotOf(Stamp stamp) const {
 
 void FrameSchedule::clear() {
     m_newest.reset();
+    m_endBefore.reset();
     m_lastSlot.reset();
     m_due.clear();
     m_recent.clear();
+    forgetOverlays();
+}
+
+void FrameSchedule::forgetOverlays() {
     m_overlays.clear();
+    m_strays.clear();
+}
+
+/// The overlay of the new start's first pose may have come before that pose.
+void FrameSchedule::startAnew(Stamp stamp) {
+    const Stamp endBefore = *m_newest;
+    auto strays = std::move(m_strays);
+    m_counters.dropped += m_due.size();
+    ++m_counters.restarts;
+    clear();
+    m_endBefore = endBefore;
+    for (auto& [of, overlay] : strays) {
+        if (of >= stamp) {
+            overlay.cameAt = stamp;
+            m_overlays.emplace(of, std::move(overlay));
+            --m_counters.overlaysUnused;
+        }
+    }
 }
 
 void FrameSchedule::addPose(Stamp stamp, const RigPose& roomFromCameras,
                             std::chrono::steady_clock::time_point takenAt) {
     if (m_newest && stamp < *m_newest) {
-        clear();
-        ++m_counters.restarts;
+        startAnew(stamp);
     }
     if (m_newest == stamp) {
         return;
@@ -64,35 +92,71 @@ void FrameSchedule::addPose(Stamp stamp, const RigPose& roomFromCameras,
 }
 
 OverlayParts* FrameSchedule::partsOf(Stamp stamp, std::size_t camera) {
-    std::vector<OverlayParts>& parts = m_overlays[stamp];
-    parts.resize(m_cameras);
+    if (fitsNothing(stamp)) {
+        return &stray(stamp).cameras[camera];
+    }
+    const Stamp now = m_newest.value_or(stamp);
+    const auto of = m_overlays.try_emplace(stamp, Overlay{std::vector<OverlayParts>(m_cameras), now}).first;
     if (m_overlays.size() <= kMostOverlays) {
-        return &parts[camera];
+        return &of->second.cameras[camera];
     }
     const auto first = m_overlays.begin();
     const auto last = std::prev(m_overlays.end());
-    const Stamp now = m_newest.value_or(stamp);
-    const Stamp farthest = last->first - now > now - first->first ? last->first : first->first;
-    m_overlays.erase(farthest);
+    const bool isEvery = m_options.pace == Pace::Every;
+    const auto forgotten = isEvery || last->first - now > now - first->first ? last : first;
+    if (const auto slot = m_due.find(slotOf(forgotten->first)); isEvery && slot != m_due.end()) {
+        slot->second.isGivenUp = true;
+    }
+    OverlayParts* const parts = forgotten == of ? nullptr : &of->second.cameras[camera];
+    m_overlays.erase(forgotten);
     ++m_counters.overlaysUnused;
-    return farthest == stamp ? nullptr : &parts[camera];
+    return parts;
+}
+
+FrameSchedule::Overlay& FrameSchedule::stray(Stamp stamp) {
+    for (auto& [of, overlay] : m_strays) {
+        if (of == stamp) {
+            return overlay;
+        }
+    }
+    ++m_counters.overlaysUnused;
+    if (m_strays.size() == kMostStrays) {
+        m_strays.pop_front();
+    }
+    return m_strays.emplace_back(stamp, Overlay{std::vector<OverlayParts>(m_cameras), *m_newest}).second;
+}
+
+bool FrameSchedule::fitsNothing(Stamp stamp) const {
+    return m_newest && stamp <= *m_newest && (!m_due.contains(slotOf(stamp)) || !poseAt(stamp));
 }
 
 void FrameSchedule::forgetOld() {
     while (m_due.size() > kMostDue) {
+        forgetOverlaysUpTo(m_due.begin()->first);
         m_due.erase(m_due.begin());
         ++m_counters.dropped;
     }
     if (!m_options.overlay) {
         return;
     }
-    // Frames that are due hold on to the poses and overlays since their own.
+    // Frames that are due hold on to the poses since their own.
+    const Stamp wait = m_options.overlay->wait;
     const Stamp since = m_due.empty() ? *m_newest : m_due.begin()->second.stamp;
-    const Stamp oldest = std::min(since, *m_newest - m_options.overlay->wait);
+    const Stamp oldest = std::min(since, *m_newest - wait);
     while (!m_recent.empty() && (m_recent.begin()->first < oldest || m_recent.size() > kMostPoses)) {
         m_recent.erase(m_recent.begin());
     }
-    while (!m_overlays.empty() && m_overlays.begin()->first < oldest) {
+    const auto isFromBefore = [&](const auto& overlay) {
+        const auto& [stamp, of] = overlay;
+        return m_endBefore && stamp > *m_newest && stamp - wait <= *m_endBefore &&
+               *m_newest - of.cameAt > std::max(wait, kPoseWait);
+    };
+    m_counters.overlaysUnused += std::erase_if(
+        m_overlays, [&](const auto& overlay) { return fitsNothing(overlay.first) || isFromBefore(overlay); });
+}
+
+void FrameSchedule::forgetOverlaysUpTo(std::int64_t slot) {
+    while (!m_overlays.empty() && slotOf(m_overlays.begin()->first) <= slot) {
         m_overlays.erase(m_overlays.begin());
         ++m_counters.overlaysUnused;
     }
@@ -121,9 +185,21 @@ std::optional<FrameSchedule::Pose> FrameSchedule::poseAt(Stamp stamp) const {
                 StampedPose{before->first, before->second.roomFromCameras}};
 }
 
-bool FrameSchedule::isWhole(const std::vector<OverlayParts>& overlays) const {
-    return std::all_of(overlays.begin(), overlays.end(),
+bool FrameSchedule::isWhole(const Overlay& overlay) const {
+    return std::all_of(overlay.cameras.begin(), overlay.cameras.end(),
                        [this](const OverlayParts& parts) { return parts.isWhole(m_options.overlay->by); });
+}
+
+bool FrameSchedule::waitsInVain(const Slots::value_type& slot) const {
+    const auto& [number, first] = slot;
+    if (first.isGivenUp || *m_newest - first.stamp >= m_options.overlay->wait) {
+        return true;
+    }
+    // Of overlays ahead of all poses, none is known to be of a frame.
+    const auto end = m_overlays.upper_bound(*m_newest);
+    return std::count_if(m_overlays.begin(), end, [&, after = number](const auto& overlay) {
+               return slotOf(overlay.first) > after && isWhole(overlay.second);
+           }) >= kMostWholeBehind;
 }
 
 std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
@@ -137,12 +213,12 @@ std::optional<DueFrame> FrameSchedule::frameOf(const Slots::value_type& slot) {
         }
         if (const std::optional<Pose> pose = poseAt(it->first)) {
             DueFrame frame{it->first, pose->roomFromCameras, pose->takenAt, pose->before,
-                           std::move(it->second)};
+                           std::move(it->second.cameras)};
             m_overlays.erase(it);
             return frame;
         }
     }
-    if (*m_newest - first.stamp >= m_options.overlay->wait) {
+    if (waitsInVain(slot)) {
         return DueFrame{first.stamp, first.pose.roomFromCameras, first.pose.takenAt, first.pose.before, {}};
     }
     return std::nullopt;
@@ -161,11 +237,12 @@ std::optional<DueFrame> FrameSchedule::next() {
     return std::nullopt;
 }
 
-/// Takes out the slot, and the slots before it, which are late.
+/// Takes out the slot, and the slots before it, which are late, with all their overlays.
 std::optional<DueFrame> FrameSchedule::take(Slots::iterator slot) {
     std::optional<DueFrame> frame = frameOf(*slot);
     if (frame) {
         m_counters.dropped += static_cast<std::uint64_t>(std::distance(m_due.begin(), slot));
+        forgetOverlaysUpTo(slot->first);
         m_due.erase(m_due.begin(), std::next(slot));
     }
     return frame;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace spherewalk::simulator {
@@ -191,6 +192,93 @@ TEST_F(Schedule, OverlaysThatFitNothingAreCountedAndForgotten) {
     overlay(5300ms);
     EXPECT_THAT(frames(), ElementsAre(5300));
     EXPECT_THAT(withOverlay, ElementsAre(false, true));
+}
+
+TEST_F(Schedule, AMissingOverlayCostsOneFrameItsOverlayAndTheNextOnesNothing) {
+    for (const Stamp wait : {0ms, 100ms, 500ms, 1000ms, 10'000ms}) {
+        want(0, Pace::Every, wait);
+        FrameSchedule own(options);
+        std::vector<std::int64_t> given;
+        std::vector<std::int64_t> without;
+        for (int k = 0; k < 2000; ++k) { // 100 poses a second
+            const bool isLost = k == 3 || k == 1000;
+            if (OverlayParts* parts = isLost ? nullptr : own.partsOf(k * 10ms)) {
+                parts->colour = RgbImage(1, 1);
+                parts->depth = DepthImage(1, 1);
+            }
+            own.addPose(k * 10ms, {Rigid3()}, {});
+            while (const auto frame = own.next()) {
+                given.push_back(frame->stamp / 10ms);
+                if (frame->overlays.empty()) {
+                    without.push_back(given.back());
+                }
+            }
+        }
+        EXPECT_THAT(without, ElementsAre(3, 1000)) << wait / 1ms;
+        ASSERT_EQ(given.size(), 2000U) << wait / 1ms;
+        EXPECT_TRUE(std::is_sorted(given.begin(), given.end()));
+        EXPECT_EQ(own.counters().overlaysUnused, 0U);
+    }
+}
+
+TEST_F(Schedule, OverlaysThatComeFasterThanFramesAreRenderedAreKeptForTheFirstFrames) {
+    want(0, Pace::Every, 10s);
+    for (int k = 0; k < 100; ++k) {
+        pose(k * 10ms);
+        overlay(k * 10ms);
+    }
+    ASSERT_EQ(frames().size(), 100U) << "the others do not wait for overlays that were forgotten";
+    EXPECT_EQ(std::count(withOverlay.begin(), withOverlay.begin() + 32, true), 32);
+    EXPECT_EQ(std::count(withOverlay.begin() + 32, withOverlay.end(), false), 68);
+    EXPECT_EQ(schedule.counters().overlaysUnused, 68U);
+    pose(2000ms);
+    overlay(2000ms);
+    EXPECT_THAT(frames(), ElementsAre(2000));
+    EXPECT_TRUE(withOverlay.back());
+}
+
+TEST_F(Schedule, AnOverlayThatComesAfterItsFrameIsDroppedAndTakesNoRoom) {
+    want(0, Pace::Every, 100ms);
+    pose(0ms);
+    pose(100ms);
+    EXPECT_THAT(frames(), ElementsAre(0));
+    for (int round = 0; round < 100; ++round) {
+        overlay(0ms);
+        overlay(50ms); // of no pose
+    }
+    EXPECT_EQ(schedule.counters().overlaysUnused, 2U);
+    overlay(100ms);
+    EXPECT_THAT(frames(), ElementsAre(100));
+    EXPECT_THAT(withOverlay, ElementsAre(false, true));
+}
+
+TEST_F(Schedule, AfterANewStartTheFirstOverlayMayComeBeforeItsPose) {
+    want(0, Pace::Every, 500ms);
+    for (int round = 0; round < 3; ++round) {
+        for (int ms = 0; ms < 300; ms += 100) { // in lock-step
+            overlay(ms * 1ms);
+            pose(ms * 1ms);
+            EXPECT_THAT(frames(), ElementsAre(ms)) << round;
+        }
+    }
+    EXPECT_EQ(std::count(withOverlay.begin(), withOverlay.end(), false), 0);
+    EXPECT_EQ(schedule.counters().restarts, 2U);
+    EXPECT_EQ(schedule.counters().overlaysUnused, 0U);
+}
+
+TEST_F(Schedule, AnOverlayFromBeforeANewStartIsNotLaidIntoALaterFrame) {
+    want(0, Pace::Every, 500ms);
+    pose(5000ms);
+    pose(0ms);
+    EXPECT_EQ(schedule.counters().dropped, 1U) << "the frame that waited when time went back";
+    overlay(5000ms); // was under way when time went back
+    for (int ms = 0; ms <= 5000; ms += 100) {
+        pose(ms * 1ms);
+        EXPECT_THAT(frames(), IsEmpty());
+        overlay(ms * 1ms);
+        EXPECT_THAT(frames(), ElementsAre(ms));
+    }
+    EXPECT_EQ(schedule.counters().overlaysUnused, 1U);
 }
 
 TEST_F(Schedule, WhatWaitsIsBounded) {

@@ -61,7 +61,8 @@ struct OverlayOptions {
     /// this share of the room's depth.
     double nearerM = 0.02;
     double nearerShare = 0.01;
-    /// A frame without its overlay is rendered when a pose comes that is later by this simulation time.
+    /// A frame without its overlay is rendered when a pose comes that is later by this simulation time; with
+    /// Pace::Every, also when 16 later frames have their overlays.
     Stamp wait = std::chrono::milliseconds(500);
     /// An overlay between two poses is laid into a frame of the interpolated pose. Otherwise an overlay fits
     /// the pose of exactly its stamp only.
@@ -92,7 +93,7 @@ struct OverlayParts {
 enum class Pace {
     Newest, ///< Late frames are left out; this suits a simulation that runs by itself.
     Every,  ///< All are rendered in turn, for lock-step and recordings; of more than 256 the oldest is left
-            ///< out.
+            ///< out. At most 34 overlays wait; what comes beyond them costs its own frame the overlay.
 };
 
 /// The words "newest", "every". Errors: pace() throws InvalidInput for another word.

@@ -26,7 +26,7 @@ struct MountedCamera {
 struct CameraCounters {
     std::uint64_t poses = 0; ///< Poses that were taken, whether or not somebody listened.
     std::uint64_t frames = 0;
-    std::uint64_t dropped = 0;  ///< Due frames that were left out for a newer one.
+    std::uint64_t dropped = 0;  ///< Due frames that were left out for a newer one, or as time went back.
     std::uint64_t restarts = 0; ///< How often simulation time went back.
     std::uint64_t outside = 0;  ///< Frames from outside of the dataset's room.
     std::uint64_t overlaysLaid = 0;
