@@ -11,7 +11,7 @@ namespace spherewalk::ros {
 
 namespace {
 
-constexpr std::int32_t kPictures = 2;     ///< that are kept for a reader
+constexpr std::int32_t kPictures = 32;    ///< as many overlays as a camera keeps
 constexpr std::int32_t kTransforms = 100; ///< as tf2_ros has it
 constexpr dds_duration_t kMostBlocking = DDS_MSECS(10);
 
@@ -31,7 +31,10 @@ Qos qosOf(Quality quality, bool isReader) {
     const bool isBestEffort = quality == Quality::Sensor && isReader;
     dds_qset_reliability(qos.get(), isBestEffort ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
                          kMostBlocking);
-    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, quality == Quality::Sensor ? kPictures : kTransforms);
+    // DDS itself bounds what writers keep of pictures: a reader that does not answer makes them wait.
+    const bool keepsAll = quality == Quality::Sensor && !isReader;
+    dds_qset_history(qos.get(), keepsAll ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST,
+                     quality == Quality::Sensor ? kPictures : kTransforms);
     dds_qset_durability(qos.get(), quality == Quality::Latched ? DDS_DURABILITY_TRANSIENT_LOCAL
                                                                : DDS_DURABILITY_VOLATILE);
     return qos;
@@ -69,12 +72,13 @@ dds_entity_t DdsPort::writer(const std::string& topic, const dds_topic_descripto
         "write " + topic);
 }
 
-void DdsPort::write(dds_entity_t writer, const void* message) {
-    // A reader that cannot keep up misses messages; that is no error.
+bool DdsPort::write(dds_entity_t writer, const void* message) {
     const dds_return_t result = dds_write(writer, message);
-    if (result != DDS_RETCODE_TIMEOUT) {
-        checked(result, "write a message");
+    if (result == DDS_RETCODE_TIMEOUT) {
+        return false;
     }
+    checked(result, "write a message");
+    return true;
 }
 
 std::uint32_t DdsPort::readersOf(dds_entity_t writer) {

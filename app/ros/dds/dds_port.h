@@ -13,7 +13,7 @@ namespace spherewalk::ros {
 /// The quality of service with which a topic of ROS 2 is read or written. A writer must offer what its
 /// readers ask for.
 enum class Quality {
-    Sensor,   ///< For pictures. Readers ask for the newest few with best effort; writers are reliable.
+    Sensor,   ///< For pictures. Readers ask with best effort; writers keep each for reliable readers.
     Reliable, ///< For transforms: every message arrives.
     Latched,  ///< For /tf_static: late readers get the earlier messages too.
 };
@@ -40,7 +40,9 @@ class DdsPort {
 
     dds_entity_t writer(const std::string& topic, const dds_topic_descriptor_t& type, Quality quality);
 
-    static void write(dds_entity_t writer, const void* message);
+    /// Returns false if a reliable reader did not take earlier messages within 10 ms, so that this one was
+    /// not written.
+    static bool write(dds_entity_t writer, const void* message);
 
     /// Number of readers that the writer has now.
     static std::uint32_t readersOf(dds_entity_t writer);

@@ -9,6 +9,8 @@
 #include "spherewalk/base/error.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <stop_token>
@@ -18,6 +20,10 @@
 namespace spherewalk::ros {
 
 namespace {
+
+/// How long a frame waits for a reader. DDS takes a process that does not answer for dead after ten seconds.
+constexpr auto kPatience = std::chrono::seconds(1);
+constexpr auto kMostPatience = std::chrono::seconds(10);
 
 struct DdsOptions {
     NodeOptions node;
@@ -55,11 +61,16 @@ class DdsNode {
     void readOverlay(OverlayTopic topic, std::size_t camera);
     void readCamera(std::size_t camera);
     void publish(const PublishedFrame& frame);
+    /// Waits for readers that are busy, so that frames are left out as a whole. Errors: Timeout for one that
+    /// takes nothing where every frame counts.
+    void write(dds_entity_t writer, const void* message) const;
     void publishDiagnostics();
     bool hasReaders() const;
     Stamp now() const;
 
     DdsOptions m_options;
+    const bool m_isEvery; ///< Every frame counts.
+    std::atomic<bool> m_isStopping = false;
     DdsPort m_port;
     dds_entity_t m_diagnostics;
     std::vector<Writers> m_writers; ///< one a camera; constant once somebody listens
@@ -69,6 +80,7 @@ class DdsNode {
 
 DdsNode::DdsNode(const DdsOptions& options)
     : m_options(options),
+      m_isEvery(options.node.pace == "every"),
       m_port(options.domain),
       m_diagnostics(
           m_port.writer("/diagnostics", diagnostic_msgs_msg_dds__DiagnosticArray__desc, Quality::Reliable)),
@@ -159,23 +171,38 @@ void DdsNode::readCamera(std::size_t camera) {
                                    });
 }
 
+void DdsNode::write(dds_entity_t writer, const void* message) const {
+    const Clock::time_point end = Clock::now() + (m_isEvery ? kMostPatience : kPatience);
+    while (!DdsPort::write(writer, message) && !m_isStopping) {
+        if (Clock::now() < end) {
+            continue;
+        }
+        if (m_isEvery) {
+            throw Error(ErrorKind::Timeout,
+                        "A frame was not published whole: a reader of this camera's topics took nothing for "
+                        "ten seconds. End that reader, or let it ask for best effort.");
+        }
+        return; // the others shall have the newest
+    }
+}
+
 void DdsNode::publish(const PublishedFrame& frame) {
     const std::string& frameId = m_node.cameras()[frame.camera].frameId;
     const Writers& writers = m_writers[frame.camera];
     const CameraInfoMessage info = cameraInfoOf(frame, frameId);
     const ImageMessage image = imageOf(frame, frame.image, frameId);
-    DdsPort::write(writers.infos, &info);
-    DdsPort::write(writers.images, &image);
+    write(writers.infos, &info);
+    write(writers.images, &image);
     if (writers.depths != 0 && frame.depth.bytes != nullptr) {
         const ImageMessage depth = imageOf(frame, frame.depth, frameId);
-        DdsPort::write(writers.depthInfos, &info);
-        DdsPort::write(writers.depths, &depth);
+        write(writers.depthInfos, &info);
+        write(writers.depths, &depth);
     }
     if (writers.labels != 0 && frame.labels.bytes != nullptr) {
         const ImageMessage labels = imageOf(frame, frame.labels, frameId);
         const FrameDetections detections(frame, frameId);
-        DdsPort::write(writers.labels, &labels);
-        DdsPort::write(writers.detections, &detections.message());
+        write(writers.labels, &labels);
+        write(writers.detections, &detections.message());
     }
 }
 
@@ -228,6 +255,7 @@ void DdsNode::run(const std::stop_token& stop) {
             publishDiagnostics();
         }
     }
+    m_isStopping = true;
 }
 
 } // namespace

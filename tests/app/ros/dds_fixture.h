@@ -98,10 +98,11 @@ class DdsTest : public testing::Test {
     }
 
     void startNode(const std::vector<std::string>& more = {}, const std::string& rate = "0",
-                   const std::vector<std::string>& cameras = {"--camera", kCamera}) {
+                   const std::vector<std::string>& cameras = {"--camera", kCamera},
+                   const std::string& pace = "every") {
         std::vector<std::string> command{
             SPHEREWALK_DDS, kDataset, "--namespace", "/robot",   "--pace",
-            "every",        "--rate", rate,          "--domain", std::to_string(domain)};
+            pace,           "--rate", rate,          "--domain", std::to_string(domain)};
         command.insert(command.end(), cameras.begin(), cameras.end());
         command.insert(command.end(), more.begin(), more.end());
         node.emplace(command);

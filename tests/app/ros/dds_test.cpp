@@ -7,7 +7,9 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/render/sensor.h"
 
+#include <algorithm>
 #include <csignal>
+#include <memory>
 
 namespace spherewalk::ros {
 
@@ -128,6 +130,88 @@ TEST_F(DdsTest, ARigGivesColourAndDepthOfItsCamerasWithEqualStamps) {
     EXPECT_NEAR(p3["right"], -camera.intrinsics().fx * 0.12, 1e-6);
     node->signal(SIGINT);
     EXPECT_EQ(node->wait(), 0) << node->errors();
+}
+
+/// Keeps two pictures until they are taken, and lets the others wait at the node.
+class BusyReader {
+  public:
+    BusyReader(std::uint32_t domain, const std::string& topic)
+        : m_participant(dds_create_participant(domain, nullptr, nullptr)) {
+        const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(), &dds_delete_qos);
+        dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
+        dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, 0);
+        dds_qset_resource_limits(qos.get(), 2, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+        const dds_entity_t of = dds_create_topic(m_participant, &sensor_msgs_msg_dds__Image__desc,
+                                                 ("rt" + topic).c_str(), nullptr, nullptr);
+        m_reader = dds_create_reader(m_participant, of, qos.get(), nullptr);
+    }
+
+    ~BusyReader() { dds_delete(m_participant); }
+
+    BusyReader(const BusyReader&) = delete;
+    BusyReader& operator=(const BusyReader&) = delete;
+
+    void takeOne() {
+        void* message = nullptr;
+        dds_sample_info_t info{};
+        const std::int32_t count = dds_take(m_reader, &message, &info, 1, 1);
+        if (count == 1 && info.valid_data) {
+            stamps.push_back(stampOf(static_cast<const ImageMessage*>(message)->header.stamp));
+        }
+        if (count > 0) {
+            dds_return_loan(m_reader, &message, count);
+        }
+    }
+
+    std::vector<Stamp> stamps;
+
+  private:
+    dds_entity_t m_participant;
+    dds_entity_t m_reader = 0;
+};
+
+TEST_F(DdsTest, AReaderThatIsBusyGetsWholeFramesAndAllOfThemWithThePaceEvery) {
+    for (const std::string pace : {"every", "newest"}) {
+        BusyReader depths(domain, "/robot/camera/depth/image");
+        std::vector<Stamp> colours;
+        DdsPort listener(domain);
+        listener.read<ImageMessage>(
+            "/robot/camera/image_raw", sensor_msgs_msg_dds__Image__desc, Quality::Reliable,
+            [&](const ImageMessage& message) { colours.push_back(stampOf(message.header.stamp)); });
+        startNode({"--depth", "32FC1", "--scene", "sphere"}, "0", {"--camera", kCamera}, pace);
+        moveUntil("the first pictures", [&] {
+            depths.takeOne();
+            listener.spinFor(20ms);
+            return !depths.stamps.empty() && !colours.empty();
+        });
+        for (int i = 0; i < 60; ++i) { // faster than the reader takes them
+            move();
+            listener.spinFor(5ms);
+            if (i % 3 == 0) {
+                depths.takeOne();
+            }
+        }
+        waitFor("the last pictures", [&] {
+            depths.takeOne();
+            listener.spinFor(1ms);
+            return depths.stamps.back() == now && colours.back() == now;
+        });
+        const Stamp first = std::max(depths.stamps.front(), colours.front());
+        for (std::vector<Stamp>* stamps : {&depths.stamps, &colours}) {
+            stamps->erase(stamps->begin(), std::lower_bound(stamps->begin(), stamps->end(), first));
+        }
+        EXPECT_EQ(depths.stamps, colours) << pace;
+        if (pace == "every") {
+            EXPECT_EQ(colours.size(), static_cast<std::size_t>((now - first) / 10ms) + 1);
+        }
+        for (int i = 0; i < 20; ++i) { // pictures that nobody takes
+            move();
+            port.spinFor(20ms);
+        }
+        node->signal(SIGINT);
+        EXPECT_EQ(node->wait(), 0) << node->errors();
+        EXPECT_EQ(node->errors().find("ten seconds"), std::string::npos) << "the end waits for no reader";
+    }
 }
 
 TEST_F(DdsTest, TakesGarbageWithoutHarmAndReportsIt) {
