@@ -88,12 +88,16 @@ GivenValue givenValue(const rclcpp::ParameterValue& value) {
     }
 }
 
+/// Pictures that are kept for reliable subscribers. Of two, busy subscribers lost those that were sent last.
+constexpr std::size_t kPictureQueue = 32;
+
 /// Publishes boxes; where the program was built without vision_msgs, it does nothing.
 class DetectionsPublisher {
   public:
 #ifdef SPHEREWALK_VISION_MSGS
     void advertise(rclcpp::Node& node, const std::string& topic) {
-        m_publisher = node.create_publisher<vision_msgs::msg::Detection2DArray>(topic, rclcpp::QoS(2));
+        m_publisher =
+            node.create_publisher<vision_msgs::msg::Detection2DArray>(topic, rclcpp::QoS(kPictureQueue));
     }
 
     bool isHeard() const {
@@ -194,15 +198,15 @@ void RclcppNode::advertise(const PublishedCamera& camera) {
     using sensor_msgs::msg::Image;
     const std::size_t index = m_publishers.size();
     Publishers publishers;
-    publishers.images = create_publisher<Image>(camera.name + "/image_raw", rclcpp::QoS(2));
-    publishers.infos = create_publisher<CameraInfo>(camera.name + "/camera_info", rclcpp::QoS(2));
+    publishers.images = create_publisher<Image>(camera.name + "/image_raw", rclcpp::QoS(kPictureQueue));
+    publishers.infos = create_publisher<CameraInfo>(camera.name + "/camera_info", rclcpp::QoS(kPictureQueue));
     if (!camera.depthTopic.empty()) {
-        publishers.depths = create_publisher<Image>(camera.depthTopic, rclcpp::QoS(2));
+        publishers.depths = create_publisher<Image>(camera.depthTopic, rclcpp::QoS(kPictureQueue));
         publishers.depthInfos =
-            create_publisher<CameraInfo>(camera.name + "/depth/camera_info", rclcpp::QoS(2));
+            create_publisher<CameraInfo>(camera.name + "/depth/camera_info", rclcpp::QoS(kPictureQueue));
     }
     if (!camera.labelsTopic.empty()) {
-        publishers.labels = create_publisher<Image>(camera.labelsTopic, rclcpp::QoS(2));
+        publishers.labels = create_publisher<Image>(camera.labelsTopic, rclcpp::QoS(kPictureQueue));
         publishers.detections.advertise(*this, camera.detectionsTopic);
     }
     m_publishers.push_back(publishers);
