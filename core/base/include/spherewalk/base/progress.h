@@ -49,7 +49,7 @@ class TimeLeft {
     explicit TimeLeft(TimePoint start) : m_start(start), m_seen{{start, 0}} {}
 
     /// The time that the rest will take. There is no estimate before one percent or one second, or while half
-    /// of the time gains less than half a percent. Calls must be in the order of time; many calls make the estimate better.
+    /// of the time gains less than 0.5 %. Calls must be in the order of time; many make the estimate better.
     std::optional<std::chrono::duration<double>> at(TimePoint now, double fraction);
 
   private:
