@@ -352,7 +352,8 @@ class Run {
             m_people.align(m_survey);
         }
         const fs::path dataset = m_folder / "dataset";
-        const Answer exported = m_people.run({"export", m_survey.string(), dataset.string()});
+        const Answer exported =
+            m_people.run({"export", m_survey.string(), dataset.string(), "--scene", "sphere"});
         Findings findings = examine(m_survey, evidence());
         if (exported.status != 0) {
             violate("export said: " + exported.errors);

@@ -192,7 +192,7 @@ class Outcome:
         _, out, words = run(cli, "align", where, "--json")
         self.align = json.loads(out)
         self.align_words = " ".join(word for word in words.splitlines() if "%" not in word[-20:])
-        _, _, self.export_words = run(cli, "export", where, folder / "d")
+        _, _, self.export_words = run(cli, "export", where, folder / "d", "--scene", "sphere")
         file = folder / "d" / "dataset.json"
         self.dataset = json.loads(file.read_text()) if file.exists() else {"photos": []}
 
