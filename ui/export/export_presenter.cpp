@@ -130,8 +130,8 @@ ExportPresenter::Done ExportPresenter::exported(const std::filesystem::path& sur
     }
     jobs::MeasureOptions measure;
     measure.tolerancePx = tolerance->px;
-    const jobs::ChosenExport chosen = jobs::exportChosen(store, folder, CameraModel(tolerance->camera),
-                                                         measure, options.write, progress, stop);
+    const jobs::ChosenExport chosen =
+        jobs::exportChosen(store, folder, CameraModel(tolerance->camera), measure, options, progress, stop);
     const render::Dataset dataset = render::Dataset::open(folder, render::Verify::Sizes, noProgress(), stop);
     jobs::writeReport({&dataset.info(), &chosen.measured, nullptr}, folder / kReportFolder);
     return {chosen.exported, chosen.measured.choice.reason, seconds(), dataset.info().surveyId};

@@ -117,7 +117,7 @@ Result resultOf(const jobs::ExportReport& report, const std::string& dataset) {
 Result exportChosen(const ExportArguments& options, const store::SurveyStore& store, Context& context) {
     const jobs::ChosenExport chosen =
         jobs::exportChosen(store, options.dataset, CameraModel(cameraOf(options)), options.measure,
-                           options.write.write, context.progress, context.stop);
+                           exportOptions(options, kMeasured), context.progress, context.stop);
     Result result = resultOf(chosen.exported, options.dataset);
     result.json["scene"] = render::name(chosen.scene);
     result.json["measured"] = jobs::toJson(chosen.measured);

@@ -121,8 +121,8 @@ void changeDescription(const std::filesystem::path& dataset, const std::function
 } // namespace
 
 ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folder, const CameraModel& camera,
-                          const MeasureOptions& measure, const dataset::WriteOptions& write,
-                          ProgressSink& progress, const std::stop_token& stop) {
+                          const MeasureOptions& measure, ExportOptions options, ProgressSink& progress,
+                          const std::stop_token& stop) {
     measure.validate();
     requireAbsent(folder, "the dataset");
     const fs::path cache = measureCacheFolder(store.folder());
@@ -139,7 +139,8 @@ ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folde
         result.scene = std::max(result.scene, result.measured.rungs[*result.measured.choice.rung].scene);
     }
     ProgressStep writing(progress, kMeasured, 1);
-    result.exported = exportDataset(store, folder, {write, result.scene, {}}, writing, stop);
+    options.scene = result.scene;
+    result.exported = exportDataset(store, folder, options, writing, stop);
     if (result.measured.choice.rung) {
         storeChoice(folder, result.measured);
     }

@@ -4,6 +4,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/practice/practice_room.h"
 #include "spherewalk/render/dataset.h"
@@ -120,6 +121,13 @@ TEST_F(RobotSurvey, ThePhotosStayWhereTheyShall) {
     m_options.clearsCarried = false;
     EXPECT_EQ(exported("kept").carriedShare, 0);
     EXPECT_EQ(photoIn("kept"), before);
+    MeasureOptions measure;
+    measure.mostViews = 2;
+    measure.samplingViews = 1;
+    measure.scene = render::SceneKind::Depth;
+    const CameraModel camera(CameraIntrinsics::pinhole(64, 48, 1));
+    exportChosen(*m_store, m_folder / "chosen", camera, measure, m_options, noProgress(), {});
+    EXPECT_EQ(photoIn("chosen"), before) << "so do those of a scene model that was measured";
     m_options.clearsCarried = true;
     m_options.scene = render::SceneKind::Sphere;
     EXPECT_EQ(exported("sphere").carriedShare, 0);

@@ -32,13 +32,13 @@ struct ChosenExport {
 
 /// Exports no richer scene model than the tolerance needs. Measures all of them on a dataset in the survey's
 /// cache, exports with the cheapest that holds the tolerance (or the best, if none does), and stores the
-/// choice in the new dataset. The cache keeps the results: a run after a stop goes on where it was.
+/// choice in the new dataset. The cache keeps the results: a run after a stop goes on where it was. options:
+/// those of the export; its scene model is the one that was found.
 ///
 /// Errors: Exists, before anything is measured; those of exportDataset(), measureDataset(), storeChoice().
 ChosenExport exportChosen(const store::SurveyStore& store, const std::filesystem::path& folder,
-                          const CameraModel& camera, const MeasureOptions& measure,
-                          const dataset::WriteOptions& write, ProgressSink& progress,
-                          const std::stop_token& stop);
+                          const CameraModel& camera, const MeasureOptions& measure, ExportOptions options,
+                          ProgressSink& progress, const std::stop_token& stop);
 
 /// Writes the choice into the dataset's description, for views that are made with "auto". All else in the
 /// description stays, also what this version does not understand.
