@@ -12,6 +12,8 @@
 #include "ui/look/words.h"
 #include "ui/tasks/task_panel.h"
 
+#include "spherewalk/jobs/measured_dataset.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
@@ -98,12 +100,11 @@ void ExportMode::setSession(SurveySession* session) {
 
 /// Proposes to measure where there is enough to compare, until somebody chooses.
 void ExportMode::proposeScene() {
-    constexpr int kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
     if (m_isSceneChosen || m_presenter->session() == nullptr) {
         return;
     }
     const int photos = m_presenter->session()->state().counts.stationsWithPhoto;
-    m_scene->setCurrentIndex(photos >= kEnoughToMeasure ? m_scene->count() - 1 : 0);
+    m_scene->setCurrentIndex(photos >= jobs::kEnoughToMeasure ? m_scene->count() - 1 : 0);
     m_isSceneChosen = false;
 }
 

@@ -14,6 +14,7 @@
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <iterator>
 #include <memory>
 
 namespace spherewalk::cli {
@@ -41,12 +42,11 @@ constexpr const char* kMeasured = "auto";
 
 /// To measure, unless a scene model is named, where there is enough to compare.
 std::string sceneOf(const ExportArguments& options, const store::SurveyStore& store) {
-    constexpr std::size_t kEnoughToMeasure = 8; // photos; with fewer there may be nothing to compare
     if (!options.scene.empty()) {
         return options.scene;
     }
     const auto solution = store.activeSolution();
-    const bool isEnough = solution && store.solvedPhotos(solution->id).size() >= kEnoughToMeasure;
+    const bool isEnough = solution && std::ssize(store.solvedPhotos(solution->id)) >= jobs::kEnoughToMeasure;
     return isEnough && options.write.testEvery == 0 ? kMeasured : "sphere";
 }
 

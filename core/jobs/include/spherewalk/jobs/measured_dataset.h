@@ -24,6 +24,9 @@ std::filesystem::path surveyDataset(const store::SurveyStore& store, render::Sce
                                     const std::filesystem::path& cacheFolder, ProgressSink& progress,
                                     const std::stop_token& stop);
 
+/// Number of photos from which on exports propose to measure; with fewer there may be nothing to compare.
+constexpr int kEnoughToMeasure = 8;
+
 struct ChosenExport {
     MeasureReport measured;
     render::SceneKind scene = render::SceneKind::Sphere; ///< The richest one that was exported.
