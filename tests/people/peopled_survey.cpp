@@ -29,7 +29,8 @@ PracticeRoomOptions roomOptions(practice::RoomStyle style) {
     return options;
 }
 
-/// The places of a grid that are in free floor, those next to the room's middle first.
+/// The places of a grid that are in free floor, those next to the room's middle first, or with other seeds
+/// than 1 those next to any of them.
 std::vector<Eigen::Vector3d> places(const PracticeRoom& room, const PeopledOptions& options) {
     constexpr double kFreeM = 0.3;
     const practice::RoomPlan plan = room.plan();
@@ -51,9 +52,13 @@ std::vector<Eigen::Vector3d> places(const PracticeRoom& room, const PeopledOptio
             }
         }
     }
-    const Eigen::Vector3d middle = options.room == practice::RoomStyle::Flat
-                                       ? Eigen::Vector3d(0.27 * size.x(), 0.6 * size.y(), kLensM)
-                                       : Eigen::Vector3d(0.5 * size.x(), 0.5 * size.y(), kLensM);
+    Eigen::Vector3d middle(size.x() / 2, size.y() / 2, kLensM);
+    if (options.seed != 1) {
+        FixedRandom random(options.seed, 1234);
+        middle = all[random.below(all.size())];
+    } else if (options.room == practice::RoomStyle::Flat) {
+        middle = {0.27 * size.x(), 0.6 * size.y(), kLensM};
+    }
     std::ranges::stable_sort(all, {}, [&](const auto& at) { return (at - middle).norm(); });
     all.resize(std::min<std::size_t>(all.size(), static_cast<std::size_t>(options.mostPhotos)));
     return all;

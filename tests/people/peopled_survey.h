@@ -17,7 +17,7 @@ struct PeopledOptions {
     double stepM = 0.4;
     bool isReal = false;  ///< Photos have the flaws of a real camera.
     double tiltDeg = 0.5; ///< Standard deviation of pitch and of roll.
-    int mostPhotos = 36;  ///< A block of the grid around the room's middle.
+    int mostPhotos = 36;  ///< A block of the grid around the room's middle, or with a seed but 1 elsewhere.
     double peopled = 0;   ///< Share of the photos that show somebody.
     int width = 1024;
     std::uint64_t seed = 1;

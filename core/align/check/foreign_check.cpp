@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -22,9 +23,10 @@ namespace {
 constexpr double kLeastBaselineM = 0.08;
 constexpr double kMostBaselineM = 3;
 constexpr double kBestBaselineM = 0.45; ///< Less says little of distances, more is hidden more often.
-constexpr int kSectors = 6;
+constexpr std::size_t kSectors = 6;
 constexpr std::size_t kMostWitnesses = 10;
 constexpr double kLeastPart = 0.002; ///< Of the sphere. Reflections and rims are smaller.
+constexpr double kMostPart = 0.15;   ///< Of the sphere. A grown-up 45 cm from the lens covers 13 %.
 
 double distanceM(const SightPhoto& a, const SightPhoto& b) {
     return (a.roomFromPhoto->translation - b.roomFromPhoto->translation).norm();
@@ -34,33 +36,35 @@ bool isUsable(const SightPhoto& photo) {
     return photo.roomFromPhoto && !photo.picture.empty();
 }
 
-/// In each direction the photo whose distance tells most.
+/// In each direction the photo whose distance tells most, and then the others whose distances do: at the rim
+/// of a survey few directions have any.
 std::vector<int> neighboursOf(std::size_t photo, std::span<const SightPhoto> photos) {
-    std::vector<int> best(kSectors, -1);
     if (!isUsable(photos[photo])) {
         return {};
     }
-    const auto merit = [&](std::size_t other) {
-        return -std::abs(std::log(distanceM(photos[photo], photos[other]) / kBestBaselineM));
-    };
+    std::vector<int> neighbours;
     for (std::size_t other = 0; other < photos.size(); ++other) {
         if (other == photo || !isUsable(photos[other])) {
             continue;
         }
         const double away = distanceM(photos[photo], photos[other]);
-        if (away < kLeastBaselineM || away > kMostBaselineM) {
-            continue;
-        }
-        const Eigen::Vector3d to =
-            photos[other].roomFromPhoto->translation - photos[photo].roomFromPhoto->translation;
-        const double turn = std::atan2(to.y(), to.x()) / (2 * std::numbers::pi) + 0.5;
-        int& kept = best[static_cast<std::size_t>(turn * kSectors) % kSectors];
-        if (kept < 0 || merit(other) > merit(static_cast<std::size_t>(kept))) {
-            kept = static_cast<int>(other);
+        if (away >= kLeastBaselineM && away <= kMostBaselineM) {
+            neighbours.push_back(static_cast<int>(other));
         }
     }
-    std::erase(best, -1);
-    return best;
+    std::ranges::stable_sort(neighbours, {}, [&](int other) {
+        return std::abs(
+            std::log(distanceM(photos[photo], photos[static_cast<std::size_t>(other)]) / kBestBaselineM));
+    });
+    std::array<bool, kSectors> isCovered{};
+    std::ranges::stable_partition(neighbours, [&](int other) {
+        const Eigen::Vector3d to = photos[static_cast<std::size_t>(other)].roomFromPhoto->translation -
+                                   photos[photo].roomFromPhoto->translation;
+        const double turn = std::atan2(to.y(), to.x()) / (2 * std::numbers::pi) + 0.5;
+        return !std::exchange(isCovered[static_cast<std::size_t>(turn * kSectors) % kSectors], true);
+    });
+    neighbours.resize(std::min(neighbours.size(), isCovered.size()));
+    return neighbours;
 }
 
 /// The nearest photos, whose distances say what is seen through.
@@ -172,7 +176,7 @@ class ForeignSearch {
         searchIn(doubted);
         ForeignCheck result;
         for (const std::size_t i : all) {
-            result.isJudged.push_back(!m_sights[i].empty());
+            result.isJudged.push_back(!m_sights[i].empty() && !isAlone(i));
             std::ranges::move(things(i), std::back_inserter(result.things));
         }
         return result;
@@ -213,8 +217,17 @@ class ForeignSearch {
     }
 
     std::vector<ForeignThing> things(std::size_t photo) const {
-        return m_sights[photo].empty() ? std::vector<ForeignThing>()
-                                       : areasIn(static_cast<int>(photo), m_foreign[photo]);
+        return m_sights[photo].empty() || isAlone(photo) ? std::vector<ForeignThing>()
+                                                         : areasIn(static_cast<int>(photo), m_foreign[photo]);
+    }
+
+    /// Whether no other photo sees what this one does: it may stand alone behind a wall.
+    bool isAlone(std::size_t photo) const {
+        double part = 0;
+        for (const ForeignThing& thing : areasIn(static_cast<int>(photo), m_foreign[photo])) {
+            part += thing.part;
+        }
+        return part > kMostPart;
     }
 
     /// What is foreign in one photo explains nothing in another: somebody may have kept still for both. It is
