@@ -48,18 +48,15 @@ render::Renderer openRenderer(const NodeOptions& options) {
                             renderer);
 }
 
-std::string fileOf(const std::string& urlOrFile) {
-    constexpr std::string_view kFile = "file://";
-    return urlOrFile.starts_with(kFile) ? urlOrFile.substr(kFile.size()) : urlOrFile;
-}
-
 /// The cameras of the rig; without a rig, one that sits at the camera's frame.
 std::vector<render::RigCamera> readCameras(const NodeOptions& options) {
     complete(options);
     if (!options.rig.empty()) {
-        return render::readRig(fileOf(options.rig));
+        return render::readRig(fileOf(options.rig, "rig"));
     }
-    return {{"camera", options.cameraFrame, render::readCameraInfo(fileOf(options.cameraInfoUrl)), Rigid3()}};
+    const std::string name = "camera";
+    return {
+        {name, options.cameraFrame, render::readCameraInfo(fileOf(options.cameraInfoUrl, name)), Rigid3()}};
 }
 
 std::vector<simulator::MountedCamera> mounted(const std::vector<render::RigCamera>& cameras) {

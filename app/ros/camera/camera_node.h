@@ -22,7 +22,7 @@ using Stamp = std::chrono::nanoseconds;
 /// The parameters of a node in every middleware. ROS spells their names with underscores: room_frame.
 struct NodeOptions {
     std::string dataset;           ///< Folder of the dataset.
-    std::string cameraInfoUrl;     ///< ROS camera-info YAML; "file://" in front is dropped.
+    std::string cameraInfoUrl;     ///< ROS camera-info YAML: a path, or file:// or package://.
     std::string rig;               ///< YAML of a rig of cameras, in place of one camera.
     std::string roomFrame = "map"; ///< Frame of the dataset's room.
     /// Optical frame: z forward, x right, y down. Of a rig, the frame in which its file places cameras.

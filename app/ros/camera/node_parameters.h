@@ -28,7 +28,9 @@ void assign(const std::string& name, const GivenValue& given, std::vector<int>& 
 template <class Visit>
 void visitParameters(NodeOptions& options, const Visit& visit) {
     visit("dataset", "Folder of the dataset", options.dataset);
-    visit("camera_info_url", "Camera-info YAML of the robot's camera: a path or file://",
+    visit("camera_info_url",
+          "Camera-info YAML of the robot's camera: a path, or file:// or package:// as camera_info_manager "
+          "reads them",
           options.cameraInfoUrl);
     visit("rig", "YAML of a rig of cameras, in place of camera_info_url", options.rig);
     visit("room_frame", "Frame of the dataset's room", options.roomFrame);

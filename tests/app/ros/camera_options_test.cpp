@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/camera_options.h"
 #include "expect_error.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
 
 namespace spherewalk::ros {
 
@@ -47,6 +54,82 @@ TEST(NodeOptions, AreRefusedWhereTheyMeanNothing) {
     expectRefused("need names", [](NodeOptions& o) { o.cameraFrame = o.roomFrame; });
     expectRefused("threads", [](NodeOptions& o) { o.threads = -1; });
     expectRefused("cache", [](NodeOptions& o) { o.cacheMb = 0; });
+}
+
+namespace {
+
+/// Sets a variable of the environment until its end.
+class Variable {
+  public:
+    Variable(const char* name, const std::string& value) : m_name(name) {
+        if (const char* before = std::getenv(name)) {
+            m_before = before;
+        }
+        setenv(name, value.c_str(), 1);
+    }
+
+    ~Variable() { m_before ? setenv(m_name, m_before->c_str(), 1) : unsetenv(m_name); }
+
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    const char* m_name;
+    std::optional<std::string> m_before;
+};
+
+void writeEmpty(const std::filesystem::path& file) {
+    create_directories(file.parent_path());
+    const std::ofstream written(file);
+}
+
+} // namespace
+
+TEST(CameraInfoUrl, IsAPathOrAUrlOfAFile) {
+    EXPECT_EQ(fileOf("robot.yaml", "camera"), "robot.yaml");
+    EXPECT_EQ(fileOf("/a b/robot.yaml", "camera"), "/a b/robot.yaml");
+    EXPECT_EQ(fileOf("file:///a b/robot.yaml", "camera"), "/a b/robot.yaml");
+    EXPECT_EQ(fileOf("FILE:///robot.yaml", "camera"), "/robot.yaml");
+    EXPECT_EQ(fileOf("odd/a://b", "camera"), "odd/a://b");
+    EXPECT_EQ(fileOf("", "camera"), "");
+}
+
+TEST(CameraInfoUrl, HasTheVariablesOfCameraInfoManager) {
+    const Variable home("HOME", "/home/r2d2");
+    {
+        const Variable rosHome("ROS_HOME", "/ros");
+        EXPECT_EQ(fileOf("file://${ROS_HOME}/camera_info/${NAME}.yaml", "left"),
+                  "/ros/camera_info/left.yaml");
+    }
+    const Variable noRosHome("ROS_HOME", "");
+    EXPECT_EQ(fileOf("file://${ROS_HOME}/${NAME}/${NAME}.yaml", "${NAME}"),
+              "/home/r2d2/.ros/${NAME}/${NAME}.yaml");
+    EXPECT_EQ(fileOf("/${OTHER}/$5.yaml", "left"), "/${OTHER}/$5.yaml");
+}
+
+TEST(CameraInfoUrl, FindsPackagesOfBothRos) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path root = folder.path();
+    writeEmpty(root / "two/share/ament_index/resource_index/packages/cameras");
+    writeEmpty(root / "one/cameras/package.xml");
+    writeEmpty(root / "one/lenses/package.xml");
+    const Variable ament("AMENT_PREFIX_PATH", "/nowhere:" + (root / "two").string());
+    const Variable packages("ROS_PACKAGE_PATH",
+                            (root / "one").string() + "::" + (root / "one/lenses").string());
+    EXPECT_EQ(fileOf("package://cameras/a/${NAME}.yaml", "left"), root / "two/share/cameras/a/left.yaml");
+    EXPECT_EQ(fileOf("package://lenses/b.yaml", "left"), root / "one/lenses/b.yaml");
+    const Variable itself("ROS_PACKAGE_PATH", (root / "one/lenses").string());
+    EXPECT_EQ(fileOf("package://lenses/b.yaml", "left"), root / "one/lenses/b.yaml");
+    test::expectError(ErrorKind::NotFound, "package wheels", [] { fileOf("package://wheels/b.yaml", ""); });
+}
+
+TEST(CameraInfoUrl, OfAnotherKindIsRefused) {
+    for (const char* url : {"flash:///robot.yaml", "https://host/robot.yaml"}) {
+        test::expectError(ErrorKind::InvalidInput, "file:// or package://", [url] { fileOf(url, "camera"); });
+    }
+    for (const char* url : {"package://", "package:///robot.yaml", "package://name", "package://name/"}) {
+        test::expectError(ErrorKind::InvalidInput, "package://NAME/FILE", [url] { fileOf(url, "camera"); });
+    }
 }
 
 } // namespace spherewalk::ros
