@@ -25,7 +25,7 @@ add_feature_info(dds CycloneDDS_FOUND "the camera of ROS 2 that needs no ROS (ap
 if(SPHEREWALK_RCLCPP)
   find_package(rclcpp QUIET)
   if(rclcpp_FOUND) # Debian has packages of ROS 1 by the names of these
-    foreach(package diagnostic_msgs geometry_msgs sensor_msgs tf2_msgs vision_msgs)
+    foreach(package rclcpp_components diagnostic_msgs geometry_msgs sensor_msgs tf2_msgs vision_msgs image_transport)
       find_package(${package} QUIET)
     endforeach()
   endif()
