@@ -38,16 +38,7 @@ namespace spherewalk::ros {
 
 namespace {
 
-/// Between ROS 2's messages and what the node works with.
-
-Stamp stampOf(const builtin_interfaces::msg::Time& time);
-builtin_interfaces::msg::Time timeOf(Stamp stamp);
-Rigid3 poseOf(const geometry_msgs::msg::Pose& pose);
-Transform transformOf(const geometry_msgs::msg::TransformStamped& message);
-Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message);
-/// All but the header.
-void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration);
-GivenValue givenValue(const rclcpp::ParameterValue& value);
+// Between ROS 2's messages and what the node works with.
 
 Stamp stampOf(const builtin_interfaces::msg::Time& time) {
     return Stamp(kNanosecondsOfSecond * time.sec + time.nanosec);
@@ -72,6 +63,7 @@ Calibration calibrationOf(const sensor_msgs::msg::CameraInfo& message) {
     return calibrationIn(message, message.d, message.k);
 }
 
+/// All but the header.
 void fill(sensor_msgs::msg::CameraInfo& message, const Calibration& calibration) {
     fillCalibration(message, message.d, message.k, message.r, message.p, calibration);
 }
@@ -112,10 +104,6 @@ class PicturesPublisher {
 #ifdef SPHEREWALK_IMAGE_TRANSPORT
         advertiseTransports(node, topic);
 #endif
-    }
-
-    bool isAdvertised() const {
-        return m_pictures != nullptr;
     }
 
     bool isHeard() const {
@@ -235,10 +223,21 @@ class Camera : public rclcpp::Node {
         DetectionsPublisher detections;
     };
 
+    /// Pictures of objects. They are asked for reliably if all who publish them offer so, unless a parameter
+    /// (qos_overrides) says how.
+    struct Overlay {
+        OverlayTopic topic = OverlayTopic::Colour;
+        std::size_t camera = 0;
+        bool isReliable = false;
+        rclcpp::SubscriptionBase::SharedPtr subscription;
+        rclcpp::SubscriptionBase::SharedPtr next; ///< until it hears all who publish; else null
+    };
+
     NodeOptions readParameters();
     void advertise(const PublishedCamera& camera);
     void subscribePoses();
-    void subscribe(OverlayTopic topic, std::size_t camera);
+    rclcpp::SubscriptionBase::SharedPtr subscribed(const Overlay& overlay);
+    void followOffers(Overlay& overlay);
     /// Errors: Network, in place of rclcpp's own exceptions, which the camera's thread does not take.
     void publish(const PublishedFrame& frame);
     void publishPictures(const PublishedFrame& frame);
@@ -250,11 +249,18 @@ class Camera : public rclcpp::Node {
     std::unique_ptr<CameraNode> m_node;
     std::vector<rclcpp::SubscriptionBase::SharedPtr>
         m_subscriptions; ///< last: their callbacks use the others
+    std::vector<Overlay> m_overlays;
     std::vector<rclcpp::Service<SetCameraInfo>::SharedPtr> m_services; ///< one a camera
     std::vector<rclcpp::TimerBase::SharedPtr> m_timers;
 };
 
 constexpr std::size_t kTransformQueue = 100; ///< as tf2_ros has it
+
+bool isReliabilityGiven(rclcpp::Node& node, const std::string& topic) {
+    const std::string resolved = node.get_node_topics_interface()->resolve_topic_name(topic);
+    return node.get_node_parameters_interface()->get_parameter_overrides().count(
+               "qos_overrides." + resolved + ".subscription.reliability") > 0;
+}
 
 Camera::Camera(const rclcpp::NodeOptions& options) : rclcpp::Node("spherewalk", options) {
     m_diagnostics = create_publisher<diagnostic_msgs::msg::DiagnosticArray>("/diagnostics", rclcpp::QoS(10));
@@ -269,14 +275,19 @@ Camera::Camera(const rclcpp::NodeOptions& options) : rclcpp::Node("spherewalk", 
     subscribePoses();
     for (std::size_t camera = 0; camera < m_publishers.size(); ++camera) {
         for (const OverlayTopic topic : m_node->overlayTopics()) {
-            subscribe(topic, camera);
+            m_overlays.push_back({topic, camera, false, nullptr, nullptr});
+            m_overlays.back().subscription = subscribed(m_overlays.back());
         }
     }
     m_timers.push_back(create_wall_timer(std::chrono::milliseconds(10), [this] {
         m_node->setListening(hasListeners());
         m_node->takeTime(Stamp(get_clock()->now().nanoseconds()));
     }));
-    m_timers.push_back(create_wall_timer(std::chrono::seconds(1), [this] { publishDiagnostics(); }));
+    m_timers.push_back(create_wall_timer(std::chrono::seconds(1), [this] {
+        publishDiagnostics();
+        std::for_each(m_overlays.begin(), m_overlays.end(),
+                      [this](Overlay& overlay) { followOffers(overlay); });
+    }));
     RCLCPP_INFO(get_logger(), "Ready; frames are rendered while somebody listens.");
 }
 
@@ -340,15 +351,37 @@ void Camera::subscribePoses() {
         }));
 }
 
-void Camera::subscribe(OverlayTopic topic, std::size_t camera) {
-    rclcpp::SubscriptionOptions options; // a simulator that publishes reliably need not lose pictures
+rclcpp::SubscriptionBase::SharedPtr Camera::subscribed(const Overlay& overlay) {
+    const std::string topic = m_node->overlayTopic(overlay.topic, overlay.camera);
+    rclcpp::SubscriptionOptions options;
     options.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
-    m_subscriptions.push_back(create_subscription<sensor_msgs::msg::Image>(
-        m_node->overlayTopic(topic, camera), rclcpp::SensorDataQoS(),
-        [this, topic, camera](const sensor_msgs::msg::Image::ConstSharedPtr message) {
-            m_node->takeOverlay(topic, stampOf(message->header.stamp), pictureOf(*message), camera);
+    rclcpp::QoS quality = rclcpp::SensorDataQoS();
+    if (!isReliabilityGiven(*this, topic)) {
+        options.qos_overriding_options = {rclcpp::QosPolicyKind::History, rclcpp::QosPolicyKind::Depth};
+        quality.reliability(overlay.isReliable ? rclcpp::ReliabilityPolicy::Reliable
+                                               : rclcpp::ReliabilityPolicy::BestEffort);
+    }
+    return create_subscription<sensor_msgs::msg::Image>(
+        topic, quality,
+        [this, part = overlay.topic,
+         camera = overlay.camera](const sensor_msgs::msg::Image::ConstSharedPtr message) {
+            m_node->takeOverlay(part, stampOf(message->header.stamp), pictureOf(*message), camera);
         },
-        options));
+        options);
+}
+
+void Camera::followOffers(Overlay& overlay) {
+    const auto offers = get_publishers_info_by_topic(overlay.subscription->get_topic_name());
+    const bool areReliable = std::all_of(offers.begin(), offers.end(), [](const auto& offer) {
+        return offer.qos_profile().reliability() == rclcpp::ReliabilityPolicy::Reliable;
+    });
+    const bool isGiven = isReliabilityGiven(*this, overlay.subscription->get_topic_name());
+    if (overlay.next && overlay.next->get_publisher_count() >= offers.size()) {
+        overlay.subscription = std::move(overlay.next);
+    } else if (!overlay.next && !isGiven && !offers.empty() && areReliable != overlay.isReliable) {
+        overlay.isReliable = areReliable;
+        overlay.next = subscribed(overlay);
+    }
 }
 
 bool Camera::hasListeners() const {
@@ -378,7 +411,7 @@ void Camera::publishPictures(const PublishedFrame& frame) {
     auto image = std::make_unique<sensor_msgs::msg::Image>();
     image->header = info->header;
     fillImage(*image, frame.image);
-    if (publishers.depths.isAdvertised() && frame.depth.bytes != nullptr) {
+    if (frame.depth.bytes != nullptr) { // of a camera with such topics
         auto depth = std::make_unique<sensor_msgs::msg::Image>();
         depth->header = info->header;
         fillImage(*depth, frame.depth);
