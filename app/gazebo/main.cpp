@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge.h"
+#include "camera_settings.h"
+#include "pose_tree.h"
 #include "program/program.h"
-#include "program/render_options.h"
 
+#include "spherewalk/base/clock.h"
+#include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/trajectory.h"
-#include "spherewalk/render/camera_info.h"
-#include "spherewalk/simulator/camera_options.h"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,186 +21,101 @@ namespace spherewalk::gazebo {
 namespace {
 
 using program::printLine;
+using simulator::Refusal;
 
-/// The options of a camera in a simulator.
-class SimulatorOptions {
+/// How often one looks whether somebody listens, besides at each pose.
+constexpr auto kInterval = std::chrono::milliseconds(20);
+
+/// A pose publisher that is joined in the middle of a step completes the next one, or the one after.
+constexpr std::uint64_t kStepsToFindItsPlace = 3;
+
+/// Moves a camera by the poses of topics. Threads: poses come in those of the transport.
+class PoseTopics {
   public:
-    /// Declares --rate, --pace, --late, --prefetch, --mount, --room-from-world, and the overlay's
-    /// --objects-by, --room-labels, --overlay-wait, --overlay-camera.
-    void declare(const program::Command& command);
-
-    /// hasOverlay: pictures of objects will come. Errors: InvalidInput with a sentence.
-    simulator::CameraOptions options(const render::ViewOptions& view, bool hasOverlay) const;
-
-  private:
-    program::StreamOptions m_stream;
-    double m_rateHz = simulator::CameraOptions().rateHz;
-    std::string m_pace = "newest";
-    std::string m_mount = "0 0 0 0 0 0 1";
-    std::string m_roomFromWorld = "0 0 0 0 0 0 1";
-    std::string m_objectsBy = "labels";
-    std::vector<int> m_roomLabels = {1};
-    double m_overlayWaitS = 0.5;
-    std::string m_overlayCamera;
-    std::string m_sensor;
-    bool m_wantsDepth = false;
-};
-
-void SimulatorOptions::declare(const program::Command& command) {
-    command
-        .option("--rate", m_rateHz,
-                "Frames a second of simulation time, each at the first pose at or after a multiple of "
-                "1/rate; 0: one for each pose")
-        .range(0.0, 1000.0)
-        .showDefault();
-    command
-        .option("--pace", m_pace,
-                "When the simulation is faster than the rendering: newest leaves frames out and counts "
-                "them, every renders all in turn")
-        .among({"newest", "every"})
-        .showDefault();
-    m_stream.declare(command);
-    command
-        .option(
-            "--mount", m_mount,
-            "Pose of the camera (x forward) or of the rig's frame on the link whose poses come: \"x y z qx "
-            "qy qz qw\"")
-        .showDefault();
-    command
-        .option("--room-from-world", m_roomFromWorld,
-                "Pose of the simulator's world in the dataset's room: \"x y z qx qy qz qw\"")
-        .showDefault();
-    command
-        .option("--objects-by", m_objectsBy,
-                "How the simulator's objects are told from its model of the room: by labels of a "
-                "segmentation camera, by depth, or alone if the depth camera sees nothing else")
-        .among({"labels", "depth", "alone"})
-        .showDefault();
-    command
-        .option("--room-labels", m_roomLabels,
-                "Labels of the simulator's model of the room; with 0 among them, what has no label is not "
-                "shown")
-        .range(0, 255)
-        .separatedBy(',')
-        .showDefault();
-    command
-        .option("--overlay-wait", m_overlayWaitS,
-                "Seconds of simulation time that a frame waits for pictures of the objects")
-        .range(0.0, 10.0)
-        .showDefault();
-    command.option("--overlay-camera", m_overlayCamera,
-                   "Camera that takes the pictures of the objects, if it is not the same: a ROS "
-                   "camera-info YAML");
-    command.option("--sensor", m_sensor,
-                   "Sensor that is not perfect: a YAML with noise, exposure, shutter and other effects");
-    command.flag("--depth", m_wantsDepth,
-                 "Publish depth images, too, with the objects: beside the pictures, as depth_image");
-}
-
-simulator::CameraOptions SimulatorOptions::options(const render::ViewOptions& view, bool hasOverlay) const {
-    simulator::CameraOptions options;
-    options.view = view;
-    options.stream = m_stream.options();
-    options.mounting = {parsePose(m_roomFromWorld), parsePose(m_mount)};
-    options.rateHz = m_rateHz;
-    options.pace = simulator::pace(m_pace);
-    if (hasOverlay) {
-        simulator::OverlayOptions& overlay = options.overlay.emplace();
-        overlay.by = simulator::objectsBy(m_objectsBy);
-        overlay.roomLabels.assign(m_roomLabels.begin(), m_roomLabels.end());
-        overlay.wait =
-            std::chrono::duration_cast<simulator::Stamp>(std::chrono::duration<double>(m_overlayWaitS));
-        if (!m_overlayCamera.empty()) {
-            overlay.camera = render::readCameraInfo(m_overlayCamera);
+    /// Errors: Network where a topic cannot be subscribed. Owner: the camera must outlive it.
+    PoseTopics(PublishedCamera& camera, const std::vector<std::string>& topics, const std::string& frame)
+        : m_camera(camera), m_tree(frame) {
+        std::function<void(const msgs::Pose&)> one = [this](const msgs::Pose& message) { take(message); };
+        std::function<void(const msgs::Pose_V&)> many = [this](const msgs::Pose_V& message) {
+            take(message);
+        };
+        for (const std::string& topic : topics) {
+            if (!m_node.Subscribe(topic, one) || !m_node.Subscribe(topic, many)) {
+                failWith("subscribe to", topic);
+            }
         }
     }
-    options.wantsDepth = m_wantsDepth;
-    options.wantsLabels = hasOverlay;
-    if (!m_sensor.empty()) {
-        options.sensor = render::readSensor(m_sensor);
+
+    /// What still comes is not used.
+    void end() {
+        const std::scoped_lock lock(m_mutex);
+        m_isRunning = false;
     }
-    options.validate();
-    return options;
+
+  private:
+    template <class Message>
+    void take(const Message& message);
+
+    PublishedCamera& m_camera;
+    std::mutex m_mutex; ///< of what poses come to
+    PoseTree m_tree;
+    bool m_isRunning = true;
+    transport::Node m_node; ///< last: its callbacks use the others
+};
+
+template <class Message>
+void PoseTopics::take(const Message& message) {
+    const std::scoped_lock lock(m_mutex);
+    if (!m_isRunning) {
+        return;
+    }
+    simulator::SimulatedCamera& camera = m_camera.camera();
+    std::vector<NamedPose> poses;
+    try {
+        poses = posesOf(message);
+    } catch (const Error& error) {
+        camera.refuse(Refusal::Time, error.sentence());
+        return;
+    }
+    std::erase_if(poses,
+                  [&](const NamedPose& pose) { return !camera.accepts(pose.stamp, pose.parentFromChild); });
+    if (poses.empty()) {
+        return;
+    }
+    for (NamedPose& pose : poses) {
+        pose.parentFromChild.rotation.normalize();
+    }
+    const std::uint64_t missedBefore = m_tree.missedSteps();
+    if (const std::optional<Rigid3> worldFromFrame = m_tree.add(poses)) {
+        camera.setListening(m_camera.hasListeners());
+        camera.takePose(poses.back().stamp, *worldFromFrame);
+    } else if (m_tree.missedSteps() > std::max(missedBefore, kStepsToFindItsPlace)) {
+        camera.refuse(Refusal::FrameId, m_tree.trouble());
+    }
 }
 
 struct Options {
-    program::RenderOptions render;
-    SimulatorOptions simulator;
-    BridgeOptions bridge;
+    CameraSettings camera;
+    std::vector<std::string> poses;
+    std::string frame; ///< Name of the frame whose poses are the camera's: "robot::base::camera".
     bool isJson = false;
 };
 
-void declareTopics(const program::Command& app, Options& options) {
-    Topics& topics = options.bridge.topics;
-    app.option("--poses", topics.poses,
-               "Topic of poses: of a model's pose publisher (/model/NAME/pose), or of the scene "
-               "(/world/NAME/dynamic_pose/info); can be repeated")
-        .required();
-    app.option("--frame", options.bridge.frame,
-               "Frame of these poses in which the camera sits, with its scopes: robot::base::camera")
-        .required();
-    app.option("--image", topics.image,
-               "Topic of two levels or more for the pictures; camera_info, report, and with objects labels "
-               "and boxes go beside it. With --rig, each camera's name comes before the last level, there "
-               "and in the overlay's topics")
-        .required();
-    app.option("--frame-id", options.bridge.frameId,
-               "Name of the optical frame (z forward) in the pictures' headers; default: that of --frame "
-               "and _optical");
-    app.option("--overlay-colour", topics.overlayColour,
-               "Topic of a camera at the same place that sees the simulator's objects alone");
-    app.option("--overlay-depth", topics.overlayDepth, "Topic of a depth camera at the same place");
-    app.option("--overlay-labels", topics.overlayLabels,
-               "Topic of the label map of a segmentation camera at the same place");
-}
-
-/// Whether pictures of objects are to come. Errors: InvalidInput if some of the topics are missing.
-bool hasOverlay(const Topics& topics) {
-    const bool isColour = !topics.overlayColour.empty();
-    if (isColour != !topics.overlayDepth.empty() || (!isColour && !topics.overlayLabels.empty())) {
-        throw Error(ErrorKind::InvalidInput, "Objects of the simulator need both their colours and their "
-                                             "depths: give --overlay-colour and --overlay-depth.");
-    }
-    return isColour;
-}
-
-simulator::CameraOptions cameraOptions(const Options& options) {
-    const Topics& topics = options.bridge.topics;
-    simulator::CameraOptions camera =
-        options.simulator.options(options.render.viewOptions(), hasOverlay(topics));
-    if (camera.overlay && camera.overlay->by == simulator::ObjectsBy::Labels &&
-        topics.overlayLabels.empty()) {
-        throw Error(ErrorKind::InvalidInput,
-                    "Objects are told by labels: give --overlay-labels, or --objects-by depth.");
-    }
-    return camera;
-}
-
-/// The camera, or those of the rig, whose file says which axes they have.
-std::vector<render::RigCamera> camerasOf(const Options& options, simulator::CameraOptions& camera) {
-    std::vector<render::RigCamera> rig = options.render.rig();
-    if (rig.empty()) {
-        return {{"", options.bridge.frameId, options.render.cameraModel().intrinsics(), Rigid3()}};
-    }
-    render::placesOnRig(rig, options.render.rigFile());
-    camera.mounting.axes = simulator::CameraAxes::Optical;
-    return rig;
-}
-
-int run(Options& options, const std::stop_token& stop) {
-    BridgeOptions& wanted = options.bridge;
-    wanted.frameId = wanted.frameId.empty() ? wanted.frame + "_optical" : wanted.frameId;
-    wanted.topics.validate();
-    simulator::CameraOptions camera = cameraOptions(options);
-    const std::vector<render::RigCamera> cameras = camerasOf(options, camera);
-    const render::Renderer renderer = options.render.renderer(noProgress(), stop);
-    Bridge bridge(renderer, cameras, camera, wanted,
-                  [](const std::string& sentence) { printLine(stderr, sentence); });
-    printLine(stderr, text("Waits for poses of ", wanted.frame, "; pictures go to ", wanted.topics.image,
+int run(const Options& options, const std::stop_token& stop) {
+    const CameraSetup setup = options.camera.setup(options.frame);
+    std::for_each(options.poses.begin(), options.poses.end(), requireTopic);
+    const render::Renderer renderer = options.camera.render().renderer(noProgress(), stop);
+    PublishedCamera camera(renderer, setup, [](const std::string& sentence) { printLine(stderr, sentence); });
+    PoseTopics poses(camera, options.poses, options.frame);
+    printLine(stderr, text("Waits for poses of ", options.frame, "; pictures go to ", setup.topics.image,
                            ". Ctrl-C ends it."));
-    bridge.run(stop);
-    printLine(stdout, options.isJson ? toJson(bridge.counters(), bridge.latencies()).dump()
-                                     : summary(bridge.counters(), bridge.latencies()));
+    do {
+        camera.followListeners();
+    } while (systemClock().sleep(kInterval, stop));
+    poses.end();
+    camera.end();
+    printLine(stdout, options.isJson ? toJson(camera.counters(), camera.latencies()).dump()
+                                     : summary(camera.counters(), camera.latencies()));
     return program::kDone;
 }
 
@@ -207,9 +124,16 @@ int runProgram(int argc, char** argv) {
                               "spherewalk-gz " SPHEREWALK_VERSION);
     const program::Command command = line.program();
     Options options;
-    options.render.declare(command, "Folder of the dataset", true);
-    declareTopics(command, options);
-    options.simulator.declare(command);
+    options.camera.declare(command);
+    command
+        .option("--poses", options.poses,
+                "Topic of poses: of a model's pose publisher (/model/NAME/pose), or of the scene "
+                "(/world/NAME/dynamic_pose/info); can be repeated")
+        .required();
+    command
+        .option("--frame", options.frame,
+                "Frame of these poses in which the camera sits, with its scopes: robot::base::camera")
+        .required();
     command.flag("--json", options.isJson, "Print the summary at the end as one JSON object");
     if (const std::optional<int> status = line.parse(argc, argv)) {
         return *status;

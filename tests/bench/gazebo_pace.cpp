@@ -5,8 +5,8 @@
 // colour camera, a depth camera and a segmentation camera come, as /pace/colour/image, /pace/depth/image,
 // /pace/labels/image, with an object on a tenth of the picture. Prints one row of a table: the rate, and the
 // milliseconds from publishing a pose to having the whole picture.
-#include "bridge.h"
 #include "messages.h"
+#include "published_camera.h"
 
 #include "spherewalk/base/text.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge.h"
+#include "published_camera.h"
 
 #include "spherewalk/base/json.h"
 

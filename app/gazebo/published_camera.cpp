@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge.h"
+#include "published_camera.h"
 
-#include "spherewalk/base/clock.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/statistics.h"
@@ -16,21 +15,17 @@ namespace spherewalk::gazebo {
 using simulator::OverlayPart;
 using simulator::Refusal;
 
-namespace {
-
-/// How often one looks whether somebody listens, besides at each pose.
-constexpr auto kInterval = std::chrono::milliseconds(20);
-
-/// A pose publisher that is joined in the middle of a step completes the next one, or the one after.
-constexpr std::uint64_t kStepsToFindItsPlace = 3;
-
-[[noreturn]] void failWith(const std::string& what, const std::string& topic) {
+void failWith(const std::string& what, const std::string& topic) {
     throw Error(ErrorKind::Network,
                 text("Could not ", what, " the topic ", printable(topic),
                      "; check the network that Gazebo's transport uses (IGN_IP, GZ_IP)."));
 }
 
-} // namespace
+void requireTopic(const std::string& name) {
+    if (!transport::TopicUtils::IsValidTopic(name)) {
+        throw Error(ErrorKind::InvalidInput, text("\"", printable(name), "\" cannot be a topic's name."));
+    }
+}
 
 std::string Topics::beside(const std::string& name) const {
     return image.substr(0, image.rfind('/') + 1) + name;
@@ -49,17 +44,10 @@ Topics Topics::of(const std::string& camera) const {
 }
 
 void Topics::validate() const {
-    std::vector<std::string> all = poses;
-    all.push_back(image);
+    requireTopic(image);
     for (const std::string& topic : {overlayColour, overlayDepth, overlayLabels}) {
         if (!topic.empty()) {
-            all.push_back(topic);
-        }
-    }
-    for (const std::string& topic : all) {
-        if (!transport::TopicUtils::IsValidTopic(topic)) {
-            throw Error(ErrorKind::InvalidInput,
-                        text("\"", printable(topic), "\" cannot be a topic's name."));
+            requireTopic(topic);
         }
     }
     const std::size_t last = image.rfind('/');
@@ -137,32 +125,29 @@ std::vector<simulator::MountedCamera> mounted(const std::vector<render::RigCamer
 
 } // namespace
 
-Bridge::Bridge(const render::Renderer& renderer, const CameraModel& camera,
-               const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
-               simulator::Refusals::Tell tell)
-    : Bridge(renderer, std::vector{render::RigCamera{"", options.frameId, camera.intrinsics(), Rigid3()}},
-             cameraOptions, options, std::move(tell)) {
-}
-
-Bridge::Bridge(const render::Renderer& renderer, const std::vector<render::RigCamera>& cameras,
-               const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
-               simulator::Refusals::Tell tell)
-    : m_options(options),
-      m_hasOverlay(cameraOptions.overlay.has_value()),
-      m_hasDepth(cameraOptions.wantsDepth),
-      m_tree(options.frame),
+PublishedCamera::PublishedCamera(const render::Renderer& renderer, const CameraSetup& setup,
+                                 simulator::Refusals::Tell tell)
+    : m_hasOverlay(setup.options.overlay.has_value()),
+      m_hasDepth(setup.options.wantsDepth),
       m_camera(
-          renderer, mounted(cameras), cameraOptions,
+          renderer, mounted(setup.cameras), setup.options,
           [this](const simulator::Frame& frame) { publish(frame); }, std::move(tell)) {
-    m_options.topics.validate();
-    for (const render::RigCamera& camera : cameras) {
-        m_outgoing.push_back(advertised(camera));
+    setup.topics.validate();
+    for (const render::RigCamera& camera : setup.cameras) {
+        m_outgoing.push_back(advertised(setup.topics.of(camera.name), camera.frameId));
     }
-    subscribeToPoses();
 }
 
-Bridge::Outgoing Bridge::advertised(const render::RigCamera& camera) {
-    const Topics topics = m_options.topics.of(camera.name);
+PublishedCamera::~PublishedCamera() {
+    end();
+}
+
+void PublishedCamera::end() {
+    m_camera.setListening(false);
+    m_camera.waitUntilIdle();
+}
+
+PublishedCamera::Outgoing PublishedCamera::advertised(const Topics& topics, const std::string& frameId) {
     const auto checked = [](transport::Node::Publisher publisher, const std::string& topic) {
         if (!publisher) {
             failWith("advertise", topic);
@@ -171,7 +156,7 @@ Bridge::Outgoing Bridge::advertised(const render::RigCamera& camera) {
     };
     Outgoing outgoing;
     outgoing.topics = topics;
-    outgoing.frameId = camera.frameId;
+    outgoing.frameId = frameId;
     outgoing.image = checked(m_node.Advertise<msgs::Image>(topics.image), topics.image);
     if (m_hasDepth) {
         outgoing.depth = checked(m_node.Advertise<msgs::Image>(topics.beside("depth_image")),
@@ -190,19 +175,7 @@ Bridge::Outgoing Bridge::advertised(const render::RigCamera& camera) {
     return outgoing;
 }
 
-void Bridge::subscribeToPoses() {
-    std::function<void(const msgs::Pose&)> one = [this](const msgs::Pose& message) { takePoses(message); };
-    std::function<void(const msgs::Pose_V&)> many = [this](const msgs::Pose_V& message) {
-        takePoses(message);
-    };
-    for (const std::string& topic : m_options.topics.poses) {
-        if (!m_node.Subscribe(topic, one) || !m_node.Subscribe(topic, many)) {
-            failWith("subscribe to", topic);
-        }
-    }
-}
-
-void Bridge::subscribeToOverlay() {
+void PublishedCamera::subscribeToOverlay() {
     const auto subscribe = [this](const std::string& topic, OverlayPart part, std::size_t camera) {
         std::function<void(const msgs::Image&)> take = [this, part, camera](const msgs::Image& message) {
             takePicture(part, message, camera);
@@ -219,7 +192,7 @@ void Bridge::subscribeToOverlay() {
     }
 }
 
-void Bridge::unsubscribeFromOverlay() {
+void PublishedCamera::unsubscribeFromOverlay() {
     for (const Outgoing& of : m_outgoing) {
         const Topics& topics = of.topics;
         for (const std::string& topic : {topics.overlayColour, topics.overlayDepth, topics.overlayLabels}) {
@@ -230,37 +203,7 @@ void Bridge::unsubscribeFromOverlay() {
     }
 }
 
-template <class Message>
-void Bridge::takePoses(const Message& message) {
-    const std::scoped_lock lock(m_mutex);
-    if (!m_isRunning) {
-        return;
-    }
-    std::vector<NamedPose> poses;
-    try {
-        poses = posesOf(message);
-    } catch (const Error& error) {
-        m_camera.refuse(Refusal::Time, error.sentence());
-        return;
-    }
-    std::erase_if(
-        poses, [this](const NamedPose& pose) { return !m_camera.accepts(pose.stamp, pose.parentFromChild); });
-    if (poses.empty()) {
-        return;
-    }
-    for (NamedPose& pose : poses) {
-        pose.parentFromChild.rotation.normalize();
-    }
-    const std::uint64_t missedBefore = m_tree.missedSteps();
-    if (const std::optional<Rigid3> worldFromFrame = m_tree.add(poses)) {
-        m_camera.setListening(hasListeners());
-        m_camera.takePose(poses.back().stamp, *worldFromFrame);
-    } else if (m_tree.missedSteps() > std::max(missedBefore, kStepsToFindItsPlace)) {
-        m_camera.refuse(Refusal::FrameId, m_tree.trouble());
-    }
-}
-
-void Bridge::takePicture(OverlayPart part, const msgs::Image& message, std::size_t camera) {
+void PublishedCamera::takePicture(OverlayPart part, const msgs::Image& message, std::size_t camera) {
     try {
         m_camera.takeOverlay(part, stampOf(message.header()), pictureOf(message), camera);
     } catch (const Error& error) {
@@ -268,7 +211,7 @@ void Bridge::takePicture(OverlayPart part, const msgs::Image& message, std::size
     }
 }
 
-bool Bridge::hasListeners() const {
+bool PublishedCamera::hasListeners() const {
     return std::any_of(m_outgoing.begin(), m_outgoing.end(), [this](const Outgoing& of) {
         return of.image.HasConnections() || of.info.HasConnections() || of.report.HasConnections() ||
                (m_hasDepth && of.depth.HasConnections()) ||
@@ -276,8 +219,7 @@ bool Bridge::hasListeners() const {
     });
 }
 
-/// The simulator renders no pictures of objects while nobody wants ours.
-void Bridge::followListeners() {
+void PublishedCamera::followListeners() {
     const bool isListening = hasListeners();
     m_camera.setListening(isListening);
     if (m_hasOverlay && isListening != m_isOverlaySubscribed) {
@@ -286,7 +228,7 @@ void Bridge::followListeners() {
     }
 }
 
-void Bridge::publish(const simulator::Frame& frame) {
+void PublishedCamera::publish(const simulator::Frame& frame) {
     Outgoing& outgoing = m_outgoing[frame.index];
     for (msgs::Header* header :
          {m_image.mutable_header(), m_depth.mutable_header(), m_labels.mutable_header(),
@@ -315,18 +257,6 @@ void Bridge::publish(const simulator::Frame& frame) {
     m_latencies.add(latency);
     setReport(m_report, frame, latency.count());
     outgoing.report.Publish(m_report);
-}
-
-void Bridge::run(const std::stop_token& stop) {
-    do {
-        followListeners();
-    } while (systemClock().sleep(kInterval, stop));
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_isRunning = false;
-    }
-    m_camera.setListening(false);
-    m_camera.waitUntilIdle();
 }
 
 } // namespace spherewalk::gazebo

@@ -8,15 +8,15 @@
 #include "spherewalk/simulator/simulated_camera.h"
 
 #include <chrono>
-#include <mutex>
-#include <stop_token>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace spherewalk::gazebo {
 
+/// Topics of a camera's pictures, and of the pictures of objects that it lays in.
 struct Topics {
-    std::vector<std::string> poses;
     std::string image; ///< Topic of two levels or more; camera_info, depth_image, labels,
                        ///< boxes and report go beside it.
     std::string overlayColour;
@@ -34,10 +34,17 @@ struct Topics {
     void validate() const;
 };
 
-struct BridgeOptions {
+/// Errors: InvalidInput for what cannot be a topic's name.
+void requireTopic(const std::string& name);
+
+/// Throws Error{Network} with a sentence that says what could not be done with the topic: "subscribe to".
+[[noreturn]] void failWith(const std::string& what, const std::string& topic);
+
+/// What a camera in Gazebo is made of, besides its dataset.
+struct CameraSetup {
     Topics topics;
-    std::string frame;   ///< Name of the frame whose poses are the camera's: "robot::base::camera".
-    std::string frameId; ///< Name of the optical frame, for the headers of pictures of one camera.
+    std::vector<render::RigCamera> cameras; ///< Of a rig, or the one.
+    simulator::CameraOptions options;
 };
 
 /// The times that the latest frames took from the arrival of their poses to the transport. Threads: one at a
@@ -62,26 +69,35 @@ std::string summary(const simulator::CameraCounters& counters, const Latencies& 
 
 Json toJson(const simulator::CameraCounters& counters, const Latencies& latencies);
 
-/// A camera beside Gazebo. It takes poses and pictures of objects from topics, and publishes its views.
-/// Threads: one thread makes, runs and destroys it.
-class Bridge {
+/// A camera in Gazebo, wherever its poses come from. It takes pictures of objects from topics, and publishes
+/// its views. Threads: one at a time makes, moves and destroys it.
+class PublishedCamera {
   public:
-    /// Errors: those of Topics::validate() and of SimulatedCamera; Network where a topic cannot be subscribed
-    /// or advertised.
-    Bridge(const render::Renderer& renderer, const std::vector<render::RigCamera>& cameras,
-           const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
-           simulator::Refusals::Tell tell);
-    /// With one camera.
-    Bridge(const render::Renderer& renderer, const CameraModel& camera,
-           const simulator::CameraOptions& cameraOptions, const BridgeOptions& options,
-           simulator::Refusals::Tell tell);
+    /// Errors: those of Topics::validate() and of SimulatedCamera; Network where a topic cannot be
+    /// advertised.
+    PublishedCamera(const render::Renderer& renderer, const CameraSetup& setup,
+                    simulator::Refusals::Tell tell);
+    /// Waits for the frame that is being rendered.
+    ~PublishedCamera();
+    PublishedCamera(const PublishedCamera&) = delete;
+    PublishedCamera& operator=(const PublishedCamera&) = delete;
 
-    /// Carries messages until the stop. Stop: returns within 20 ms and the rendering of one frame.
-    void run(const std::stop_token& stop);
+    /// Looks whether somebody wants the pictures. While nobody does, the simulator need not render pictures
+    /// of objects either. Errors: Network where their topics cannot be subscribed.
+    void followListeners();
+
+    /// Takes poses of the frame that carries the cameras, and what is wrong with them. Threads: any.
+    simulator::SimulatedCamera& camera() { return m_camera; }
+
+    /// Returns whether somebody wants the pictures. Threads: any.
+    bool hasListeners() const;
+
+    /// Hands over what can be rendered, and no more. Range: followListeners() is not called any more.
+    void end();
 
     simulator::CameraCounters counters() const { return m_camera.counters(); }
 
-    /// Range: after run() only.
+    /// Range: after end() only.
     const Latencies& latencies() const { return m_latencies; }
 
   private:
@@ -97,23 +113,14 @@ class Bridge {
         transport::Node::Publisher report;
     };
 
-    Outgoing advertised(const render::RigCamera& camera);
-    template <class Message>
-    void takePoses(const Message& message);
+    Outgoing advertised(const Topics& topics, const std::string& frameId);
     void takePicture(simulator::OverlayPart part, const msgs::Image& message, std::size_t camera);
     void publish(const simulator::Frame& frame);
-    bool hasListeners() const;
-    void followListeners();
-    void subscribeToPoses();
     void subscribeToOverlay();
     void unsubscribeFromOverlay();
 
-    const BridgeOptions m_options;
     const bool m_hasOverlay;
     const bool m_hasDepth;
-    std::mutex m_mutex; ///< of what poses come to
-    PoseTree m_tree;
-    bool m_isRunning = true; ///< false: what still comes is not used
     std::uint64_t m_sequence = 0;
     Latencies m_latencies;
     msgs::Image m_image;
