@@ -68,6 +68,10 @@ void FrameSchedule::startAnew(Stamp stamp) {
     }
 }
 
+bool FrameSchedule::isDue(Stamp stamp) const {
+    return !m_newest || stamp < *m_newest || (stamp > *m_newest && slotOf(stamp) > *m_lastSlot);
+}
+
 void FrameSchedule::addPose(Stamp stamp, const RigPose& roomFromCameras,
                             std::chrono::steady_clock::time_point takenAt) {
     if (m_newest && stamp < *m_newest) {

@@ -56,6 +56,9 @@ class FrameSchedule {
     /// stamp again is ignored.
     void addPose(Stamp stamp, const RigPose& roomFromCameras, std::chrono::steady_clock::time_point takenAt);
 
+    /// Whether a pose of this stamp would make a frame due.
+    bool isDue(Stamp stamp) const;
+
     /// The parts of a stamp and a camera, to be filled before the next call. Null if other overlays take all
     /// the room. An overlay of a frame that was given already is not used, unless time goes back to it at the
     /// next pose. Range: stamp >= 0.

@@ -295,6 +295,11 @@ bool SimulatedCamera::accepts(Stamp stamp, const Rigid3& pose) {
     return true;
 }
 
+bool SimulatedCamera::isDue(Stamp stamp) const {
+    const std::scoped_lock lock(m_state->mutex);
+    return m_state->isListening && m_state->schedule.isDue(stamp);
+}
+
 void SimulatedCamera::takePose(Stamp stamp, const Rigid3& worldFromLink) {
     takePoses(stamp, std::vector<Rigid3>(m_state->rigFromOptical.size(), worldFromLink));
 }

@@ -89,6 +89,25 @@ TEST_F(Schedule, GivesTheRateWhateverTheStepsOfTheSimulationAre) {
     }
 }
 
+TEST_F(Schedule, SaysBeforeAPoseWhetherItIsThatOfAFrame) {
+    want(30, Pace::Every);
+    EXPECT_TRUE(schedule.isDue(0ms));
+    const auto takes = [&](Stamp stamp) {
+        const bool isDue = schedule.isDue(stamp);
+        pose(stamp);
+        EXPECT_FALSE(schedule.isDue(stamp)) << "the same pose once more";
+        EXPECT_EQ(!frames().empty(), isDue) << stamp / 1ms;
+        return isDue;
+    };
+    int due = 0;
+    for (int ms = 0; ms <= 1000; ++ms) {
+        due += takes(ms * 1ms) ? 1 : 0;
+    }
+    EXPECT_EQ(due, 31);
+    EXPECT_TRUE(takes(0ms)) << "time went back";
+    EXPECT_FALSE(takes(1ms));
+}
+
 TEST_F(Schedule, WithoutARateEachPoseIsAFrameAndTheSameStampIsOnlyOne) {
     want(0, Pace::Every);
     for (const Stamp stamp : {0ms, 1ms, 1ms, 7ms}) {

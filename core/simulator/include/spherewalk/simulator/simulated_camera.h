@@ -81,6 +81,10 @@ class SimulatedCamera {
     /// Whether stamp and pose are valid; if not, they are refused.
     bool accepts(Stamp stamp, const Rigid3& pose);
 
+    /// Whether a pose of this stamp would be that of a frame. A simulation in lock-step, with Pace::Every,
+    /// waits before such a pose until the frames before are there: waitUntilIdle().
+    bool isDue(Stamp stamp) const;
+
     /// Takes the pose of the link; CameraOptions::mounting gives the camera's pose. Range: quaternions within
     /// 1 % of unit length are normalised.
     void takePose(Stamp stamp, const Rigid3& worldFromLink);
