@@ -2,14 +2,21 @@
 #include "camera_settings.h"
 
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
 #include "spherewalk/geometry/trajectory.h"
 #include "spherewalk/render/camera_info.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
 
 namespace spherewalk::gazebo {
 
 namespace {
+
+/// Elements that name files and folders.
+constexpr std::array<std::string_view, 5> kPaths{"dataset", "camera", "rig", "overlay_camera", "sensor"};
 
 /// Whether pictures of objects are to come. Errors: InvalidInput if some of the topics are missing.
 bool hasOverlay(const Topics& topics) {
@@ -21,7 +28,16 @@ bool hasOverlay(const Topics& topics) {
     return isColour;
 }
 
+std::string trimmed(const std::string& text) {
+    constexpr const char* kBlank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kBlank) + 1 - first);
+}
+
 } // namespace
+
+CameraSettings::CameraSettings(simulator::Pace pace) : m_pace(name(pace)) {
+}
 
 void CameraSettings::declare(const program::Command& command) {
     m_render.declare(command, "Folder of the dataset", true);
@@ -140,6 +156,41 @@ CameraSetup CameraSettings::setup(const std::string& frame) const {
         setup.options.mounting.axes = simulator::CameraAxes::Optical;
     }
     return setup;
+}
+
+std::vector<std::string> wordsOf(const Elements& elements, const std::filesystem::path& folder) {
+    std::vector<std::string> words;
+    for (const auto& [name, content] : elements) {
+        std::string value = trimmed(content);
+        if (!value.empty() && std::find(kPaths.begin(), kPaths.end(), name) != kPaths.end()) {
+            value = (folder / value).lexically_normal();
+        }
+        std::string option = "--" + name;
+        std::replace(option.begin(), option.end(), '_', '-');
+        words.push_back(name == "dataset" ? value : value.empty() ? option : text(option, "=", value));
+    }
+    return words;
+}
+
+std::string aboutElements(std::string_view sentence) {
+    std::string result;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const auto isOf = [&](std::size_t k) {
+            return k < sentence.size() &&
+                   (std::isalnum(static_cast<unsigned char>(sentence[k])) != 0 || sentence[k] == '-');
+        };
+        if (sentence.substr(i, 2) != "--" || !isOf(i + 2)) {
+            result += sentence[i];
+            continue;
+        }
+        std::string name;
+        for (i += 2; isOf(i); ++i) {
+            name += sentence[i] == '-' ? '_' : sentence[i];
+        }
+        --i;
+        result += text("<", name, ">");
+    }
+    return result;
 }
 
 } // namespace spherewalk::gazebo

@@ -92,7 +92,8 @@ class PublishedCamera {
     /// Returns whether somebody wants the pictures. Threads: any.
     bool hasListeners() const;
 
-    /// Hands over what can be rendered, and no more. Range: followListeners() is not called any more.
+    /// Drops what waits, and hands over the frame that is being rendered. Range: followListeners() is not
+    /// called any more.
     void end();
 
     simulator::CameraCounters counters() const { return m_camera.counters(); }

@@ -5,8 +5,11 @@
 
 #include "program/program.h"
 
+#include "spherewalk/base/error.h"
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -139,6 +142,19 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         return m_app->exit(error) == 0 ? kDone : kUsage;
+    }
+}
+
+void CommandLine::parse(std::vector<std::string> words) {
+    m_app->set_help_flag();
+    for (CLI::App* const group : m_app->get_subcommands(nullptr)) {
+        group->set_help_flag();
+    }
+    std::reverse(words.begin(), words.end()); // CLI11 takes them from the end
+    try {
+        m_app->parse(std::move(words));
+    } catch (const CLI::ParseError& error) {
+        throw Error(ErrorKind::InvalidInput, error.what());
     }
 }
 

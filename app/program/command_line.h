@@ -89,6 +89,10 @@ class CommandLine {
     /// if the program is to end now: after --help and --version, or a usage error, all of which are printed.
     std::optional<int> parse(int argc, char** argv);
 
+    /// The same for words that a program wrote: it neither prints nor helps. Errors: InvalidInput for a
+    /// usage error.
+    void parse(std::vector<std::string> words);
+
   private:
     std::unique_ptr<CLI::App> m_app;
 };

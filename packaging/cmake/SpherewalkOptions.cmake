@@ -13,6 +13,8 @@ cmake_dependent_option(SPHEREWALK_GUI "Build the desktop application (Qt 6)" ON
                        "SPHEREWALK_WHOLE" OFF)
 cmake_dependent_option(SPHEREWALK_GAZEBO "Build the camera for Gazebo, where its transport is found" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
+cmake_dependent_option(SPHEREWALK_GAZEBO_SYSTEM "Build the camera inside of Gazebo, where Gazebo is found" ON
+                       "SPHEREWALK_GAZEBO" OFF)
 cmake_dependent_option(SPHEREWALK_ROS1 "Build the camera of ROS 1, where roscpp is found" ON
                        "NOT SPHEREWALK_RENDER_ONLY" OFF)
 cmake_dependent_option(SPHEREWALK_DDS "Build the camera of ROS 2 that needs no ROS, where Cyclone DDS is found" ON
