@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/dataset/world_models.h"
-
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/dataset/world_file.h"
 #include "spherewalk/geometry/angle.h"
 
 #include <algorithm>

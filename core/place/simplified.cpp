@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/place/simplified.h"
+#include "spherewalk/place/surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/report/marking_sheet.h"
-
 #include "pdf_page.h"
 
 #include "spherewalk/base/text.h"
+#include "spherewalk/report/printed_sheets.h"
 #include "spherewalk/survey/marking.h"
 #include "spherewalk/survey/room_parts.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/report/tag_sheet.h"
-
 #include "pdf_page.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/photo/april_tag.h"
+#include "spherewalk/report/printed_sheets.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ui/capture/camera_login.h"
-#include "ui/capture/camera_pulse.h"
 #include "ui/capture/cameras.h"
 #include "ui/capture/desk_operator.h"
 #include "ui/capture/live_preview.h"

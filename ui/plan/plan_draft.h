@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/report/printed_sheets.h"
 #include "spherewalk/survey/plan_report.h"
 
 #include <QString>

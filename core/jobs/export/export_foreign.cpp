@@ -9,7 +9,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/folder.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/dataset/world_models.h"
+#include "spherewalk/dataset/world_file.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"

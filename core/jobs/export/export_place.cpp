@@ -10,8 +10,8 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
-#include "spherewalk/place/simplified.h"
 #include "spherewalk/place/solid_boxes.h"
+#include "spherewalk/place/surface.h"
 #include "spherewalk/place/surface_files.h"
 #include "spherewalk/store/survey_store.h"
 

@@ -2,7 +2,6 @@
 #include "expect_error.h"
 
 #include "spherewalk/dataset/world_file.h"
-#include "spherewalk/dataset/world_models.h"
 #include "spherewalk/render/scene_depth.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "random.h"
 #include "seen_room.h"
 
-#include "spherewalk/place/simplified.h"
+#include "spherewalk/place/surface.h"
 
 #include <gtest/gtest.h>
 

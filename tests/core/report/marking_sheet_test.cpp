@@ -3,7 +3,7 @@
 #include "pdf_reading.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/report/printed_sheets.h"
 #include "spherewalk/report/page_layout.h"
 #include "spherewalk/survey/marking.h"
 

@@ -3,7 +3,7 @@
 #include "pdf_reading.h"
 
 #include "spherewalk/photo/april_tag.h"
-#include "spherewalk/report/tag_sheet.h"
+#include "spherewalk/report/printed_sheets.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "pdf_reading.h"
 #include "ui/map/station_words.h"
 
-#include "spherewalk/report/marking_sheet.h"
+#include "spherewalk/report/printed_sheets.h"
 
 #include <QRegularExpression>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "photographed_survey.h"
 
 #include "spherewalk/base/json.h"
-#include "spherewalk/dataset/world_models.h"
+#include "spherewalk/dataset/world_file.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/photo/picture_file.h"

@@ -4,11 +4,13 @@
 #include "spherewalk/base/bytes.h"
 #include "spherewalk/survey/plan.h"
 
+#include <span>
 #include <string>
 
 namespace spherewalk::report {
 
-/// The words of the sheet, which a window can give in another language. "%1" and so on stand for values.
+/// The words of the marking sheet, which a window can give in another language. "%1" and so on stand for
+/// values.
 struct SheetWords {
     std::string title = "Marking out: %1";
     std::string summary = "%1 stations on %2 rails; step %3 cm; rail of %4 stops, %5 m";
@@ -35,5 +37,12 @@ struct SheetWords {
 /// if the PDF cannot be made.
 Bytes markingSheet(const std::string& name, const survey::Room& room, const survey::PlanOptions& options,
                    const survey::Plan& plan, const SheetWords& words = {});
+
+/// A PDF of AprilTags (36h11) at true size, a page each, for hanging on walls: the tag with its white rim,
+/// its number, which side is up, and a bar that checks the printer's scale. The paper is the smallest of A4
+/// to A0 that holds the tag. title: the survey's name. sizeM: side of the black square. The same input gives
+/// the same bytes. Errors: InvalidInput for no numbers, for an unknown number, and for a size outside 2 to 60
+/// cm; Internal if the PDF cannot be made.
+Bytes tagSheet(const std::string& title, std::span<const int> numbers, double sizeM);
 
 } // namespace spherewalk::report
