@@ -14,6 +14,7 @@ namespace spherewalk::ros {
 /// readers ask for.
 enum class Quality {
     Sensor,   ///< For pictures. Readers ask with best effort; writers keep each for reliable readers.
+    Offered,  ///< As Sensor, but readers ask reliably once all who write offer so. Looked at once a second.
     Reliable, ///< For transforms: every message arrives.
     Latched,  ///< For /tf_static: late readers get the earlier messages too.
 };
@@ -54,16 +55,23 @@ class DdsPort {
     using Take = std::function<void(const void*)>;
 
     struct Reader {
-        dds_entity_t entity;
+        dds_entity_t entity = 0;
         Take take;
+        Quality quality = Quality::Sensor;
+        dds_entity_t topic = 0;
+        bool isReliable = false;
+        dds_entity_t next = 0; ///< The one that takes its place when it hears all who write; 0 without one.
     };
 
     void addReader(const std::string& topic, const dds_topic_descriptor_t& type, Quality quality, Take take);
     dds_entity_t topicOf(const std::string& topic, const dds_topic_descriptor_t& type) const;
+    dds_entity_t readerOf(dds_entity_t topic, Quality quality, bool isReliable) const;
+    void followOffers(Reader& reader) const;
 
     dds_entity_t m_participant;
     dds_entity_t m_waitset = 0;
     std::vector<Reader> m_readers;
+    std::chrono::steady_clock::time_point m_looked; ///< At what is offered, for the last time.
 };
 
 } // namespace spherewalk::ros

@@ -148,7 +148,7 @@ void DdsNode::readPoses() {
 
 void DdsNode::readOverlay(OverlayTopic overlay, std::size_t camera) {
     m_port.read<ImageMessage>(topic(m_node.overlayTopic(overlay, camera)), sensor_msgs_msg_dds__Image__desc,
-                              Quality::Sensor, [this, overlay, camera](const ImageMessage& message) {
+                              Quality::Offered, [this, overlay, camera](const ImageMessage& message) {
                                   const std::string encoding = message.encoding;
                                   m_node.takeOverlay(overlay, stampOf(message.header.stamp),
                                                      {message.width, message.height, message.step, encoding,

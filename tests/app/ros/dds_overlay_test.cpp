@@ -241,6 +241,35 @@ TEST_F(DdsTest, LaysASimulatorsObjectsInBetweenTwoTransforms) {
     EXPECT_EQ(labels.back().data, std::vector<std::uint8_t>(2 * kPixels, 255)) << "objects without a label";
 }
 
+/// How a reader of another participant asks for what a writer gives.
+dds_reliability_kind_t askedOf(dds_entity_t writer) {
+    dds_instance_handle_t reader = 0;
+    dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
+    if (dds_get_matched_subscriptions(writer, &reader, 1) == 1) {
+        dds_builtintopic_endpoint_t* endpoint = dds_get_matched_subscription_data(writer, reader);
+        dds_qget_reliability(endpoint->qos, &kind, nullptr);
+        dds_builtintopic_free_endpoint(endpoint);
+    }
+    return kind;
+}
+
+TEST_F(DdsTest, AsksForAllPicturesOfObjectsWhileAllWhoGiveThemOfferThat) {
+    startNode({"--overlay", "alone", "--overlay-wait", "10"}, "50");
+    const dds_topic_descriptor_t& type = sensor_msgs_msg_dds__Image__desc;
+    const dds_entity_t reliable = port.writer("/robot/overlay/image_raw", type, Quality::Sensor);
+    waitFor("a reliable reader", [&] { return askedOf(reliable) == DDS_RELIABILITY_RELIABLE; });
+    const dds_entity_t topic = dds_create_topic(dds_get_participant(reliable), &type,
+                                                "rt/robot/overlay/image_raw", nullptr, nullptr);
+    dds_qos_t* qos = dds_create_qos();
+    dds_qset_reliability(qos, DDS_RELIABILITY_BEST_EFFORT, 0);
+    const dds_entity_t hasty = dds_create_writer(dds_get_participant(reliable), topic, qos, nullptr);
+    dds_delete_qos(qos);
+    waitFor("a reader of both", [&] {
+        return DdsPort::readersOf(hasty) == 1 && DdsPort::readersOf(reliable) == 1 &&
+               askedOf(reliable) == DDS_RELIABILITY_BEST_EFFORT;
+    });
+}
+
 TEST_F(DdsTest, GivesTheBoxAboutThePixelsOfEachLabelWithThePicturesStamp) {
     startNode({"--overlay", "labels", "--room-label", "1", "--overlay-wait", "0.2"});
     DdsPort listener(domain);
