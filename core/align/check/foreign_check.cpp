@@ -147,6 +147,19 @@ std::vector<ForeignThing> areasIn(int photo, const cv::Mat& foreign) {
     return things;
 }
 
+double partOf(const std::vector<ForeignThing>& things) {
+    return std::accumulate(things.begin(), things.end(), 0.0,
+                           [](double sum, const ForeignThing& thing) { return sum + thing.part; });
+}
+
+/// 255 where cells are at least so foreign.
+cv::Mat maskOf(const std::vector<Foreign>& cells, Foreign least) {
+    cv::Mat mask(kSightRows, kSightColumns, CV_8U);
+    std::ranges::transform(cells, mask.begin<std::uint8_t>(),
+                           [&](Foreign cell) { return static_cast<std::uint8_t>(cell >= least ? 255 : 0); });
+    return mask;
+}
+
 /// Where photos of a survey show what others see through.
 class ForeignSearch {
   public:
@@ -157,7 +170,8 @@ class ForeignSearch {
           m_stop(stop),
           m_sights(photos.size()),
           m_observers(photos.size()),
-          m_foreign(photos.size()) {
+          m_foreign(photos.size()),
+          m_isAlone(photos.size(), 0) {
         for (std::size_t i = 0; i < photos.size(); ++i) {
             m_neighbours.push_back(neighboursOf(i, photos));
         }
@@ -176,7 +190,7 @@ class ForeignSearch {
         searchIn(doubted);
         ForeignCheck result;
         for (const std::size_t i : all) {
-            result.isJudged.push_back(!m_sights[i].empty() && !isAlone(i));
+            result.isJudged.push_back(!m_sights[i].empty() && m_isAlone[i] == 0);
             std::ranges::move(things(i), std::back_inserter(result.things));
         }
         return result;
@@ -209,25 +223,20 @@ class ForeignSearch {
                 witnesses.push_back(&m_observers[static_cast<std::size_t>(other)]);
             }
             if (!m_sights[i].empty()) {
-                m_foreign[i] =
-                    cv::Mat(foreignCells(m_photos[i], m_sights[i], witnesses), true).reshape(1, kSightRows);
+                const std::vector<Foreign> cells = foreignCells(m_photos[i], m_sights[i], witnesses);
+                m_foreign[i] = maskOf(cells, Foreign::Yes);
                 leaveOut(m_options.mask, m_foreign[i]);
+                cv::Mat alone = maskOf(cells, Foreign::Unwitnessed);
+                leaveOut(m_options.mask, alone);
+                m_isAlone[i] = partOf(areasIn(static_cast<int>(i), alone)) > kMostPart ? 1 : 0;
             }
         });
     }
 
     std::vector<ForeignThing> things(std::size_t photo) const {
-        return m_sights[photo].empty() || isAlone(photo) ? std::vector<ForeignThing>()
-                                                         : areasIn(static_cast<int>(photo), m_foreign[photo]);
-    }
-
-    /// Whether no other photo sees what this one does: it may stand alone behind a wall.
-    bool isAlone(std::size_t photo) const {
-        double part = 0;
-        for (const ForeignThing& thing : areasIn(static_cast<int>(photo), m_foreign[photo])) {
-            part += thing.part;
-        }
-        return part > kMostPart;
+        return m_sights[photo].empty() || m_isAlone[photo] != 0
+                   ? std::vector<ForeignThing>()
+                   : areasIn(static_cast<int>(photo), m_foreign[photo]);
     }
 
     /// What is foreign in one photo explains nothing in another: somebody may have kept still for both. It is
@@ -259,6 +268,7 @@ class ForeignSearch {
     std::vector<PhotoSight> m_sights;
     std::vector<Observer> m_observers;
     std::vector<cv::Mat> m_foreign;
+    std::vector<std::uint8_t> m_isAlone; ///< 1 where no other photo sees what this one does: behind a wall.
 };
 
 } // namespace

@@ -119,8 +119,15 @@ struct Observer {
 
 Observer observer(const SightPhoto& photo, const PhotoSight& sight);
 
-/// For each cell of a photo, whether it shows something that stands where the observers look through.
-std::vector<std::uint8_t> foreignCells(const SightPhoto& photo, const PhotoSight& sight,
-                                       std::span<const Observer* const> observers);
+/// Whether a cell shows something that stands where other photos look through.
+enum class Foreign : std::uint8_t {
+    No,
+    Unwitnessed, ///< It shows what no other does, but hardly any looks through where it may stand.
+    Yes,
+};
+
+/// Of each cell of a photo.
+std::vector<Foreign> foreignCells(const SightPhoto& photo, const PhotoSight& sight,
+                                  std::span<const Observer* const> observers);
 
 } // namespace spherewalk::align

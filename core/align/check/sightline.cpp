@@ -10,6 +10,7 @@ namespace {
 constexpr double kSlackShare = 0.15;   ///< Of 1 / distance.
 constexpr double kSlackInverse = 0.06; ///< Per metre.
 constexpr int kSeveral = 4;
+constexpr int kLeastLooking = 2;   ///< Photos that look through where something foreign may stand.
 constexpr int kMostDissenters = 4; ///< Photos that see a surface where a single neighbour shows the same.
 constexpr double kFarthestInverse = 0.02; ///< Per metre: for what is endlessly far.
 /// The row of 30 degrees above the horizon. Higher up are ceilings and lamps, which glare, and no persons.
@@ -83,19 +84,24 @@ class Sightline {
         : m_cell(cell), m_originM(originM), m_ray(ray), m_observers(observers) {}
 
     /// Whether the photo shows something that stands where others look through.
-    bool isForeign() const {
+    Foreign foreign() const {
         if (isExplained()) {
-            return false;
+            return Foreign::No;
         }
+        int looking = 0; // photos that look through one of the places before a surface, at most
         bool metSurface = false;
         for (int level = 0; level < kSightLevels; ++level) {
             const Votes votes = votesAt(level);
             if (votes.through == 0 && votes.surface == 0) {
                 break; // Something may stand there that hides the rest.
             }
+            looking = std::max(looking, votes.through);
+            if (votes.through == 0 && looking >= kLeastLooking) {
+                return Foreign::Yes;
+            }
             metSurface = metSurface || votes.through == 0;
         }
-        return metSurface;
+        return metSurface ? Foreign::Unwitnessed : Foreign::No;
     }
 
   private:
@@ -148,16 +154,16 @@ class Sightline {
 
 } // namespace
 
-std::vector<std::uint8_t> foreignCells(const SightPhoto& photo, const PhotoSight& sight,
-                                       std::span<const Observer* const> observers) {
-    std::vector<std::uint8_t> foreign(kSightCells, 0);
+std::vector<Foreign> foreignCells(const SightPhoto& photo, const PhotoSight& sight,
+                                  std::span<const Observer* const> observers) {
+    std::vector<Foreign> foreign(kSightCells, Foreign::No);
     const Eigen::Matrix3f roomFromPhoto = photo.roomFromPhoto->rotation.matrix().cast<float>();
     const Eigen::Vector3f originM = photo.roomFromPhoto->translation.cast<float>();
     for (int row = kFirstSearchedRow; row < kSightRows; ++row) {
         for (int column = 0; column < kSightColumns; ++column) {
             const Sightline line(sight[static_cast<std::size_t>(row * kSightColumns + column)], originM,
                                  roomFromPhoto * sightDirection(row, column), observers);
-            foreign[static_cast<std::size_t>(row * kSightColumns + column)] = line.isForeign() ? 255 : 0;
+            foreign[static_cast<std::size_t>(row * kSightColumns + column)] = line.foreign();
         }
     }
     return foreign;
