@@ -5,7 +5,6 @@
 #include "published_camera.h"
 
 #include <filesystem>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -57,14 +57,18 @@ std::vector<int> neighboursOf(std::size_t photo, std::span<const SightPhoto> pho
             std::log(distanceM(photos[photo], photos[static_cast<std::size_t>(other)]) / kBestBaselineM));
     });
     std::array<bool, kSectors> isCovered{};
-    std::ranges::stable_partition(neighbours, [&](int other) {
+    std::vector<int> chosen;
+    std::vector<int> others;
+    for (const int other : neighbours) {
         const Eigen::Vector3d to = photos[static_cast<std::size_t>(other)].roomFromPhoto->translation -
                                    photos[photo].roomFromPhoto->translation;
         const double turn = std::atan2(to.y(), to.x()) / (2 * std::numbers::pi) + 0.5;
-        return !std::exchange(isCovered[static_cast<std::size_t>(turn * kSectors) % kSectors], true);
-    });
-    neighbours.resize(std::min(neighbours.size(), isCovered.size()));
-    return neighbours;
+        const auto sector = static_cast<std::size_t>(turn * kSectors) % kSectors;
+        (std::exchange(isCovered[sector], true) ? others : chosen).push_back(other);
+    }
+    others.resize(std::min(others.size(), kSectors - chosen.size()));
+    chosen.insert(chosen.end(), others.begin(), others.end());
+    return chosen;
 }
 
 /// The nearest photos, whose distances say what is seen through.
