@@ -3,8 +3,8 @@
 #include "pdf_reading.h"
 
 #include "spherewalk/base/text.h"
-#include "spherewalk/report/printed_sheets.h"
 #include "spherewalk/report/page_layout.h"
+#include "spherewalk/report/printed_sheets.h"
 #include "spherewalk/survey/marking.h"
 
 #include <gtest/gtest.h>
