@@ -66,12 +66,11 @@ void becomeProgram(const std::vector<std::string>& command, const Program::Optio
 } // namespace
 
 Program::Program(const std::vector<std::string>& command, const Options& options)
-    : m_outputFile(temporaryFile()), m_errorFile(temporaryFile()) {
-    const std::string inputFile = temporaryFile();
-    std::ofstream(inputFile) << options.input;
+    : m_inputFile(temporaryFile()), m_outputFile(temporaryFile()), m_errorFile(temporaryFile()) {
+    std::ofstream(m_inputFile) << options.input;
     m_pid = ::fork();
     if (m_pid == 0) {
-        becomeProgram(command, options, options.inputFile.empty() ? inputFile : options.inputFile,
+        becomeProgram(command, options, options.inputFile.empty() ? m_inputFile : options.inputFile,
                       m_outputFile, m_errorFile);
     }
     m_pidFd = static_cast<int>(::syscall(SYS_pidfd_open, m_pid, 0));
@@ -86,8 +85,9 @@ Program::~Program() {
         wait();
     }
     ::close(m_pidFd);
-    ::unlink(m_outputFile.c_str());
-    ::unlink(m_errorFile.c_str());
+    for (const std::string& file : {m_inputFile, m_outputFile, m_errorFile}) {
+        ::unlink(file.c_str());
+    }
 }
 
 void Program::signal(int number) const {

@@ -42,6 +42,7 @@ class Program {
     std::string errors() const;
 
   private:
+    std::string m_inputFile;
     std::string m_outputFile;
     std::string m_errorFile;
     pid_t m_pid = -1;
