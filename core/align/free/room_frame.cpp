@@ -22,7 +22,7 @@ constexpr double kBand = 0.015;           ///< Half the thickness of a floor, in
 constexpr std::size_t kLeastOnFloor = 30; ///< Points.
 constexpr double kLowerShare = 0.3;       ///< A lower plane with so many of a table's points is the floor.
 constexpr int kDraws = 600;
-constexpr double kLeastDrop = 0.3; ///< Height of the lens above the floor, in usual distances of points.
+constexpr double kLeastDrop = 0.3; ///< Height of the lens above the floor, in usual distances to points.
 
 struct Plane {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
@@ -63,6 +63,20 @@ Plane fittedPlane(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d
     plane.up *= plane.up.dot(up) < 0 ? -1 : 1;
     plane.at = plane.up.dot(middle);
     return plane;
+}
+
+/// The median distance of a point from the photo nearest to it. Distances from one photo would grow with the
+/// survey.
+double usualDistance(std::span<const Eigen::Vector3d> photos, std::span<const Eigen::Vector3d> points) {
+    std::vector<double> distances;
+    for (const Eigen::Vector3d& point : points) {
+        double nearest = 1e300;
+        for (const Eigen::Vector3d& photo : photos) {
+            nearest = std::min(nearest, (point - photo).norm());
+        }
+        distances.push_back(nearest);
+    }
+    return median(std::move(distances));
 }
 
 struct FoundPlane {
@@ -106,14 +120,10 @@ std::optional<FloorPlane> floorBelow(std::span<const Eigen::Vector3d> photos,
         return std::nullopt;
     }
     double lowest = 1e300;
-    std::vector<double> distances;
     for (const Eigen::Vector3d& photo : photos) {
         lowest = std::min(lowest, up.dot(photo));
     }
-    for (const Eigen::Vector3d& point : points) {
-        distances.push_back((point - photos.front()).norm());
-    }
-    const double usual = median(std::move(distances));
+    const double usual = usualDistance(photos, points);
     std::vector<Eigen::Vector3d> below;
     for (const Eigen::Vector3d& point : points) {
         if (up.dot(point) < lowest - kLeastDrop * usual) {

@@ -327,6 +327,22 @@ std::vector<PhotoPair> alongEachRoom() {
 
 } // namespace
 
+TEST(Floor, IsFoundBelowALongCorridor) {
+    std::vector<Eigen::Vector3d> photos;
+    std::vector<Eigen::Vector3d> points;
+    FixedRandom random(6);
+    for (int i = 0; i < 20; ++i) {
+        photos.emplace_back(i, 0, 1.5);
+        for (int point = 0; point < 10; ++point) {
+            points.emplace_back(i + random.uniform(), 2 * random.uniform() - 1, 0);
+            points.emplace_back(i + random.uniform(), 1, 1 + random.uniform());
+        }
+    }
+    const auto floor = floorBelow(photos, points, Eigen::Vector3d::UnitZ(), Degrees(3));
+    ASSERT_TRUE(floor);
+    EXPECT_NEAR(floor->lensHeight, 1.5, 1e-6);
+}
+
 TEST(LooseParts, NameARoomWhoseFloorLiesElsewhere) {
     FreePlaces places = twoRooms(0.045);
     doubtLooseParts(places, PlaceAgreement(places, alongEachRoom()), 1.5);
