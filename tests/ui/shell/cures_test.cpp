@@ -147,7 +147,9 @@ TEST(Guide, ItsPicturesFitItsWindow) {
     for (const char* page : {"plan", "capture", "connecting", "review", "export"}) {
         help.showPage(page);
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
-        EXPECT_EQ(help.findChild<QTextBrowser*>("helpText")->horizontalScrollBar()->maximum(), 0) << page;
+        const auto* bar = help.findChild<QTextBrowser*>("helpText")->horizontalScrollBar();
+        // Qt 6.8 lays the text out once more when the upright bar has come.
+        EXPECT_TRUE(QTest::qWaitFor([&] { return bar->maximum() == 0; })) << page << bar->maximum();
     }
 }
 
