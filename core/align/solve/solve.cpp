@@ -271,7 +271,8 @@ void widenPriors(std::vector<PhotoPrior>& priors, const ComponentInput& input, S
         return by;
     };
     for (int round = 0; round < kMostRounds && solvesPosition(made.choice.model); ++round) {
-        const PriorScatter scatter = priorScatter(made.state.unknowns, priors);
+        PriorScatter scatter = priorScatter(made.state.unknowns, priors);
+        scatter.height = std::max(scatter.height, commonLeanScatter(made.state.unknowns, priors));
         const PriorScatter by = {step(scatter.along, mostByChance(freedom.x()), widened.along),
                                  step(scatter.height, mostByChance(freedom.z()), widened.height)};
         if (by.along == 1 && by.height == 1) {

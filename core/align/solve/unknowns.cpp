@@ -141,6 +141,19 @@ PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> 
     return {scatter(std::move(along), freedom.x()), scatter(std::move(height), freedom.z())};
 }
 
+double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weights = 0;
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        const UpPrior up = upPrior(priors[static_cast<std::size_t>(unknowns.photo[i])]);
+        const double weight = 1 / (up.sigmaRad * up.sigmaRad);
+        sum += weight * leanOf(unknowns.state(i).roomFromPhoto * up.upInPhoto).vectorRad;
+        weights += weight;
+    }
+    const double variance = static_cast<double>(unknowns.photo.size()) / weights + 1 / weights;
+    return (sum / weights).norm() / std::sqrt(variance);
+}
+
 UpPrior upPrior(const PhotoPrior& prior) {
     if (!prior.levelFromPhoto) {
         return {Eigen::Vector3d::UnitZ(), kUnsaidTiltRad};

@@ -90,6 +90,10 @@ struct PriorScatter {
 /// few photos are left to tell.
 PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
 
+/// How far all photos lean together from what they state, over its standard deviation. A camera may err in
+/// one direction in all of its photos, so many photos state the common lean no better than one.
+double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
+
 inline bool solvesTilt(Model model) {
     return model != Model::Yaw;
 }
