@@ -303,7 +303,7 @@ std::vector<ChangedContent> changedContent(std::span<const std::optional<Rigid3>
                                            std::span<const PhotoPair> pairs,
                                            std::span<const std::vector<bool>> isInlier,
                                            const ContentCheckOptions& options) {
-    const Sightings sightings(roomFromPhoto, pairs, isInlier);
+    const Sightings sightings(roomFromPhoto, pairs, isInlier, options.isSearched);
     const Discs discs;
     const int count = static_cast<int>(roomFromPhoto.size());
     std::vector<std::vector<ChangedContent>> changes(roomFromPhoto.size());

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace spherewalk::align {
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double kLeastParallaxSine = 0.009; ///< Half a degree: less gives no distance.
 constexpr double kLeastRangeM = 0.1;
 constexpr double kSeenChord = 0.014; ///< 0.8 degrees: things so near are the same thing.
+constexpr int kLeastConfirming = 2;  ///< Neighbours that see a thing where the photo shows it.
 constexpr double kPriorShare = 0.2;  ///< Evens out shares of few photos.
 
 void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::size_t photos) {
@@ -48,10 +50,12 @@ void setChances(std::span<Witness> witnesses) {
 } // namespace
 
 Sightings::Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::span<const PhotoPair> pairs,
-                     std::span<const std::vector<bool>> isInlier)
+                     std::span<const std::vector<bool>> isInlier,
+                     std::function<bool(const Eigen::Vector3d&)> isSearched)
     : m_roomFromPhoto(roomFromPhoto.begin(), roomFromPhoto.end()),
       m_of(roomFromPhoto.size()),
-      m_neighbours(roomFromPhoto.size()) {
+      m_neighbours(roomFromPhoto.size()),
+      m_isSearched(std::move(isSearched)) {
     if (isInlier.size() != pairs.size()) {
         throw Error(ErrorKind::InvalidInput,
                     text("There are ", pairs.size(), " pairs, but inliers of ", isInlier.size(), " pairs."));
@@ -152,6 +156,13 @@ ExpectedThings Sightings::expected(int photo, int neighbour) const {
     return things;
 }
 
+bool Sightings::standsThere(int photo, int feature) const {
+    const auto [from, to] = std::ranges::equal_range(m_of[static_cast<std::size_t>(photo)], feature,
+                                                     std::less(), &Sighting::feature);
+    const auto there = std::count_if(from, to, [](const Sighting& sighting) { return sighting.rangeM > 0; });
+    return there >= kLeastConfirming;
+}
+
 /// The witness that one feature of the neighbour gives, by all photos that it was found in.
 std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
                                           PhotoWitnesses& result) const {
@@ -178,12 +189,15 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
     const Eigen::Vector3d pInPhoto = roomFromPhoto.inverse() * pInRoom;
     witness.rangeM = pInPhoto.norm();
     witness.expected = pInPhoto.normalized();
+    if (m_isSearched && !m_isSearched(witness.expected)) {
+        return std::nullopt;
+    }
     witness.chance =
         confirming / static_cast<double>(m_neighbours[static_cast<std::size_t>(neighbour)].size());
     witness.weight = 1 / (1 + confirming);
     if (inPhoto != nullptr) {
         witness.isSeen = (*inPhoto->others - witness.expected).norm() < kSeenChord;
-        if (!witness.isSeen) {
+        if (!witness.isSeen && !standsThere(photo, inPhoto->featureOfOther)) {
             witness.elsewhere = *inPhoto->others;
             witness.featureElsewhere = inPhoto->featureOfOther;
         }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +47,8 @@ struct ExpectedThings {
 class Sightings {
   public:
     Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::span<const PhotoPair> pairs,
-              std::span<const std::vector<bool>> isInlier);
+              std::span<const std::vector<bool>> isInlier,
+              std::function<bool(const Eigen::Vector3d&)> isSearched = {});
 
     /// The witnesses of all neighbours of a photo. Cost: grows with their matches. Threads: any.
     PhotoWitnesses witnesses(int photo) const;
@@ -78,9 +80,14 @@ class Sightings {
     std::optional<Witness> witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
                                    PhotoWitnesses& result) const;
 
+    /// Whether neighbours see the photo's feature where the photo shows it: then it did not come from
+    /// elsewhere.
+    bool standsThere(int photo, int feature) const;
+
     std::vector<std::optional<Rigid3>> m_roomFromPhoto;
-    std::vector<std::vector<Sighting>> m_of;    ///< One list a photo, sorted by feature.
-    std::vector<std::vector<int>> m_neighbours; ///< One list a photo, solved photos alone.
+    std::vector<std::vector<Sighting>> m_of;                  ///< One list a photo, sorted by feature.
+    std::vector<std::vector<int>> m_neighbours;               ///< One list a photo, solved photos alone.
+    std::function<bool(const Eigen::Vector3d&)> m_isSearched; ///< In a photo's frame. Empty: all is searched.
 };
 
 /// A disc of directions in a photo's frame.

@@ -127,8 +127,8 @@ class FeatureFinder {
             }
             const double pixelRad = view.pixelRad(x, y);
             const Eigen::Vector3d bearing = view.bearing(x, y);
-            if (bearing.z() < sin(m_options.lowestElevation) ||
-                isLeftOut(m_mask, bearing, kMaskedAround * keypoint.sizePx * pixelRad)) {
+            if (!isSearched(m_options, m_mask, bearing,
+                            Radians(kMaskedAround * keypoint.sizePx * pixelRad))) {
                 continue;
             }
             if (m_options.isUpright) {
@@ -242,6 +242,11 @@ void FeatureOptions::validate() const {
     require(leastContrast > 0 && leastContrast <= 1, "features'", "leastContrast", "above 0 and at most 1");
     require(lowestElevation >= Radians(Degrees(-90)) && lowestElevation <= Radians(Degrees(45)), "features'",
             "lowestElevation", "from -90 to 45 degrees");
+}
+
+bool isSearched(const FeatureOptions& options, const MaskImage& mask, const Eigen::Vector3d& bearing,
+                Radians around) {
+    return bearing.z() >= sin(options.lowestElevation) && !isLeftOut(mask, bearing, around.value());
 }
 
 Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask,

@@ -380,7 +380,12 @@ class AlignRun {
             m_report.scale = align::scaleByFloor(solved, m_pairs, fitting);
             refineStretch(m_tagged, m_report);
         }
-        for (const align::ChangedContent& changed : align::changedContent(solved, m_pairs, fitting)) {
+        const MaskImage mask = readMask(m_options.mask);
+        const auto isSearched = [&](const Eigen::Vector3d& bearing) {
+            return align::isSearched(m_effort.features, mask, bearing, Degrees(1));
+        };
+        for (const align::ChangedContent& changed :
+             align::changedContent(solved, m_pairs, fitting, {m_options.threads, isSearched})) {
             AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(changed.photo));
             if (std::find(photo.flags.begin(), photo.flags.end(), changed.reason) == photo.flags.end()) {
                 photo.flags.push_back(changed.reason);
@@ -388,8 +393,7 @@ class AlignRun {
             propose(Cure::Retake, photo);
         }
         ProgressStep searching(m_progress, 0.98, 0.995);
-        tellForeignThings(m_store.photoFolder(), {readMask(m_options.mask), m_options.threads}, m_report,
-                          searching, m_stop);
+        tellForeignThings(m_store.photoFolder(), {mask, m_options.threads}, m_report, searching, m_stop);
         giveVerdicts(m_tagged, m_report);
         tellTagFrame(m_report);
         placeAprilTags(m_aprilTags, m_options.tagSizeM, m_report);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,8 @@ struct ChangedContent {
 
 struct ContentCheckOptions {
     int threads = 0; ///< 0 means all that the machine has.
+    /// Whether features were looked for in this direction of a photo's frame. Empty: everywhere.
+    std::function<bool(const Eigen::Vector3d&)> isSearched = nullptr;
 };
 
 /// Finds photos in which something moved, vanished or came in (a chair, a door, a person). Reported are
@@ -44,11 +47,11 @@ struct ContentCheckOptions {
 /// Things that vanished or are covered are reported only where there is much of them, since furniture that
 /// hides things looks alike. Things that stand elsewhere in the photo are reported sooner.
 ///
-/// Not judged are: photos with fewer than three neighbours; regions with little to recognise; photos that
-/// differ from their neighbours in more than four regions (they are wrong as a whole); changes that some
-/// neighbours share. So if all photos from one on see the chair elsewhere, nothing is reported. At the
-/// survey's rim all neighbours stand to one side, and nearer things may hide what is missed; only clear
-/// changes are reported there.
+/// Not judged are: directions that were not searched for features; photos with fewer than three neighbours;
+/// regions with little to recognise; photos that differ from their neighbours in more than four regions (they
+/// are wrong as a whole); changes that some neighbours share. So if all photos from one on see the chair
+/// elsewhere, nothing is reported. At the survey's rim all neighbours stand to one side, and nearer things
+/// may hide what is missed; only clear changes are reported there.
 ///
 /// Frames: bearings and directions in the photo's panorama frame. Errors: InvalidInput if the lists' lengths
 /// differ or a pair names a photo that does not exist. Threads: the result is the same for any number. Cost:

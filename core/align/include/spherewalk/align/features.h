@@ -36,6 +36,11 @@ struct FeatureOptions {
     void validate() const;
 };
 
+/// Whether features in this direction of the panorama frame are kept whose descriptors reach `around`. mask:
+/// see detectFeatures().
+bool isSearched(const FeatureOptions& options, const MaskImage& mask, const Eigen::Vector3d& bearing,
+                Radians around);
+
 /// The features of one photo. All vectors have one entry a feature. The strongest feature of each region of
 /// the sphere comes first, then the second of each, so the first n are the best even selection of n.
 struct Features {
