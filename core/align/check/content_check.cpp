@@ -70,6 +70,8 @@ constexpr double kStillSeen = 0.1; ///< Share of the chance that is left where t
 constexpr double kLeastScore = 12; ///< In nats.
 /// For things that are not found elsewhere in the photo. Clean pictures beside furniture reach about as much.
 constexpr double kLeastVanishedScore = 24;
+/// Neighbours that look at a thing from farther aside may see behind what hides it.
+constexpr Radians kAlong = Degrees(12);
 constexpr double kLeastMissed = 5;     ///< Number of things that all neighbours see.
 constexpr double kLargestShare = 0.15; ///< Share of the expected things that may be seen all the same.
 constexpr double kOneSidedTimes = 1.3; ///< Factor of the score where something may hide the missed things.
@@ -273,6 +275,16 @@ bool mayBeHidden(const PhotoWitnesses& photo, const ChangedRegion& region, int i
            (hasNearerThings(photo, region) || region.tally.score < kOneSidedTimes * kLeastScore);
 }
 
+/// What neighbours say that look at the region from about where the photo stands. Furniture and walls may
+/// hide from the photo what the others see.
+double scoreAlong(const PhotoWitnesses& photo, const PhotoRegion& region) {
+    double score = 0;
+    for (const Witness& witness : photo.witnesses) {
+        score += witness.aside < kAlong && isWithin(witness, region) ? tally(witness).score : 0;
+    }
+    return score;
+}
+
 std::vector<ChangedContent> changesIn(int index, const Sightings& sightings, const Discs& discs) {
     PhotoWitnesses photo = sightings.witnesses(index);
     std::vector<ChangedContent> changes;
@@ -283,8 +295,8 @@ std::vector<ChangedContent> changesIn(int index, const Sightings& sightings, con
         }
         fit(photo, *region);
         const std::optional<double> movedRad = moved(photo, *region);
-        if (movedRad ||
-            (region->tally.score > kLeastVanishedScore && !mayBeHidden(photo, *region, index, sightings))) {
+        if (movedRad || (scoreAlong(photo, *region) > kLeastVanishedScore &&
+                         !mayBeHidden(photo, *region, index, sightings))) {
             const double confidence = 1 - std::exp(-region->tally.score / kLeastScore);
             changes.push_back({index, region->middle, region->radius, confidence, reason(movedRad)});
         }

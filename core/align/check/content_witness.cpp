@@ -7,6 +7,7 @@
 #include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -21,6 +22,9 @@ constexpr double kLeastRangeM = 0.1;
 constexpr double kSeenChord = 0.014; ///< 0.8 degrees: things so near are the same thing.
 constexpr int kLeastConfirming = 2;  ///< Neighbours that see a thing where the photo shows it.
 constexpr double kPriorShare = 0.2;  ///< Evens out shares of few photos.
+constexpr std::array<Degrees, 6> kAside = {Degrees(4),  Degrees(8),  Degrees(14),
+                                           Degrees(22), Degrees(32), Degrees(180)};
+constexpr double kPriorThings = 3; ///< Evens out what few things say of how far aside they are still known.
 
 void checkPair(const PhotoPair& pair, const std::vector<bool>& isInlier, std::size_t photos) {
     if (std::min(pair.a, pair.b) < 0 || static_cast<std::size_t>(std::max(pair.a, pair.b)) >= photos) {
@@ -44,6 +48,30 @@ void setChances(std::span<Witness> witnesses) {
     }
     for (Witness& witness : witnesses) {
         witness.chance = std::clamp(seen * (witness.chance + kPriorShare) / shares, 0.02, 0.95);
+    }
+}
+
+/// What is seen from aside is found again less often, and furniture hides more of it.
+void lowerChancesAside(std::span<Witness> witnesses) {
+    Radians from;
+    for (const Radians to : kAside) {
+        const auto isHere = [&](const Witness& witness) {
+            return witness.aside >= from && witness.aside < to;
+        };
+        double seen = kPriorThings;
+        double expected = kPriorThings;
+        for (const Witness& witness : witnesses) {
+            if (isHere(witness)) {
+                seen += witness.isSeen ? witness.weight : 0;
+                expected += witness.weight * witness.chance;
+            }
+        }
+        for (Witness& witness : witnesses) {
+            if (isHere(witness)) {
+                witness.chance *= std::min(1., seen / expected);
+            }
+        }
+        from = to;
     }
 }
 
@@ -130,6 +158,7 @@ PhotoWitnesses Sightings::witnesses(int photo) const {
         setChances(std::span(result.witnesses).subspan(first));
         ++result.neighbours;
     }
+    lowerChancesAside(result.witnesses);
     return result;
 }
 
@@ -189,6 +218,8 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
     const Eigen::Vector3d pInPhoto = roomFromPhoto.inverse() * pInRoom;
     witness.rangeM = pInPhoto.norm();
     witness.expected = pInPhoto.normalized();
+    witness.aside = angleBetween(pInRoom - roomFromPhoto.translation,
+                                 pInRoom - m_roomFromPhoto[static_cast<std::size_t>(neighbour)]->translation);
     if (m_isSearched && !m_isSearched(witness.expected)) {
         return std::nullopt;
     }

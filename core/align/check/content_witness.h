@@ -20,9 +20,10 @@ struct Witness {
     Eigen::Vector3d expected = Eigen::Vector3d::UnitX(); ///< Unit vector in the photo's frame.
     bool isSeen = false;                                 ///< The photo shows it there.
     double rangeM = 0;                                   ///< Distance from the photo.
-    std::vector<int> viewers;                            ///< Photos that see it, if this one does not.
-    double chance = 0; ///< Chance that the photo shows it, by how many others do.
-    double weight = 1; ///< Less where other neighbours witness the same thing.
+    Radians aside;            ///< Between the directions in which the photo and the neighbour look at it.
+    std::vector<int> viewers; ///< Photos that see it, if this one does not.
+    double chance = 0;        ///< Chance that the photo shows it, by how many others do.
+    double weight = 1;        ///< Less where other neighbours witness the same thing.
     /// Where the photo shows a thing that looks alike, if elsewhere.
     std::optional<Eigen::Vector3d> elsewhere;
     int featureElsewhere = -1;

@@ -55,7 +55,8 @@ Box around(const Eigen::Vector3d& middleM, double halfM) {
 } // namespace
 
 FurnishedSurvey::FurnishedSurvey(const FurnishedOptions& options, Random& random)
-    : m_boxes({Box(Eigen::Vector3d(0.2, 0.9, 0), Eigen::Vector3d(0.6, 1.6, 1.5)),
+    : m_neighboursM(options.neighboursM),
+      m_boxes({Box(Eigen::Vector3d(0.2, 0.9, 0), Eigen::Vector3d(0.6, 1.6, 1.5)),
                Box(Eigen::Vector3d(1.2, 3.0, 0), Eigen::Vector3d(2.2, 3.5, 0.9))}) {
     const Box walls(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4.2, 4.2, 2.6));
     for (int i = 0; i < options.pointsOnWalls; ++i) {
@@ -120,7 +121,7 @@ void FurnishedSurvey::expose(Random& random) {
             const double distanceM = (m_truth[static_cast<std::size_t>(a)].translation -
                                       m_truth[static_cast<std::size_t>(b)].translation)
                                          .norm();
-            if (distanceM < 0.42) {
+            if (distanceM < m_neighboursM) {
                 match(a, b, seen, random);
             }
         }

@@ -19,6 +19,7 @@ struct FurnishedOptions {
     int rows = 5; ///< stations along x and along y
     int columns = 5;
     double stepM = 0.2;
+    double neighboursM = 0.42; ///< so far apart photos are compared
     double positionSigmaM = 0; ///< of the poses given, off the true ones
     int pointsOnWalls = 3000;
     double pointsPerM2 = 120; ///< on furniture
@@ -53,6 +54,7 @@ class FurnishedSurvey {
     void match(int a, int b, const std::vector<std::vector<Seen>>& seen, spherewalk::test::Random& random);
     bool fits(int a, int b, const Correspondence& match) const;
 
+    double m_neighboursM;
     std::vector<Rigid3> m_truth;
     std::vector<Eigen::Vector3d> m_pointsM;
     std::vector<Eigen::Vector3d> m_chairPointsM; ///< relative to the chair's middle
