@@ -178,9 +178,7 @@ class AlignRun {
         joinParts(positions);
         m_report.pairs = m_pairs.size();
         m_report.holdingPairs = static_cast<std::size_t>(
-            std::count_if(m_estimates.begin(), m_estimates.end(), [](const align::PairEstimate& pair) {
-                return pair.verdict == align::PairVerdict::Constraint;
-            }));
+            std::ranges::count(m_estimates, align::PairVerdict::Constraint, &align::PairEstimate::verdict));
         m_report.matchSeconds = secondsSince(begin);
     }
 
@@ -370,9 +368,8 @@ class AlignRun {
 
     void judge() {
         m_progress.progress(0.98, "Looking for what moved");
-        const std::vector<align::SolvedPose>& poses = m_report.alignment.photos;
         std::vector<std::optional<Rigid3>> solved;
-        for (const align::SolvedPose& pose : poses) {
+        for (const align::SolvedPose& pose : m_report.alignment.photos) {
             solved.push_back(pose.isSolved ? std::optional(pose.roomFromPhoto) : std::nullopt);
         }
         const std::vector<std::vector<bool>> fitting = align::fittingMatches(solved, m_pairs);
