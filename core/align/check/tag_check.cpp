@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/angle.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace spherewalk::align {
 
@@ -280,6 +282,43 @@ std::optional<Scale> scaleByFloor(std::span<const std::optional<Rigid3>> roomFro
     return Scale{median(onFloor), kFlatness * below[floor]};
 }
 
+namespace {
+
+/// The direction in which a photo of the pair has the other, in its own frame; empty if the pair does not
+/// tell.
+std::optional<Eigen::Vector3d> directionFrom(int photo, const PairEstimate& pair) {
+    if (pair.verdict != PairVerdict::Constraint || !pair.baselineInA) {
+        return std::nullopt;
+    }
+    return photo == pair.a ? *pair.baselineInA
+                           : Eigen::Vector3d(pair.aFromB.conjugate() * -*pair.baselineInA);
+}
+
+/// Whether most third photos lie in other directions from one photo of the pair than from the other. The
+/// pair's own matches are then of things that look alike, as doors do.
+bool areApartByOthers(const PairEstimate& pair, std::span<const PairEstimate> estimates) {
+    constexpr Radians kClearlyApart = Degrees(8);
+    std::map<int, Eigen::Vector3d> fromA;
+    for (const PairEstimate& other : estimates) {
+        if (const auto direction = directionFrom(pair.a, other);
+            direction && (other.a == pair.a || other.b == pair.a)) {
+            fromA[other.a == pair.a ? other.b : other.a] = *direction;
+        }
+    }
+    int apart = 0;
+    int together = 0;
+    for (const PairEstimate& other : estimates) {
+        const auto seenFromA = fromA.find(other.a == pair.b ? other.b : other.a);
+        const auto direction = directionFrom(pair.b, other);
+        if ((other.a == pair.b || other.b == pair.b) && direction && seenFromA != fromA.end()) {
+            ++(angleBetween(seenFromA->second, pair.aFromB * *direction) > kClearlyApart ? apart : together);
+        }
+    }
+    return apart > together;
+}
+
+} // namespace
+
 std::vector<OnePlace> photosAtOnePlace(std::span<const PhotoPrior> photos,
                                        std::span<const PairEstimate> estimates) {
     constexpr std::size_t kLeastPairs = 4;
@@ -307,7 +346,8 @@ std::vector<OnePlace> photosAtOnePlace(std::span<const PhotoPrior> photos,
     std::vector<OnePlace> found;
     for (const PairEstimate& pair : estimates) {
         if (counts(pair) && pair.inlierShare > kLeastAgreeing &&
-            pair.parallaxRad < kNoParallaxShare * usual * apartM(pair)) {
+            pair.parallaxRad < kNoParallaxShare * usual * apartM(pair) &&
+            !areApartByOthers(pair, estimates)) {
             found.push_back({pair.a, pair.b, apartM(pair)});
         }
     }

@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace spherewalk::align {
 
@@ -105,16 +106,44 @@ TEST(TagCheck, TellsTheScaleByTheFloor) {
     }
 }
 
+namespace {
+
+/// The estimates as if the second photo of the first pair had been taken where the first was.
+std::vector<PairEstimate> withoutMove(const std::vector<PairEstimate>& estimates) {
+    const PairEstimate& first = estimates.front();
+    std::vector<PairEstimate> still{first};
+    still.front().aFromB = Eigen::Quaterniond::Identity();
+    still.front().parallaxRad = 0.0005;
+    for (const PairEstimate& pair : estimates) {
+        if (pair.a == first.b || pair.b == first.b) {
+            continue;
+        }
+        still.push_back(pair);
+        if (pair.a == first.a || pair.b == first.a) {
+            still.push_back(pair);
+            (pair.a == first.a ? still.back().a : still.back().b) = first.b;
+        }
+    }
+    return still;
+}
+
+} // namespace
+
 TEST(TagCheck, NamesPhotosThatWereTakenAtOnePlace) {
-    SyntheticSurvey survey = syntheticSurvey({});
+    const SyntheticSurvey survey = syntheticSurvey({});
     const auto estimates = estimatePairs(survey.pairs);
     EXPECT_TRUE(photosAtOnePlace(survey.photos, estimates).empty());
-    std::vector<PairEstimate> still = estimates;
-    still.front().parallaxRad = 0.0005;
-    const std::vector<OnePlace> found = photosAtOnePlace(survey.photos, still);
+    const std::vector<OnePlace> found = photosAtOnePlace(survey.photos, withoutMove(estimates));
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found.front().a, still.front().a);
-    EXPECT_EQ(found.front().b, still.front().b);
+    EXPECT_EQ(found.front().a, estimates.front().a);
+    EXPECT_EQ(found.front().b, estimates.front().b);
+}
+
+TEST(TagCheck, BelievesNoPairThatThirdPhotosContradict) {
+    const SyntheticSurvey survey = syntheticSurvey({});
+    auto estimates = estimatePairs(survey.pairs);
+    estimates.front().parallaxRad = 0.0005; // as of two doors that look alike
+    EXPECT_TRUE(photosAtOnePlace(survey.photos, estimates).empty());
 }
 
 } // namespace spherewalk::align

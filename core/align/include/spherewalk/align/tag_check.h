@@ -52,7 +52,8 @@ struct OnePlace {
     double tagsApartM = 0;
 };
 
-/// The pairs without parallax, where the survey's other pairs have it. Values that are not finite are passed
+/// The pairs without parallax, where the survey's other pairs have it, unless most third photos lie in other
+/// directions from one of both than from the other. Values that are not finite are passed
 /// over.
 std::vector<OnePlace> photosAtOnePlace(std::span<const PhotoPrior> photos,
                                        std::span<const PairEstimate> estimates);
