@@ -186,9 +186,12 @@ ExpectedThings Sightings::expected(int photo, int neighbour) const {
 }
 
 bool Sightings::standsThere(int photo, int feature) const {
-    const auto [from, to] = std::ranges::equal_range(m_of[static_cast<std::size_t>(photo)], feature,
-                                                     std::less(), &Sighting::feature);
-    const auto there = std::count_if(from, to, [](const Sighting& sighting) { return sighting.rangeM > 0; });
+    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(photo)];
+    int there = 0;
+    for (auto sighting = std::ranges::lower_bound(all, feature, std::less(), &Sighting::feature);
+         sighting != all.end() && sighting->feature == feature; ++sighting) {
+        there += sighting->rangeM > 0 ? 1 : 0;
+    }
     return there >= kLeastConfirming;
 }
 
