@@ -287,7 +287,7 @@ namespace {
 /// The direction in which a photo of the pair has the other, in its own frame; empty if the pair does not
 /// tell.
 std::optional<Eigen::Vector3d> directionFrom(int photo, const PairEstimate& pair) {
-    if (pair.verdict != PairVerdict::Constraint || !pair.baselineInA) {
+    if (pair.verdict != PairVerdict::Constraint || !pair.baselineInA || !pair.baselineInA->allFinite()) {
         return std::nullopt;
     }
     return photo == pair.a ? *pair.baselineInA

@@ -44,8 +44,9 @@ struct ContentCheckOptions {
 /// fittingMatches() returns. Matches need their features' indices: without them nothing tells that two
 /// neighbours see the same thing.
 ///
-/// Things that vanished or are covered are reported only where there is much of them, since furniture that
-/// hides things looks alike. Things that stand elsewhere in the photo are reported sooner.
+/// Things that vanished or are covered are reported only where there is much of them, and neighbours look at
+/// them from within 12 degrees, since furniture that hides things looks alike. Things that stand elsewhere in
+/// the photo are reported sooner.
 ///
 /// Not judged are: directions that were not searched for features; photos with fewer than three neighbours;
 /// regions with little to recognise; photos that differ from their neighbours in more than four regions (they

@@ -36,8 +36,8 @@ struct FeatureOptions {
     void validate() const;
 };
 
-/// Whether features in this direction of the panorama frame are kept whose descriptors reach `around`. mask:
-/// see detectFeatures().
+/// Whether features in this direction of the panorama frame are kept whose descriptors reach `around`;
+/// usesZenith is not asked. mask: see detectFeatures().
 bool isSearched(const FeatureOptions& options, const MaskImage& mask, const Eigen::Vector3d& bearing,
                 Radians around);
 
