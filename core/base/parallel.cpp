@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -108,6 +110,79 @@ void parallelFor(int count, int grain, int threads, const std::function<void(int
     if (failure) {
         std::rethrow_exception(failure);
     }
+}
+
+namespace {
+
+/// Tasks that need others' results.
+class Tasks {
+  public:
+    explicit Tasks(std::span<const std::vector<int>> needs)
+        : m_lacking(needs.size()), m_neededBy(needs.size()) {
+        for (std::size_t task = 0; task < needs.size(); ++task) {
+            m_lacking[task] = needs[task].size();
+            for (const int other : needs[task]) {
+                m_neededBy[static_cast<std::size_t>(other)].push_back(task);
+            }
+            if (needs[task].empty()) {
+                m_ready.insert(task);
+            }
+        }
+    }
+
+    /// Takes part until nothing is left to begin.
+    void work(const std::function<void(int)>& body) {
+        std::unique_lock lock(m_mutex);
+        while (!m_hasFailed) {
+            if (!m_ready.empty()) {
+                perform(*m_ready.begin(), body, lock);
+            } else if (m_running > 0) {
+                m_change.wait(lock);
+            } else {
+                return;
+            }
+        }
+    }
+
+  private:
+    void perform(std::size_t task, const std::function<void(int)>& body, std::unique_lock<std::mutex>& lock) {
+        m_ready.erase(task);
+        ++m_running;
+        lock.unlock();
+        try {
+            body(static_cast<int>(task));
+        } catch (...) { // the others end, too
+            lock.lock();
+            m_hasFailed = true;
+            m_change.notify_all();
+            throw;
+        }
+        lock.lock();
+        --m_running;
+        for (const std::size_t other : m_neededBy[task]) {
+            if (--m_lacking[other] == 0) {
+                m_ready.insert(other);
+            }
+        }
+        m_change.notify_all();
+    }
+
+    std::vector<std::size_t> m_lacking; ///< How many tasks each one waits for.
+    std::vector<std::vector<std::size_t>> m_neededBy;
+    std::set<std::size_t> m_ready;
+    int m_running = 0;
+    bool m_hasFailed = false;
+    std::mutex m_mutex;
+    std::condition_variable m_change;
+};
+
+} // namespace
+
+void parallelTasks(std::span<const std::vector<int>> needs, int threads,
+                   const std::function<void(int)>& body) {
+    Tasks tasks(needs);
+    const int workers = std::min(threads > 0 ? threads : hardwareThreads(), static_cast<int>(needs.size()));
+    parallelFor(workers, 1, workers, [&](int, int) { tasks.work(body); });
 }
 
 struct WorkerPool::State {

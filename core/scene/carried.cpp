@@ -270,10 +270,8 @@ struct Helper {
 std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPicture> others) {
     std::vector<Helper> result;
     for (const PosedPicture& other : others) {
-        const Eigen::Quaterniond photoFromRoom = other.roomFromPhoto.rotation.conjugate();
-        result.push_back({other.picture, photoFromRoom, other.roomFromPhoto.translation,
-                          gainsTo(*photo.picture, *other.picture,
-                                  (photoFromRoom * photo.roomFromPhoto.rotation).toRotationMatrix())});
+        result.push_back({other.picture, other.roomFromPhoto.rotation.conjugate(),
+                          other.roomFromPhoto.translation, gainsTo(photo, other)});
     }
     return result;
 }

@@ -62,7 +62,7 @@ class Refinement {
           m_depth(*photo.depth),
           m_cost(costFor(photo, neighbours, threads)),
           m_filter(guide(m_cost.photo()), kFilterRadius, kFilterSmoothness, threads),
-          m_best(costsOf(m_depth.inverseM)),
+          m_best(std::move(costsOf({&m_depth.inverseM, 1}).front())),
           m_texture(textureOf(m_cost.photo(), threads)) {}
 
     PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours) {
@@ -73,12 +73,11 @@ class Refinement {
                 known[i] = seenFromPhoto(photo, neighbours[i]);
             }
         });
-        for (Plane& candidate : known) {
-            takeOver(std::move(candidate));
-        }
+        takeOver(known);
         for (const int reach : {1, 2}) {
-            tryAbout(reach, [](float a, float b) { return std::min(a, b); });
-            tryAbout(reach, [](float a, float b) { return std::max(a, b); });
+            const Plane candidates[] = {about(reach, [](float a, float b) { return std::min(a, b); }),
+                                        about(reach, [](float a, float b) { return std::max(a, b); })};
+            takeBetter(candidates, [](std::size_t) {});
         }
         dropSpecks(*photo.depth);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
@@ -90,12 +89,9 @@ class Refinement {
         std::vector<PosedPicture> pictures;
         std::vector<Gains> gains;
         std::vector<const Plane*> depths;
-        const Eigen::Quaterniond roomFromPhoto = photo.photo.roomFromPhoto.rotation;
         for (const KnownPhoto& neighbour : neighbours) {
-            const Rigid3& pose = neighbour.photo.roomFromPhoto;
             pictures.push_back(neighbour.photo);
-            gains.push_back(gainsTo(*photo.photo.picture, *neighbour.photo.picture,
-                                    (pose.rotation.conjugate() * roomFromPhoto).toRotationMatrix()));
+            gains.push_back(gainsTo(photo.photo, neighbour.photo));
             depths.push_back(&neighbour.depth->inverseM);
         }
         return {photo.photo, pictures, kKeptShare, photo.depth->inverseM.width(), threads, gains, depths};
@@ -130,24 +126,28 @@ class Refinement {
         return squares;
     }
 
-    Plane costsOf(const Plane& inverse) const {
-        Plane costs(inverse.width(), inverse.height());
+    std::vector<Plane> costsOf(std::span<const Plane> inverse) const {
+        std::vector<Plane> costs(inverse.size(), Plane(m_cost.width(), m_cost.height()));
         m_cost.all(inverse, m_threads, m_stop, costs);
-        m_filter.apply(costs);
+        for (Plane& plane : costs) {
+            m_filter.apply(plane);
+        }
         return costs;
     }
 
-    /// Takes a candidate's distances where they fit better and the picture is not bare. Calls taken(i) for
-    /// each such pixel.
+    /// Takes candidates' distances where they fit better and the picture is not bare. Calls taken(i) for each
+    /// such pixel.
     template <class Taken>
-    void takeBetter(const Plane& candidate, const Taken& taken) {
-        const Plane costs = costsOf(candidate);
-        for (std::size_t i = 0; i < costs.values().size(); ++i) {
-            if (m_texture.values()[i] > kTexture * kTexture &&
-                costs.values()[i] < m_best.values()[i] - kBetter) {
-                m_best.values()[i] = costs.values()[i];
-                m_depth.inverseM.values()[i] = candidate.values()[i];
-                taken(i);
+    void takeBetter(std::span<const Plane> candidates, const Taken& taken) {
+        const std::vector<Plane> costs = costsOf(candidates);
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
+            for (std::size_t i = 0; i < m_best.values().size(); ++i) {
+                if (m_texture.values()[i] > kTexture * kTexture &&
+                    costs[k].values()[i] < m_best.values()[i] - kBetter) {
+                    m_best.values()[i] = costs[k].values()[i];
+                    m_depth.inverseM.values()[i] = candidates[k].values()[i];
+                    taken(i);
+                }
             }
         }
     }
@@ -162,18 +162,20 @@ class Refinement {
         });
     }
 
-    /// Tries what a neighbour knows; 0 where it knows nothing.
-    void takeOver(Plane candidate) {
-        for (std::size_t i = 0; i < candidate.values().size(); ++i) {
-            float& value = candidate.values()[i];
-            value = value > 0 ? value : m_depth.inverseM.values()[i];
+    /// Tries what the neighbours know; 0 where one knows nothing.
+    void takeOver(std::vector<Plane>& known) {
+        for (Plane& candidate : known) {
+            for (std::size_t i = 0; i < candidate.values().size(); ++i) {
+                float& value = candidate.values()[i];
+                value = value > 0 ? value : m_depth.inverseM.values()[i];
+            }
         }
-        takeBetter(candidate, [&](std::size_t i) { m_depth.sure.values()[i] = 255; });
+        takeBetter(known, [&](std::size_t i) { m_depth.sure.values()[i] = 255; });
     }
 
-    /// Tries the nearest or the farthest of the distances at a pixel and so far from it.
+    /// The nearest or the farthest of the distances at a pixel and so far from it.
     template <class Choose>
-    void tryAbout(int reach, const Choose& choose) {
+    Plane about(int reach, const Choose& choose) const {
         const Plane& last = m_depth.inverseM;
         const int width = last.width();
         Plane candidate = last;
@@ -189,7 +191,7 @@ class Refinement {
                 }
             }
         });
-        takeBetter(candidate, [](std::size_t) {});
+        return candidate;
     }
 
     int m_threads;

@@ -6,20 +6,40 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace spherewalk::scene {
 
+PictureSizes::PictureSizes(RgbImage picture) {
+    constexpr int kLeastWidth = 64;
+    m_pictures.push_back(std::move(picture));
+    while (m_pictures.back().width() >= 2 * kLeastWidth) {
+        const RgbImage& last = m_pictures.back();
+        m_pictures.push_back(photo::resized(last, last.width() / 2, last.height() / 2));
+    }
+}
+
+const RgbImage& PictureSizes::atLeast(int width) const {
+    const auto isWide = [&](const RgbImage& picture) { return picture.width() >= width; };
+    const auto found = std::find_if(m_pictures.rbegin(), m_pictures.rend(), isWide);
+    return found != m_pictures.rend() ? *found : m_pictures.front();
+}
+
 namespace {
 
 constexpr float kBytesPerCost = 2.5F;
+constexpr int kPixelsAtATime = 64; ///< What a neighbour shows there at all distances stays in a fast cache.
 constexpr float kLeastInverseM = 1e-3F; ///< Nothing is taken to be farther than a kilometre.
 constexpr int kFilterRadius = 4;
 constexpr float kFilterSmoothness = 1e-3F;
@@ -109,10 +129,8 @@ class Sweep {
           m_distances(baselines(photo, neighbours), options),
           m_evident(options.width, options.width / 2) {
         std::fill(m_evident.values().begin(), m_evident.values().end(), std::uint8_t{255});
-        const Eigen::Matrix3d roomFromPhoto = photo.roomFromPhoto.rotation.toRotationMatrix();
         for (const PosedPicture& other : neighbours) {
-            const Eigen::Matrix3d otherFromRoom = other.roomFromPhoto.rotation.conjugate().toRotationMatrix();
-            m_gains.push_back(gainsTo(*photo.picture, *other.picture, otherFromRoom * roomFromPhoto));
+            m_gains.push_back(gainsTo(photo, other));
         }
     }
 
@@ -132,23 +150,31 @@ class Sweep {
         return {m_photo, m_neighbours, m_options.keptShare, width, m_options.threads, m_gains};
     }
 
+    /// Range: costs have a row of pixels for each distance.
+    static void enter(const std::vector<float>& costs, int distances, std::uint8_t* volume) {
+        for (std::size_t x = 0; x < kPixelsAtATime; ++x) {
+            for (auto d = 0UL; d < static_cast<std::size_t>(distances); ++d) {
+                *volume++ = static_cast<std::uint8_t>(kBytesPerCost * costs[d * kPixelsAtATime + x]);
+            }
+        }
+    }
+
     CostVolume<std::uint8_t> volume(const SweepCost& cost) const {
         CostVolume<std::uint8_t> volume(cost.width(), cost.height(), m_distances.count());
         parallelFor(cost.height(), 2, m_options.threads, [&](int begin, int end) {
             throwIfStopped(m_stop);
-            SweepCost::Scratch scratch(cost);
-            const auto width = static_cast<std::size_t>(cost.width());
-            std::vector<float> inverse(width);
-            std::vector<float> costs(width);
+            const int values = volume.distances * kPixelsAtATime;
+            SweepCost::Scratch scratch(cost, values);
+            std::vector<float> costs(static_cast<std::size_t>(values));
+            std::vector<float> inverse(costs.size());
+            for (std::size_t i = 0; i < inverse.size(); ++i) {
+                inverse[i] = m_distances.inverse(static_cast<float>(i / kPixelsAtATime));
+            }
             for (int y = begin; y < end; ++y) {
-                for (int d = 0; d < volume.distances; ++d) {
-                    std::fill(inverse.begin(), inverse.end(), m_distances.inverse(static_cast<float>(d)));
-                    cost.row(y, inverse.data(), scratch, costs.data());
-                    std::uint8_t* out = volume.at(0, y) + d;
-                    for (std::size_t x = 0; x < width; ++x) {
-                        out[x * static_cast<std::size_t>(volume.distances)] =
-                            static_cast<std::uint8_t>(kBytesPerCost * costs[x]);
-                    }
+                for (int x = 0; x < cost.width(); x += kPixelsAtATime) {
+                    cost.at({y, x, x + kPixelsAtATime}, volume.distances, inverse.data(), scratch,
+                            costs.data());
+                    enter(costs, volume.distances, volume.at(x, y));
                 }
             }
         });
@@ -197,13 +223,13 @@ class Sweep {
                 *candidates[2].at(x, y) = most;
             }
         }
-        Plane best = filteredCosts(candidates[0], cost, filter);
+        std::vector<Plane> costs = filteredCosts(candidates, cost, filter);
+        Plane& best = costs[0];
         Plane result = candidates[0];
         for (std::size_t k = 1; k < candidates.size(); ++k) {
-            const Plane costs = filteredCosts(candidates[k], cost, filter);
-            for (std::size_t i = 0; i < costs.values().size(); ++i) {
-                if (costs.values()[i] < best.values()[i] - 1e-4F) {
-                    best.values()[i] = costs.values()[i];
+            for (std::size_t i = 0; i < best.values().size(); ++i) {
+                if (costs[k].values()[i] < best.values()[i] - 1e-4F) {
+                    best.values()[i] = costs[k].values()[i];
                     result.values()[i] = candidates[k].values()[i];
                 }
             }
@@ -224,10 +250,15 @@ class Sweep {
         return {least, most};
     }
 
-    Plane filteredCosts(const Plane& inverse, const SweepCost& cost, const GuidedFilter& filter) const {
-        Plane costs(cost.width(), cost.height());
+    std::vector<Plane> filteredCosts(std::span<const Plane> inverse, const SweepCost& cost,
+                                     const GuidedFilter& filter) const {
+        std::vector<Plane> costs;
+        std::generate_n(std::back_inserter(costs), inverse.size(),
+                        [&] { return Plane(cost.width(), cost.height()); });
         cost.all(inverse, m_options.threads, m_stop, costs);
-        filter.apply(costs);
+        for (Plane& plane : costs) {
+            filter.apply(plane);
+        }
         return costs;
     }
 
@@ -244,12 +275,9 @@ class Sweep {
         Plane after = best;
         Plane last = best;
         Plane sum(width, width / 2);
+        const std::vector<Plane> all = filteredCosts(movedBy(base, step), cost, filter);
         for (int k = -kOffsets; k <= kOffsets; ++k) {
-            Plane tried = base;
-            for (float& value : tried.values()) {
-                value = moved(value, static_cast<float>(k) * step);
-            }
-            Plane costs = filteredCosts(tried, cost, filter);
+            const Plane& costs = all[static_cast<std::size_t>(k + kOffsets)];
             for (std::size_t i = 0; i < costs.values().size(); ++i) {
                 const float here = costs.values()[i];
                 sum.values()[i] += here;
@@ -263,7 +291,7 @@ class Sweep {
                     after.values()[i] = HUGE_VALF;
                 }
             }
-            last = std::move(costs);
+            last = costs;
         }
         if (width == m_options.width) {
             judge(best, offset, sum);
@@ -277,6 +305,24 @@ class Sweep {
             inverse.values()[i] = moved(base.values()[i], (offset.values()[i] + between) * step);
         }
         return median3x3(inverse, m_options.threads);
+    }
+
+    /// The distances that are tried about these.
+    std::vector<Plane> movedBy(const Plane& base, float step) const {
+        std::vector<Plane> tried(2 * kOffsets + 1, Plane(base.width(), base.height()));
+        parallelFor(base.height(), 32, m_options.threads, [&](int begin, int end) {
+            const auto first = static_cast<std::size_t>(begin * base.width());
+            const auto last = static_cast<std::size_t>(end * base.width());
+            for (std::size_t i = first; i < last; ++i) {
+                const float value = base.values()[i];
+                const float stepHere = m_distances.stepAt(value);
+                for (std::size_t k = 0; k < tried.size(); ++k) {
+                    const float steps = static_cast<float>(static_cast<int>(k) - kOffsets) * step;
+                    tried[k].values()[i] = std::max(kLeastInverseM, value + steps * stepHere);
+                }
+            }
+        });
+        return tried;
     }
 
     /// 1 / distance, so many steps nearer.
@@ -355,6 +401,31 @@ std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos,
                      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
     order.resize(std::min(order.size(), static_cast<std::size_t>(options.neighbours)));
     return order;
+}
+
+std::vector<std::size_t> ranksByPlace(std::span<const Rigid3> roomFromPhotos) {
+    constexpr double kStrip = 4; // of the usual distance from a photo to the nearest one
+    std::vector<double> nearestM{1e-3};
+    for (std::size_t i = 0; i < roomFromPhotos.size(); ++i) {
+        for (const std::size_t other : sweepNeighbours(roomFromPhotos, i, {.neighbours = 1})) {
+            nearestM.push_back((roomFromPhotos[other].translation - roomFromPhotos[i].translation).norm());
+        }
+    }
+    const double stripM = kStrip * median(nearestM);
+    std::vector<std::size_t> order(roomFromPhotos.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto place = [&](std::size_t i) {
+            const Eigen::Vector3d& at = roomFromPhotos[i].translation;
+            return std::tuple(std::floor(at.x() / stripM), at.y(), i);
+        };
+        return place(a) < place(b);
+    });
+    std::vector<std::size_t> ranks(order.size());
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+        ranks[order[rank]] = rank;
+    }
+    return ranks;
 }
 
 PhotoDepth sweptDepth(const PosedPicture& photo, std::span<const PosedPicture> neighbours,

@@ -82,10 +82,12 @@ void addLogs(const std::uint8_t* a, const std::uint8_t* b, std::array<std::vecto
 
 } // namespace
 
-Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto) {
+Gains gainsTo(const PosedPicture& photo, const PosedPicture& other) {
     const EquirectSize size{kWidth, kWidth / 2};
-    const RgbImage own = photo::resized(photo, size.width, size.height);
-    const RgbImage its = photo::resized(other, size.width, size.height);
+    const RgbImage own = photo::resized(photo.atLeast(size.width), size.width, size.height);
+    const RgbImage its = photo::resized(other.atLeast(size.width), size.width, size.height);
+    const Eigen::Matrix3d otherFromPhoto =
+        (other.roomFromPhoto.rotation.conjugate() * photo.roomFromPhoto.rotation).toRotationMatrix();
     std::array<std::vector<double>, 3> logs;
     overSphere(kWidth, [&](int x, int y, const Eigen::Vector3d& way) {
         addLogs(own.at(x, y), nearest(its, otherFromPhoto * way), logs);

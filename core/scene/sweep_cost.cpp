@@ -2,7 +2,6 @@
 #include "sweep_cost.h"
 
 #include "spherewalk/base/parallel.h"
-#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
 #include <array>
@@ -12,154 +11,6 @@
 #include <numbers>
 
 namespace spherewalk::scene {
-
-void sampleColour(const RgbImage& photo, float u, float v, float* rgb) {
-    const int left = std::min(static_cast<int>(u), photo.width() - 1);
-    const int right = left + 1 < photo.width() ? left + 1 : 0;
-    const int above = std::min(static_cast<int>(v), photo.height() - 1);
-    const int below = std::min(above + 1, photo.height() - 1);
-    const float across = u - static_cast<float>(left);
-    const float down = v - static_cast<float>(above);
-    const std::array<const std::uint8_t*, 4> p{photo.at(left, above), photo.at(right, above),
-                                               photo.at(left, below), photo.at(right, below)};
-    for (int c = 0; c < 3; ++c) {
-        const auto upper = static_cast<float>(p[0][c]) + across * static_cast<float>(p[1][c] - p[0][c]);
-        const auto lower = static_cast<float>(p[2][c]) + across * static_cast<float>(p[3][c] - p[2][c]);
-        rgb[c] = upper + down * (lower - upper);
-    }
-}
-
-namespace {
-
-/// Finds where a photo shows a row of a frame's directions.
-class TurnedRow {
-  public:
-    TurnedRow(Eigen::Matrix3f photoFromFrame, int width)
-        : m_turn(std::move(photoFromFrame)),
-          m_angles(width),
-          m_u(static_cast<std::size_t>(width)),
-          m_v(m_u) {}
-
-    /// photoWidth: in pixels.
-    SPHEREWALK_VECTOR_CLONES
-    void place(int line, int photoWidth) {
-        const std::size_t width = m_u.size();
-        const float level = m_angles.cosElevation[static_cast<std::size_t>(line)];
-        const Eigen::Vector3f x = level * m_turn.col(0);
-        const Eigen::Vector3f y = level * m_turn.col(1);
-        const Eigen::Vector3f up = m_angles.sinElevation[static_cast<std::size_t>(line)] * m_turn.col(2);
-        for (std::size_t i = 0; i < width; ++i) {
-            const float c = m_angles.cosAzimuth[i];
-            const float s = m_angles.sinAzimuth[i];
-            const FastPixel at = fastPixel(x[0] * c + y[0] * s + up[0], x[1] * c + y[1] * s + up[1],
-                                           x[2] * c + y[2] * s + up[2], static_cast<float>(photoWidth));
-            m_u[i] = at.u;
-            m_v[i] = at.v;
-        }
-    }
-
-    float u(int x) const { return m_u[static_cast<std::size_t>(x)]; }
-
-    float v(int x) const { return m_v[static_cast<std::size_t>(x)]; }
-
-  private:
-    Eigen::Matrix3f m_turn;
-    PixelAngles m_angles;
-    std::vector<float> m_u;
-    std::vector<float> m_v;
-};
-
-Image<float, 3> turned(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width, int threads) {
-    Image<float, 3> picture(width, width / 2);
-    parallelFor(picture.height(), 32, threads, [&](int begin, int end) {
-        TurnedRow row(photoFromFrame.cast<float>(), width);
-        for (int y = begin; y < end; ++y) {
-            row.place(y, photo.width());
-            for (int x = 0; x < width; ++x) {
-                sampleColour(photo, row.u(x), row.v(x), picture.at(x, y));
-            }
-        }
-    });
-    return picture;
-}
-
-/// The values of a plane in another frame, each the nearest one. Shape: as that of a SweepPicture, one column
-/// and one row more.
-std::vector<float> turned(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame, int threads) {
-    const auto pitch = static_cast<std::size_t>(plane.width()) + 1;
-    std::vector<float> result(pitch * (static_cast<std::size_t>(plane.height()) + 1));
-    parallelFor(plane.height(), 32, threads, [&](int begin, int end) {
-        TurnedRow row(planeFromFrame.cast<float>(), plane.width());
-        for (int y = begin; y < end; ++y) {
-            row.place(y, plane.width());
-            float* out = result.data() + pitch * static_cast<std::size_t>(y);
-            for (int x = 0; x < plane.width(); ++x) {
-                const int column = nearestInt(row.u(x)) % plane.width();
-                const int line = std::min(nearestInt(row.v(x)), plane.height() - 1);
-                out[x] = *plane.at(column, line);
-            }
-            out[plane.width()] = out[0];
-        }
-    });
-    std::copy_n(result.end() - 2 * static_cast<std::ptrdiff_t>(pitch), pitch,
-                result.end() - static_cast<std::ptrdiff_t>(pitch));
-    return result;
-}
-
-void brighten(Image<float, 3>& picture, const Gains& gains) {
-    if (gains == Gains{1, 1, 1}) {
-        return;
-    }
-    const std::span<float> values = picture.values();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = std::min(255.0F, gains[i % 3] * values[i]);
-    }
-}
-
-float brightnessOf(const float* rgb) {
-    return 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
-}
-
-} // namespace
-
-SweepPicture::SweepPicture(const RgbImage& photo, const Eigen::Matrix3d& photoFromFrame, int width,
-                           int threads, const Gains& gains)
-    : m_width(width),
-      m_values(4 * static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(width / 2 + 1)) {
-    // At twice the width a bilinear sample in the middle of a wanted pixel is about the mean over it.
-    Image<float, 3> picture = photo.width() >= 4 * width ? turned(photo::resized(photo, 2 * width, width),
-                                                                  photoFromFrame, width, threads)
-                                                         : turned(photo, photoFromFrame, width, threads);
-    brighten(picture, gains);
-    parallelFor(height(), 32, threads, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            differentiate(picture, y);
-        }
-    });
-    repeatEdges();
-}
-
-void SweepPicture::differentiate(const Image<float, 3>& picture, int y) {
-    const int above = std::max(0, y - 1);
-    const int below = std::min(height() - 1, y + 1);
-    for (int x = 0; x < m_width; ++x) {
-        const float* here = picture.at(x, y);
-        const float* right = picture.at((x + 1) % m_width, y);
-        const float* left = picture.at((x + m_width - 1) % m_width, y);
-        float* out = at(x, y);
-        out[0] = brightnessOf(here);
-        out[1] = 0.5F * (brightnessOf(right) - brightnessOf(left));
-        out[2] = 0.5F * (brightnessOf(picture.at(x, below)) - brightnessOf(picture.at(x, above)));
-        out[3] = 0.5F * (here[0] - here[2]);
-    }
-}
-
-void SweepPicture::repeatEdges() {
-    for (int y = 0; y < height(); ++y) {
-        std::copy_n(at(0, y), 4, at(m_width, y));
-    }
-    std::copy_n(at(0, height() - 1), stride(), at(0, height()));
-}
 
 namespace {
 
@@ -178,45 +29,17 @@ struct RowPlaces {
     float* down;
 };
 
-/// NeighbourLenses as numbers, which no store can change.
-struct LensNumbers {
-    struct Sight {
-        float x, y, z;
-    };
-
-    explicit LensNumbers(const NeighbourLenses& l)
-        : front{l.fromFrontM[0], l.fromFrontM[1], l.fromFrontM[2]},
-          back{l.fromBackM[0], l.fromBackM[1], l.fromBackM[2]},
-          ahead{l.ahead[0], l.ahead[1], l.ahead[2]},
-          aheadM(l.aheadM) {}
-
-    /// From the neighbour's lens to what the photo's ray (x, y, z) shows, not normalised.
-    Sight sight(float x, float y, float z, float inverse) const {
-        const float dx = x - inverse * (x < 0 ? back.x : front.x);
-        const float dy = y - inverse * (x < 0 ? back.y : front.y);
-        const float dz = z - inverse * (x < 0 ? back.z : front.z);
-        const float along = dx * ahead.x + dy * ahead.y + dz * ahead.z;
-        const float moved = inverse * (along < 0 ? -aheadM : aheadM);
-        return {dx - moved * ahead.x, dy - moved * ahead.y, dz - moved * ahead.z};
-    }
-
-    Sight front;
-    Sight back;
-    Sight ahead;
-    float aheadM;
-};
-
-/// Where a neighbour shows a row's pixels.
-SPHEREWALK_VECTOR_CLONES
-void findPlaces(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int width,
-                int stride, const RowPlaces& places) {
-    const LensNumbers numbers(lenses); // No store can change the copies.
+template <bool kAreOne>
+inline __attribute__((always_inline)) void findPlacesOf(const RowRays& rays, const float* inverseM,
+                                                        const LensNumbers& lenses, int count, int width,
+                                                        int stride, const RowPlaces& places) {
+    const LensNumbers numbers = lenses; // No store can change the copies.
     const RowRays r = rays;
     std::int32_t* __restrict first = places.first;
     float* __restrict right = places.right;
     float* __restrict down = places.down;
-    for (int i = 0; i < width; ++i) {
-        const LensNumbers::Sight to = numbers.sight(
+    for (int i = 0; i < count; ++i) {
+        const LensNumbers::Sight to = numbers.sight<kAreOne>(
             r.cosElevation * r.cosAzimuth[i], r.cosElevation * r.sinAzimuth[i], r.sinElevation, inverseM[i]);
         const FastPixel at = fastPixel(to.x, to.y, to.z, static_cast<float>(width));
         const int column = std::min(static_cast<int>(at.u), width - 1);
@@ -227,46 +50,88 @@ void findPlaces(const RowRays& rays, const float* inverseM, const NeighbourLense
     }
 }
 
-using Four = float __attribute__((vector_size(16)));
+/// Where a neighbour of this width shows a row's pixels.
+SPHEREWALK_VECTOR_CLONES
+void findPlaces(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int count,
+                int width, int stride, const RowPlaces& places) {
+    const LensNumbers numbers(lenses);
+    if (numbers.areOne()) {
+        findPlacesOf<true>(rays, inverseM, numbers, count, width, stride, places);
+    } else {
+        findPlacesOf<false>(rays, inverseM, numbers, count, width, stride, places);
+    }
+}
+
 using Eight = float __attribute__((vector_size(32)));
+using EightInts = std::int32_t __attribute__((vector_size(32)));
 
-/// Weighted differences between a pixel's values and interpolated ones. They count up to a limit, since
-/// beyond it the neighbour shows something else.
-inline Four differences(const float* here, const float* first, int stride, float right, float down) {
-    constexpr Four kLimits = {20, 12, 12, 16};
-    constexpr Four kWeights = {1, 1.5F, 1.5F, 0.8F};
-    Eight upper;
-    Eight lower;
-    Four own;
-    std::memcpy(&upper, first, sizeof upper);
-    std::memcpy(&lower, first + stride, sizeof lower);
-    std::memcpy(&own, here, sizeof own);
-    const Eight values = upper + (lower - upper) * down;
-    const Four left = __builtin_shufflevector(values, values, 0, 1, 2, 3);
-    const Four beside = __builtin_shufflevector(values, values, 4, 5, 6, 7);
-    const Four difference = own - (left + (beside - left) * right);
-    const Four size = difference < 0 ? -difference : difference;
-    return (size < kLimits ? size : kLimits) * kWeights;
+/// Lanes of two vectors one after the other. Vectors go by reference: how they go by value depends on the
+/// processor.
+template <int... kLanes>
+inline void choose(const Eight& a, const Eight& b, Eight& chosen) {
+#ifdef __clang__
+    chosen = __builtin_shufflevector(a, b, kLanes...);
+#else
+    chosen = __builtin_shuffle(a, b, EightInts{kLanes...});
+#endif
 }
 
-/// The sums of four pixels' differences.
-inline Four sums(const Four& a, const Four& b, const Four& c, const Four& d) {
-    const Four ab = __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
-    const Four cd = __builtin_shufflevector(c, d, 0, 1, 4, 5) + __builtin_shufflevector(c, d, 2, 3, 6, 7);
-    return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+/// Two pixels' weighted differences between their own values and a neighbour's interpolated ones. They count
+/// up to a limit, since beyond it the neighbour shows something else.
+inline void differences(const RowPlaces& places, int x, const float* here, const float* picture, int stride,
+                        Eight& result) {
+    constexpr Eight kWeights = {1, 1.5F, 1.5F, 0.8F, 1, 1.5F, 1.5F, 0.8F};
+    constexpr Eight kLimits = Eight{20, 12, 12, 16, 20, 12, 12, 16} * kWeights;
+    constexpr std::int32_t kAllButSign = 0x7FFFFFFF;
+    Eight columns[2]; // of each pixel, the values on its left and those on its right
+    for (int i = 0; i < 2; ++i) {
+        Eight upper;
+        Eight lower;
+        std::memcpy(&upper, picture + places.first[x + i], sizeof upper);
+        std::memcpy(&lower, picture + places.first[x + i] + stride, sizeof lower);
+        columns[i] = upper + (lower - upper) * places.down[x + i];
+    }
+    Eight left;
+    Eight beside;
+    Eight own;
+    choose<0, 1, 2, 3, 8, 9, 10, 11>(columns[0], columns[1], left);
+    choose<4, 5, 6, 7, 12, 13, 14, 15>(columns[0], columns[1], beside);
+    std::memcpy(&own, here + 4 * x, sizeof own);
+    const float a = places.right[x];
+    const float b = places.right[x + 1];
+    const Eight difference = own - (left + (beside - left) * Eight{a, a, a, a, b, b, b, b});
+    const Eight size = reinterpret_cast<Eight>(reinterpret_cast<EightInts>(difference) & kAllButSign);
+    const Eight weighted = size * kWeights;
+    result = weighted < kLimits ? weighted : kLimits;
 }
 
-/// Range: width a multiple of 4.
+template <int... kLanes>
+inline void addPairs(const Eight& a, const Eight& b, Eight& sums) {
+    Eight other;
+    choose<kLanes...>(a, b, sums);
+    choose<(kLanes + 1)...>(a, b, other);
+    sums += other;
+}
+
+/// Range: width a multiple of 8.
 SPHEREWALK_VECTOR_CLONES
 void costsAt(const RowPlaces& places, const float* here, const float* picture, int stride, int width,
              float* costs) {
     const RowPlaces p = places;
-    for (int x = 0; x < width; x += 4) {
-        const auto at = [&](int i) {
-            return differences(here + 4 * i, picture + p.first[i], stride, p.right[i], p.down[i]);
-        };
-        const Four four = sums(at(x), at(x + 1), at(x + 2), at(x + 3));
-        std::memcpy(costs + x, &four, sizeof four);
+    for (int x = 0; x < width; x += 8) {
+        Eight two[4];
+        for (int i = 0; i < 4; ++i) {
+            differences(p, x + 2 * i, here, picture, stride, two[i]);
+        }
+        Eight early;
+        Eight late;
+        Eight mixed;
+        addPairs<0, 2, 8, 10, 4, 6, 12, 14>(two[0], two[1], early); // of the pixels 0, 2, 1, 3, two sums each
+        addPairs<0, 2, 8, 10, 4, 6, 12, 14>(two[2], two[3], late);
+        addPairs<0, 2, 8, 10, 4, 6, 12, 14>(early, late, mixed); // 0, 2, 4, 6, 1, 3, 5, 7
+        Eight eight;
+        choose<0, 4, 1, 5, 2, 6, 3, 7>(mixed, mixed, eight);
+        std::memcpy(costs + x, &eight, sizeof eight);
     }
 }
 
@@ -298,8 +163,8 @@ constexpr float kHidden = 10;       ///< What neighbours add from which a place 
 constexpr float kUnseen = 30;       ///< The cost of a place that no neighbour sees.
 
 /// The neighbour's 1 / distance at the pixels nearest to the places.
-void seenAt(const RowPlaces& places, const float* inverseM, int width, float* seen) {
-    for (int i = 0; i < width; ++i) {
+void seenAt(const RowPlaces& places, const float* inverseM, int count, int width, float* seen) {
+    for (int i = 0; i < count; ++i) {
         const int nearest =
             places.first[i] / 4 + (places.right[i] < 0.5F ? 0 : 1) + (places.down[i] < 0.5F ? 0 : width + 1);
         seen[i] = inverseM[nearest];
@@ -313,8 +178,8 @@ void expectedAt(const RowRays& rays, const float* inverseM, const NeighbourLense
     const LensNumbers numbers(lenses);
     for (int i = 0; i < width; ++i) {
         const LensNumbers::Sight to =
-            numbers.sight(rays.cosElevation * rays.cosAzimuth[i], rays.cosElevation * rays.sinAzimuth[i],
-                          rays.sinElevation, inverseM[i]);
+            numbers.sight<false>(rays.cosElevation * rays.cosAzimuth[i],
+                                 rays.cosElevation * rays.sinAzimuth[i], rays.sinElevation, inverseM[i]);
         const float squared = to.x * to.x + to.y * to.y + to.z * to.z;
         expected[i] = inverseM[i] / std::sqrt(squared < 1e-6F ? 1e-6F : squared);
     }
@@ -338,7 +203,7 @@ void judge(const float* seen, const float* expected, float pixelM, int width, fl
 SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> neighbours, double keptShare,
                      int width, int threads, std::span<const Gains> gains,
                      std::span<const Image<float, 1>* const> depths)
-    : m_photo(*photo.picture, Eigen::Matrix3d::Identity(), width, threads),
+    : m_photo(photo.atLeast(2 * width), Eigen::Matrix3d::Identity(), width, threads),
       m_keptShare(keptShare),
       m_kept(keptOf(neighbours.size(), keptShare)),
       m_knowsDepth(!depths.empty()),
@@ -357,13 +222,14 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
                                      static_cast<float>(other.lenses.aheadM),
                                      static_cast<float>(offset.norm())};
         m_neighbours.push_back(
-            {SweepPicture(*other.picture, turn, width, threads, gains.empty() ? Gains{1, 1, 1} : gains[i]),
-             lenses, m_knowsDepth ? turned(*depths[i], turn, threads) : std::vector<float>()});
+            {SweepPicture(other.atLeast(2 * width), turn, width, threads,
+                          gains.empty() ? Gains{1, 1, 1} : gains[i]),
+             lenses, m_knowsDepth ? turnedValues(*depths[i], turn, threads) : std::vector<float>()});
     }
 }
 
-SweepCost::Scratch::Scratch(const SweepCost& cost)
-    : m_first(static_cast<std::size_t>(cost.width())),
+SweepCost::Scratch::Scratch(const SweepCost& cost, int values)
+    : m_first(static_cast<std::size_t>(values)),
       m_right(m_first.size()),
       m_down(m_first.size()),
       m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())),
@@ -372,77 +238,88 @@ SweepCost::Scratch::Scratch(const SweepCost& cost)
       m_expected(m_first.size()) {
 }
 
-void SweepCost::neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
-                             float* costs) const {
-    const auto row = static_cast<std::size_t>(y);
+void SweepCost::neighbourCosts(const Neighbour& neighbour, const RowPart& part, const float* inverseM,
+                               Scratch& scratch, float* hidden, float* costs) const {
+    const auto row = static_cast<std::size_t>(part.y);
+    const RowRays rays{m_angles.cosAzimuth.data() + part.begin, m_angles.sinAzimuth.data() + part.begin,
+                       m_angles.cosElevation[row], m_angles.sinElevation[row]};
+    const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
     const int stride = neighbour.picture.stride();
-    const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
-    findPlaces({m_angles.cosAzimuth.data(), m_angles.sinAzimuth.data(), m_angles.cosElevation[row],
-                m_angles.sinElevation[row]},
-               inverseM, neighbour.lenses, width(), stride, places);
-    costsAt(places, m_photo.at(0, y), neighbour.picture.at(0, 0), stride, width(), costs);
+    findPlaces(rays, inverseM, neighbour.lenses, part.count(), width(), stride, places);
+    costsAt(places, m_photo.at(part.begin, part.y), neighbour.picture.at(0, 0), stride, part.count(), costs);
     if (m_knowsDepth) {
-        judgeByDepth(neighbour, y, inverseM, scratch, costs);
+        const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(width());
+        seenAt(places, neighbour.inverseM.data(), part.count(), width(), scratch.m_seen.data());
+        expectedAt(rays, inverseM, neighbour.lenses, part.count(), scratch.m_expected.data());
+        judge(scratch.m_seen.data(), scratch.m_expected.data(),
+              pixelRad / std::max(1e-3F, neighbour.lenses.apartM), part.count(), hidden, costs);
     }
-}
-
-/// Follows neighbourRow(), which found the places.
-void SweepCost::judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
-                             float* costs) const {
-    const auto row = static_cast<std::size_t>(y);
-    const RowRays rays{m_angles.cosAzimuth.data(), m_angles.sinAzimuth.data(), m_angles.cosElevation[row],
-                       m_angles.sinElevation[row]};
-    const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
-    seenAt(places, neighbour.inverseM.data(), width(), scratch.m_seen.data());
-    expectedAt(rays, inverseM, neighbour.lenses, width(), scratch.m_expected.data());
-    judge(scratch.m_seen.data(), scratch.m_expected.data(),
-          2 * std::numbers::pi_v<float> / static_cast<float>(width()) /
-              std::max(1e-3F, neighbour.lenses.apartM),
-          width(), scratch.m_hidden.data(), costs);
 }
 
 /// The mean over the better neighbours of those that see a place. Range: costs are sorted.
-void SweepCost::meanOfSeen(Scratch& scratch, float* costs) const {
+void SweepCost::meanOfSeen(const Scratch& scratch, std::size_t values, float* costs) const {
     const std::size_t count = m_neighbours.size();
-    for (std::size_t x = 0; x < scratch.m_hidden.size(); ++x) {
-        const auto seen = count - static_cast<std::size_t>(scratch.m_hidden[x]);
+    for (std::size_t i = 0; i < values; ++i) {
+        const auto seen = count - static_cast<std::size_t>(scratch.m_hidden[i]);
         const std::size_t kept = keptOf(seen, m_keptShare);
         float sum = 0;
-        for (std::size_t i = 0; i < kept; ++i) {
-            sum += scratch.m_costs[i][x];
+        for (std::size_t k = 0; k < kept; ++k) {
+            sum += scratch.m_costs[k][i];
         }
-        costs[x] = seen == 0 ? kUnseen
+        costs[i] = seen == 0 ? kUnseen
                              : sum / static_cast<float>(kept) +
-                                   kHidden * scratch.m_hidden[x] / static_cast<float>(count);
+                                   kHidden * scratch.m_hidden[i] / static_cast<float>(count);
     }
 }
 
-void SweepCost::row(int y, const float* inverseM, Scratch& scratch, float* costs) const {
-    std::fill(scratch.m_hidden.begin(), scratch.m_hidden.end(), 0.0F);
-    for (std::size_t i = 0; i < m_neighbours.size(); ++i) {
-        neighbourRow(m_neighbours[i], y, inverseM, scratch, scratch.m_costs[i].data());
-    }
-    sortSmallest(scratch.m_costs, m_kept, width());
-    if (m_knowsDepth) {
-        meanOfSeen(scratch, costs);
-        return;
-    }
+void SweepCost::meanOfKept(const Scratch& scratch, std::size_t values, float* costs) const {
     const float share = 1 / static_cast<float>(m_kept);
-    std::fill_n(costs, width(), 0.0F);
-    for (std::size_t i = 0; i < m_kept; ++i) {
-        for (int x = 0; x < width(); ++x) {
-            costs[x] += share * scratch.m_costs[i][static_cast<std::size_t>(x)];
+    std::fill_n(costs, values, 0.0F);
+    for (std::size_t k = 0; k < m_kept; ++k) {
+        for (std::size_t i = 0; i < values; ++i) {
+            costs[i] += share * scratch.m_costs[k][i];
         }
     }
 }
 
-void SweepCost::all(const Image<float, 1>& inverseM, int threads, const std::stop_token& stop,
-                    Image<float, 1>& costs) const {
+void SweepCost::at(const RowPart& part, int layers, const float* inverseM, Scratch& scratch,
+                   float* costs) const {
+    std::fill(scratch.m_hidden.begin(), scratch.m_hidden.end(), 0.0F);
+    for (std::size_t k = 0; k < m_neighbours.size(); ++k) {
+        for (int layer = 0; layer < layers; ++layer) {
+            const int first = layer * part.count();
+            neighbourCosts(m_neighbours[k], part, inverseM + first, scratch, scratch.m_hidden.data() + first,
+                           scratch.m_costs[k].data() + first);
+        }
+    }
+    const int values = layers * part.count();
+    sortSmallest(scratch.m_costs, m_kept, values);
+    if (m_knowsDepth) {
+        meanOfSeen(scratch, static_cast<std::size_t>(values), costs);
+    } else {
+        meanOfKept(scratch, static_cast<std::size_t>(values), costs);
+    }
+}
+
+void SweepCost::all(std::span<const Image<float, 1>> inverseM, int threads, const std::stop_token& stop,
+                    std::span<Image<float, 1>> costs) const {
     parallelFor(height(), 16, threads, [&](int begin, int end) {
         throwIfStopped(stop);
-        Scratch scratch(*this);
+        const int layers = static_cast<int>(inverseM.size());
+        Scratch scratch(*this, layers * width());
+        std::vector<float> tried(inverseM.size() * static_cast<std::size_t>(width()));
+        std::vector<float> found(tried.size());
+        const auto row = [&](std::vector<float>& values, std::size_t layer) {
+            return values.begin() + static_cast<std::ptrdiff_t>(layer) * width();
+        };
         for (int y = begin; y < end; ++y) {
-            row(y, inverseM.at(0, y), scratch, costs.at(0, y));
+            for (std::size_t k = 0; k < inverseM.size(); ++k) {
+                std::copy_n(inverseM[k].at(0, y), width(), row(tried, k));
+            }
+            at({y, 0, width()}, layers, tried.data(), scratch, found.data());
+            for (std::size_t k = 0; k < costs.size(); ++k) {
+                std::copy_n(row(found, k), width(), costs[k].at(0, y));
+            }
         }
     });
 }

@@ -54,14 +54,10 @@ class SweepPicture {
     std::vector<float> m_values;
 };
 
-/// Where a neighbour's lenses stand. Frames: the photo's.
-struct NeighbourLenses {
-    Eigen::Vector3f fromFrontM; ///< From the photo's front lens to the neighbour's middle.
-    Eigen::Vector3f fromBackM;  ///< From the photo's back lens.
-    Eigen::Vector3f ahead;      ///< The unit vector along which the neighbour's front lens looks.
-    float aheadM = 0;           ///< How far the neighbour's lenses stand before and behind its middle.
-    float apartM = 0;           ///< From the photo's middle to the neighbour's.
-};
+/// The values of a plane in another frame, each the nearest one. Shape: as that of a SweepPicture, one column
+/// and one row more.
+std::vector<float> turnedValues(const Image<float, 1>& plane, const Eigen::Matrix3d& planeFromFrame,
+                                int threads);
 
 /// How well neighbours confirm distances of a photo's pixels, at one size. Low costs are good. If the
 /// neighbours' own depths are known, a neighbour has no say in a place that something nearer hides from it. A
@@ -84,29 +80,40 @@ class SweepCost {
 
     const SweepPicture& photo() const { return m_photo; }
 
+    /// Some of a row's pixels. Range: their number is a multiple of 8.
+    struct RowPart {
+        int y;
+        int begin;
+        int end;
+
+        int count() const { return end - begin; }
+    };
+
     /// Working memory of one thread.
     class Scratch {
       public:
-        explicit Scratch(const SweepCost& cost);
+        /// For so many costs at a time.
+        Scratch(const SweepCost& cost, int values);
 
       private:
         friend class SweepCost;
         std::vector<std::int32_t> m_first; ///< Where a neighbour shows a row's pixels.
         std::vector<float> m_right;
         std::vector<float> m_down;
-        std::vector<std::vector<float>> m_costs; ///< One row of costs for each neighbour.
-        std::vector<float> m_hidden;             ///< From how many neighbours a row's places are hidden.
+        std::vector<std::vector<float>> m_costs; ///< By each neighbour.
+        std::vector<float> m_hidden;             ///< From how many neighbours the places are hidden.
         std::vector<float> m_seen;               ///< A neighbour's own 1 / distance at a row's places,
         std::vector<float> m_expected;           ///< and that of the row's things.
     };
 
-    /// The costs of a row's pixels at these inverse distances, one value a pixel: the mean over the
-    /// neighbours that fit best.
-    void row(int y, const float* inverseM, Scratch& scratch, float* costs) const;
+    /// The costs of pixels at several inverse distances each: the mean over the neighbours that fit best.
+    /// Shape: inverseM and costs have a row of pixels for each layer.
+    void at(const RowPart& part, int layers, const float* inverseM, Scratch& scratch, float* costs) const;
 
-    /// The costs of all pixels. Errors: Stopped.
-    void all(const Image<float, 1>& inverseM, int threads, const std::stop_token& stop,
-             Image<float, 1>& costs) const;
+    /// The costs of all pixels at one or several inverse distances each. Several at a time take less than one
+    /// after the other. Errors: Stopped.
+    void all(std::span<const Image<float, 1>> inverseM, int threads, const std::stop_token& stop,
+             std::span<Image<float, 1>> costs) const;
 
   private:
     struct Neighbour {
@@ -115,12 +122,10 @@ class SweepCost {
         std::vector<float> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
     };
 
-    void judgeByDepth(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
-                      float* costs) const;
-    void meanOfSeen(Scratch& scratch, float* costs) const;
-
-    void neighbourRow(const Neighbour& neighbour, int y, const float* inverseM, Scratch& scratch,
-                      float* costs) const;
+    void neighbourCosts(const Neighbour& neighbour, const RowPart& part, const float* inverseM,
+                        Scratch& scratch, float* hidden, float* costs) const;
+    void meanOfSeen(const Scratch& scratch, std::size_t values, float* costs) const;
+    void meanOfKept(const Scratch& scratch, std::size_t values, float* costs) const;
 
     SweepPicture m_photo;
     std::vector<Neighbour> m_neighbours;

@@ -4,6 +4,7 @@
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
+#include "spherewalk/base/parallel.h"
 #include "spherewalk/base/recently_used.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -14,20 +15,25 @@
 
 #include <algorithm>
 #include <chrono>
+#include <compare>
+#include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <set>
+#include <utility>
 
 namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 5; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 6; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
-constexpr int kRefinement = 1;              ///< grows when the same agreed depths are refined another way
-constexpr double kWithAgreement = 1.25;     ///< a depth's time with the neighbours' agreement, of the sweep's
-constexpr double kWithRefinement = 1.5;     ///< the same with refinement, too
+constexpr int kRefinement = 2;              ///< grows when the same agreed depths are refined another way
+constexpr int kPhotosAtOnce = 4;            ///< whose depth is estimated; each takes 150 MB
+constexpr double kShareOfStep = 0.25;       ///< an agreement's or a refinement's time, of the sweep's
 constexpr int kSmallWidth = 256;            ///< of the pictures that exposures are told from
 constexpr std::size_t kPhotosForScene = 12; ///< that radius and room are estimated from
 
@@ -56,6 +62,9 @@ class DepthJob {
         }
         for (std::size_t i = 0; i < photos.size(); ++i) {
             m_neighbours.push_back(scene::sweepNeighbours(m_poses, i, options.sweep));
+            m_agreeing.push_back(m_neighbours.back());
+            m_agreeing.back().resize(
+                std::min(m_agreeing.back().size(), static_cast<std::size_t>(options.agreeing)));
         }
         ensureFolder(options.cacheFolder);
     }
@@ -64,24 +73,14 @@ class DepthJob {
         const auto begin = std::chrono::steady_clock::now();
         SurveyDepth result;
         result.files.resize(m_photos.size());
-        const std::vector<std::size_t> forScene = photosForScene();
         const std::vector<std::size_t> photos = wanted();
         for (const std::size_t i : photos) {
-            throwIfStopped(m_stop);
-            result.files[i] = fileOf(wantedKey(i));
-            ++result.report.photos;
-            if (isThere(result.files[i])) {
-                ++result.report.reused;
-            } else if (m_options.onlyForScene) {
-                agreed(i);
-            } else {
-                keep(result.files[i], refined(i));
-            }
-            m_progress.progress(
-                static_cast<double>(result.report.photos) / static_cast<double>(photos.size()),
-                text("Estimating depth, photo ", result.report.photos, " of ", photos.size()));
+            result.files[i] = fileOf({lastKind(), i});
+            result.report.reused += isThere(result.files[i]) ? 1 : 0;
         }
-        estimateScene(forScene, result);
+        result.report.photos = photos.size();
+        estimateMissing(result.report);
+        estimateScene(photosForScene(), result);
         if (!m_options.onlyForScene) {
             result.gains = exposures(photos);
         }
@@ -92,25 +91,14 @@ class DepthJob {
 
     DepthForecast forecast(bool withTrial) {
         DepthForecast result;
-        const std::vector<std::size_t> photos = wanted();
-        std::set<std::size_t> missing;
-        for (const std::size_t photo : photos) {
-            if (isThere(fileOf(wantedKey(photo)))) {
-                continue;
-            }
-            addIfDisagreed(photo, missing);
-            if (!m_options.onlyForScene) {
-                for (const std::size_t other : agreeing(photo)) {
-                    addIfDisagreed(other, missing);
-                }
-            }
-        }
-        result.photos = photos.size();
-        result.missing = missing.size();
-        result.bytes = photos.size() * kBytesAPixel * static_cast<std::uint64_t>(m_options.sweep.width) *
+        const std::set<Step> steps = missing();
+        const auto sweeps = steps.lower_bound({Kind::Sweep, 0});
+        result.photos = wanted().size();
+        result.missing = static_cast<std::size_t>(std::distance(sweeps, steps.end()));
+        result.bytes = result.photos * kBytesAPixel * static_cast<std::uint64_t>(m_options.sweep.width) *
                        static_cast<std::uint64_t>(m_options.sweep.width / 2);
-        if (withTrial && !missing.empty()) {
-            result.secondsAPhoto = secondsToSweep(*missing.begin());
+        if (withTrial && sweeps != steps.end()) {
+            result.secondsAPhoto = secondsToSweep(sweeps->photo);
         }
         return result;
     }
@@ -118,7 +106,7 @@ class DepthJob {
     std::vector<std::filesystem::path> keptFiles() const {
         std::vector<std::filesystem::path> files(m_photos.size());
         for (const std::size_t i : photosWithNeighbours()) {
-            const std::filesystem::path file = fileOf(refinedKey(i));
+            const std::filesystem::path file = fileOf({Kind::Refine, i});
             files[i] = isThere(file) ? file : std::filesystem::path();
         }
         return files;
@@ -129,20 +117,112 @@ class DepthJob {
         return m_options.onlyForScene ? photosForScene() : photosWithNeighbours();
     }
 
-    /// Adds what must be swept yet for a photo's agreed depth.
-    void addIfDisagreed(std::size_t photo, std::set<std::size_t>& to) const {
-        if (isThere(fileOf(agreedKey(photo)))) {
-            return;
+    /// A photo's depth is swept, then agreed on with what was swept of its neighbours, then refined with what
+    /// was agreed on of them. Steps that need others' results come before those in this list.
+    enum class Kind { Refine, Agree, Sweep };
+
+    struct Step {
+        Kind kind;
+        std::size_t photo;
+
+        auto operator<=>(const Step&) const = default;
+    };
+
+    Kind lastKind() const { return m_options.onlyForScene ? Kind::Agree : Kind::Refine; }
+
+    /// What a step needs.
+    std::vector<Step> before(const Step& step) const {
+        std::vector<Step> steps;
+        if (step.kind != Kind::Sweep) {
+            const Kind kind = step.kind == Kind::Refine ? Kind::Agree : Kind::Sweep;
+            steps.push_back({kind, step.photo});
+            for (const std::size_t other : m_agreeing[step.photo]) {
+                steps.push_back({kind, other});
+            }
         }
-        addIfUnswept(photo, to);
-        for (const std::size_t other : agreeing(photo)) {
-            addIfUnswept(other, to);
+        return steps;
+    }
+
+    void addIfMissing(const Step& step, std::set<Step>& to) const {
+        if (!to.contains(step) && !isThere(fileOf(step))) {
+            to.insert(step);
+            for (const Step& needed : before(step)) {
+                addIfMissing(needed, to);
+            }
         }
     }
 
-    void addIfUnswept(std::size_t photo, std::set<std::size_t>& to) const {
-        if (!isThere(fileOf(sweptKey(photo)))) {
-            to.insert(photo);
+    /// All steps whose result no earlier run has kept.
+    std::set<Step> missing() const {
+        std::set<Step> steps;
+        for (const std::size_t photo : wanted()) {
+            addIfMissing({lastKind(), photo}, steps);
+            addIfMissing({Kind::Agree, photo}, steps); // which exposures and the scene need
+        }
+        return steps;
+    }
+
+    /// The steps that are left, those first for which most was done, while it is in memory.
+    std::vector<Step> inOrder(const std::set<Step>& steps) const {
+        const std::vector<std::size_t> rank = scene::ranksByPlace(m_poses);
+        std::vector<Step> result(steps.begin(), steps.end());
+        std::sort(result.begin(), result.end(), [&](const Step& a, const Step& b) {
+            return std::pair(a.kind, rank[a.photo]) < std::pair(b.kind, rank[b.photo]);
+        });
+        return result;
+    }
+
+    /// For each step, those of the others that it needs.
+    std::vector<std::vector<int>> needsOf(const std::vector<Step>& steps) const {
+        std::map<Step, int> places;
+        for (const Step& step : steps) {
+            places.emplace(step, static_cast<int>(places.size()));
+        }
+        std::vector<std::vector<int>> needs(steps.size());
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            for (const Step& needed : before(steps[i])) {
+                if (const auto found = places.find(needed); found != places.end()) {
+                    needs[i].push_back(found->second);
+                }
+            }
+        }
+        return needs;
+    }
+
+    /// Works on several photos at a time, as threads that share one photo often wait for each other.
+    void estimateMissing(const DepthReport& report) {
+        const std::vector<Step> steps = inOrder(missing());
+        const int threads = m_options.sweep.threads > 0 ? m_options.sweep.threads : hardwareThreads();
+        const int atOnce = std::clamp(static_cast<int>(steps.size()), 1, std::min(threads, kPhotosAtOnce));
+        const auto timeOf = [](const Step& step) { return step.kind == Kind::Sweep ? 1.0 : kShareOfStep; };
+        double all = 0;
+        for (const Step& step : steps) {
+            all += timeOf(step);
+        }
+        double done = 0;
+        std::size_t ready = report.reused;
+        std::mutex telling;
+        parallelTasks(needsOf(steps), atOnce, [&](int i) {
+            const Step& step = steps[static_cast<std::size_t>(i)];
+            throwIfStopped(m_stop);
+            make(step, (threads + atOnce - 1) / atOnce);
+            const std::scoped_lock lock(telling);
+            done += timeOf(step);
+            ready += step.kind == lastKind() ? 1 : 0;
+            m_progress.progress(
+                std::min(1.0, done / all),
+                text("Estimating depth, photo ", std::min(ready + 1, report.photos), " of ", report.photos));
+        });
+    }
+
+    void make(const Step& step, int threads) {
+        switch (step.kind) {
+        case Kind::Sweep:
+            return sweep(step.photo, threads);
+        case Kind::Agree:
+            return agree(step.photo, threads);
+        case Kind::Refine:
+            return refine(step.photo, threads);
         }
     }
 
@@ -155,11 +235,15 @@ class DepthJob {
             picture(other);
         }
         const auto read = Clock::now();
-        swept(photo);
+        sweep(photo, m_options.sweep.threads);
         const std::chrono::duration<double> reading = read - begin;
         const std::chrono::duration<double> sweeping = Clock::now() - read;
         return reading.count() / static_cast<double>(1 + m_neighbours[photo].size()) +
-               (m_options.onlyForScene ? kWithAgreement : kWithRefinement) * sweeping.count();
+               (1 + (m_options.onlyForScene ? 1 : 2) * kShareOfStep) * sweeping.count();
+    }
+
+    scene::PosedPicture posed(std::size_t photo, const scene::PictureSizes& picture) const {
+        return {&picture.largest(), m_poses[photo], m_photos[photo].lenses, &picture};
     }
 
     scene::PosedPicture posed(std::size_t photo, const RgbImage& picture) const {
@@ -171,52 +255,40 @@ class DepthJob {
     }
 
     std::string placeKey(std::size_t photo) const {
-        return text(m_photos[photo].sha256, " ", keyOf(m_poses[photo]), " ", m_photos[photo].lenses.aheadM,
-                    "\n");
+        return text(m_photos[photo].sha256, " ", jobs::keyOf(m_poses[photo]), " ",
+                    m_photos[photo].lenses.aheadM, "\n");
     }
 
-    /// All that a photo's own depth depends on.
-    std::string sweptKey(std::size_t photo) const {
+    /// All that a step's result depends on.
+    std::string keyOf(const Step& step) const {
         const scene::SweepOptions& o = m_options.sweep;
-        std::string key = text("sweep ", kDepthMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances,
-                               " ", o.stepPx, " ", o.nearestM, " ", o.keptShare, "\n", placeKey(photo));
-        for (const std::size_t other : m_neighbours[photo]) {
-            key += placeKey(other);
+        std::string key;
+        if (step.kind == Kind::Sweep) {
+            key = text("sweep ", kDepthMethod, " ", o.width, " ", o.coarseWidth, " ", o.distances, " ",
+                       o.stepPx, " ", o.nearestM, " ", o.keptShare, "\n", placeKey(step.photo));
+            for (const std::size_t other : m_neighbours[step.photo]) {
+                key += placeKey(other);
+            }
+        } else {
+            key = step.kind == Kind::Agree ? std::string("agreed") : text("refined ", kRefinement);
+            for (const Step& needed : before(step)) {
+                key += " " + keyOf(needed);
+            }
         }
         return sha256Hex(bytesOf(key));
     }
 
-    std::span<const std::size_t> agreeing(std::size_t photo) const {
-        const std::vector<std::size_t>& all = m_neighbours[photo];
-        return {all.data(), std::min(all.size(), static_cast<std::size_t>(m_options.agreeing))};
+    std::filesystem::path fileOf(const Step& step) const {
+        return m_options.cacheFolder / (keyOf(step).substr(0, 32) + ".pgm");
     }
 
-    std::string agreedKey(std::size_t photo) const {
-        std::string key = "agreed " + sweptKey(photo);
-        for (const std::size_t other : agreeing(photo)) {
-            key += " " + sweptKey(other);
-        }
-        return sha256Hex(bytesOf(key));
-    }
-
-    std::string refinedKey(std::size_t photo) const {
-        std::string key = text("refined ", kRefinement, " ", agreedKey(photo));
-        for (const std::size_t other : agreeing(photo)) {
-            key += " " + agreedKey(other);
-        }
-        return sha256Hex(bytesOf(key));
-    }
-
-    std::string wantedKey(std::size_t photo) const {
-        return m_options.onlyForScene ? agreedKey(photo) : refinedKey(photo);
-    }
-
-    std::filesystem::path fileOf(const std::string& key) const {
-        return m_options.cacheFolder / (key.substr(0, 32) + ".pgm");
-    }
-
-    std::shared_ptr<const RgbImage> picture(std::size_t photo) {
-        return m_pictures.get(photo, [&] { return decoded(photo, 2 * m_options.sweep.width); });
+    std::shared_ptr<const scene::PictureSizes> picture(std::size_t photo) {
+        return m_pictures.get(photo, [&] {
+            const int width = 2 * m_options.sweep.width;
+            RgbImage read = decoded(photo, width);
+            return scene::PictureSizes(read.width() > width ? photo::resized(read, width, width / 2)
+                                                            : std::move(read));
+        });
     }
 
     /// A photo at the least size that JPEG offers and that has this width, or as it is.
@@ -228,47 +300,46 @@ class DepthJob {
         return jpeg::decodeAtLeast(readFile(file), file.string(), leastWidth);
     }
 
+    void sweep(std::size_t photo, int threads) {
+        std::vector<std::shared_ptr<const scene::PictureSizes>> pictures;
+        std::vector<scene::PosedPicture> neighbours;
+        for (const std::size_t other : m_neighbours[photo]) {
+            pictures.push_back(picture(other));
+            neighbours.push_back(posed(other, *pictures.back()));
+        }
+        const auto own = picture(photo);
+        small(photo); // for later, while its picture is in memory
+        scene::SweepOptions options = m_options.sweep;
+        options.threads = threads;
+        keep(fileOf({Kind::Sweep, photo}),
+             scene::sweptDepth(posed(photo, *own), neighbours, options, m_stop));
+    }
+
+    /// Each depth is read as it was kept, so that it is rounded as a later run will find it.
     std::shared_ptr<const scene::PhotoDepth> swept(std::size_t photo) {
-        return m_swept.get(photo, [&] {
-            const std::filesystem::path file = fileOf(sweptKey(photo));
-            if (isThere(file)) {
-                return kept(file);
-            }
-            std::vector<std::shared_ptr<const RgbImage>> pictures;
-            std::vector<scene::PosedPicture> neighbours;
-            for (const std::size_t other : m_neighbours[photo]) {
-                pictures.push_back(picture(other));
-                neighbours.push_back(posed(other, *pictures.back()));
-            }
-            const auto own = picture(photo);
-            keep(file, scene::sweptDepth(posed(photo, *own), neighbours, m_options.sweep, m_stop));
-            return kept(file); // rounded as a later run will find it
-        });
+        return m_swept.get(photo, [&] { return kept(fileOf({Kind::Sweep, photo})); });
     }
 
     std::shared_ptr<const scene::PhotoDepth> agreed(std::size_t photo) {
-        return m_agreed.get(photo, [&] {
-            const std::filesystem::path file = fileOf(agreedKey(photo));
-            if (!isThere(file)) {
-                keep(file, newlyAgreed(photo));
-            }
-            return kept(file);
-        });
+        return m_agreed.get(photo, [&] { return kept(fileOf({Kind::Agree, photo})); });
     }
 
-    scene::PhotoDepth newlyAgreed(std::size_t photo) {
+    void agree(std::size_t photo, int threads) {
         std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
         std::vector<scene::PosedDepth> neighbours;
-        for (const std::size_t other : agreeing(photo)) {
+        for (const std::size_t other : m_agreeing[photo]) {
             depths.push_back(swept(other));
             neighbours.push_back(posed(other, *depths.back()));
         }
         const auto own = swept(photo);
-        return scene::agreeingDepth(posed(photo, *own), *picture(photo), neighbours, m_options.sweep.threads);
+        const auto pictures = picture(photo);
+        keep(fileOf({Kind::Agree, photo}),
+             scene::agreeingDepth(posed(photo, *own), pictures->atLeast(m_options.sweep.width), neighbours,
+                                  threads));
     }
 
-    scene::PhotoDepth refined(std::size_t photo) {
-        std::vector<std::shared_ptr<const RgbImage>> pictures;
+    void refine(std::size_t photo, int threads) {
+        std::vector<std::shared_ptr<const scene::PictureSizes>> pictures;
         std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
         const auto known = [&](std::size_t i) {
             pictures.push_back(picture(i));
@@ -276,10 +347,10 @@ class DepthJob {
             return scene::KnownPhoto{posed(i, *pictures.back()), depths.back().get()};
         };
         std::vector<scene::KnownPhoto> neighbours;
-        for (const std::size_t other : agreeing(photo)) {
+        for (const std::size_t other : m_agreeing[photo]) {
             neighbours.push_back(known(other));
         }
-        return scene::refinedDepth(known(photo), neighbours, m_options.sweep.threads, m_stop);
+        keep(fileOf({Kind::Refine, photo}), scene::refinedDepth(known(photo), neighbours, threads, m_stop));
     }
 
     std::vector<std::size_t> photosWithNeighbours() const {
@@ -305,8 +376,9 @@ class DepthJob {
 
     /// The picture that exposures are told from.
     std::shared_ptr<const RgbImage> small(std::size_t photo) {
-        return m_small.get(
-            photo, [&] { return photo::resized(decoded(photo, kSmallWidth), kSmallWidth, kSmallWidth / 2); });
+        return m_small.get(photo, [&] {
+            return photo::resized(picture(photo)->atLeast(kSmallWidth), kSmallWidth, kSmallWidth / 2);
+        });
     }
 
     /// How bright photos are, compared with their neighbours.
@@ -316,7 +388,7 @@ class DepthJob {
             throwIfStopped(m_stop);
             const auto own = small(photo);
             const auto depth = agreed(photo);
-            for (const std::size_t other : agreeing(photo)) {
+            for (const std::size_t other : m_agreeing[photo]) {
                 const auto its = small(other);
                 const auto itsDepth = agreed(other);
                 const auto gains = scene::gainsBySurfaces({posed(photo, *own), depth.get()},
@@ -336,7 +408,7 @@ class DepthJob {
         std::vector<scene::PhotoDepth> depths(photos.size());
         std::vector<scene::PosedDepth> known;
         for (std::size_t k = 0; k < photos.size(); ++k) {
-            depths[k] = kept(fileOf(agreedKey(photos[k]))); // as a run for the scene alone would find it
+            depths[k] = kept(fileOf({Kind::Agree, photos[k]})); // as a run for the scene alone would find it
             known.push_back(posed(photos[k], depths[k]));
         }
         result.radiusM = scene::sphereRadius(known);
@@ -349,7 +421,8 @@ class DepthJob {
     std::stop_token m_stop;
     std::vector<Rigid3> m_poses;
     std::vector<std::vector<std::size_t>> m_neighbours;
-    RecentlyUsed<std::size_t, RgbImage> m_pictures{kPicturesKept};
+    std::vector<std::vector<std::size_t>> m_agreeing; ///< The nearest ones of them.
+    RecentlyUsed<std::size_t, scene::PictureSizes> m_pictures{kPicturesKept};
     RecentlyUsed<std::size_t, RgbImage> m_small{kSmallKept};
     RecentlyUsed<std::size_t, scene::PhotoDepth> m_swept{kPicturesKept};
     RecentlyUsed<std::size_t, scene::PhotoDepth> m_agreed{kPicturesKept};

@@ -5,7 +5,6 @@
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/statistics.h"
-#include "spherewalk/compare/rank_correlation.h"
 
 #include <Eigen/Geometry>
 
@@ -357,7 +356,7 @@ std::vector<Prediction> predictions(const MeasureReport& leaveOneOut, const Meas
         if (!factors.empty()) {
             prediction.factor = median(factors);
         }
-        prediction.rankCorrelation = compare::rankCorrelation(prediction.foretoldPx, prediction.foundPx);
+        prediction.rankCorrelation = spherewalk::rankCorrelation(prediction.foretoldPx, prediction.foundPx);
         result.push_back(std::move(prediction));
     }
     return result;

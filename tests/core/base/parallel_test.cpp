@@ -40,6 +40,50 @@ TEST(ParallelFor, RethrowsTheFirstFailureAndBeginsNothingAfterIt) {
     EXPECT_LE(begun, 2);
 }
 
+TEST(ParallelTasks, BeginEachOnceWhenWhatItNeedsHasEnded) {
+    constexpr int kTasks = 200;
+    std::vector<std::vector<int>> needs(kTasks);
+    for (int task = 0; task + 1 < kTasks; ++task) {
+        for (int other = task + 1; other < kTasks; other += 1 + task % 7) {
+            needs[static_cast<std::size_t>(task)].push_back(other);
+        }
+    }
+    for (const int threads : {0, 1, 2, 5}) {
+        std::vector<std::atomic<int>> done(kTasks);
+        std::atomic<int> early{0};
+        parallelTasks(needs, threads, [&](int task) {
+            for (const int other : needs[static_cast<std::size_t>(task)]) {
+                early += done[static_cast<std::size_t>(other)] == 0 ? 1 : 0;
+            }
+            ++done[static_cast<std::size_t>(task)];
+        });
+        EXPECT_EQ(early, 0) << threads;
+        for (const auto& times : done) {
+            EXPECT_EQ(times, 1) << threads;
+        }
+    }
+    parallelTasks({}, 2, [](int) { FAIL(); });
+}
+
+TEST(ParallelTasks, BeginTheFirstOneThatCan) {
+    std::vector<int> order;
+    parallelTasks(std::vector<std::vector<int>>{{2}, {2, 3}, {}, {}, {}}, 1,
+                  [&](int task) { order.push_back(task); });
+    EXPECT_EQ(order, (std::vector<int>{2, 0, 3, 1, 4}));
+}
+
+TEST(ParallelTasks, RethrowTheFirstFailureAndBeginNothingAfterIt) {
+    std::atomic<int> begun{0};
+    const std::vector<std::vector<int>> needs{{1}, {2}, {}, {2}, {2}};
+    EXPECT_THROW(parallelTasks(needs, 3,
+                               [&](int) {
+                                   ++begun;
+                                   throw std::runtime_error("x");
+                               }),
+                 std::runtime_error);
+    EXPECT_EQ(begun, 1);
+}
+
 TEST(WorkerPool, DoesEachItemOnceForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 3, 8}) {
         WorkerPool pool(threads);

@@ -171,7 +171,7 @@ double meanCost(float neighboursInverseM) {
     const Image<float, 1>* known = &depth.inverseM;
     const SweepCost cost(room.photo(0).photo, neighbour, 0.5, kRefinedWidth, 2, {}, {&known, 1});
     Image<float, 1> costs(kRefinedWidth, kRefinedWidth / 2);
-    cost.all(room.depths[0].inverseM, 2, {}, costs);
+    cost.all({&room.depths[0].inverseM, 1}, 2, {}, {&costs, 1});
     double sum = 0;
     for (const float value : costs.values()) {
         sum += static_cast<double>(value);
@@ -190,7 +190,7 @@ TEST(SweepCost, IsHigherWhereANeighbourSeesThroughThePlace) {
     const std::vector<PosedPicture> neighbour{room.photo(1).photo};
     const SweepCost blind(room.photo(0).photo, neighbour, 0.5, kRefinedWidth, 2);
     Image<float, 1> costs(kRefinedWidth, kRefinedWidth / 2);
-    blind.all(room.depths[0].inverseM, 2, {}, costs);
+    blind.all({&room.depths[0].inverseM, 1}, 2, {}, {&costs, 1});
     double sum = 0;
     for (const float value : costs.values()) {
         sum += static_cast<double>(value);

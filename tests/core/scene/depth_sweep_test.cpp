@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
+#include <set>
 
 namespace spherewalk::scene {
 
@@ -339,6 +341,24 @@ TEST(DepthAgreement, LeavesNoSpeckThatStandsByItself) {
     const std::vector<PosedDepth> same{{&depths.second, {}}};
     const PhotoDepth depth = agreeingDepth({&depths.first, {}}, depths.picture, same);
     EXPECT_NEAR(*depth.inverseM.at(100, 64), 0.5F, 0.01F);
+}
+
+TEST(RanksByPlace, PutPhotosThatStandBesideEachOtherNearEachOther) {
+    constexpr int kSide = 20;
+    std::vector<Rigid3> poses;
+    for (int i = 0; i < kSide * kSide; ++i) { // row by row, far from the origin
+        poses.push_back({Eigen::Quaterniond::Identity(), {1e6 + 0.2 * (i % kSide), 0.2 * (i / kSide), 1.2}});
+    }
+    const std::vector<std::size_t> ranks = ranksByPlace(poses);
+    EXPECT_EQ(std::set(ranks.begin(), ranks.end()).size(), poses.size());
+    int near = 0;
+    for (std::size_t i = 0; i + kSide < poses.size(); ++i) {
+        const auto apart = static_cast<int>(ranks[i]) - static_cast<int>(ranks[i + kSide]);
+        near += std::abs(apart) <= 5 ? 1 : 0;
+    }
+    EXPECT_GT(near, 350) << "of 380";
+    EXPECT_TRUE(ranksByPlace({}).empty());
+    EXPECT_EQ(ranksByPlace(std::vector<Rigid3>(2)), (std::vector<std::size_t>{0, 1}));
 }
 
 } // namespace spherewalk::scene

@@ -45,6 +45,12 @@ struct Known {
     PhotoDepth depth;
 };
 
+/// turn: of the other photo.
+Gains gains(const RgbImage& photo, const RgbImage& other,
+            const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
+    return gainsTo({&photo, {}}, {&other, {turn, Eigen::Vector3d::Zero()}});
+}
+
 } // namespace
 
 TEST(ExposureBySurfaces, IsRightToHalfAPercentAStepAway) {
@@ -105,16 +111,15 @@ TEST(CommonGains, OfNoPhotosAreNone) {
 }
 
 TEST(Exposure, LeavesPhotosOfOneExposureAsTheyAre) {
-    const Gains gains = gainsTo(photoAt(2.5, 2), photoAt(2.9, 2.2), Eigen::Matrix3d::Identity());
-    EXPECT_EQ(gains, (Gains{1, 1, 1}));
+    const Gains found = gains(photoAt(2.5, 2), photoAt(2.9, 2.2));
+    EXPECT_EQ(found, (Gains{1, 1, 1}));
 }
 
 TEST(Exposure, FindsWhatMakesPhotosAsBrightAsEachOther) {
     const Gains darker{0.6F, 0.7F, 0.8F};
-    const Gains gains =
-        gainsTo(photoAt(2.5, 2), times(photoAt(2.7, 2.1), darker), Eigen::Matrix3d::Identity());
+    const Gains found = gains(photoAt(2.5, 2), times(photoAt(2.7, 2.1), darker));
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR(gains[c] * darker[c], 1, 0.04) << c;
+        EXPECT_NEAR(found[c] * darker[c], 1, 0.04) << c;
     }
 }
 
@@ -122,17 +127,17 @@ TEST(Exposure, GoesByWhatIsSeenWhenThePhotoWasTurned) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()));
     const RgbImage turned = practice::PracticeRoom().spherical({turn, {2.6, 2.1, 1.2}}, {256, 128});
     const Gains darker{0.7F, 0.7F, 0.6F};
-    const Gains gains = gainsTo(photoAt(2.5, 2), times(turned, darker), turn.conjugate().toRotationMatrix());
+    const Gains found = gains(photoAt(2.5, 2), times(turned, darker), turn);
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR(gains[c] * darker[c], 1, 0.04) << c;
+        EXPECT_NEAR(found[c] * darker[c], 1, 0.04) << c;
     }
 }
 
 TEST(Exposure, OfTheOtherPhotoIsTheReciprocal) {
     const RgbImage a = photoAt(2.5, 2);
     const RgbImage b = times(photoAt(2.6, 2), {0.6F, 0.7F, 0.8F});
-    const Gains forth = gainsTo(a, b, Eigen::Matrix3d::Identity());
-    const Gains back = gainsTo(b, a, Eigen::Matrix3d::Identity());
+    const Gains forth = gains(a, b);
+    const Gains back = gains(b, a);
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_GT(forth[c], 1.1F) << c;
         EXPECT_NEAR(forth[c] * back[c], 1, 0.02) << c;
@@ -142,7 +147,21 @@ TEST(Exposure, OfTheOtherPhotoIsTheReciprocal) {
 TEST(Exposure, SaysNothingWhereAllIsBurnt) {
     RgbImage white(256, 128);
     std::fill(white.values().begin(), white.values().end(), std::uint8_t{255});
-    EXPECT_EQ(gainsTo(photoAt(2.5, 2), white, Eigen::Matrix3d::Identity()), (Gains{1, 1, 1}));
+    EXPECT_EQ(gains(photoAt(2.5, 2), white), (Gains{1, 1, 1}));
+}
+
+TEST(Exposure, IsTheSameFromSmallerPicturesThatWereMadeBefore) {
+    const RgbImage picture = practice::PracticeRoom().spherical({{}, {2.5, 2, 1.2}}, {512, 256});
+    const RgbImage other =
+        times(practice::PracticeRoom().spherical({{}, {2.7, 2.1, 1.2}}, {512, 256}), {0.6F, 0.7F, 0.8F});
+    const PictureSizes sizes(picture);
+    const PictureSizes otherSizes(other);
+    const Gains each = gains(picture, other);
+    const Gains small =
+        gainsTo({&sizes.largest(), {}, {}, &sizes}, {&otherSizes.largest(), {}, {}, &otherSizes});
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(small[c], each[c], 0.01) << c;
+    }
 }
 
 } // namespace spherewalk::scene

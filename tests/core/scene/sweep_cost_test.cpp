@@ -3,9 +3,12 @@
 #include "random.h"
 #include "sweep_cost.h"
 
+#include "spherewalk/geometry/equirect.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace spherewalk::scene {
 
@@ -162,7 +165,7 @@ TEST(SweepCost, IsNothingForAPhotoOfTheSamePlaceAtAnyDistance) {
         Image<float, 1> costs(kWidth, kHeight);
         Image<float, 1> inverse(kWidth, kHeight);
         std::ranges::fill(inverse.values(), inverseM);
-        cost.all(inverse, 2, {}, costs);
+        cost.all({&inverse, 1}, 2, {}, {&costs, 1});
         // Directions are known to a thousandth of a pixel, where neighbouring pixels differ by 255.
         EXPECT_LT(*std::ranges::max_element(costs.values()), 2) << inverseM;
     }
@@ -178,9 +181,85 @@ TEST(SweepCost, LiesBetweenNothingAndItsBound) {
     Image<float, 1> costs(kWidth, kHeight);
     Image<float, 1> inverse(kWidth, kHeight);
     std::ranges::generate(inverse.values(), [&] { return static_cast<float>(random.uniform(0.05, 3)); });
-    cost.all(inverse, 2, {}, costs);
+    cost.all({&inverse, 1}, 2, {}, {&costs, 1});
     EXPECT_GE(*std::ranges::min_element(costs.values()), 0);
     EXPECT_LE(*std::ranges::max_element(costs.values()), SweepCost::kMost);
+}
+
+TEST(SweepCost, OfSeveralDistancesAtATimeIsThatOfEachByItself) {
+    test::Random random(10);
+    const RgbImage photo = randomPicture(random);
+    const RgbImage other = randomPicture(random);
+    for (const double aheadM : {0.0, 0.01}) {
+        const std::vector<PosedPicture> neighbours{{&other, {random.rotation(), {0.2, 0.1, 0}}, {aheadM}},
+                                                   {&photo, {random.rotation(), {0, 0.3, 0.1}}, {aheadM}}};
+        const SweepCost cost({&photo, {}, {aheadM}}, neighbours, 0.5, kWidth, 1);
+        std::vector<Image<float, 1>> inverse(3, Image<float, 1>(kWidth, kHeight));
+        std::vector<Image<float, 1>> costs = inverse;
+        for (Image<float, 1>& plane : inverse) {
+            std::ranges::generate(plane.values(),
+                                  [&] { return static_cast<float>(random.uniform(0.05, 3)); });
+        }
+        cost.all(inverse, 2, {}, costs);
+        for (std::size_t k = 0; k < inverse.size(); ++k) {
+            Image<float, 1> alone(kWidth, kHeight);
+            cost.all({&inverse[k], 1}, 1, {}, {&alone, 1});
+            EXPECT_EQ(costs[k], alone) << k;
+        }
+        SweepCost::Scratch scratch(cost, 8);
+        std::vector<float> part(8);
+        cost.at({5, 24, 32}, 1, inverse[0].at(24, 5), scratch, part.data());
+        EXPECT_TRUE(std::equal(part.begin(), part.end(), costs[0].at(24, 5)));
+    }
+}
+
+TEST(SweepCost, IsTheSumOfWhatDiffersUpToALimit) {
+    test::Random random(11);
+    const RgbImage photo = randomPicture(random);
+    const RgbImage other = randomPicture(random);
+    const Eigen::Vector3d offset(0.2, 0.1, -0.1);
+    const std::vector<PosedPicture> neighbours{{&other, {Eigen::Quaterniond::Identity(), offset}}};
+    const SweepCost cost({&photo, {}}, neighbours, 1, kWidth, 1);
+    const SweepPicture own(photo, Eigen::Matrix3d::Identity(), kWidth, 1);
+    const SweepPicture its(other, Eigen::Matrix3d::Identity(), kWidth, 1);
+    Image<float, 1> inverse(kWidth, kHeight);
+    Image<float, 1> costs(kWidth, kHeight);
+    std::ranges::generate(inverse.values(), [&] { return static_cast<float>(random.uniform(0.05, 3)); });
+    cost.all({&inverse, 1}, 1, {}, {&costs, 1});
+    constexpr EquirectSize kSize{kWidth, kHeight};
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const Eigen::Vector3d way = direction(kSize, Eigen::Vector2d(x, y));
+            const Eigen::Vector2d at = pixel(kSize, way - static_cast<double>(*inverse.at(x, y)) * offset);
+            const double u = at.x() < 0 ? at.x() + kWidth : at.x();
+            const double v = std::max(0.0, at.y());
+            const int left = std::min(static_cast<int>(u), kWidth - 1);
+            const int above = std::min(static_cast<int>(v), kHeight - 1);
+            double sum = 0;
+            for (int c = 0; c < 4; ++c) {
+                const auto value = [&](int i, int j) { return static_cast<double>(its.at(i, j)[c]); };
+                const double over = std::lerp(value(left, above), value(left + 1, above), u - left);
+                const double under = std::lerp(value(left, above + 1), value(left + 1, above + 1), u - left);
+                constexpr double kLimits[] = {20, 12, 12, 16};
+                constexpr double kWeights[] = {1, 1.5, 1.5, 0.8};
+                const double difference = std::abs(own.at(x, y)[c] - std::lerp(over, under, v - above));
+                sum += kWeights[c] * std::min(kLimits[c], difference);
+            }
+            ASSERT_NEAR(*costs.at(x, y), sum, 0.05)
+                << x << ", " << y; // 1e-4 pixels, where pixels differ by 255
+        }
+    }
+}
+
+TEST(PictureSizes, AreHalvesOfEachOther) {
+    const PictureSizes sizes(RgbImage(1000, 500));
+    EXPECT_EQ(sizes.largest().width(), 1000);
+    EXPECT_EQ(sizes.atLeast(2000).width(), 1000);
+    EXPECT_EQ(sizes.atLeast(501).width(), 1000);
+    EXPECT_EQ(sizes.atLeast(500).width(), 500);
+    EXPECT_EQ(sizes.atLeast(64).width(), 125);
+    EXPECT_EQ(sizes.atLeast(64).height(), 62);
+    EXPECT_EQ(PictureSizes(RgbImage(16, 8)).atLeast(64).width(), 16);
 }
 
 } // namespace spherewalk::scene

@@ -12,13 +12,13 @@
 
 namespace spherewalk::scene {
 
-TEST(FastAngle, IsTheAngleInSinglePrecision) {
+TEST(FastAngle, IsTheAngle) {
     test::Random random(4);
     for (int i = 0; i < 100'000; ++i) {
         const auto y = static_cast<float>(random.uniform(-1, 1));
         const auto x = static_cast<float>(random.uniform(-1, 1));
         const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x));
-        ASSERT_NEAR(fastAngle(y, x), exact, 4e-7) << y << ", " << x;
+        ASSERT_NEAR(fastAngle(y, x), exact, 3e-6) << y << ", " << x;
     }
 }
 
@@ -39,8 +39,8 @@ TEST(FastPixel, IsWhereThePictureShowsADirection) {
         const Eigen::Vector3f given = ray.cast<float>(); // of any length
         const FastPixel at = fastPixel(given.x(), given.y(), given.z(), 2048);
         const Eigen::Vector2d exact = pixel(kSize, given.cast<double>());
-        ASSERT_NEAR(std::remainder(at.u - exact.x(), 2048), 0, 4e-4) << ray.transpose();
-        ASSERT_NEAR(at.v, std::max(0.0, exact.y()), 4e-4) << ray.transpose();
+        ASSERT_NEAR(std::remainder(at.u - exact.x(), 2048), 0, 1.4e-3) << ray.transpose();
+        ASSERT_NEAR(at.v, std::max(0.0, exact.y()), 1.4e-3) << ray.transpose();
     }
 }
 

@@ -5,6 +5,7 @@
 #include "spherewalk/base/digest.h"
 #include "spherewalk/jobs/export_dataset.h"
 
+#include <algorithm>
 #include <map>
 
 namespace spherewalk::jobs {
@@ -43,6 +44,15 @@ class DepthSurvey : public testing::Test {
             files[entry.path().filename()] = readTextFile(entry.path());
         }
         return files;
+    }
+
+    /// When they were written.
+    std::map<std::string, std::filesystem::file_time_type> written() const {
+        std::map<std::string, std::filesystem::file_time_type> times;
+        for (const auto& entry : std::filesystem::directory_iterator(m_options.cacheFolder)) {
+            times[entry.path().filename()] = entry.last_write_time();
+        }
+        return times;
     }
 
     test::PhotographedSurvey m_survey{4};
@@ -96,15 +106,44 @@ TEST_F(DepthSurvey, TakesWhatAnEarlierRunHasFoundWithTheSameResult) {
 TEST_F(DepthSurvey, GoesOnWhereItWasStoppedWithTheSameFiles) {
     StopAfter two(2);
     expectError(ErrorKind::Stopped, "Stopped", [&] { estimate(two, two.token()); });
+    const auto begun = written();
+    EXPECT_GE(begun.size(), 2U);
     const SurveyDepth rest = estimate();
     EXPECT_EQ(rest.report.photos, 4U);
-    EXPECT_EQ(rest.report.reused, 2U);
+    const auto finished = written();
+    for (const auto& [name, time] : begun) {
+        EXPECT_EQ(finished.at(name), time) << name << " was made once more";
+    }
     const auto interrupted = cached();
     m_options.cacheFolder = m_survey / "another";
     const SurveyDepth whole = estimate();
     EXPECT_EQ(cached(), interrupted);
     EXPECT_EQ(whole.radiusM, rest.radiusM);
     EXPECT_EQ(whole.room, rest.room);
+}
+
+TEST_F(DepthSurvey, IsTheSameForAnyNumberOfThreads) {
+    m_options.sweep.threads = 1;
+    const SurveyDepth one = estimate();
+    const auto files = cached();
+    m_options.cacheFolder = m_survey / "another";
+    m_options.sweep.threads = 6;
+    const SurveyDepth six = estimate();
+    EXPECT_EQ(cached(), files);
+    EXPECT_EQ(six.gains, one.gains);
+}
+
+TEST_F(DepthSurvey, MakesAgainWhatIsMissingBetween) {
+    const SurveyDepth first = estimate();
+    const auto files = cached();
+    for (const auto& [name, content] : files) {
+        if (std::none_of(first.files.begin(), first.files.end(),
+                         [&](const std::filesystem::path& file) { return file.filename() == name; })) {
+            std::filesystem::remove(m_options.cacheFolder / name);
+        }
+    }
+    EXPECT_EQ(estimate().room, first.room);
+    EXPECT_EQ(cached(), files);
 }
 
 TEST_F(DepthSurvey, ReadsNoPhotoWhenItIsStoppedAtOnce) {

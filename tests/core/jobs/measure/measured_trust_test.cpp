@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 #include "test_dataset.h"
 
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/walk.h"
@@ -29,47 +30,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// Ranks from 0; equal values have the mean of their ranks.
-std::vector<double> ranks(const std::vector<double>& values) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    std::vector<double> result(values.size());
-    for (std::size_t i = 0; i < order.size();) {
-        std::size_t end = i + 1;
-        while (end < order.size() && values[order[end]] == values[order[i]]) {
-            ++end;
-        }
-        for (std::size_t k = i; k < end; ++k) {
-            result[order[k]] = 0.5 * static_cast<double>(i + end - 1);
-        }
-        i = end;
-    }
-    return result;
-}
-
-double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
-    const std::vector<double> ranksA = ranks(a);
-    const std::vector<double> ranksB = ranks(b);
-    const double middle = 0.5 * static_cast<double>(a.size() - 1);
-    double ab = 0;
-    double aa = 0;
-    double bb = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        ab += (ranksA[i] - middle) * (ranksB[i] - middle);
-        aa += (ranksA[i] - middle) * (ranksA[i] - middle);
-        bb += (ranksB[i] - middle) * (ranksB[i] - middle);
-    }
-    return ab / std::sqrt(std::max(aa * bb, 1e-300));
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// What views said of their pixels, and what was true.
 struct Stated {
@@ -312,7 +272,7 @@ class MeasuredTrust : public testing::TestWithParam<practice::RoomStyle> {
         }
         all.stated.insert(all.stated.end(), stated.begin(), stated.end());
         all.found.insert(all.found.end(), found.begin(), found.end());
-        all.inViews.push_back(rankCorrelation(stated, found));
+        all.inViews.push_back(rankCorrelation(stated, found).value_or(0));
         all.ofViews.push_back(view.report.parallaxPx);
         all.foundOfViews.push_back(median(found));
     }
@@ -335,7 +295,7 @@ TEST_P(MeasuredTrust, IsWhatTheViewIsOff) {
         const Stated all = views(scene);
         const double inside = std::accumulate(all.inViews.begin(), all.inViews.end(), 0.0) /
                               static_cast<double>(all.inViews.size());
-        const double over = rankCorrelation(all.ofViews, all.foundOfViews);
+        const double over = rankCorrelation(all.ofViews, all.foundOfViews).value_or(0);
         std::cout << std::fixed << std::setprecision(3) << nameOf(GetParam()) << ' ' << name(scene) << ' '
                   << inside << ' ' << over << ' ' << all.ratio();
         for (const double e : {0.5, 1.0, 2.0, 5.0}) {

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace spherewalk {
 
@@ -14,6 +16,12 @@ int hardwareThreads();
 /// Errors: the first exception of a body is rethrown after all threads have ended. Pieces that had not begun
 /// by then are skipped.
 void parallelFor(int count, int grain, int threads, const std::function<void(int begin, int end)>& body);
+
+/// Calls body(task) once for each task in [0, needs.size()), up to `threads` at a time (0: one for each of
+/// the machine's). A task begins when all that it needs have ended, and of those that can begin, the first
+/// comes first. Range: no task needs itself, by way of others either. Errors: as those of parallelFor().
+void parallelTasks(std::span<const std::vector<int>> needs, int threads,
+                   const std::function<void(int task)>& body);
 
 /// Threads that are started once and then wait for work. The pool is for work so short that starting threads
 /// would cost as much: a camera's view takes less than a millisecond. Between two runs the threads spin for

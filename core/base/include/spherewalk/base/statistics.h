@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace spherewalk {
@@ -46,5 +48,10 @@ MedianAndSpread<Number> medianAndSpread(std::vector<Number> values) {
     }
     return {middle, static_cast<Number>(1.4826) * quantileInPlace(values, 0.5)};
 }
+
+/// Spearman's rank correlation of two lists: 1 if both put everything in the same order, -1 in the opposite
+/// order. Equal values share a rank. Nothing for fewer than three values, for lists of different lengths, and
+/// for a list of one value throughout. Range: finite values. Source: Spearman 1904.
+std::optional<double> rankCorrelation(std::span<const double> a, std::span<const double> b);
 
 } // namespace spherewalk

@@ -76,8 +76,8 @@ struct SurveyDepth {
     DepthReport report;
 };
 
-/// Estimates the depth of each photo from its neighbours, and has neighbours agree on it. Cost: about two
-/// seconds a photo on two cores, and 600 MB. Errors: those of reading and decoding the photos, of
+/// Estimates the depth of each photo from its neighbours, and has neighbours agree on it. Cost: about one
+/// second a photo on two cores, and 600 MB. Errors: those of reading and decoding the photos, of
 /// scene::sweptDepth(), and of reading and writing the cache's files; InvalidInput for options. Stop:
 /// Stopped; the cache keeps the depths so far.
 SurveyDepth surveyDepth(std::span<const DepthInput> photos, const DepthOptions& options,

@@ -140,7 +140,7 @@ struct Prediction {
     render::SceneKind scene = render::SceneKind::None;
     std::vector<double> foretoldPx; ///< Median error of each picture that has both values.
     std::vector<double> foundPx;
-    std::optional<double> rankCorrelation; ///< As compare::rankCorrelation() gives it.
+    std::optional<double> rankCorrelation; ///< As rankCorrelation() gives it.
     std::optional<double> factor; ///< Median of foretold / found; nothing where nothing was found to be off.
 };
 

@@ -20,8 +20,8 @@ using Gains = std::array<float, 3>;
 
 /// The gains with which another photo is as bright as this one, without depths. The gain is the median of the
 /// factor over directions, since two photos of a room mostly show the same wall in a direction. Burnt and
-/// black pixels do not count. A gain that cannot be told from 1 is 1. otherFromPhoto: a rotation.
-Gains gainsTo(const RgbImage& photo, const RgbImage& other, const Eigen::Matrix3d& otherFromPhoto);
+/// black pixels do not count. A gain that cannot be told from 1 is 1.
+Gains gainsTo(const PosedPicture& photo, const PosedPicture& other);
 
 /// The gains with which another photo is as bright as this one: the median of the factor over places that
 /// both show, as the depths of both tell. Burnt and black pixels do not count. It is nothing where the photos

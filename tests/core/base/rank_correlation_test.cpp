@@ -1,14 +1,13 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "random.h"
-
-#include "spherewalk/compare/rank_correlation.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/base/statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
-namespace spherewalk::compare {
+namespace spherewalk {
 
 TEST(RankCorrelation, LooksAtTheOrderAlone) {
     const std::vector<double> a{1, 2, 3, 4};
@@ -29,15 +28,16 @@ TEST(RankCorrelation, IsUnknownOfFewOrEqualValues) {
 }
 
 TEST(RankCorrelation, IsTheSameBothWaysAndChangesItsSignWithTheOrder) {
-    test::Random random(4);
-    SCOPED_TRACE(random.seed());
+    std::mt19937 random(4);
+    std::uniform_int_distribution whole(0, 12);
+    std::uniform_real_distribution<double> uniform(-1, 1);
     for (int round = 0; round < 50; ++round) {
         std::vector<double> a;
         std::vector<double> b;
         std::vector<double> falling;
         for (int i = 0; i < 20; ++i) {
-            a.push_back(random.integer(0, 12)); // with equal values
-            b.push_back(random.uniform(-1, 1));
+            a.push_back(whole(random)); // with equal values
+            b.push_back(uniform(random));
             falling.push_back(-std::exp(b.back()));
         }
         const double correlation = rankCorrelation(a, b).value();
@@ -59,4 +59,4 @@ TEST(RankCorrelation, OrdersByRankAloneHoweverFarValuesLieApart) {
     EXPECT_NEAR(rankCorrelation(far, std::vector<double>{4, 3, 2, 1}).value(), -1, 1e-12);
 }
 
-} // namespace spherewalk::compare
+} // namespace spherewalk

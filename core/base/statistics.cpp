@@ -1,12 +1,10 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "spherewalk/compare/rank_correlation.h"
+// SPDX-License-Identifier: Apache-2.0
+#include "spherewalk/base/statistics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
-namespace spherewalk::compare {
+namespace spherewalk {
 
 namespace {
 
@@ -50,4 +48,4 @@ std::optional<double> rankCorrelation(std::span<const double> a, std::span<const
     return aa > 0 && bb > 0 ? std::optional(ab / std::sqrt(aa * bb)) : std::nullopt;
 }
 
-} // namespace spherewalk::compare
+} // namespace spherewalk
