@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::scene {
@@ -91,6 +92,7 @@ constexpr std::size_t kFewestPoints = 200;
 struct Seen {
     Vector3d atM;
     double areaM2 = 0;
+    double solidAngle = 0; ///< Of the pixel, in those of one at the horizon.
 };
 
 struct Value {
@@ -113,7 +115,8 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
                 const Vector3d ray = direction(size, Vector2d(x, y));
                 const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
                 points.push_back({posed.roomFromPhoto * (posed.lenses.place(ray) + distance * ray),
-                                  std::pow(side * std::min(distance, kFarM), 2) * ray.head<2>().norm()});
+                                  std::pow(side * std::min(distance, kFarM), 2) * ray.head<2>().norm(),
+                                  ray.head<2>().norm()});
             }
         }
     }
@@ -243,6 +246,19 @@ double signedArea(const Polygon& polygon) {
     return sum / 2;
 }
 
+/// Whether most of the points stand beyond the outline by more than a wall is moved. Through doors and
+/// windows photos see beyond a right one, too, but less than they see of its own walls.
+bool contradicts(const std::vector<Seen>& walls, const Polygon& outline) {
+    double all = 0;
+    double beyond = 0;
+    for (const Seen& point : walls) {
+        const Vector2d at = point.atM.head<2>();
+        all += point.solidAngle;
+        beyond += !contains(outline, at) && distanceToEdge(outline, at) > kReachM ? point.solidAngle : 0;
+    }
+    return 2 * beyond > all;
+}
+
 /// How far to move a wall inwards. Empty if too little of it is seen.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
                             const Vector2d& inwards) {
@@ -288,7 +304,7 @@ std::optional<double> sphereRadius(std::span<const PosedDepth> depths) {
     return count == 0 ? std::nullopt : std::optional(static_cast<double>(count) / sum);
 }
 
-std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room) {
+std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room) {
     const std::vector<Seen> points = pointsOf(depths);
     double standM = 0;
     for (const PosedDepth& posed : depths) {
@@ -305,7 +321,9 @@ std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, 
     if (walls.size() < kFewestPoints) {
         return std::nullopt;
     }
-    const Polygon drawn = room.outline.size() < 3 ? rectangleAbout(walls) : room.outline;
+    const bool isDrawn = room.outline.size() >= 3;
+    const bool isWrong = isDrawn && contradicts(walls, room.outline);
+    const Polygon drawn = isDrawn && !isWrong ? room.outline : rectangleAbout(walls);
     const double turn = signedArea(drawn) > 0 ? 1 : -1;
     Polygon moved;
     std::vector<Vector2d> directions;
@@ -321,7 +339,7 @@ std::optional<render::RoomShape> fittedRoom(std::span<const PosedDepth> depths, 
         const std::size_t before = (i + drawn.size() - 1) % drawn.size();
         shape.outline.push_back(meeting(moved[before], directions[before], moved[i], directions[i]));
     }
-    return shape;
+    return FittedRoom{std::move(shape), isWrong};
 }
 
 } // namespace spherewalk::scene

@@ -2013,6 +2013,10 @@
         <source>Foretelling how far views are off</source>
         <translation>Die Fehler der Ansichten werden vorhergesagt</translation>
     </message>
+    <message>
+        <source>Most of what the photos show stands more than half a metre beyond the drawn outline, which is too small or of another room: the dataset has the room that the photos show.</source>
+        <translation>Das meiste von dem, was die Fotos zeigen, steht mehr als einen halben Meter außerhalb des gezeichneten Umrisses; er ist zu klein oder gehört zu einem anderen Raum: der Datensatz hat den Raum, den die Fotos zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

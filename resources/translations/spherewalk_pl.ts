@@ -2023,6 +2023,10 @@
         <source>Foretelling how far views are off</source>
         <translation>Przewidywanie błędów widoków</translation>
     </message>
+    <message>
+        <source>Most of what the photos show stands more than half a metre beyond the drawn outline, which is too small or of another room: the dataset has the room that the photos show.</source>
+        <translation>Większość tego, co widać na zdjęciach, leży ponad pół metra poza narysowanym obrysem, który jest za mały albo należy do innego pomieszczenia: zbiór danych ma pomieszczenie widoczne na zdjęciach.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -261,6 +261,10 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The photos do not show where walls, floor and ceiling are: the dataset's room is the drawn one."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "Most of what the photos show stands more than half a metre beyond the drawn outline, which is too "
+        "small or of another room: the dataset has the room that the photos show."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Nothing can be exported."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The heading of %1 of %2 photos is not known; they are "
                                                    "exported as if each looked along the room's x axis."),

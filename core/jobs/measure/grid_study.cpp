@@ -67,7 +67,7 @@ SubsetDataset::SubsetDataset(const render::Dataset& whole, std::span<const std::
     info.photos.clear();
     if (depth != nullptr) {
         info.sphereRadiusM = depth->radiusM ? depth->radiusM : info.sphereRadiusM;
-        info.roomShape = depth->room;
+        info.roomShape = depth->room ? std::optional(depth->room->shape) : std::nullopt;
     }
     for (std::size_t i = 0; i < photos.size(); ++i) {
         render::DatasetPhoto photo = whole.info().photos[photos[i]];

@@ -32,8 +32,10 @@ struct Photos {
     std::vector<PosedDepth> posed;
 };
 
-void expectRoom(const std::optional<render::RoomShape>& found) {
-    ASSERT_TRUE(found);
+void expectRoom(const std::optional<FittedRoom>& fitted, bool contradictsOutline = false) {
+    ASSERT_TRUE(fitted);
+    EXPECT_EQ(fitted->contradictsOutline, contradictsOutline);
+    const render::RoomShape* found = &fitted->shape;
     EXPECT_NEAR(found->floorM, kRoom.floorM, 0.02);
     EXPECT_NEAR(found->ceilingM, kRoom.ceilingM, 0.02);
     ASSERT_EQ(found->outline.size(), 4U);
@@ -72,7 +74,7 @@ TEST(RoomFit, TakesNoMirrorImageForTheRoom) {
     expectRoom(fittedRoom(photos.posed, {kRoom.outline, kRoom.ceilingM}));
     const auto undrawn = fittedRoom(photos.posed, {});
     ASSERT_TRUE(undrawn);
-    EXPECT_GT(undrawn->floorM, -2); // a camera stands at most 3 m above its floor
+    EXPECT_GT(undrawn->shape.floorM, -2); // a camera stands at most 3 m above its floor
 }
 
 TEST(RoomFit, KeepsWhatWasDrawnWhereTooLittleIsSeen) {
@@ -87,8 +89,30 @@ TEST(RoomFit, KeepsWhatWasDrawnWhereTooLittleIsSeen) {
     }
     const auto found = fittedRoom(photos.posed, {kRoom.outline, 2.6});
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->floorM, 0, 0.03);
-    EXPECT_EQ(found->ceilingM, 2.6);
+    EXPECT_NEAR(found->shape.floorM, 0, 0.03);
+    EXPECT_EQ(found->shape.ceilingM, 2.6);
+}
+
+TEST(RoomFit, BelievesNoOutlineThatThePhotosContradict) {
+    const Photos photos(kRoom);
+    // The photos' own block, in place of the room; and the outline of a room somewhere else.
+    expectRoom(fittedRoom(photos.posed, {{{1, 1}, {3, 1}, {3, 2}, {1, 2}}, 2.5}), true);
+    expectRoom(fittedRoom(photos.posed, {{{101, 1}, {103, 1}, {103, 2}, {101, 2}}, 2.5}), true);
+}
+
+TEST(RoomFit, BelievesAnOutlineWhoseWallsHaveDoorsAndWindows) {
+    Photos photos(kRoom);
+    for (PhotoDepth& depth : photos.depths) {
+        const int width = depth.inverseM.width();
+        for (int y = 0; y < depth.inverseM.height(); ++y) {
+            for (int x = 0; x < width; ++x) {
+                *depth.inverseM.at(x, y) *= x % (width / 4) < width / 10 ? 0.3F : 1; // two fifths of all
+            }
+        }
+    }
+    const auto found = fittedRoom(photos.posed, {kRoom.outline, 2.5});
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->contradictsOutline);
 }
 
 TEST(RoomFit, FindsNothingWithoutSureDepths) {
@@ -198,11 +222,11 @@ TEST(RoomFit, FindsRoomsOfAnySizeAndTurnThoughDepthsAreNoisy) {
         const std::vector<PosedDepth> posed{{&depths[0], poses[0]}, {&depths[1], poses[1]}};
         const auto found = fittedRoom(posed, {});
         ASSERT_TRUE(found) << "seed " << seed;
-        EXPECT_NEAR(found->floorM, room.floorM, 0.03) << "seed " << seed;
-        EXPECT_NEAR(found->ceilingM, room.ceilingM, 0.04) << "seed " << seed;
+        EXPECT_NEAR(found->shape.floorM, room.floorM, 0.03) << "seed " << seed;
+        EXPECT_NEAR(found->shape.ceilingM, room.ceilingM, 0.04) << "seed " << seed;
         for (const Eigen::Vector2d& corner : room.outline) {
             double nearest = 100;
-            for (const Eigen::Vector2d& other : found->outline) {
+            for (const Eigen::Vector2d& other : found->shape.outline) {
                 nearest = std::min(nearest, (other - corner).norm());
             }
             EXPECT_LT(nearest, 0.08) << "seed " << seed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "temporary_folder.h"
+#include "warnings.h"
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/jobs/export_dataset.h"
@@ -12,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace spherewalk::jobs {
 
@@ -50,17 +53,21 @@ class RobotSurvey : public testing::Test {
                 name + "," + std::to_string(position.x()) + "," + std::to_string(position.y()) + ",1.2,0\n";
         }
         writeFile(m_folder / "p.csv", bytesOf(lines));
-        survey::Room room;
-        room.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
-        room.ceilingM = 2.5;
-        survey::PlanOptions plan;
-        plan.stepM = 0.5;
-        m_store.emplace(
-            store::SurveyStore::create(m_folder / "s.spherewalk", "s", room, plan, survey::plan(room, plan)));
-        importPhotos(*m_store, {m_folder / "in", m_folder / "p.csv", 0.05, false}, noProgress(), {});
+        m_store.emplace(newSurvey("s.spherewalk", {{0, 0}, {5, 0}, {5, 4}, {0, 4}}));
         m_options.scene = render::SceneKind::Depth;
         m_options.depth.sweep.width = 64;
         m_options.depth.sweep.coarseWidth = 64;
+    }
+
+    store::SurveyStore newSurvey(const std::string& name, const Polygon& outline) const {
+        survey::Room room;
+        room.outline = outline;
+        room.ceilingM = 2.5;
+        survey::PlanOptions plan;
+        plan.stepM = 0.5;
+        auto store = store::SurveyStore::create(m_folder / name, "s", room, plan, survey::plan(room, plan));
+        importPhotos(store, {m_folder / "in", m_folder / "p.csv", 0.05, false}, noProgress(), {});
+        return store;
     }
 
     ExportReport exported(const std::string& name) {
@@ -132,6 +139,29 @@ TEST_F(RobotSurvey, ThePhotosStayWhereTheyShall) {
     m_options.scene = render::SceneKind::Sphere;
     EXPECT_EQ(exported("sphere").carriedShare, 0);
     EXPECT_EQ(photoIn("sphere"), before);
+}
+
+TEST_F(RobotSurvey, AnOutlineThatThePhotosContradictIsNotTheDatasetsRoom) {
+    m_options.depth.sweep.width = 256;
+    const Polygon block{{1.3, 1.0}, {2.7, 1.0}, {2.7, 2.4}, {1.3, 2.4}}; // about the photos alone
+    const store::SurveyStore small = newSurvey("small.spherewalk", block);
+    const auto datasetOf = [&](const store::SurveyStore& store, const std::string& name) {
+        test::Warnings warnings;
+        exportDataset(store, m_folder / name, m_options, warnings, {});
+        const bool isSaid = std::any_of(
+            warnings.sentences.begin(), warnings.sentences.end(), [](const std::string& sentence) {
+                return sentence.find("beyond the drawn outline") != std::string::npos;
+            });
+        return std::pair(render::Dataset::open(m_folder / name), isSaid);
+    };
+    const auto [right, isSaidOfRight] = datasetOf(*m_store, "right");
+    EXPECT_FALSE(isSaidOfRight);
+    EXPECT_EQ(right.info().outline, m_store->room().outline);
+    const auto [corrected, isSaid] = datasetOf(small, "corrected");
+    EXPECT_TRUE(isSaid);
+    EXPECT_FALSE(corrected.isOutside({3.5, 3, 1.2})) << "the photos see this place";
+    EXPECT_TRUE(corrected.isOutside({8, 3, 1.2}));
+    EXPECT_EQ(corrected.info().outline, corrected.info().roomShape.value().outline);
 }
 
 } // namespace spherewalk::jobs

@@ -72,7 +72,7 @@ struct SurveyDepth {
     /// wanted for radius and room alone.
     std::vector<scene::Gains> gains;
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
-    std::optional<render::RoomShape> room; ///< The room that scene::fittedRoom() finds in the depths.
+    std::optional<scene::FittedRoom> room; ///< The room that scene::fittedRoom() finds in the depths.
     DepthReport report;
 };
 
