@@ -24,7 +24,7 @@ namespace spherewalk::scene {
 PictureSizes::PictureSizes(RgbImage picture) {
     constexpr int kLeastWidth = 64;
     m_pictures.push_back(std::move(picture));
-    while (m_pictures.back().width() >= 2 * kLeastWidth) {
+    while (m_pictures.back().width() >= 2 * kLeastWidth && m_pictures.back().height() >= 2) {
         const RgbImage& last = m_pictures.back();
         m_pictures.push_back(photo::resized(last, last.width() / 2, last.height() / 2));
     }

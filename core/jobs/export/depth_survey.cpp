@@ -286,8 +286,9 @@ class DepthJob {
         return m_pictures.get(photo, [&] {
             const int width = 2 * m_options.sweep.width;
             RgbImage read = decoded(photo, width);
-            return scene::PictureSizes(read.width() > width ? photo::resized(read, width, width / 2)
-                                                            : std::move(read));
+            return scene::PictureSizes(read.width() > width
+                                           ? photo::resized(read, width, width * read.height() / read.width())
+                                           : std::move(read));
         });
     }
 
