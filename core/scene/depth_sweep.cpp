@@ -167,8 +167,9 @@ class Sweep {
             SweepCost::Scratch scratch(cost, values);
             std::vector<float> costs(static_cast<std::size_t>(values));
             std::vector<float> inverse(costs.size());
-            for (std::size_t i = 0; i < inverse.size(); ++i) {
-                inverse[i] = m_distances.inverse(static_cast<float>(i / kPixelsAtATime));
+            for (int value = 0; value < values; ++value) {
+                const int layer = value / kPixelsAtATime;
+                inverse[static_cast<std::size_t>(value)] = m_distances.inverse(static_cast<float>(layer));
             }
             for (int y = begin; y < end; ++y) {
                 for (int x = 0; x < cost.width(); x += kPixelsAtATime) {
@@ -275,9 +276,8 @@ class Sweep {
         Plane after = best;
         Plane last = best;
         Plane sum(width, width / 2);
-        const std::vector<Plane> all = filteredCosts(movedBy(base, step), cost, filter);
-        for (int k = -kOffsets; k <= kOffsets; ++k) {
-            const Plane& costs = all[static_cast<std::size_t>(k + kOffsets)];
+        int k = -kOffsets;
+        for (const Plane& costs : filteredCosts(movedBy(base, step), cost, filter)) {
             for (std::size_t i = 0; i < costs.values().size(); ++i) {
                 const float here = costs.values()[i];
                 sum.values()[i] += here;
@@ -292,6 +292,7 @@ class Sweep {
                 }
             }
             last = costs;
+            ++k;
         }
         if (width == m_options.width) {
             judge(best, offset, sum);
@@ -311,9 +312,9 @@ class Sweep {
     std::vector<Plane> movedBy(const Plane& base, float step) const {
         std::vector<Plane> tried(2 * kOffsets + 1, Plane(base.width(), base.height()));
         parallelFor(base.height(), 32, m_options.threads, [&](int begin, int end) {
-            const auto first = static_cast<std::size_t>(begin * base.width());
-            const auto last = static_cast<std::size_t>(end * base.width());
-            for (std::size_t i = first; i < last; ++i) {
+            const auto width = static_cast<std::size_t>(base.width());
+            for (std::size_t i = static_cast<std::size_t>(begin) * width;
+                 i < static_cast<std::size_t>(end) * width; ++i) {
                 const float value = base.values()[i];
                 const float stepHere = m_distances.stepAt(value);
                 for (std::size_t k = 0; k < tried.size(); ++k) {

@@ -100,7 +100,7 @@ inline void differences(const RowPlaces& places, int x, const float* here, const
     const float a = places.right[x];
     const float b = places.right[x + 1];
     const Eight difference = own - (left + (beside - left) * Eight{a, a, a, a, b, b, b, b});
-    const Eight size = reinterpret_cast<Eight>(reinterpret_cast<EightInts>(difference) & kAllButSign);
+    const auto size = reinterpret_cast<Eight>(reinterpret_cast<EightInts>(difference) & kAllButSign);
     const Eight weighted = size * kWeights;
     result = weighted < kLimits ? weighted : kLimits;
 }
