@@ -20,7 +20,7 @@ namespace {
 
 struct AlignArguments {
     std::string survey;
-    std::string effort{align::name(jobs::AlignOptions().effort)};
+    std::string effort;
     std::string model = "auto";
     std::string mask;
     std::string truth;
@@ -126,7 +126,9 @@ std::vector<align::RoomTag> knownTags(const AlignArguments& options) {
 Result align(const AlignArguments& options, Context& context) {
     auto store = store::SurveyStore::open(options.survey, store::Access::Write);
     jobs::AlignOptions alignOptions;
-    alignOptions.effort = align::effortNamed(options.effort);
+    if (!options.effort.empty()) {
+        alignOptions.effort = align::effortNamed(options.effort);
+    }
     alignOptions.model = align::modelNamed(options.model);
     alignOptions.mask = options.mask;
     alignOptions.checksPositions = !options.ignoresPositions;
@@ -168,10 +170,9 @@ void addAlign(Commands& commands) {
                          return options->isTrade ? measureTrade(*options, context) : align(*options, context);
                      });
     command.option("survey", options->survey, "Folder of the survey").required();
-    command
-        .option("--effort", options->effort,
-                "How much work goes into the pictures: draft, normal, fine or exact")
-        .showDefault();
+    command.option("--effort", options->effort,
+                   "How much work goes into the pictures: draft, normal, fine or exact; without it normal, "
+                   "and fine with --positions free");
     command
         .option("--model", options->model,
                 "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")

@@ -17,9 +17,20 @@ namespace {
 constexpr double kLeastExpected = 20;   ///< Fewer things say nothing for or against a pair.
 constexpr double kClearlyExpected = 50; ///< So many things that are not there contradict a pair.
 constexpr double kContradicted = 0.05;  ///< Share of the expected things.
+constexpr double kBesideM = 0.6;        ///< No wall is between lenses that are no farther apart.
+constexpr double kBesideShare = 0.9;    ///< Of what usual neighbours show, which stand farther apart.
 
 bool isContradiction(const PhotoAgreement& pair) {
-    return pair.expected >= kClearlyExpected && pair.seen < kContradicted * pair.expected;
+    const bool isUnlike = pair.apartM < kBesideM && pair.betterShare < kBesideShare;
+    return pair.expected >= kClearlyExpected && (isUnlike || pair.seen < kContradicted * pair.expected);
+}
+
+double betterShare(const ExpectedThings& inA, const ExpectedThings& inB) {
+    double better = 0;
+    for (const ExpectedThings& things : {inA, inB}) {
+        better = std::max(better, things.expected < kLeastExpected ? 1 : things.seen / things.expected);
+    }
+    return better;
 }
 
 /// Joins the pairs that agree most first, and never two photos that contradict each other.
@@ -56,7 +67,10 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
         if (pair.a != pair.b && sightings.isPlaced(pair.a) && sightings.isPlaced(pair.b)) {
             const ExpectedThings inA = sightings.expected(pair.a, pair.b);
             const ExpectedThings inB = sightings.expected(pair.b, pair.a);
-            all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen});
+            const Eigen::Vector3d apart = roomFromPhoto[static_cast<std::size_t>(pair.a)]->translation -
+                                          roomFromPhoto[static_cast<std::size_t>(pair.b)]->translation;
+            all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen, apart.norm(),
+                           betterShare(inA, inB)});
         }
     }
     return all;

@@ -20,7 +20,7 @@ namespace spherewalk::align {
 
 namespace {
 
-constexpr int kMostPointsOfPhoto = 400;
+constexpr int kMostPointsOfPhoto = 1200;
 constexpr double kLeastPointParallax = 5;
 constexpr double kFirstReachRad = 0.06; ///< Rays that miss by more at the first poses are of something else.
 constexpr double kReachSigmas = 4;

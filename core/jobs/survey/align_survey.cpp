@@ -44,7 +44,7 @@ class AlignRun {
 
     AlignReport run() {
         const auto begin = SteadyClock::now();
-        m_report.effort = m_options.effort;
+        m_report.effort = m_options.chosenEffort();
         readPhotos();
         findFeatures();
         findAprilTags();
@@ -197,7 +197,7 @@ class AlignRun {
         const std::vector<int> counts = m_featureCounts; // What shows nothing is not looked at again.
         double begin = 0.76;
         for (const align::Effort effort : kHarder) {
-            if (effort <= m_options.effort) {
+            if (effort <= m_options.chosenEffort()) {
                 continue;
             }
             const align::EffortOptions harder = align::optionsFor(effort);
@@ -424,7 +424,7 @@ class AlignRun {
     std::stop_token m_stop;
     std::filesystem::path m_cacheFolder =
         m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
-    align::EffortOptions m_effort = align::optionsFor(m_options.effort);
+    align::EffortOptions m_effort = align::optionsFor(m_options.chosenEffort());
     std::vector<store::PhotoRecord> m_photos;
     std::vector<int> m_all; ///< Indices of all photos.
     std::vector<align::PlannedPosition> m_planned;

@@ -99,9 +99,40 @@ TEST_F(AgreeingParts, AreTwoAlsoWhereOnePhotoAgreesWithBothSides) {
     }
     survey.pairs.insert(survey.pairs.end(), more.begin(), more.end());
     const std::vector<int> found = parts(0.3);
+
     EXPECT_THAT(std::set(found.begin(), found.begin() + 12), ::testing::SizeIs(1));
     EXPECT_THAT(std::set(found.begin() + 12, found.begin() + between), ::testing::SizeIs(1));
     EXPECT_NE(found[0], found[12]);
+}
+
+TEST_F(AgreeingParts, AreTwoWherePhotosBesideEachOtherShowLessThanUsual) {
+    const PhotoAgreement one{0, 1, 100, 200, 0.5, 2};
+    const PhotoAgreement other{2, 3, 100, 200, 0.5, 2};
+    const PhotoAgreement farAway{0, 3, 100, 90, 1.2, 0.95};
+    PhotoAgreement beside{1, 2, 100, 70, 0.4, 0.8};
+    const auto found = [&] {
+        return agreeingParts({true, true, true, true}, std::vector{one, other, farAway, beside}, 0.3);
+    };
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 1, 1));
+    beside.betterShare = 1.1; // One of them is blurred.
+    EXPECT_THAT(found(), Each(0));
+    beside.betterShare = 0.8;
+    beside.apartM = 0.7; // A wall may be between them.
+    EXPECT_THAT(found(), Each(0));
+}
+
+TEST_F(AgreeingParts, ExpectAsMuchOfABlurredPhotoAsItShows) {
+    // Four of five features of one photo are lost: its things are seen beside it, and few of theirs in it.
+    std::vector<PhotoPair> pairs = survey.pairs;
+    for (PhotoPair& pair : pairs) {
+        if (pair.a == 7 || pair.b == 7) {
+            std::erase_if(pair.matches, [&](const Correspondence& match) {
+                return (pair.a == 7 ? match.featureA : match.featureB) % 5 != 0;
+            });
+        }
+    }
+    survey.pairs = pairs;
+    EXPECT_THAT(parts(0.3), Each(0));
 }
 
 TEST_F(AgreeingParts, LeaveOutPhotosWithoutAPose) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
+#include "hand_held_photos.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
@@ -8,10 +9,7 @@
 #include "spherewalk/jobs/check_places.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
-#include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/position_tag.h"
-#include "spherewalk/practice/practice_options.h"
-#include "spherewalk/practice/practice_room.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
@@ -28,19 +26,6 @@ namespace {
 /// Photos of the practice room, taken by hand. Nobody wrote down where.
 class FreeSurvey : public testing::Test {
   protected:
-    FreeSurvey() {
-        const practice::PracticeRoom room;
-        practice::PhotoErrors errors;
-        errors.seed = 5;
-        std::filesystem::create_directories(m_folder / "in");
-        for (int i = 0; i < 6; ++i) {
-            const Eigen::Vector3d nominal(1.8 + 0.35 * (i % 3), 1.5 + 0.35 * (i / 3), 1.2);
-            truth.push_back(errors.truePose(nominal, i + 1));
-            writeFile(m_folder / "in" / text("H", i, ".jpg"),
-                      jpeg::encode(room.spherical(truth.back(), {kWidth, kWidth / 2}), 95));
-        }
-    }
-
     store::SurveyStore imported() {
         survey::Room outline;
         outline.outline = {{0, 0}, {5, 0}, {5, 4}, {0, 4}};
@@ -51,11 +36,8 @@ class FreeSurvey : public testing::Test {
     }
 
     test::TemporaryFolder m_folder;
-    std::vector<Rigid3> truth;
+    std::vector<Rigid3> truth = test::writeHandHeldPhotos(m_folder / "in");
     ImportReport report;
-
-  private:
-    static constexpr int kWidth = 1024;
 };
 
 } // namespace
@@ -101,6 +83,7 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
     options.isFree = true;
     options.distance = {"H0.jpg", "H5.jpg", (truth[0].translation - truth[5].translation).norm()};
     const AlignReport aligned = alignSurvey(store, options, noProgress(), {});
+    EXPECT_EQ(aligned.effort, align::Effort::Fine);
     for (const AlignedPhoto& photo : aligned.photos) {
         ASSERT_TRUE(photo.pose.isSolved) << photo.pose.why;
         const store::StationRecord station = store.station(store.photo(photo.photo).station);

@@ -35,7 +35,8 @@ struct MeasuredDistance {
 };
 
 struct AlignOptions {
-    align::Effort effort = align::Effort::Normal;
+    /// Empty: fine where places are solved from the pictures alone, which needs more of them; else normal.
+    std::optional<align::Effort> effort;
     align::Model model = align::Model::Auto;
     /// A grey picture of any size, twice as wide as high. Photos are not looked at where it is black. Empty
     /// means that photos are looked at everywhere.
@@ -58,6 +59,10 @@ struct AlignOptions {
     bool isRecorded = true;  ///< Whether the store gets the solution.
     bool isActivated = true; ///< Whether the recorded solution becomes the active one.
     int threads = 0;         ///< Range: 0 or above; 0 means all that the machine has.
+
+    align::Effort chosenEffort() const {
+        return effort.value_or(isFree ? align::Effort::Fine : align::Effort::Normal);
+    }
 };
 
 /// What a person can do about a photo that is doubtful or failed.
