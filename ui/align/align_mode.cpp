@@ -93,6 +93,9 @@ void AlignMode::setSession(SurveySession* session) {
     m_plan->setSession(session);
     m_presenter->setSession(session);
     setMask({});
+    m_places->setCurrentIndex(0);
+    m_hasUnknownPlaces = false;
+    chooseFree();
     if (session != nullptr) {
         connect(session->selection(), &StationSelection::currentChanged, this, &AlignMode::selectStation);
     }
@@ -114,6 +117,15 @@ QWidget* AlignMode::makeBar() {
         layout->addWidget(label);
         layout->addWidget(widget);
     };
+    m_places = new QComboBox(bar);
+    m_places->setObjectName("places");
+    m_places->addItem(tr("As tagged"));
+    m_places->addItem(tr("From the pictures alone"));
+    m_places->setToolTip(
+        tr("Where the photos were taken: as they are tagged, or solved from what they show; then the "
+           "stations move there"));
+    connect(m_places, &QComboBox::currentIndexChanged, this, &AlignMode::showFree);
+    addLabelled(tr("P&laces"), m_places);
     m_effort = new QComboBox(bar);
     m_effort->setObjectName("effort");
     m_effort->addItem(tr("Draft"), static_cast<int>(align::Effort::Draft));
@@ -244,11 +256,37 @@ QWidget* AlignMode::makePlan() {
 
 void AlignMode::run() {
     jobs::AlignOptions options;
+    options.isFree = isFree();
     options.effort = static_cast<align::Effort>(m_effort->currentData().toInt());
-    options.model = static_cast<align::Model>(m_model->currentData().toInt());
-    options.positionSigmaM = 0.001 * m_positionSigma->value();
+    if (!options.isFree) {
+        options.model = static_cast<align::Model>(m_model->currentData().toInt());
+        options.positionSigmaM = 0.001 * m_positionSigma->value();
+    }
     options.mask = m_mask;
     m_presenter->run(options);
+}
+
+bool AlignMode::isFree() const {
+    return m_places->currentIndex() == 1;
+}
+
+/// Photos whose places nobody knows can be aligned in one way alone.
+void AlignMode::chooseFree() {
+    const SurveySession* session = m_presenter->session();
+    const bool hasUnknown = session != nullptr && session->state().hasUnknownPlaces();
+    if (hasUnknown && !m_hasUnknownPlaces) {
+        m_places->setCurrentIndex(1);
+    }
+    m_hasUnknownPlaces = hasUnknown;
+}
+
+/// Takes the effort that suits the choice, and offers what has a meaning with it.
+void AlignMode::showFree() {
+    jobs::AlignOptions options;
+    options.isFree = isFree();
+    m_effort->setCurrentIndex(m_effort->findData(static_cast<int>(options.chosenEffort())));
+    m_model->setEnabled(!options.isFree);
+    m_positionSigma->setEnabled(!options.isFree);
 }
 
 void AlignMode::chooseMask() {
@@ -265,6 +303,7 @@ void AlignMode::setMask(const std::filesystem::path& mask) {
 }
 
 void AlignMode::showFindings() {
+    chooseFree();
     const auto& findings = m_presenter->findings();
     m_summary->tell(m_presenter->summary());
     m_headings.setPhotos(findings ? findings->photos : std::vector<jobs::PhotoFinding>());

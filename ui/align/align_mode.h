@@ -53,6 +53,9 @@ class AlignMode : public Mode {
     QWidget* makeTable();
     QWidget* makePlan();
     void run();
+    void chooseFree();
+    void showFree();
+    bool isFree() const;
     void chooseMask();
     void setMask(const std::filesystem::path& mask);
     void showFindings();
@@ -66,6 +69,8 @@ class AlignMode : public Mode {
     bool m_areColumnsSized = false;
     HeadingLayer m_headings;
     std::filesystem::path m_mask;
+    bool m_hasUnknownPlaces = false;
+    QComboBox* m_places = nullptr;
     QComboBox* m_effort = nullptr;
     QComboBox* m_model = nullptr;
     QDoubleSpinBox* m_positionSigma = nullptr;

@@ -151,10 +151,13 @@ void AlignPresenter::run(const jobs::AlignOptions& options) {
             auto store = store::SurveyStore::open(folder, store::Access::Write);
             return jobs::alignSurvey(store, options, progress, stop);
         },
-        [this](const jobs::AlignReport& report) {
+        [this, isFree = options.isFree](const jobs::AlignReport& report) {
             m_solvedAt.clear();
             if (session() != nullptr) {
-                session()->noteChanged(SurveySession::Solutions);
+                if (isFree) {
+                    session()->undoStack()->clear(); // It knows stations that are no more.
+                }
+                session()->noteChanged(isFree ? SurveySession::Everything : SurveySession::Solutions);
             }
             emit message(tr("Aligned %n photo(s) in %1.", nullptr, static_cast<int>(report.photos.size()))
                              .arg(durationText(std::chrono::duration<double>(report.seconds))));

@@ -99,6 +99,12 @@ int SurveyState::count(Standing standing) const {
                                           [&](const auto& one) { return one.second == standing; }));
 }
 
+bool SurveyState::hasUnknownPlaces() const {
+    return std::ranges::any_of(stations, [&](const store::StationRecord& station) {
+        return !station.isPlaceKnown && !missing.contains(station.id);
+    });
+}
+
 std::unique_ptr<SurveySession> SurveySession::open(const QString& folder) {
     const std::filesystem::path path = folder.toStdString();
     const bool isReadOnly = !canWrite(path);

@@ -44,6 +44,8 @@ struct SurveyState {
 
     /// Returns the number of stations whose photo has this standing.
     int count(Standing standing) const;
+    /// Whether there is a photo of which nobody knows where it was taken.
+    bool hasUnknownPlaces() const;
 };
 
 /// Reads the state from the database. Errors: those of the store.

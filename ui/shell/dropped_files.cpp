@@ -19,6 +19,10 @@ QString positionsIn(const QDir& folder) {
     return lists.size() == 1 ? folder.filePath(lists.first()) : QString();
 }
 
+bool hasPhotos(const QDir& folder) {
+    return !folder.entryList({"*.jpg", "*.jpeg"}, QDir::Files).isEmpty(); // in any case of letters
+}
+
 } // namespace
 
 Dropped droppedAs(const QStringList& paths) {
@@ -37,6 +41,9 @@ Dropped droppedAs(const QStringList& paths) {
         }
         if (const QString list = file.isDir() ? positionsIn(folder) : QString(); !list.isEmpty()) {
             return {Kind::Positions, list, folder.path()};
+        }
+        if (file.isDir() && hasPhotos(folder)) {
+            return {Kind::Photos, {}, folder.path()};
         }
     }
     return paths.size() == 1 && isFloorPicture(QFileInfo(paths.first()))

@@ -278,6 +278,7 @@ void MainWindow::enableModes() {
         actions[i]->setEnabled(m_session || m_modes[i]->worksWithoutSurvey());
     }
     m_import->setEnabled(m_session != nullptr);
+    m_importFree->setEnabled(m_session != nullptr);
 }
 
 bool MainWindow::openSurvey(const QString& folder) {

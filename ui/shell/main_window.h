@@ -65,7 +65,8 @@ class MainWindow : public QMainWindow {
     /// Null: the start page.
     void showMode(Mode* mode);
 
-    /// Takes photos into the open survey, in a task. positions: a CSV file. photos: their folder.
+    /// Takes photos into the open survey, in a task. positions: a CSV file; empty if nobody knows where they
+    /// were taken. photos: their folder.
     void importPhotos(const QString& positions, const QString& photos);
 
     /// Puts a sentence into the status line, with the link to its cure unless that is the visible page.
@@ -105,6 +106,7 @@ class MainWindow : public QMainWindow {
     void showKeys();
     void showBars();
     void chooseImport();
+    void chooseFreeImport();
     HelpWindow& help();
     void enableModes();
     template <class Wanted>
@@ -128,6 +130,7 @@ class MainWindow : public QMainWindow {
     QToolButton* m_tasksButton;
     HelpWindow* m_help = nullptr;
     QAction* m_import = nullptr;
+    QAction* m_importFree = nullptr;
     bool m_wantsPlan = true; ///< Whether the user wants the plan beside the pages.
 };
 

@@ -54,6 +54,8 @@ void MainWindow::makeMenus() {
     add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
     m_import = add(file, tr("&Import photos..."), {}, &MainWindow::chooseImport);
     m_import->setObjectName("importPhotos");
+    m_importFree = add(file, tr("Import photos &without positions..."), {}, &MainWindow::chooseFreeImport);
+    m_importFree->setObjectName("importFreePhotos");
     file->addSeparator();
     add(file, tr("&Quit"), QKeySequence::Quit, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -171,6 +173,7 @@ void MainWindow::take(const Dropped& dropped) {
         showPage("preview", dropped.path);
         break;
     case Kind::Positions:
+    case Kind::Photos:
         m_session ? importPhotos(dropped.path, dropped.photos)
                   : say({tr("Open a survey first; the photos become part of it."), Cure::Start});
         break;
@@ -238,6 +241,14 @@ void MainWindow::chooseImport() {
     }
 }
 
+/// Asks for a folder of photos of which nobody wrote down where they were taken.
+void MainWindow::chooseFreeImport() {
+    const QString photos = QFileDialog::getExistingDirectory(this, tr("Folder of the photos"));
+    if (!photos.isEmpty()) {
+        importPhotos({}, photos);
+    }
+}
+
 void MainWindow::importPhotos(const QString& positions, const QString& photos) {
     if (!m_session) {
         return;
@@ -252,10 +263,14 @@ void MainWindow::importPhotos(const QString& positions, const QString& photos) {
             return jobs::importPhotos(store, options, progress, stop);
         },
         [this](const jobs::ImportReport& report) {
-            say({tr("%n photo(s) imported, %1 were there already. Check them in Review.", nullptr,
-                    report.imported)
-                     .arg(report.alreadyThere),
-                 Cure::Review});
+            const QString imported =
+                tr("%n photo(s) imported, %1 were there already.", nullptr, report.imported)
+                    .arg(report.alreadyThere);
+            if (report.unknownPlaces > 0) {
+                say({imported + " " + tr("Align solves where they were taken."), Cure::Align});
+            } else {
+                say({imported + " " + tr("Check them in Review."), Cure::Review});
+            }
         });
     connect(task, &Task::ended, m_session.get(),
             [session = m_session.get()] { session->noteChanged(SurveySession::Everything); });

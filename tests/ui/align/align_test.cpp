@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "hand_held_photos.h"
+#include "made_survey.h"
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "ui/align/align_mode.h"
@@ -9,6 +11,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
@@ -262,6 +265,37 @@ TEST_F(AlignModeTest, WritesNumbersAsTheLanguageDoes) {
     const QString sigma = table.model()->index(0, AlignModel::SigmaYaw).data().toString();
     QLocale::setDefault(QLocale::c());
     EXPECT_EQ(sigma, "0,057");
+}
+
+TEST(AlignWithoutPositions, SolvesWherePhotosWereTaken) {
+    const test::TemporaryFolder folder;
+    test::writeHandHeldPhotos(folder / "in");
+    const std::filesystem::path path = test::makeSurvey(folder / "flat.spherewalk");
+    {
+        auto store = store::SurveyStore::open(path, store::Access::Write);
+        jobs::importPhotos(store, {folder / "in", {}}, noProgress(), {});
+    }
+    const auto session = SurveySession::open(QString::fromStdString(path.string()));
+    ASSERT_TRUE(session->state().hasUnknownPlaces());
+    TaskList tasks;
+    AlignMode mode(tasks);
+    mode.setSession(session.get());
+    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentText(), "From the pictures alone");
+    EXPECT_EQ(mode.findChild<QComboBox*>("effort")->currentText(), "Fine");
+    EXPECT_FALSE(mode.findChild<QComboBox*>("model")->isEnabled());
+    EXPECT_FALSE(mode.findChild<QDoubleSpinBox*>("positionSigma")->isEnabled());
+    mode.show();
+    QTest::mouseClick(mode.findChild<QPushButton*>("run"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
+    EXPECT_FALSE(session->state().hasUnknownPlaces());
+    EXPECT_EQ(session->state().counts.photos, 6);
+    ASSERT_TRUE(session->state().findings);
+    EXPECT_EQ(session->state().findings->photos.size(), 6U);
+    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 1); // until another survey is opened
+    mode.setSession(nullptr);
+    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 0);
+    EXPECT_EQ(mode.findChild<QComboBox*>("effort")->currentText(), "Normal");
+    EXPECT_TRUE(mode.findChild<QComboBox*>("model")->isEnabled());
 }
 
 } // namespace spherewalk::ui

@@ -59,6 +59,17 @@ TEST(Dropping, PhotosWithTheirPositionsAreImported) {
     EXPECT_EQ(window.session()->state().counts.photos, 3);
 }
 
+TEST(Dropping, PhotosWithoutPositionsAreImported) {
+    const test::TemporaryFolder folder;
+    const test::PhotographedSurvey other(3);
+    MainWindow window;
+    window.openSurvey(textOf(test::makeSurvey(folder / "flat.spherewalk")));
+    EXPECT_TRUE(drop(window, textOf(other / "in")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
+    EXPECT_EQ(window.session()->state().counts.photos, 3);
+    EXPECT_TRUE(window.session()->state().hasUnknownPlaces());
+}
+
 TEST(Dropping, AFloorPlanLiesUnderTheDrawing) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(QImage(50, 20, QImage::Format_RGB32).save(textOf(folder / "plan.png")));
