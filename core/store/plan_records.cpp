@@ -138,18 +138,11 @@ void checkPlan(const Plan& plan) {
     }
 }
 
-void insertPlan(Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
-    for (const char* table : {"station", "placement", "corner", "lens_height", "room_name"}) {
+void insertRoom(Database& database, const Room& room) {
+    for (const char* table : {"corner", "room_name"}) {
         database.execute(text("DELETE FROM ", table));
     }
-    database.run("UPDATE survey SET ceiling_m = ?, step_m = ?, rail_stops = ?, clearance_m = ?, "
-                 "seconds_per_photo = ?, seconds_per_placement = ?, is_by_hand = ?",
-                 room.ceilingM, options.stepM, options.railStops, options.clearanceM, options.secondsPerPhoto,
-                 options.secondsPerPlacement, plan.isByHand ? 1 : 0);
-    for (std::size_t i = 0; i < options.heightsM.size(); ++i) {
-        database.run("INSERT INTO lens_height VALUES (?, ?)", static_cast<std::int64_t>(i),
-                     options.heightsM[i]);
-    }
+    database.run("UPDATE survey SET ceiling_m = ?", room.ceilingM);
     insertPolygon(database, 0, room.outline);
     for (std::size_t i = 0; i < room.obstacles.size(); ++i) {
         insertPolygon(database, static_cast<int>(i) + 1, room.obstacles[i]);
@@ -158,6 +151,21 @@ void insertPlan(Database& database, const Room& room, const PlanOptions& options
         database.run("INSERT INTO room_name VALUES (?, ?, ?, ?)", static_cast<std::int64_t>(i),
                      room.names[i].name, room.names[i].at.x(), room.names[i].at.y());
     }
+}
+
+void insertPlan(Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
+    for (const char* table : {"station", "placement", "lens_height"}) {
+        database.execute(text("DELETE FROM ", table));
+    }
+    database.run("UPDATE survey SET step_m = ?, rail_stops = ?, clearance_m = ?, seconds_per_photo = ?, "
+                 "seconds_per_placement = ?, is_by_hand = ?",
+                 options.stepM, options.railStops, options.clearanceM, options.secondsPerPhoto,
+                 options.secondsPerPlacement, plan.isByHand ? 1 : 0);
+    for (std::size_t i = 0; i < options.heightsM.size(); ++i) {
+        database.run("INSERT INTO lens_height VALUES (?, ?)", static_cast<std::int64_t>(i),
+                     options.heightsM[i]);
+    }
+    insertRoom(database, room);
     insertStations(database, plan);
 }
 
@@ -236,6 +244,19 @@ void SurveyStore::replacePlan(const Room& room, const PlanOptions& options, cons
                  ": photos have been taken at its stations; create another survey for the new plan."));
     }
     insertPlan(database, room, options, plan);
+    transaction.commit();
+}
+
+void SurveyStore::replaceRoom(const Room& room) {
+    room.validate();
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    if (database.query("SELECT 1 FROM placement").step()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Could not replace the room of the survey ", folder().string(),
+                         ": its rails were planned for the room as it is."));
+    }
+    insertRoom(database, room);
     transaction.commit();
 }
 

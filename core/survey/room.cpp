@@ -150,6 +150,14 @@ void Room::validate() const {
     checkNames(*this);
 }
 
+Room unknownRoom() {
+    constexpr double kHalfM = 3;
+    Room room;
+    room.outline = {{-kHalfM, -kHalfM}, {kHalfM, -kHalfM}, {kHalfM, kHalfM}, {-kHalfM, kHalfM}};
+    room.ceilingM = 2.6;
+    return room;
+}
+
 Outline parseOutline(const Json& value, const std::string& source) {
     const JsonReader document(value, source);
     std::size_t cornersLeft = kMostRoomCorners;

@@ -276,6 +276,22 @@
         <source>Mas&amp;k: %1</source>
         <translation>Mas&amp;ke: %1</translation>
     </message>
+    <message>
+        <source>As tagged</source>
+        <translation>Wie angegeben</translation>
+    </message>
+    <message>
+        <source>From the pictures alone</source>
+        <translation>Allein aus den Bildern</translation>
+    </message>
+    <message>
+        <source>Where the photos were taken: as they are tagged, or solved from what they show; then the stations move there</source>
+        <translation>Wo die Fotos aufgenommen wurden: wie sie angegeben sind, oder berechnet aus dem, was sie zeigen; die Stationen rücken dann dorthin</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ces</source>
+        <translation>&amp;Orte</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::AlignModel</name>
@@ -2725,10 +2741,6 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <translation>Übungsraum</translation>
     </message>
     <message>
-        <source>practice room %1</source>
-        <translation>Übungsraum %1</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -2860,13 +2872,6 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>Importing photos</source>
         <translation>Fotos werden importiert</translation>
     </message>
-    <message numerus="yes">
-        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
-        <translation>
-            <numerusform>%n Foto importiert, %1 waren schon da. Prüfen Sie sie in Sichten.</numerusform>
-            <numerusform>%n Fotos importiert, %1 waren schon da. Prüfen Sie sie in Sichten.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Tour in five steps</source>
         <translation>&amp;Rundgang in fünf Schritten</translation>
@@ -2874,6 +2879,25 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>&amp;Recent surveys</source>
         <translation>&amp;Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>Import photos &amp;without positions...</source>
+        <translation>Fotos &amp;ohne Positionen importieren...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) imported, %1 were there already.</source>
+        <translation>
+            <numerusform>%n Foto importiert, %1 waren schon da.</numerusform>
+            <numerusform>%n Fotos importiert, %1 waren schon da.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Align solves where they were taken.</source>
+        <translation>Ausrichten berechnet, wo sie aufgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>Check them in Review.</source>
+        <translation>Prüfen Sie sie in Sichten.</translation>
     </message>
 </context>
 <context>

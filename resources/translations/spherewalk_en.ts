@@ -191,10 +191,10 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
+        <source>%n photo(s) imported, %1 were there already.</source>
         <translation>
-            <numerusform>%n photo imported, %1 were there already. Check it in Review.</numerusform>
-            <numerusform>%n photos imported, %1 were there already. Check them in Review.</numerusform>
+            <numerusform>%n photo imported, %1 were there already.</numerusform>
+            <numerusform>%n photos imported, %1 were there already.</numerusform>
         </translation>
     </message>
 </context>

@@ -276,6 +276,22 @@
         <source>Only photos with a fla&amp;g</source>
         <translation>Tylko zdjęcia z &amp;uwagą</translation>
     </message>
+    <message>
+        <source>As tagged</source>
+        <translation>Jak podano</translation>
+    </message>
+    <message>
+        <source>From the pictures alone</source>
+        <translation>Z samych zdjęć</translation>
+    </message>
+    <message>
+        <source>Where the photos were taken: as they are tagged, or solved from what they show; then the stations move there</source>
+        <translation>Gdzie zrobiono zdjęcia: jak podano albo jak wynika z tego, co pokazują; wtedy stanowiska przesuną się tam</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ces</source>
+        <translation>Mi&amp;ejsca</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::AlignModel</name>
@@ -2816,10 +2832,6 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <translation>pokój ćwiczebny</translation>
     </message>
     <message>
-        <source>practice room %1</source>
-        <translation>pokój ćwiczebny %1</translation>
-    </message>
-    <message>
         <source>Spherewalk %1, free software under the GNU General Public License, version 3 or later.</source>
         <translation>Spherewalk %1, wolne oprogramowanie na licencji GNU GPL w wersji 3 lub późniejszej.</translation>
     </message>
@@ -2867,14 +2879,6 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Importing photos</source>
         <translation>Importowanie zdjęć</translation>
     </message>
-    <message numerus="yes">
-        <source>%n photo(s) imported, %1 were there already. Check them in Review.</source>
-        <translation>
-            <numerusform>Zaimportowano %n zdjęcie, %1 już było. Sprawdź je w Ocenie.</numerusform>
-            <numerusform>Zaimportowano %n zdjęcia, %1 już było. Sprawdź je w Ocenie.</numerusform>
-            <numerusform>Zaimportowano %n zdjęć, %1 już było. Sprawdź je w Ocenie.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Lan&amp;guage</source>
         <translation>&amp;Język</translation>
@@ -2898,6 +2902,26 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>&amp;Recent surveys</source>
         <translation>Os&amp;tatnie pomiary</translation>
+    </message>
+    <message>
+        <source>Import photos &amp;without positions...</source>
+        <translation>Importuj zdjęcia &amp;bez pozycji...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) imported, %1 were there already.</source>
+        <translation>
+            <numerusform>Zaimportowano %n zdjęcie, %1 już było.</numerusform>
+            <numerusform>Zaimportowano %n zdjęcia, %1 już było.</numerusform>
+            <numerusform>Zaimportowano %n zdjęć, %1 już było.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Align solves where they were taken.</source>
+        <translation>Gdzie je zrobiono, obliczy Orientacja.</translation>
+    </message>
+    <message>
+        <source>Check them in Review.</source>
+        <translation>Sprawdź je w Ocenie.</translation>
     </message>
 </context>
 <context>

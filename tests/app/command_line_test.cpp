@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_run.h"
+#include "hand_held_photos.h"
 #include "temporary_folder.h"
 
 #include "spherewalk/base/file.h"
@@ -107,6 +108,25 @@ TEST(CommandLine, PlansAFlatRoomByRoom) {
     }
     EXPECT_EQ(rooms.size(), 2U);
     EXPECT_NE(runCli({"plan", survey, "--list"}).output.find(", bedroom"), std::string::npos);
+}
+
+TEST(CommandLine, GoesFromPhotosByHandToADatasetWithoutAPlan) {
+    const test::TemporaryFolder folder;
+    const auto path = [&](const std::string& name) { return (folder / name).string(); };
+    test::writeHandHeldPhotos(folder / "in");
+    const CliResult made = runCli({"new", path("s.spherewalk"), "--by-hand"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_THAT(made.output, HasSubstr("align --positions free"));
+    ASSERT_EQ(runCli({"import", path("s.spherewalk"), "--photos", path("in")}).status, 0);
+    EXPECT_EQ(runCli({"status", path("s.spherewalk")}).status, 0);
+    const CliResult aligned = runCli({"align", path("s.spherewalk"), "--positions", "free", "--json"});
+    ASSERT_EQ(aligned.status, 0) << aligned.errors;
+    EXPECT_EQ(aligned.json()["effort"], "fine");
+    // Of the practice room's 20 m2, what the photos show of its walls.
+    const CliResult plan = runCli({"plan", path("s.spherewalk"), "--json"});
+    EXPECT_NEAR(plan.json()["floor_m2"].get<double>(), 20, 5);
+    ASSERT_EQ(runCli({"export", path("s.spherewalk"), path("d")}).status, 0);
+    EXPECT_EQ(parseJson(readTextFile(path("d/dataset.json")), "dataset.json")["photos"].size(), 6U);
 }
 
 TEST(CommandLine, AnswersThatWereGivenBeforeTheQuestionTakeNoPicture) {

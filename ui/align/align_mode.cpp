@@ -125,7 +125,7 @@ QWidget* AlignMode::makeBar() {
         tr("Where the photos were taken: as they are tagged, or solved from what they show; then the "
            "stations move there"));
     connect(m_places, &QComboBox::currentIndexChanged, this, &AlignMode::showFree);
-    addLabelled(tr("P&laces"), m_places);
+    addLabelled(tr("Pla&ces"), m_places);
     m_effort = new QComboBox(bar);
     m_effort->setObjectName("effort");
     m_effort->addItem(tr("Draft"), static_cast<int>(align::Effort::Draft));

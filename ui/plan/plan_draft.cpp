@@ -83,6 +83,9 @@ void keepLocked(PlanDraft& draft) {
 }
 
 survey::Plan planOf(const PlanDraft& draft) {
+    if (!draft.hasRails) {
+        return {};
+    }
     return draft.rails.empty() || draft.laysRest ? survey::plan(draft.room, draft.options, draft.rails)
                                                  : survey::planOfLaid(draft.room, draft.options, draft.rails);
 }

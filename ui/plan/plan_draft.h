@@ -17,6 +17,7 @@ struct PlanDraft {
     survey::PlanOptions options;
     std::vector<survey::RailPlacement> rails = {}; ///< As a person laid them; none: the program lays all.
     bool laysRest = false;                         ///< The program lays more rails around those.
+    bool hasRails = true;                          ///< Photos by hand need none.
 };
 
 /// Returns a rectangular room for a new survey.

@@ -195,6 +195,7 @@ QWidget* PlanMode::makeLocked() {
 
 void PlanMode::beginWithThisRoom() {
     m_nextDraft = m_editor.draft();
+    m_nextDraft->hasRails = true;
     emit newRequested();
 }
 

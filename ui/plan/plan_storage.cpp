@@ -68,13 +68,16 @@ void PlanStorage::read() {
     const store::Counts& counts = survey.counts;
     const bool isLocked =
         counts.photos + counts.openShots + counts.unclearShots > 0 || m_session->isReadOnly();
-    if (isLocked && m_state == State::Locked) {
+    const survey::Room& shown = m_editor.draft().room;
+    const bool isSameRoom = shown.outline == survey.room.outline && shown.ceilingM == survey.room.ceilingM;
+    if (isLocked && m_state == State::Locked && isSameRoom) {
         return; // as it was
     }
     m_isReading = true;
     m_editor.setLocked(isLocked);
     m_editor.begin({survey.room, survey.options,
-                    survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>()});
+                    survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>(),
+                    false, !isLocked || !survey.plan.placements.empty()});
     m_isReading = false;
     setState(isLocked ? State::Locked : State::Stored);
 }
@@ -126,6 +129,15 @@ QString surveysPlace() {
         place = QDir::homePath();
     }
     return place;
+}
+
+QString newSurveyFolder(const QString& name) {
+    QString folder;
+    for (int number = 1; folder.isEmpty() || QFileInfo::exists(folder); ++number) {
+        folder = surveysPlace() + "/" + name + (number == 1 ? QString() : " " + QString::number(number)) +
+                 ".spherewalk";
+    }
+    return folder;
 }
 
 NewSurveyForm::NewSurveyForm(QWidget* parent)

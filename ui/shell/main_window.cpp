@@ -278,7 +278,6 @@ void MainWindow::enableModes() {
         actions[i]->setEnabled(m_session || m_modes[i]->worksWithoutSurvey());
     }
     m_import->setEnabled(m_session != nullptr);
-    m_importFree->setEnabled(m_session != nullptr);
 }
 
 bool MainWindow::openSurvey(const QString& folder) {
@@ -390,11 +389,7 @@ bool MainWindow::openPractice() {
     if (capture == nullptr) {
         return false;
     }
-    QString folder;
-    for (int number = 1; folder.isEmpty() || QFileInfo::exists(folder); ++number) {
-        const QString name = number == 1 ? tr("practice room") : tr("practice room %1").arg(number);
-        folder = surveysPlace() + "/" + name + ".spherewalk";
-    }
+    const QString folder = newSurveyFolder(tr("practice room"));
     try {
         jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
     } catch (const Error& error) {

@@ -107,6 +107,7 @@ class MainWindow : public QMainWindow {
     void showBars();
     void chooseImport();
     void chooseFreeImport();
+    void importFree(const QString& photos);
     HelpWindow& help();
     void enableModes();
     template <class Wanted>
@@ -130,7 +131,6 @@ class MainWindow : public QMainWindow {
     QToolButton* m_tasksButton;
     HelpWindow* m_help = nullptr;
     QAction* m_import = nullptr;
-    QAction* m_importFree = nullptr;
     bool m_wantsPlan = true; ///< Whether the user wants the plan beside the pages.
 };
 

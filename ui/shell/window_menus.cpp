@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/frame/mode.h"
 #include "ui/frame/settings.h"
+#include "ui/plan/plan_storage.h"
 #include "ui/shell/dropped_files.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/jobs/import_photos.h"
+#include "spherewalk/store/survey_store.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -54,8 +56,7 @@ void MainWindow::makeMenus() {
     add(file, tr("&Close survey"), QKeySequence::Close, &MainWindow::closeSurvey);
     m_import = add(file, tr("&Import photos..."), {}, &MainWindow::chooseImport);
     m_import->setObjectName("importPhotos");
-    m_importFree = add(file, tr("Import photos &without positions..."), {}, &MainWindow::chooseFreeImport);
-    m_importFree->setObjectName("importFreePhotos");
+    add(file, tr("Import photos &without positions..."), {}, &MainWindow::chooseFreeImport);
     file->addSeparator();
     add(file, tr("&Quit"), QKeySequence::Quit, &QWidget::close);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -172,8 +173,10 @@ void MainWindow::take(const Dropped& dropped) {
     case Kind::Dataset:
         showPage("preview", dropped.path);
         break;
-    case Kind::Positions:
     case Kind::Photos:
+        importFree(dropped.photos);
+        break;
+    case Kind::Positions:
         m_session ? importPhotos(dropped.path, dropped.photos)
                   : say({tr("Open a survey first; the photos become part of it."), Cure::Start});
         break;
@@ -245,8 +248,26 @@ void MainWindow::chooseImport() {
 void MainWindow::chooseFreeImport() {
     const QString photos = QFileDialog::getExistingDirectory(this, tr("Folder of the photos"));
     if (!photos.isEmpty()) {
-        importPhotos({}, photos);
+        importFree(photos);
     }
+}
+
+/// Takes photos into the open survey; without one, into a survey of their folder's name.
+void MainWindow::importFree(const QString& photos) {
+    if (!m_session) {
+        const QString folder = newSurveyFolder(QDir(photos).dirName());
+        try {
+            store::SurveyStore::create(folder.toStdString(),
+                                       QFileInfo(folder).completeBaseName().toStdString(),
+                                       survey::unknownRoom(), {}, {});
+        } catch (const Error& error) {
+            return say(coreTold(error.sentence()));
+        }
+        if (!openSurvey(folder)) {
+            return;
+        }
+    }
+    importPhotos({}, photos);
 }
 
 void MainWindow::importPhotos(const QString& positions, const QString& photos) {

@@ -47,6 +47,9 @@ std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason
 }
 
 std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options) {
+    if (report.placements == 0) {
+        return text(report.stations, " places, on no rail. Floor ", fixed(report.floorM2, 2), " m2.");
+    }
     const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
     std::string result =
         text(report.stations, " stations on ", report.placements, " rail placements, ",
@@ -82,6 +85,7 @@ struct NewArguments {
     std::string survey;
     std::vector<double> rect;
     std::string outline;
+    bool isByHand = false;
     double ceilingM = 0;
     survey::PlanOptions plan;
     std::string profile = "auto";
@@ -117,7 +121,24 @@ survey::Room roomGiven(const NewArguments& options) {
     return room;
 }
 
+/// A survey without a plan.
+Result createByHand(const NewArguments& options) {
+    const survey::Room room = survey::unknownRoom();
+    options.plan.validate(room);
+    const std::filesystem::path folder = options.survey;
+    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, {});
+    store.setCaptureProfile(survey::parseProfile(options.profile));
+    return {
+        {{"survey", options.survey}, {"id", store.info().uuid}},
+        text("Made the survey ", options.survey,
+             ", without a plan. Import the photos; align --positions free solves where they were taken, and "
+             "the room around them.")};
+}
+
 Result create(const NewArguments& options) {
+    if (options.isByHand) {
+        return createByHand(options);
+    }
     const survey::Room room = roomGiven(options);
     room.validate();
     options.plan.validate(room);
@@ -211,6 +232,8 @@ void addNew(Commands& commands) {
     shape.option(
         "--outline", options->outline,
         R"(JSON file: [[x,y],...] or {"outline":...,"obstacles":...,"ceiling_m":...,"rooms":[{"name":...,"at":[x,y]},...]})");
+    shape.flag("--by-hand", options->isByHand,
+               "Not known: photos are taken by hand, and align --positions free solves it from them");
     command.option("--ceiling", options->ceilingM, "Height of the ceiling, metres");
     command.option("--step", options->plan.stepM, "Distance of neighbouring stations, metres").showDefault();
     command

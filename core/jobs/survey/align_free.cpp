@@ -66,6 +66,21 @@ void widen(Radians commonLean, AlignReport& report) {
     }
 }
 
+/// A survey by hand has the room that its photos show.
+void takeRoom(store::SurveyStore& store, const align::FreePlaces& places) {
+    survey::Room room = store.room();
+    room.outline = places.outline;
+    room.obstacles.clear();
+    room.names.clear();
+    room.ceilingM = std::max(room.ceilingM, places.ceilingM); // A bare ceiling shows no points.
+    try {
+        room.validate();
+    } catch (const Error&) {
+        return; // Too few points make no room. The survey keeps the one that it has.
+    }
+    store.replaceRoom(room);
+}
+
 std::string scaleText(const align::FreePlaces& places) {
     const std::string sigma = text(fixed(100 * places.scaleSigma, 1), " % (one standard deviation)");
     switch (places.scaleBy) {
@@ -195,6 +210,9 @@ void moveStations(store::SurveyStore& store, AlignReport& report) {
         if (store.photosAt(station).empty()) {
             store.removeStation(station);
         }
+    }
+    if (report.places && store.plan().placements.empty()) {
+        takeRoom(store, *report.places);
     }
 }
 

@@ -114,6 +114,27 @@ TEST_F(PlanRecords, AreNotReplacedOnceThereIsAShot) {
     EXPECT_EQ(m_store.openShots().size(), 1U);
 }
 
+TEST_F(PlanRecords, KeepARoomThatRailsWerePlannedFor) {
+    expectRefused(ErrorKind::InvalidInput, "its rails were planned for the room as it is",
+                  [&] { m_store.replaceRoom(survey::unknownRoom()); });
+    EXPECT_EQ(m_store.room().outline, test::smallRoom().outline);
+}
+
+TEST_F(PlanRecords, TakeAnotherRoomWithoutRails) {
+    m_store.replacePlan(test::smallRoom(), test::twoHeights(), {});
+    const std::int64_t station = m_store.addStation({1, 1, 1});
+    survey::Room room = survey::unknownRoom();
+    room.names = {{"kitchen", {0, 0}}};
+    m_store.replaceRoom(room);
+    EXPECT_EQ(m_store.room().outline, room.outline);
+    EXPECT_EQ(m_store.room().ceilingM, room.ceilingM);
+    EXPECT_EQ(m_store.room().names.size(), 1U);
+    EXPECT_EQ(m_store.planOptions().heightsM, test::twoHeights().heightsM);
+    EXPECT_EQ(m_store.station(station).station.positionM, Eigen::Vector3d(1, 1, 1));
+    room.ceilingM = -1;
+    expectRefused(ErrorKind::InvalidInput, "", [&] { m_store.replaceRoom(room); });
+}
+
 TEST_F(PlanRecords, RefusePlansThatContradictThemselves) {
     survey::Plan broken = survey::plan(test::smallRoom(), test::twoHeights());
     broken.stations[3].placement = 77;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
 #include "made_survey.h"
+#include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
 #include "ui/plan/plan_storage.h"
@@ -83,6 +84,22 @@ TEST_F(PlanStorageTest, FollowsAPlanThatAnotherProgramHasChanged) {
     session->noteChanged(SurveySession::Plan);
     EXPECT_EQ(editor.draft().options.stepM, 0.8);
     EXPECT_EQ(storage.state(), State::Stored);
+}
+
+TEST_F(PlanStorageTest, PhotosByHandNeedNoRailsAndTheRoomFollowsThem) {
+    const test::PhotographedSurvey other(2);
+    {
+        auto store = store::SurveyStore::create(path, "room", survey::unknownRoom(), {}, {});
+        jobs::importPhotos(store, {other / "in", {}}, noProgress(), {});
+    }
+    session = SurveySession::open(QString::fromStdString(path.string()));
+    storage.setSession(session.get());
+    EXPECT_EQ(storage.state(), State::Locked);
+    EXPECT_TRUE(planOf(editor.draft()).stations.empty());
+    survey::Room room = survey::unknownRoom();
+    room.outline[0].x() -= 1;
+    session->write(SurveySession::Everything, [&](store::SurveyStore& store) { store.replaceRoom(room); });
+    EXPECT_EQ(editor.draft().room.outline, room.outline);
 }
 
 TEST_F(PlanStorageTest, ANewSurveyNeedsAPlan) {

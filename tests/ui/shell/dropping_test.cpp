@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 #include "ui/frame/mode.h"
 #include "ui/plan/plan_mode.h"
+#include "ui/plan/plan_storage.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
 #include "ui/shell/dropped_files.h"
@@ -15,6 +16,7 @@
 #include "spherewalk/jobs/export_dataset.h"
 
 #include <QListWidget>
+#include <QSettings>
 #include <QTest>
 #include <gtest/gtest.h>
 
@@ -68,6 +70,21 @@ TEST(Dropping, PhotosWithoutPositionsAreImported) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
     EXPECT_EQ(window.session()->state().counts.photos, 3);
     EXPECT_TRUE(window.session()->state().hasUnknownPlaces());
+}
+
+TEST(Dropping, PhotosWithoutPositionsMakeASurveyWhereNoneIsOpen) {
+    const test::TemporaryFolder folder;
+    const test::PhotographedSurvey other(3);
+    QSettings().setValue("surveysPlace", textOf(folder.path()));
+    std::filesystem::rename(other / "in", other / "kitchen");
+    MainWindow window;
+    EXPECT_TRUE(drop(window, textOf(other / "kitchen")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));
+    ASSERT_NE(window.session(), nullptr);
+    EXPECT_EQ(window.session()->name(), "kitchen");
+    EXPECT_EQ(window.session()->state().counts.photos, 3);
+    EXPECT_EQ(newSurveyFolder("kitchen"), textOf(folder / "kitchen 2.spherewalk"));
+    QSettings().remove("surveysPlace");
 }
 
 TEST(Dropping, AFloorPlanLiesUnderTheDrawing) {

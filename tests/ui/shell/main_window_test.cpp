@@ -308,7 +308,6 @@ TEST(MainWindow, ImportsPhotosIntoTheOpenSurvey) {
     EXPECT_FALSE(window.findChild<QAction*>("importPhotos")->isEnabled());
     window.openSurvey(surveyIn(folder));
     EXPECT_TRUE(window.findChild<QAction*>("importPhotos")->isEnabled());
-    EXPECT_TRUE(window.findChild<QAction*>("importFreePhotos")->isEnabled());
     window.importPhotos(QString::fromStdString((other / "p.csv").string()),
                         QString::fromStdString((other / "in").string()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.tasks().hasRunning(); }, 100'000));

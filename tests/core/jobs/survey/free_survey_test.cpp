@@ -5,6 +5,7 @@
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/polygon.h"
 #include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/check_places.h"
 #include "spherewalk/jobs/import_photos.h"
@@ -101,6 +102,12 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
                                    .norm();
         EXPECT_NEAR(solvedM, (truth[i].translation - truth[0].translation).norm(), 0.01);
     }
+    const survey::Room room = store.room(); // the one that the photos show
+    EXPECT_NEAR(room.ceilingM, 2.6, 0.05);  // no lower than it was given
+    for (const store::StationRecord& station : store.stations()) {
+        EXPECT_TRUE(contains(room.outline, station.station.positionM.head<2>())) << station.name;
+    }
+    EXPECT_NE(room.outline, (Polygon{{0, 0}, {5, 0}, {5, 4}, {0, 4}}));
     EXPECT_EQ(store.stations().size(), 6U);
     EXPECT_EQ(store.solvedPhotos(aligned.solution).size(), 6U);
     EXPECT_EQ(photosToExport(store).photos.size(), 6U);

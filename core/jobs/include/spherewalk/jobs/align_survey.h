@@ -176,7 +176,8 @@ void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> pri
 void takePlaces(const align::FreePlaces& places, AlignReport& report);
 
 /// Gives each photo that has a place a station there. The station where it was before goes if nothing needs
-/// it. Errors: those of the store.
+/// it. A survey without rails takes over the outline, and a ceiling that is higher than its own, if they make
+/// a room. Errors: those of the store.
 void moveStations(store::SurveyStore& store, AlignReport& report);
 
 /// Takes the stretch of the tags from where the photos were found to be, if they were solved for and that is

@@ -41,6 +41,10 @@ struct Room {
     void validate() const;
 };
 
+/// Stands for a room of which nothing is known before photos by hand are aligned: 6 x 6 m about the place of
+/// the first photo.
+Room unknownRoom();
+
 /// What an outline file says of a room. Units: metres.
 struct Outline {
     Polygon outline;
