@@ -292,6 +292,18 @@
         <source>Pla&amp;ces</source>
         <translation>&amp;Orte</translation>
     </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Usual height of the lens above the floor: it tells how large everything is</source>
+        <translation>Übliche Höhe des Objektivs über dem Boden: sie sagt, wie groß alles ist</translation>
+    </message>
+    <message>
+        <source>Le&amp;ns at</source>
+        <translation>O&amp;bjektiv auf</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::AlignModel</name>
@@ -2032,6 +2044,26 @@
     <message>
         <source>Most of what the photos show stands more than half a metre beyond the drawn outline, which is too small or of another room: the dataset has the room that the photos show.</source>
         <translation>Das meiste von dem, was die Fotos zeigen, steht mehr als einen halben Meter außerhalb des gezeichneten Umrisses; er ist zu klein oder gehört zu einem anderen Raum: der Datensatz hat den Raum, den die Fotos zeigen.</translation>
+    </message>
+    <message>
+        <source>The places were solved from the pictures.</source>
+        <translation>Die Orte wurden aus den Bildern berechnet.</translation>
+    </message>
+    <message>
+        <source>The height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one standard deviation).</source>
+        <translation>Den Maßstab gibt die Höhe des Objektivs über dem berechneten Boden, %1 m, auf %2 % genau (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>The given distance gives the scale, to %1 % (one standard deviation).</source>
+        <translation>Den Maßstab gibt der angegebene Abstand, auf %1 % genau (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>The printed size of the tags gives the scale, to %1 % (one standard deviation).</source>
+        <translation>Den Maßstab gibt die gedruckte Größe der Marken, auf %1 % genau (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>Nothing gives the scale.</source>
+        <translation>Nichts gibt den Maßstab.</translation>
     </message>
 </context>
 <context>

@@ -292,6 +292,18 @@
         <source>Pla&amp;ces</source>
         <translation>Mi&amp;ejsca</translation>
     </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Usual height of the lens above the floor: it tells how large everything is</source>
+        <translation>Zwykła wysokość obiektywu nad podłogą: mówi, jak duże jest wszystko</translation>
+    </message>
+    <message>
+        <source>Le&amp;ns at</source>
+        <translation>O&amp;biektyw na</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::AlignModel</name>
@@ -2042,6 +2054,26 @@
     <message>
         <source>Most of what the photos show stands more than half a metre beyond the drawn outline, which is too small or of another room: the dataset has the room that the photos show.</source>
         <translation>Większość tego, co widać na zdjęciach, leży ponad pół metra poza narysowanym obrysem, który jest za mały albo należy do innego pomieszczenia: zbiór danych ma pomieszczenie widoczne na zdjęciach.</translation>
+    </message>
+    <message>
+        <source>The places were solved from the pictures.</source>
+        <translation>Miejsca obliczono ze zdjęć.</translation>
+    </message>
+    <message>
+        <source>The height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one standard deviation).</source>
+        <translation>Skalę daje wysokość obiektywu nad obliczoną podłogą, %1 m, z dokładnością do %2 % (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
+        <source>The given distance gives the scale, to %1 % (one standard deviation).</source>
+        <translation>Skalę daje podana odległość, z dokładnością do %1 % (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
+        <source>The printed size of the tags gives the scale, to %1 % (one standard deviation).</source>
+        <translation>Skalę daje rozmiar wydrukowanych znaczników, z dokładnością do %1 % (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
+        <source>Nothing gives the scale.</source>
+        <translation>Nic nie daje skali.</translation>
     </message>
 </context>
 <context>

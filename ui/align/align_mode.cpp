@@ -94,9 +94,10 @@ void AlignMode::setSession(SurveySession* session) {
     m_presenter->setSession(session);
     setMask({});
     m_places->setCurrentIndex(0);
-    m_hasUnknownPlaces = false;
+    m_isByHand = false;
     chooseFree();
     if (session != nullptr) {
+        m_lensHeight->setValue(session->state().options.heightsM.front());
         connect(session->selection(), &StationSelection::currentChanged, this, &AlignMode::selectStation);
     }
     showTask();
@@ -116,6 +117,7 @@ QWidget* AlignMode::makeBar() {
         label->setBuddy(widget);
         layout->addWidget(label);
         layout->addWidget(widget);
+        return QList<QWidget*>{label, widget};
     };
     m_places = new QComboBox(bar);
     m_places->setObjectName("places");
@@ -144,7 +146,7 @@ QWidget* AlignMode::makeBar() {
     m_model->addItem(tr("And rail placements"), static_cast<int>(align::Model::Placement));
     m_model->addItem(tr("And positions"), static_cast<int>(align::Model::Position));
     m_model->setToolTip(tr("What is solved, each with all that the ones above it solve"));
-    addLabelled(tr("&Model"), m_model);
+    m_ofTagged << addLabelled(tr("&Model"), m_model);
     m_positionSigma = new QDoubleSpinBox(bar);
     m_positionSigma->setObjectName("positionSigma");
     m_positionSigma->setRange(0.1, 1000);
@@ -153,7 +155,16 @@ QWidget* AlignMode::makeBar() {
     m_positionSigma->setValue(1000 * jobs::AlignOptions().positionSigmaM);
     m_positionSigma->setToolTip(
         tr("How far photos stand from where they are tagged, one standard deviation"));
-    addLabelled(tr("&Positions to"), m_positionSigma);
+    m_ofTagged << addLabelled(tr("&Positions to"), m_positionSigma);
+    m_lensHeight = new QDoubleSpinBox(bar);
+    m_lensHeight->setObjectName("lensHeight");
+    m_lensHeight->setRange(0.06, 20);
+    m_lensHeight->setDecimals(2);
+    m_lensHeight->setSingleStep(0.01);
+    m_lensHeight->setSuffix(tr(" m"));
+    m_lensHeight->setToolTip(
+        tr("Usual height of the lens above the floor: it tells how large everything is"));
+    m_ofFree << addLabelled(tr("Le&ns at"), m_lensHeight);
     m_maskButton = new QPushButton(bar);
     m_maskButton->setObjectName("mask");
     m_maskButton->setToolTip(
@@ -171,6 +182,7 @@ QWidget* AlignMode::makeBar() {
     layout->addWidget(m_progress, 1);
     layout->addStretch(0);
     setMask({});
+    showFree();
     return bar;
 }
 
@@ -258,7 +270,9 @@ void AlignMode::run() {
     jobs::AlignOptions options;
     options.isFree = isFree();
     options.effort = static_cast<align::Effort>(m_effort->currentData().toInt());
-    if (!options.isFree) {
+    if (options.isFree) {
+        options.lensHeightM = m_lensHeight->value();
+    } else {
         options.model = static_cast<align::Model>(m_model->currentData().toInt());
         options.positionSigmaM = 0.001 * m_positionSigma->value();
     }
@@ -270,14 +284,16 @@ bool AlignMode::isFree() const {
     return m_places->currentIndex() == 1;
 }
 
-/// Photos whose places nobody knows can be aligned in one way alone.
+/// Photos whose places nobody knows, or that the alignment alone knows, are aligned in one way.
 void AlignMode::chooseFree() {
     const SurveySession* session = m_presenter->session();
-    const bool hasUnknown = session != nullptr && session->state().hasUnknownPlaces();
-    if (hasUnknown && !m_hasUnknownPlaces) {
+    const bool isByHand =
+        session != nullptr && (session->state().hasUnknownPlaces() ||
+                               (session->state().findings && session->state().findings->isFree));
+    if (isByHand && !m_isByHand) {
         m_places->setCurrentIndex(1);
     }
-    m_hasUnknownPlaces = hasUnknown;
+    m_isByHand = isByHand;
 }
 
 /// Takes the effort that suits the choice, and offers what has a meaning with it.
@@ -285,8 +301,12 @@ void AlignMode::showFree() {
     jobs::AlignOptions options;
     options.isFree = isFree();
     m_effort->setCurrentIndex(m_effort->findData(static_cast<int>(options.chosenEffort())));
-    m_model->setEnabled(!options.isFree);
-    m_positionSigma->setEnabled(!options.isFree);
+    for (QWidget* widget : std::as_const(m_ofTagged)) {
+        widget->setVisible(!options.isFree);
+    }
+    for (QWidget* widget : std::as_const(m_ofFree)) {
+        widget->setVisible(options.isFree);
+    }
 }
 
 void AlignMode::chooseMask() {

@@ -69,11 +69,14 @@ class AlignMode : public Mode {
     bool m_areColumnsSized = false;
     HeadingLayer m_headings;
     std::filesystem::path m_mask;
-    bool m_hasUnknownPlaces = false;
+    bool m_isByHand = false;
     QComboBox* m_places = nullptr;
     QComboBox* m_effort = nullptr;
     QComboBox* m_model = nullptr;
     QDoubleSpinBox* m_positionSigma = nullptr;
+    QDoubleSpinBox* m_lensHeight = nullptr;
+    QList<QWidget*> m_ofTagged; ///< What has a meaning for tagged places.
+    QList<QWidget*> m_ofFree;   ///< What has one for places that are solved from the pictures alone.
     QPushButton* m_maskButton = nullptr;
     QPushButton* m_run = nullptr;
     TaskBar* m_progress = nullptr;

@@ -103,6 +103,15 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "There was nothing to solve."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was asked for."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Photos with wrong tags are solved with their places."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The places were solved from the pictures."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one "
+                      "standard deviation)."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The given distance gives the scale, to %1 % (one standard deviation)."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The printed size of the tags gives the scale, to %1 % (one standard deviation)."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Nothing gives the scale."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The model '%1' is the richest, and every step to it helped: matches that were held out "

@@ -29,6 +29,7 @@ struct AlignArguments {
     bool keepsActive = false;
     bool ignoresPositions = false;
     std::string positions = "given";
+    double lensHeightM = 0;
     std::string distance;
     std::string outline;
     double tagSizeM = 0;
@@ -133,6 +134,7 @@ Result align(const AlignArguments& options, Context& context) {
     alignOptions.mask = options.mask;
     alignOptions.checksPositions = !options.ignoresPositions;
     alignOptions.isFree = isFree(options);
+    alignOptions.lensHeightM = options.lensHeightM;
     alignOptions.distance = distanceIn(options);
     alignOptions.tagSizeM = options.tagSizeM;
     alignOptions.knownTags = knownTags(options);
@@ -181,6 +183,12 @@ void addAlign(Commands& commands) {
         .option("--positions", options->positions,
                 "Where the photos were taken: given (as tagged), or free (solved from the pictures alone)")
         .showDefault();
+    command
+        .option(
+            "--lens-height", options->lensHeightM,
+            "With --positions free: usual height of the lens above the floor, metres; without it that of the "
+            "plan")
+        .range(0.06, 20.0);
     command.option("--distance", options->distance,
                    "With --positions free: PHOTO,PHOTO,METRES between two lenses, for the scale; without it "
                    "the lens's height over the floor gives the scale");

@@ -401,6 +401,7 @@ FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoP
     options.validate(static_cast<int>(photos.size()));
     throwIfStopped(stop);
     FreePlaces made = placesThatAgree(estimates, photos, pairs, options, progress, stop);
+    made.lensHeightM = options.lensHeightM;
     for (const std::string& warning : made.warnings) {
         progress.warning(warning);
     }

@@ -85,7 +85,8 @@ std::string scaleText(const align::FreePlaces& places) {
     const std::string sigma = text(fixed(100 * places.scaleSigma, 1), " % (one standard deviation)");
     switch (places.scaleBy) {
     case align::ScaleBy::Floor:
-        return text("The height of the lens over the solved floor gives the scale, to ", sigma, ".");
+        return text("The height of the lens over the solved floor, ", fixed(places.lensHeightM, 2),
+                    " m, gives the scale, to ", sigma, ".");
     case align::ScaleBy::Distance:
         return text("The given distance gives the scale, to ", sigma, ".");
     case align::ScaleBy::Tags:
@@ -122,7 +123,7 @@ void refuseUnknownPlaces(const store::SurveyStore& store) {
 align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptions& options,
                                std::span<const AlignedPhoto> photos) {
     align::FreeOptions made;
-    made.lensHeightM = store.planOptions().heightsM.front();
+    made.lensHeightM = options.lensHeightM > 0 ? options.lensHeightM : store.planOptions().heightsM.front();
     made.threads = options.threads;
     if (options.distance) {
         made.distance = {photoNamed(options.distance->a, photos), photoNamed(options.distance->b, photos),

@@ -80,6 +80,7 @@ class Reading {
     }
 
     void addReport(const JsonReader& report) {
+        m_findings.isFree = !report.isAbsent("places");
         if (!report.isAbsent("reason")) {
             m_findings.reason = report.string("reason");
         }

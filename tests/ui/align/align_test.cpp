@@ -282,8 +282,11 @@ TEST(AlignWithoutPositions, SolvesWherePhotosWereTaken) {
     mode.setSession(session.get());
     EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentText(), "From the pictures alone");
     EXPECT_EQ(mode.findChild<QComboBox*>("effort")->currentText(), "Fine");
-    EXPECT_FALSE(mode.findChild<QComboBox*>("model")->isEnabled());
-    EXPECT_FALSE(mode.findChild<QDoubleSpinBox*>("positionSigma")->isEnabled());
+    EXPECT_TRUE(mode.findChild<QComboBox*>("model")->isHidden());
+    EXPECT_TRUE(mode.findChild<QDoubleSpinBox*>("positionSigma")->isHidden());
+    auto* height = mode.findChild<QDoubleSpinBox*>("lensHeight");
+    EXPECT_EQ(height->value(), session->state().options.heightsM.front());
+    height->setValue(2.4);
     mode.show();
     QTest::mouseClick(mode.findChild<QPushButton*>("run"), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tasks.hasRunning(); }, 100'000));
@@ -291,11 +294,17 @@ TEST(AlignWithoutPositions, SolvesWherePhotosWereTaken) {
     EXPECT_EQ(session->state().counts.photos, 6);
     ASSERT_TRUE(session->state().findings);
     EXPECT_EQ(session->state().findings->photos.size(), 6U);
-    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 1); // until another survey is opened
+    EXPECT_TRUE(session->state().findings->isFree);
+    EXPECT_NE(session->state().findings->reason.find("2.40 m"), std::string::npos);
+    EXPECT_NEAR(session->state().stations.back().station.positionM.z(), 2.4, 0.1);
+    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 1);
+    mode.setSession(session.get()); // opened again
+    EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 1);
     mode.setSession(nullptr);
     EXPECT_EQ(mode.findChild<QComboBox*>("places")->currentIndex(), 0);
     EXPECT_EQ(mode.findChild<QComboBox*>("effort")->currentText(), "Normal");
-    EXPECT_TRUE(mode.findChild<QComboBox*>("model")->isEnabled());
+    EXPECT_FALSE(mode.findChild<QComboBox*>("model")->isHidden());
+    EXPECT_TRUE(height->isHidden());
 }
 
 } // namespace spherewalk::ui

@@ -106,6 +106,7 @@ struct FreePlaces {
     int parts = 0;
     ScaleBy scaleBy = ScaleBy::Nothing;
     double scaleSigma = 0;                ///< Standard deviation of all lengths, as a share of them.
+    double lensHeightM = 0;               ///< What was taken for the usual height of the lens.
     bool isLevelByFloor = false;          ///< Whether the floor, and not the photos, said what is level.
     std::vector<Eigen::Vector3d> pointsM; ///< What the photos of the largest part see, in the room frame.
     std::optional<TagJoin> join;          ///< How the frame was found by known tags.

@@ -49,6 +49,8 @@ struct AlignOptions {
     /// Whether the places of all photos are solved from the pictures alone. What the survey says of them is
     /// not used. If the solution becomes the active one, the photos' stations move to the solved places.
     bool isFree = false;
+    /// Usual height of the lens above the floor, which gives a free solution its scale. 0: that of the plan.
+    double lensHeightM = 0;
     std::optional<MeasuredDistance> distance; ///< Gives a free solution its scale in place of the floor.
     /// Printed side of the AprilTags that hang in the room, in metres; 0: photos are not searched for any.
     double tagSizeM = 0;

@@ -55,6 +55,7 @@ struct PhotoFinding {
 struct SolutionFindings {
     store::SolutionRecord solution;
     std::string reason;                   ///< Sentence that says why this model; empty if not known.
+    bool isFree = false;                  ///< Places were solved from the pictures alone.
     std::vector<std::string> warnings;    ///< Sentences about the solution as a whole.
     std::vector<std::string> tagWarnings; ///< Those warnings that say that all tags are wrong.
     std::vector<PhotoFinding> photos;     ///< In walking order; photos that the survey lost are left out.
