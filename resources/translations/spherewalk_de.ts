@@ -302,7 +302,7 @@
     </message>
     <message>
         <source>Le&amp;ns at</source>
-        <translation>O&amp;bjektiv auf</translation>
+        <translation>Ob&amp;jektiv auf</translation>
     </message>
 </context>
 <context>

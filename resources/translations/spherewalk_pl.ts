@@ -290,7 +290,7 @@
     </message>
     <message>
         <source>Pla&amp;ces</source>
-        <translation>Mi&amp;ejsca</translation>
+        <translation>M&amp;iejsca</translation>
     </message>
     <message>
         <source> m</source>

@@ -110,8 +110,10 @@ void AlignMode::activated() {
 
 QWidget* AlignMode::makeBar() {
     auto* bar = new QWidget(this);
-    auto* layout = new QHBoxLayout(bar);
-    layout->setContentsMargins(0, 0, 0, 0);
+    auto* rows = new QVBoxLayout(bar);
+    rows->setContentsMargins(0, 0, 0, 0);
+    auto* layout = new QHBoxLayout;
+    rows->addLayout(layout);
     const auto addLabelled = [&](const QString& text, QWidget* widget) {
         auto* label = new QLabel(text, bar);
         label->setBuddy(widget);
@@ -165,6 +167,9 @@ QWidget* AlignMode::makeBar() {
     m_lensHeight->setToolTip(
         tr("Usual height of the lens above the floor: it tells how large everything is"));
     m_ofFree << addLabelled(tr("Le&ns at"), m_lensHeight);
+    layout->addStretch(1);
+    layout = new QHBoxLayout;
+    rows->addLayout(layout);
     m_maskButton = new QPushButton(bar);
     m_maskButton->setObjectName("mask");
     m_maskButton->setToolTip(
