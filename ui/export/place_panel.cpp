@@ -8,6 +8,7 @@
 #include "spherewalk/base/error.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>

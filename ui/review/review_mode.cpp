@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_mode.h"
 
+#include "ui/look/icon.h"
 #include "ui/look/told_label.h"
 #include "ui/panorama/panorama_view.h"
 #include "ui/review/coverage_view.h"

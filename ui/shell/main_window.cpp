@@ -15,6 +15,7 @@
 #include "ui/remote/phone_remote.h"
 #include "ui/remote/remote_form.h"
 #include "ui/review/review_mode.h"
+#include "ui/shell/help_window.h"
 #include "ui/shell/start_page.h"
 #include "ui/shell/tour.h"
 #include "ui/tasks/task.h"
