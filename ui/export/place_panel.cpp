@@ -3,6 +3,7 @@
 
 #include "ui/look/core_words.h"
 #include "ui/look/told_label.h"
+#include "ui/session/survey_session.h"
 #include "ui/tasks/task_panel.h"
 
 #include "spherewalk/base/error.h"
