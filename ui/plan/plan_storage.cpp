@@ -131,15 +131,6 @@ QString surveysPlace() {
     return place;
 }
 
-QString newSurveyFolder(const QString& name) {
-    QString folder;
-    for (int number = 1; folder.isEmpty() || QFileInfo::exists(folder); ++number) {
-        folder = surveysPlace() + "/" + name + (number == 1 ? QString() : " " + QString::number(number)) +
-                 ".spherewalk";
-    }
-    return folder;
-}
-
 NewSurveyForm::NewSurveyForm(QWidget* parent)
     : Section(tr("New survey"), parent),
       m_name(new QLineEdit(this)),

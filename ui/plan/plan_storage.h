@@ -92,7 +92,4 @@ class NewSurveyForm : public Section {
 /// Returns the folder for surveys of this user, which it makes if it is missing.
 QString surveysPlace();
 
-/// A folder there for a new survey of this name, or with a number behind the name if others have it.
-QString newSurveyFolder(const QString& name);
-
 } // namespace spherewalk::ui

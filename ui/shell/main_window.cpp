@@ -390,7 +390,7 @@ bool MainWindow::openPractice() {
     if (capture == nullptr) {
         return false;
     }
-    const QString folder = newSurveyFolder(tr("practice room"));
+    const QString folder = freeFolder(surveysPlace() + "/" + tr("practice room"), ".spherewalk");
     try {
         jobs::newPracticeSurvey(folder.toStdString(), capture->desk().practiceSettings().stepM);
     } catch (const Error& error) {

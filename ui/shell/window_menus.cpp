@@ -255,7 +255,7 @@ void MainWindow::chooseFreeImport() {
 /// Takes photos into the open survey; without one, into a survey of their folder's name.
 void MainWindow::importFree(const QString& photos) {
     if (!m_session) {
-        const QString folder = newSurveyFolder(QDir(photos).dirName());
+        const QString folder = freeFolder(surveysPlace() + "/" + QDir(photos).dirName(), ".spherewalk");
         try {
             store::SurveyStore::create(folder.toStdString(),
                                        QFileInfo(folder).completeBaseName().toStdString(),

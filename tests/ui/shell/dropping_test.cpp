@@ -6,7 +6,6 @@
 #include "temporary_folder.h"
 #include "ui/frame/mode.h"
 #include "ui/plan/plan_mode.h"
-#include "ui/plan/plan_storage.h"
 #include "ui/preview/preview_mode.h"
 #include "ui/preview/preview_presenter.h"
 #include "ui/shell/dropped_files.h"
@@ -83,7 +82,7 @@ TEST(Dropping, PhotosWithoutPositionsMakeASurveyWhereNoneIsOpen) {
     ASSERT_NE(window.session(), nullptr);
     EXPECT_EQ(window.session()->name(), "kitchen");
     EXPECT_EQ(window.session()->state().counts.photos, 3);
-    EXPECT_EQ(newSurveyFolder("kitchen"), textOf(folder / "kitchen 2.spherewalk"));
+    EXPECT_EQ(window.session()->folder(), textOf(folder / "kitchen.spherewalk"));
     QSettings().remove("surveysPlace");
 }
 
