@@ -296,6 +296,27 @@ std::int64_t SurveyStore::addStation(const Eigen::Vector3d& positionM, const std
     return id;
 }
 
+void SurveyStore::placeStations(const std::vector<PlacedStation>& places) {
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    for (const PlacedStation& place : places) {
+        const StationRecord before = station(place.station);
+        if (before.station.placement >= 0 || !place.positionM.allFinite()) {
+            throw Error(ErrorKind::InvalidInput,
+                        text("The station ", printable(before.name), " cannot be moved: ",
+                             place.positionM.allFinite() ? "it is part of the plan."
+                                                         : "its position is not a number."));
+        }
+        checkText("name of the station", place.name);
+        const Eigen::Vector3d& p = place.positionM;
+        database.run(
+            "UPDATE station SET x_m = ?, y_m = ?, z_m = ?, name = ?, is_place_known = ? WHERE id = ?", p.x(),
+            p.y(), p.z(), place.name.empty() ? before.name : place.name, place.isPlaceKnown ? 1 : 0,
+            place.station);
+    }
+    transaction.commit();
+}
+
 void SurveyStore::removeStation(std::int64_t id) {
     Database& database = m_parts->writable();
     Transaction transaction(database);

@@ -833,6 +833,22 @@
         <source>Take the selected station again</source>
         <translation>Den gewählten Standort neu aufnehmen</translation>
     </message>
+    <message>
+        <source>The walk has ended; another one goes on from here.</source>
+        <translation>Der Rundgang ist zu Ende; ein weiterer setzt ihn fort.</translation>
+    </message>
+    <message>
+        <source>photos taken</source>
+        <translation>Fotos aufgenommen</translation>
+    </message>
+    <message>
+        <source>of known place</source>
+        <translation>mit bekanntem Ort</translation>
+    </message>
+    <message>
+        <source>Go on, or solve where the photos were taken.</source>
+        <translation>Machen Sie weiter, oder lassen Sie berechnen, wo die Fotos aufgenommen wurden.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -910,6 +926,14 @@
     <message>
         <source>PRACTICE: photos of a room that exists only in the program</source>
         <translation>ÜBUNG: Fotos eines Raums, den es nur im Programm gibt</translation>
+    </message>
+    <message>
+        <source>By hand: walk through the room and shoot.</source>
+        <translation>Von Hand: Gehen Sie durch den Raum und lösen Sie aus.</translation>
+    </message>
+    <message>
+        <source>Stand where you like and shoot</source>
+        <translation>Stellen Sie sich auf, wo Sie wollen, und lösen Sie aus</translation>
     </message>
 </context>
 <context>
@@ -2065,6 +2089,10 @@
         <source>Nothing gives the scale.</source>
         <translation>Nichts gibt den Maßstab.</translation>
     </message>
+    <message>
+        <source>Where the photos were taken is not known yet: %1</source>
+        <translation>Wo die Fotos aufgenommen wurden, ist noch nicht bekannt: %1</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2930,6 +2958,14 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>Check them in Review.</source>
         <translation>Prüfen Sie sie in Sichten.</translation>
+    </message>
+    <message>
+        <source>New survey by &amp;hand</source>
+        <translation>Neues Projekt von &amp;Hand</translation>
+    </message>
+    <message>
+        <source>walk</source>
+        <translation>Rundgang</translation>
     </message>
 </context>
 <context>
@@ -5330,6 +5366,25 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>%1: %2 of %3 taken</source>
         <translation>%1: %2 von %3 aufgenommen</translation>
     </message>
+    <message>
+        <source>Photo %1</source>
+        <translation>Foto %1</translation>
+    </message>
+    <message>
+        <source>Hold the camera upright and still. Take the next photo about half a metre on.</source>
+        <translation>Halten Sie die Kamera aufrecht und still. Nehmen Sie das nächste Foto etwa einen halben Meter weiter auf.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) found their place. Walk on about half a metre.</source>
+        <translation>
+            <numerusform>%n Foto hat seinen Ort gefunden. Gehen Sie etwa einen halben Meter weiter.</numerusform>
+            <numerusform>%n Fotos haben ihren Ort gefunden. Gehen Sie etwa einen halben Meter weiter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 photos found their place. Take some between the others and these.</source>
+        <translation>%1 von %2 Fotos haben ihren Ort gefunden. Nehmen Sie welche zwischen den anderen und diesen auf.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StationWords</name>
@@ -5368,6 +5423,18 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>Lay the rail. First stop: %1. Last stop: %2.</source>
         <translation>Legen Sie die Schiene. Erster Halt: %1. Letzter Halt: %2.</translation>
+    </message>
+    <message>
+        <source>Unknown place %1</source>
+        <translation>Unbekannter Ort %1</translation>
+    </message>
+    <message>
+        <source>Unknown place of %1</source>
+        <translation>Unbekannter Ort von %1</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Ort von %1</translation>
     </message>
 </context>
 <context>

@@ -383,6 +383,16 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
     </message>
 </context>
 <context>
+    <name>spherewalk::ui::StationQueue</name>
+    <message numerus="yes">
+        <source>%n photo(s) found their place. Walk on about half a metre.</source>
+        <translation>
+            <numerusform>%n photo found its place. Walk on about half a metre.</numerusform>
+            <numerusform>%n photos found their place. Walk on about half a metre.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>spherewalk::ui::StoryWords</name>
     <message numerus="yes">
         <source>The checks found %n thing(s).</source>

@@ -843,6 +843,22 @@
         <source>PRACTICE. %1</source>
         <translation>ĆWICZENIE. %1</translation>
     </message>
+    <message>
+        <source>The walk has ended; another one goes on from here.</source>
+        <translation>Obchód zakończony; następny zacznie się od tego miejsca.</translation>
+    </message>
+    <message>
+        <source>photos taken</source>
+        <translation>zrobionych zdjęć</translation>
+    </message>
+    <message>
+        <source>of known place</source>
+        <translation>o znanym miejscu</translation>
+    </message>
+    <message>
+        <source>Go on, or solve where the photos were taken.</source>
+        <translation>Fotografuj dalej albo oblicz, gdzie zrobiono zdjęcia.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -920,6 +936,14 @@
     <message>
         <source>PRACTICE: photos of a room that exists only in the program</source>
         <translation>ĆWICZENIE: zdjęcia pokoju, który istnieje tylko w programie</translation>
+    </message>
+    <message>
+        <source>By hand: walk through the room and shoot.</source>
+        <translation>Z ręki: przejdź przez pomieszczenie i rób zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Stand where you like and shoot</source>
+        <translation>Stań, gdzie chcesz, i zrób zdjęcie</translation>
     </message>
 </context>
 <context>
@@ -2075,6 +2099,10 @@
         <source>Nothing gives the scale.</source>
         <translation>Nic nie daje skali.</translation>
     </message>
+    <message>
+        <source>Where the photos were taken is not known yet: %1</source>
+        <translation>Nie wiadomo jeszcze, gdzie zrobiono zdjęcia: %1</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>
@@ -2954,6 +2982,14 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>Check them in Review.</source>
         <translation>Sprawdź je w Ocenie.</translation>
+    </message>
+    <message>
+        <source>New survey by &amp;hand</source>
+        <translation>Nowy pomiar z &amp;ręki</translation>
+    </message>
+    <message>
+        <source>walk</source>
+        <translation>obchód</translation>
     </message>
 </context>
 <context>
@@ -5376,6 +5412,26 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>%1: %2 of %3 taken</source>
         <translation>%1: zrobiono %2 z %3</translation>
     </message>
+    <message>
+        <source>Photo %1</source>
+        <translation>Zdjęcie %1</translation>
+    </message>
+    <message>
+        <source>Hold the camera upright and still. Take the next photo about half a metre on.</source>
+        <translation>Trzymaj kamerę pionowo i nieruchomo. Następne zdjęcie zrób około pół metra dalej.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) found their place. Walk on about half a metre.</source>
+        <translation>
+            <numerusform>%n zdjęcie znalazło swoje miejsce. Przejdź około pół metra dalej.</numerusform>
+            <numerusform>%n zdjęcia znalazły swoje miejsce. Przejdź około pół metra dalej.</numerusform>
+            <numerusform>%n zdjęć znalazło swoje miejsce. Przejdź około pół metra dalej.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 photos found their place. Take some between the others and these.</source>
+        <translation>Swoje miejsce znalazło %1 z %2 zdjęć. Zrób kilka między pozostałymi a tymi.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StationWords</name>
@@ -5414,6 +5470,18 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>%1 (check: %2)</source>
         <translation>%1 (kontrola: %2)</translation>
+    </message>
+    <message>
+        <source>Unknown place %1</source>
+        <translation>Nieznane miejsce %1</translation>
+    </message>
+    <message>
+        <source>Unknown place of %1</source>
+        <translation>Nieznane miejsce zdjęcia %1</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Miejsce zdjęcia %1</translation>
     </message>
 </context>
 <context>

@@ -73,6 +73,35 @@ TEST(CapturePerson, EnterThatIsPressedOnceTooOftenTakesNoPicture) {
     }
 }
 
+TEST(CapturePerson, WalksThroughARoomThatNobodyPlanned) {
+    const test::TemporaryFolder folder;
+    practice::PracticeCameraOptions options;
+    options.width = 1024;
+    practice::PracticeCamera camera(options);
+    camera.start();
+    const std::string survey = (folder / "h.spherewalk").string();
+    ASSERT_EQ(runCli({"new", survey, "--by-hand"}).status, 0);
+    const test::Keyboard keyboard;
+    test::Program::Options input;
+    input.inputFile = keyboard.terminal();
+    test::Program program({SPHEREWALK_CLI, "capture", survey, "--camera",
+                           "127.0.0.1:" + std::to_string(camera.port()), "--time-scale", "0.02"},
+                          input);
+    for (int photo = 1; photo <= 4; ++photo) {
+        ASSERT_NE(program.waitForError("Photo " + std::to_string(photo) + ": go to its place"), "")
+            << program.errors();
+        camera.setPosition({1.5 + 0.4 * photo, 1.6, 1.2});
+        keyboard.press(photo < 4 ? "\n" : "q\n");
+    }
+    ASSERT_EQ(program.wait(), 0) << program.errors();
+    EXPECT_THAT(program.output(), HasSubstr("Took 3 photos"));
+    EXPECT_THAT(program.output(), HasSubstr("All photos are placed."));
+    EXPECT_THAT(program.output(), HasSubstr("align --positions free"));
+    const auto store = store::SurveyStore::open(survey, store::Access::Read);
+    EXPECT_EQ(store.photos().size(), 3U);
+    EXPECT_TRUE(store.openShots().empty());
+}
+
 TEST(FollowCommand, ALineWithoutAnEndTakesNoMemory) {
     const test::TemporaryFolder folder;
     practice::PracticeCamera camera(plainCamera());

@@ -268,11 +268,10 @@ void CaptureDesk::say(const Told& told, survey::Quality quality) {
 }
 
 jobs::CaptureSurveyOptions CaptureDesk::captureOptions() const {
-    jobs::CaptureSurveyOptions options;
-    if (m_isPractice) {
-        options = jobs::practiceCaptureOptions(timeScale());
-    }
+    jobs::CaptureSurveyOptions options =
+        m_isPractice ? jobs::practiceCaptureOptions(timeScale()) : jobs::CaptureSurveyOptions();
     options.again.assign(m_queue.againIds().begin(), m_queue.againIds().end());
+    options.byHand = isByHand();
     return options;
 }
 
@@ -298,6 +297,11 @@ void CaptureDesk::shooting() {
     setState(State::Shooting);
 }
 
+void CaptureDesk::showPlaces(const jobs::PlacesFound& places) {
+    m_queue.setPlaces(places);
+    m_session ? m_session->noteChangedSoon(SurveySession::Plan) : emit changed(); // the room may have grown
+}
+
 void CaptureDesk::runPractice() {
     setAutomatic(true);
     m_startsWhenReady = true;
@@ -316,6 +320,7 @@ void CaptureDesk::start() {
     options.run = m_run;
     options.practice = m_isPractice ? std::optional(m_endpoint) : std::nullopt;
     options.isAutomatic = m_isPractice && m_isAutomatic;
+    m_key.begin();
     m_task = m_tasks.start(
         tr("Capturing %1").arg(m_session->name()), this,
         [this, folder = m_session->path(), endpoint = m_endpoint, options, capture = captureOptions(),
@@ -337,6 +342,14 @@ void CaptureDesk::stop() {
     if (m_task && m_task->isRunning()) {
         m_task->stop();
     }
+}
+
+void CaptureDesk::end() {
+    if (!isByHand() || m_key.hasLeft()) {
+        return stop();
+    }
+    m_timer.stop();
+    m_key.leave();
 }
 
 void CaptureDesk::trigger() {
@@ -389,7 +402,9 @@ void CaptureDesk::ended(const store::StationRecord& station, survey::Quality qua
     const bool isFailed = quality == survey::Quality::Failed;
     if (isThere || !isFailed) {
         m_queue.pace().photo(systemClock().now());
-        m_queue.setAgain(station.id, isFailed); // offered for the next run, and taken back by a click
+        m_queue.setAgain(station.id,
+                         isFailed &&
+                             station.isPlaceKnown); // offered for the next run, and taken back by a click
     }
     if (m_session) {
         m_session->noteChangedSoon(SurveySession::Photos); // the run goes on writing
@@ -414,36 +429,22 @@ void CaptureDesk::runDone(const Task* task) {
     emit runEnded(stationsLeft() == 0 && task->state() == Task::State::Done);
 }
 
-QString CaptureDesk::nextText() const {
-    return next() ? stationWords(next()->name) : QString();
-}
-
-QString CaptureDesk::wayText() const {
-    return m_queue.wayWords();
-}
-
 std::chrono::duration<double> CaptureDesk::timeLeft() const {
     return m_queue.timeLeft(m_session ? m_session->state().options : survey::PlanOptions());
 }
 
 void CaptureDesk::setAgain(std::int64_t station, bool isAgain) {
-    if (isRunning()) {
-        return;
+    if (!isRunning()) {
+        m_queue.setAgain(station, isAgain);
+        read();
     }
-    m_queue.setAgain(station, isAgain);
-    read();
 }
 
 void CaptureDesk::takeDoubtfulAgain() {
-    if (isRunning() || !m_session) {
-        return;
+    if (!isRunning() && m_session) {
+        m_queue.takeDoubtfulAgain(m_session->state());
+        read();
     }
-    for (const auto& [station, standing] : m_session->state().standings) {
-        if (standing == Standing::Doubtful || standing == Standing::Failed) {
-            m_queue.setAgain(station, true);
-        }
-    }
-    read();
 }
 
 } // namespace spherewalk::ui

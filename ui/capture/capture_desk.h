@@ -89,14 +89,26 @@ class CaptureDesk : public QObject {
     void start();
     /// Asks the run to stop; stored photos stay.
     void stop();
+    /// Ends the run as a person wants it: a walk by hand takes in what was shot, and looks where. A second
+    /// call stops that, too.
+    void end();
     /// Does what the one key does now: starts, shoots, tries again, or ends a countdown.
     void trigger();
 
     /// Whether trigger() does anything now.
     bool takesKey() const {
         return m_state == State::AtStation || m_state == State::AskAgain || m_state == State::Hiding ||
-               (m_state == State::Ready && next());
+               (m_state == State::Ready && (next() || isByHand()));
     }
+
+    /// Whether photos are taken wherever the operator stands, as the survey has no rails.
+    bool isByHand() const { return m_queue.isByHand(); }
+
+    /// What is known by now of the places of photos by hand; nothing before the first look.
+    const std::optional<jobs::PlacesFound>& places() const { return m_queue.places(); }
+
+    /// Whether the plan can show where this station is.
+    bool isPlaced(const store::StationRecord& station) const { return m_queue.isPlaced(station); }
 
     void setHideSeconds(int seconds) { m_hideSeconds = seconds; }
 
@@ -129,10 +141,12 @@ class CaptureDesk : public QObject {
     /// Returns the station of the next photo, or nothing once every station has its photo.
     const std::optional<store::StationRecord>& next() const { return m_queue.next(); }
 
-    /// "Rail 3, stop 5".
-    QString nextText() const;
-    /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances.
-    QString wayText() const;
+    /// "Rail 3, stop 5", or "Photo 7" by hand.
+    QString nextText() const { return m_queue.nextWords(); }
+
+    /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances. By hand,
+    /// it says how many photos found their place.
+    QString wayText() const { return m_queue.wayWords(); }
 
     /// Returns how the rail of next() is laid; null while the cart is on it.
     const survey::RailMark* railToLay() const { return m_queue.railToLay(); }
@@ -140,7 +154,7 @@ class CaptureDesk : public QObject {
     int stationsLeft() const { return m_queue.size(); }
 
     /// Whether every station has its photo and none is to be taken again.
-    bool isComplete() const { return stations() > 0 && stationsLeft() == 0 && !isRunning(); }
+    bool isComplete() const { return stations() > 0 && stationsLeft() == 0 && !isByHand() && !isRunning(); }
 
     int stations() const { return m_session ? static_cast<int>(m_session->state().stations.size()) : 0; }
 
@@ -203,6 +217,7 @@ class CaptureDesk : public QObject {
     void atStation(const store::StationRecord& station, bool waitsForKey);
     void askAgain(const store::StationRecord& station, const QString& sentence);
     void shooting();
+    void showPlaces(const jobs::PlacesFound& places);
     void ended(const store::StationRecord& station, survey::Quality quality, bool isThere,
                const QString& sentence);
     void runDone(const Task* task);

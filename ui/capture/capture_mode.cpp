@@ -21,6 +21,8 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace spherewalk::ui {
@@ -83,8 +85,9 @@ CaptureMode::CaptureMode(TaskList& tasks, QWidget* parent)
             [this](survey::Quality quality) { m_sounds->play(quality); });
     connect(&m_desk, &CaptureDesk::countdownTicked, this, [this](int /*left*/) { m_sounds->tick(); });
     connect(&m_desk, &CaptureDesk::runEnded, this, [this](bool isComplete) {
-        emit message(isComplete ? tr("Every station has its photo.")
-                                : tr("Capturing has ended; it goes on where it stopped."));
+        emit message(m_desk.isByHand() ? tr("The walk has ended; another one goes on from here.")
+                     : isComplete      ? tr("Every station has its photo.")
+                                       : tr("Capturing has ended; it goes on where it stopped."));
     });
     connect(&m_desk.login(), &CameraLogin::trouble, this, &CaptureMode::message);
     connect(m_camera, &CameraPanel::remoteWanted, this, &CaptureMode::remoteWanted);
@@ -153,7 +156,7 @@ QWidget* CaptureMode::makeTarget() {
     column->addLayout(row);
     column->addWidget(makeNext());
     connect(m_key, &QPushButton::clicked, &m_desk, &CaptureDesk::trigger);
-    connect(m_stop, &QPushButton::clicked, &m_desk, &CaptureDesk::stop);
+    connect(m_stop, &QPushButton::clicked, &m_desk, &CaptureDesk::end);
     return target;
 }
 
@@ -205,15 +208,16 @@ QWidget* CaptureMode::makeFigures() {
         auto* figure = new BigText(figures);
         figure->setObjectName(objectName);
         figure->setMaximumHeight(80);
+        auto* label = new QLabel(name, figures);
         grid->addWidget(figure, 0, column);
-        grid->addWidget(new QLabel(name, figures), 1, column);
+        grid->addWidget(label, 1, column);
         grid->setColumnStretch(column, 1);
         ++column;
-        return figure;
+        return std::pair(figure, label);
     };
-    m_photosLeft = add(tr("photos left"), "photosLeft");
-    m_timeLeft = add(tr("time left"), "timeLeft");
-    m_pace = add(tr("photos a minute"), "pace");
+    std::tie(m_photosLeft, m_photosLeftName) = add({}, "photosLeft");
+    std::tie(m_timeLeft, m_timeLeftName) = add({}, "timeLeft");
+    m_pace = add(tr("photos a minute"), "pace").first;
     return figures;
 }
 
@@ -258,8 +262,7 @@ void CaptureMode::showAll() {
     m_key->setEnabled(m_desk.takesKey());
     showNext();
     m_stop->setVisible(m_desk.isRunning());
-    m_photosLeft->setText(QString::number(m_desk.stationsLeft()));
-    m_timeLeft->setText(durationText(m_desk.timeLeft()));
+    showFigures();
     const auto pace = m_desk.photosAMinute();
     m_pace->setText(pace ? QLocale().toString(*pace, 'f', 1) : QString::fromUtf8("–"));
     showVerdict();
@@ -267,27 +270,53 @@ void CaptureMode::showAll() {
     takeFocus();
 }
 
-/// Shows what was taken and what comes next, in place of the key, once every station has its photo.
+/// Shows what is left to be taken; by hand, nobody knows, and it shows what there is.
+void CaptureMode::showFigures() {
+    const bool isByHand = m_desk.isByHand();
+    m_photosLeftName->setText(isByHand ? tr("photos taken") : tr("photos left"));
+    m_timeLeftName->setText(isByHand ? tr("of known place") : tr("time left"));
+    if (!isByHand) {
+        m_photosLeft->setText(QString::number(m_desk.stationsLeft()));
+        m_timeLeft->setText(durationText(m_desk.timeLeft()));
+        return;
+    }
+    const SurveyState& survey = m_desk.session()->state();
+    m_photosLeft->setText(QString::number(survey.counts.stationsWithPhoto));
+    m_timeLeft->setText(QString::number(std::ranges::count_if(
+        survey.stations, [&](const auto& station) { return m_desk.isPlaced(station); })));
+}
+
+/// Shows what was taken and what comes next, in place of the key, once every station has its photo. A walk by
+/// hand can go on as well.
 void CaptureMode::showNext() {
     const bool isComplete = m_desk.isComplete();
-    m_whatNext->setVisible(isComplete);
+    const bool isAfterWalk = m_desk.isByHand() && !m_desk.isRunning() && m_desk.stations() > 0;
+    m_whatNext->setVisible(isComplete || isAfterWalk);
     m_key->setVisible(!isComplete);
-    if (!isComplete) {
+    if (!isComplete && !isAfterWalk) {
         return;
     }
     const SurveyState& survey = m_desk.session()->state();
     const int doubtful = survey.count(Standing::Doubtful);
     const int failed = survey.count(Standing::Failed);
-    m_next->setText(tr("%1 taken, %2 doubtful, %3 failed").arg(m_desk.stations()).arg(doubtful).arg(failed));
+    const bool isKnown = !isAfterWalk || !survey.hasUnknownPlaces();
+    if (isComplete) {
+        m_next->setText(
+            tr("%1 taken, %2 doubtful, %3 failed").arg(m_desk.stations()).arg(doubtful).arg(failed));
+    }
     const bool isDoubtful = doubtful + failed > 0;
     m_toReview->setVisible(isDoubtful);
-    m_retakeDoubtful->setVisible(isDoubtful);
+    m_retakeDoubtful->setVisible(isDoubtful && isKnown);
     m_toReview->setText(tr("Look at %n in Review (R)", nullptr, doubtful + failed));
     m_retakeDoubtful->setText(tr("Take %n again (T)", nullptr, doubtful + failed));
-    makePrimary(isDoubtful ? m_toReview : m_toAlign);
-    (isDoubtful ? m_toAlign : m_toReview)->setStyleSheet({});
-    m_way->setText(isDoubtful ? tr("Look at the doubtful photos while the rail is still here.")
-                              : tr("Next: solve how each photo is turned."));
+    m_toAlign->setStyleSheet({});
+    m_toReview->setStyleSheet({});
+    if (isComplete) { // after a walk, the key is the main one
+        makePrimary(isDoubtful ? m_toReview : m_toAlign);
+    }
+    m_way->setText(isAfterWalk  ? tr("Go on, or solve where the photos were taken.")
+                   : isDoubtful ? tr("Look at the doubtful photos while the rail is still here.")
+                                : tr("Next: solve how each photo is turned."));
 }
 
 /// Does what the shutter key means once every station has its photo.
@@ -378,9 +407,9 @@ void CaptureMode::showAgain() {
 
 void CaptureMode::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
-        return m_desk.stop();
+        return m_desk.end();
     }
-    if (m_desk.isComplete() && !event->isAutoRepeat()) {
+    if (m_whatNext->isVisibleTo(this) && !event->isAutoRepeat()) {
         QPushButton* button = event->key() == Qt::Key_R   ? m_toReview
                               : event->key() == Qt::Key_T ? m_retakeDoubtful
                               : event->key() == Qt::Key_A ? m_toAlign
@@ -388,7 +417,7 @@ void CaptureMode::keyPressEvent(QKeyEvent* event) {
         if (button != nullptr && button->isVisibleTo(this)) {
             return button->click();
         }
-        if (isShutterKey(event->key())) {
+        if (isShutterKey(event->key()) && m_desk.isComplete()) {
             return goOn();
         }
     }

@@ -66,6 +66,7 @@ class CaptureMode : public Mode {
     QWidget* makeAgain();
     void showAll();
     void showNext();
+    void showFigures();
     void goOn();
     void takeFocus();
     void showVerdict();
@@ -94,7 +95,9 @@ class CaptureMode : public Mode {
     QLabel* m_verdictIcon = nullptr;
     ToldLabel* m_verdict = nullptr;
     BigText* m_photosLeft = nullptr;
+    QLabel* m_photosLeftName = nullptr;
     BigText* m_timeLeft = nullptr;
+    QLabel* m_timeLeftName = nullptr;
     BigText* m_pace = nullptr;
     QListWidget* m_again = nullptr;
     QPushButton* m_takeAgain = nullptr;

@@ -36,11 +36,30 @@ void ShutterKey::forget() {
     m_isPressed = false;
 }
 
+void ShutterKey::leave() {
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_hasLeft = true;
+    }
+    m_pressed.notify_all();
+}
+
+void ShutterKey::begin() {
+    const std::scoped_lock lock(m_mutex);
+    m_isPressed = false;
+    m_hasLeft = false;
+}
+
+bool ShutterKey::hasLeft() {
+    const std::scoped_lock lock(m_mutex);
+    return m_hasLeft;
+}
+
 bool ShutterKey::wait(std::chrono::milliseconds atMost, const std::stop_token& stop) {
     std::unique_lock lock(m_mutex);
-    m_pressed.wait_for(lock, stop, atMost, [this] { return m_isPressed; });
+    m_pressed.wait_for(lock, stop, atMost, [this] { return m_isPressed || m_hasLeft; });
     throwIfStopped(stop);
-    return std::exchange(m_isPressed, false);
+    return std::exchange(m_isPressed, false) || m_hasLeft;
 }
 
 DeskOperator::DeskOperator(CaptureDesk& desk, camera::OscClient& client, const DeskOptions& options)
@@ -115,6 +134,24 @@ void DeskOperator::moveTo(const store::StationRecord& station, const std::stop_t
     post([](CaptureDesk& desk) { desk.shooting(); });
 }
 
+bool DeskOperator::walkOn(int photo, const std::stop_token& stop) {
+    m_desk.m_key.forget();
+    post([photo, waitsForKey = !m_options.isAutomatic](CaptureDesk& desk) {
+        desk.m_queue.walkTo(photo);
+        desk.setState(waitsForKey ? CaptureDesk::State::AtStation : CaptureDesk::State::Shooting);
+    });
+    if (!m_options.isAutomatic) {
+        waitForKey(stop);
+    }
+    const bool goesOn = !m_desk.m_key.hasLeft() && (!m_practice || m_practice->walkOn(photo, stop));
+    post([](CaptureDesk& desk) { desk.shooting(); });
+    return goesOn;
+}
+
+void DeskOperator::placesFound(const jobs::PlacesFound& found) {
+    post([found](CaptureDesk& desk) { desk.showPlaces(found); });
+}
+
 bool DeskOperator::tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome,
                             int tries, const std::stop_token& stop) {
     if (m_options.isAutomatic && m_practice) {
@@ -126,7 +163,7 @@ bool DeskOperator::tryAgain(const store::StationRecord& station, const camera::S
     });
     waitForKey(stop);
     post([](CaptureDesk& desk) { desk.shooting(); });
-    return true;
+    return !m_desk.m_key.hasLeft();
 }
 
 void DeskOperator::exposed(const store::StationRecord& /*station*/) {

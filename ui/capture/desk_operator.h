@@ -26,13 +26,20 @@ class ShutterKey {
     void press();
     /// Forgets a press that nobody has waited for, so that the key of one station never takes the next.
     void forget();
-    /// Returns true once the key is pressed, and false after `atMost`. Errors: Stopped.
+    /// Tells that the operator takes no more photos. Whoever waits for the key goes on.
+    void leave();
+    /// Begins a run: forgets the press and the leaving of the one before.
+    void begin();
+    bool hasLeft();
+    /// Returns true once the key is pressed, or the operator has left, and false after `atMost`. Errors:
+    /// Stopped.
     bool wait(std::chrono::milliseconds atMost, const std::stop_token& stop);
 
   private:
     std::mutex m_mutex;
     std::condition_variable_any m_pressed;
     bool m_isPressed = false;
+    bool m_hasLeft = false;
 };
 
 /// How one run is operated.
@@ -53,6 +60,8 @@ class DeskOperator : public jobs::Operator {
 
     void cameraReady(const camera::CameraInfo& camera, const camera::CameraReadiness& readiness) override;
     void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
+    bool walkOn(int photo, const std::stop_token& stop) override;
+    void placesFound(const jobs::PlacesFound& found) override;
     bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
                   const std::stop_token& stop) override;
     void shotEnded(const store::StationRecord& station, const camera::ShotOutcome& outcome,

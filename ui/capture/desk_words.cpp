@@ -25,11 +25,13 @@ QString stateWords(const CaptureDesk& desk) {
     case State::Connecting:
         return CaptureWords::tr("Connecting...");
     case State::Ready:
-        return CaptureWords::tr("The next station:");
+        return desk.isByHand() ? CaptureWords::tr("By hand: walk through the room and shoot.")
+                               : CaptureWords::tr("The next station:");
     case State::Preparing:
         return CaptureWords::tr("Preparing the camera...");
     case State::AtStation:
-        return CaptureWords::tr("Bring the camera to");
+        return desk.isByHand() ? CaptureWords::tr("Stand where you like and shoot")
+                               : CaptureWords::tr("Bring the camera to");
     case State::AskAgain:
         return CaptureWords::tr("No picture was taken at");
     case State::Hiding:
@@ -52,7 +54,9 @@ QString keyWords(const CaptureDesk& desk) {
     case State::Shooting:
         return CaptureWords::tr("Please wait");
     default:
-        return desk.stationsLeft() == desk.stations() ? CaptureWords::tr("Start") : CaptureWords::tr("Go on");
+        return desk.stationsLeft() == desk.stations() && !(desk.isByHand() && desk.stations() > 0)
+                   ? CaptureWords::tr("Start")
+                   : CaptureWords::tr("Go on");
     }
 }
 

@@ -20,6 +20,10 @@ CapturePlanView::CapturePlanView(const CaptureDesk& desk, QWidget* parent)
 
 std::vector<StationMark> CapturePlanView::marks(const SurveyState& survey) const {
     std::vector<StationMark> result = SurveyPlanView::marks(survey);
+    std::erase_if(result, [&](const StationMark& mark) {
+        const auto station = std::ranges::find(survey.stations, mark.id, &store::StationRecord::id);
+        return station != survey.stations.end() && !m_desk.isPlaced(*station);
+    });
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
             mark.standing = Standing::Missing;

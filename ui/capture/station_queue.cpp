@@ -12,11 +12,21 @@
 
 namespace spherewalk::ui {
 
+namespace {
+
+/// The words of this file, for translators.
+struct QueueWords {
+    Q_DECLARE_TR_FUNCTIONS(spherewalk::ui::StationQueue)
+};
+
+} // namespace
+
 void StationQueue::begin(const SurveyState* survey) {
     m_again.clear();
     m_last.reset();
     m_next.reset();
     m_pace = {};
+    m_places.reset();
     markRails(survey);
     read(survey);
 }
@@ -37,14 +47,49 @@ void StationQueue::markRails(const SurveyState* survey) {
 
 void StationQueue::read(const SurveyState* survey) {
     m_stations.clear();
+    m_isByHand = false;
     if (survey == nullptr) {
         return;
     }
     std::copy_if(survey->stations.begin(), survey->stations.end(), std::back_inserter(m_stations),
                  [&](const store::StationRecord& station) {
-                     return m_again.contains(station.id) || survey->missing.contains(station.id);
+                     const bool isWanted =
+                         m_again.contains(station.id) || survey->missing.contains(station.id);
+                     return isWanted && station.isPlaceKnown; // Else nobody can go there.
                  });
+    m_isByHand = m_stations.empty() && survey->plan.placements.empty();
+    m_photosInSurvey = survey->counts.stationsWithPhoto;
     countRooms(*survey);
+}
+
+void StationQueue::goToFirst() {
+    m_next = m_stations.empty() ? std::nullopt : std::optional(m_stations.front());
+    m_photosBefore = m_photosInSurvey;
+    walkTo(1);
+}
+
+bool StationQueue::isPlaced(const store::StationRecord& station) const {
+    return station.isPlaceKnown || (m_places && std::ranges::count(m_places->placed, station.id) > 0);
+}
+
+QString StationQueue::nextWords() const {
+    return m_isByHand ? QueueWords::tr("Photo %1").arg(m_photo)
+           : m_next   ? stationWords(m_next->name)
+                      : QString();
+}
+
+QString StationQueue::walkWords() const {
+    if (!m_places) {
+        return QueueWords::tr(
+            "Hold the camera upright and still. Take the next photo about half a metre on.");
+    }
+    const int placed = static_cast<int>(m_places->placed.size());
+    if (m_places->unplaced.empty()) {
+        return QueueWords::tr("%n photo(s) found their place. Walk on about half a metre.", nullptr, placed);
+    }
+    return QueueWords::tr("%1 of %2 photos found their place. Take some between the others and these.")
+        .arg(placed)
+        .arg(m_places->photos);
 }
 
 void StationQueue::countRooms(const SurveyState& survey) {
@@ -67,10 +112,7 @@ QString StationQueue::roomWords() const {
         return {};
     }
     const Room& room = m_rooms[m_roomOfRail[rail]];
-    return QCoreApplication::translate("spherewalk::ui::StationQueue", "%1: %2 of %3 taken")
-        .arg(room.name)
-        .arg(room.taken)
-        .arg(room.stations);
+    return QueueWords::tr("%1: %2 of %3 taken").arg(room.name).arg(room.taken).arg(room.stations);
 }
 
 const survey::RailMark* StationQueue::railToLay() const {
@@ -83,6 +125,9 @@ const survey::RailMark* StationQueue::railToLay() const {
 }
 
 QString StationQueue::wayWords() const {
+    if (m_isByHand) {
+        return walkWords();
+    }
     const survey::RailMark* rail = railToLay();
     const QString way = rail != nullptr ? railWords(*rail, m_room)
                         : m_next        ? positionWords(m_next->station)
@@ -103,6 +148,14 @@ void StationQueue::setAgain(std::int64_t station, bool isAgain) {
         m_again.insert(station);
     } else {
         m_again.erase(station);
+    }
+}
+
+void StationQueue::takeDoubtfulAgain(const SurveyState& survey) {
+    for (const auto& [station, standing] : survey.standings) {
+        if (standing == Standing::Doubtful || standing == Standing::Failed) {
+            m_again.insert(station);
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include "ui/session/survey_session.h"
 
 #include "spherewalk/base/clock.h"
+#include "spherewalk/jobs/capture_survey.h"
 #include "spherewalk/survey/marking.h"
 
 #include <QString>
@@ -57,7 +58,8 @@ class Pace {
 };
 
 /// The stations that still need a photo, in walking order: those without one, and those that a person wants
-/// to take again. It also knows the way to the next station. Frames: room.
+/// to take again. It also knows the way to the next station. A survey by hand has no such stations: photos
+/// are taken wherever the operator stands. Frames: room.
 class StationQueue {
   public:
     /// Begins with another survey; null: no survey.
@@ -69,10 +71,25 @@ class StationQueue {
 
     int size() const { return static_cast<int>(m_stations.size()); }
 
+    /// Whether the next photo is taken by hand, see jobs::isByHand().
+    bool isByHand() const { return m_isByHand; }
+
+    /// Tells that the photo with this number of a run by hand comes next, counted from 1.
+    void walkTo(int photo) { m_photo = m_photosBefore + photo; }
+
+    /// Takes what is known by now of the photos' places.
+    void setPlaces(const jobs::PlacesFound& places) { m_places = places; }
+
+    /// What is known by now of the places of photos by hand; nothing before the first look.
+    const std::optional<jobs::PlacesFound>& places() const { return m_places; }
+
+    /// Whether the plan can show where this station is.
+    bool isPlaced(const store::StationRecord& station) const;
+
     /// Returns the station of the next photo; nothing if the queue was empty at goToFirst().
     const std::optional<store::StationRecord>& next() const { return m_next; }
 
-    void goToFirst() { m_next = m_stations.empty() ? std::nullopt : std::optional(m_stations.front()); }
+    void goToFirst();
 
     void goTo(const store::StationRecord& station) { m_next = station; }
 
@@ -81,6 +98,9 @@ class StationQueue {
 
     /// Returns how the rail of next() is laid; null while the cart is on it, and without a rail.
     const survey::RailMark* railToLay() const;
+
+    /// Returns the name of next(), "Rail 3, stop 5", or of the next photo by hand.
+    QString nextWords() const;
 
     /// Says how the cart gets to next(): by rolling on, or by laying the rail, with tape distances. In a flat
     /// with named rooms, the room comes first, with how many of its stations have a photo.
@@ -95,6 +115,9 @@ class StationQueue {
 
     /// Takes effect with the next read().
     void setAgain(std::int64_t station, bool isAgain);
+
+    /// Wants every station again whose photo is doubtful or failed. Takes effect with the next read().
+    void takeDoubtfulAgain(const SurveyState& survey);
 
     Pace& pace() { return m_pace; }
 
@@ -112,10 +135,16 @@ class StationQueue {
     };
 
     QString roomWords() const;
+    QString walkWords() const;
     void countRooms(const SurveyState& survey);
 
     std::vector<store::StationRecord> m_stations;
     std::set<std::int64_t> m_again;
+    bool m_isByHand = false;
+    int m_photosInSurvey = 0;
+    int m_photosBefore = 0; ///< In the survey when the run by hand began.
+    int m_photo = 1;        ///< Number of the next photo by hand.
+    std::optional<jobs::PlacesFound> m_places;
     std::optional<store::StationRecord> m_next;
     std::optional<store::StationRecord> m_last; ///< Where the cart stood last.
     survey::Room m_room;

@@ -42,13 +42,24 @@ QString tapeWords(const survey::MarkedPoint& point, const survey::Room& room) {
     return point.check ? StationWords::tr("%1 (check: %2)").arg(tapes, tapeWords(*point.check, room)) : tapes;
 }
 
+/// Of a photo by hand, or of one that came without a place.
+QString unplannedWords(const QString& name) {
+    static const QRegularExpression unplanned("^(unknown place|unknown place of|place of) (\\S+)$");
+    const QRegularExpressionMatch found = unplanned.match(name);
+    const QString kind = found.captured(1);
+    return kind == "unknown place"      ? StationWords::tr("Unknown place %1").arg(found.captured(2))
+           : kind == "unknown place of" ? StationWords::tr("Unknown place of %1").arg(found.captured(2))
+           : kind == "place of"         ? StationWords::tr("Place of %1").arg(found.captured(2))
+                                        : name;
+}
+
 } // namespace
 
 QString stationWords(const std::string& name) {
     static const QRegularExpression planned("^rail (\\d+), stop (\\d+)(?: at ([0-9.]+) m)?$");
     const QRegularExpressionMatch found = planned.match(QString::fromStdString(name));
     if (!found.hasMatch()) {
-        return QString::fromStdString(name);
+        return unplannedWords(QString::fromStdString(name));
     }
     const QString place = StationWords::tr("Rail %1, stop %2").arg(found.captured(1), found.captured(2));
     const double heightM = found.captured(3).toDouble();

@@ -131,7 +131,7 @@ QJsonObject DeskRemote::state() {
             {"state", stateWords(m_desk)},
             {"station", m_desk.nextText()},
             {"way", m_desk.wayText()},
-            {"left", tr("%n photo(s) left", nullptr, m_desk.stationsLeft())},
+            {"left", m_desk.isByHand() ? QString() : tr("%n photo(s) left", nullptr, m_desk.stationsLeft())},
             {"key", keyWords(m_desk)},
             {"takesKey", takesKey},
             {"trouble", result == m_words ? QString() : result},

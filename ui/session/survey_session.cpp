@@ -101,7 +101,8 @@ int SurveyState::count(Standing standing) const {
 
 bool SurveyState::hasUnknownPlaces() const {
     return std::ranges::any_of(stations, [&](const store::StationRecord& station) {
-        return !station.isPlaceKnown && !missing.contains(station.id);
+        const auto standing = standings.find(station.id);
+        return !station.isPlaceKnown && standing != standings.end() && standing->second != Standing::Missing;
     });
 }
 

@@ -108,6 +108,8 @@ class MainWindow : public QMainWindow {
     void chooseImport();
     void chooseFreeImport();
     void importFree(const QString& photos);
+    bool openNewByHand(const QString& base);
+    void beginByHand();
     HelpWindow& help();
     void enableModes();
     template <class Wanted>

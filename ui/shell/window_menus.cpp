@@ -50,6 +50,7 @@ void MainWindow::makeMenus() {
         return action;
     };
     add(file, tr("&New survey"), QKeySequence::New, &MainWindow::beginSurvey);
+    add(file, tr("New survey by &hand"), {}, &MainWindow::beginByHand)->setObjectName("newByHand");
     add(file, tr("&Open survey..."), QKeySequence::Open, &MainWindow::chooseSurvey);
     makeRecent(file->addMenu(tr("&Recent surveys")), file);
     add(file, tr("&Practice room"), {}, &MainWindow::runPractice);
@@ -252,22 +253,31 @@ void MainWindow::chooseFreeImport() {
     }
 }
 
+/// Opens a new survey without a plan, whose folder begins with these words. Returns whether it did.
+bool MainWindow::openNewByHand(const QString& base) {
+    const QString folder = freeFolder(base, ".spherewalk");
+    try {
+        store::SurveyStore::create(folder.toStdString(), QFileInfo(folder).completeBaseName().toStdString(),
+                                   survey::unknownRoom(), {}, {});
+    } catch (const Error& error) {
+        say(coreTold(error.sentence()));
+        return false;
+    }
+    return openSurvey(folder);
+}
+
+/// Makes a survey in surveysPlace() whose photos are taken by hand, and goes to where they are taken.
+void MainWindow::beginByHand() {
+    if (openNewByHand(surveysPlace() + "/" + tr("walk"))) {
+        showPage("capture", {});
+    }
+}
+
 /// Takes photos into the open survey; without one, into a survey of their folder's name.
 void MainWindow::importFree(const QString& photos) {
-    if (!m_session) {
-        const QString folder = freeFolder(surveysPlace() + "/" + QDir(photos).dirName(), ".spherewalk");
-        try {
-            store::SurveyStore::create(folder.toStdString(),
-                                       QFileInfo(folder).completeBaseName().toStdString(),
-                                       survey::unknownRoom(), {}, {});
-        } catch (const Error& error) {
-            return say(coreTold(error.sentence()));
-        }
-        if (!openSurvey(folder)) {
-            return;
-        }
+    if (m_session || openNewByHand(surveysPlace() + "/" + QDir(photos).dirName())) {
+        importPhotos({}, photos);
     }
-    importPhotos({}, photos);
 }
 
 void MainWindow::importPhotos(const QString& positions, const QString& photos) {

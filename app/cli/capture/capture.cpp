@@ -36,6 +36,7 @@ struct CaptureArguments {
     double moveSeconds = 0;
     bool follow = false;
     double toleranceM = 0.03;
+    bool byHand = false;
 };
 
 /// A person at the terminal, who brings the camera to the station and presses Enter.
@@ -49,6 +50,18 @@ class PersonAtTerminal : public jobs::Operator {
                  ", z ", fixed(p.z(), 3), "), then press Enter."),
             stop);
     }
+
+    bool walkOn(int photo, const std::stop_token& stop) override {
+        waitingLines(); // as in ask()
+        m_progress.warning(text("Photo ", photo, ": go to its place",
+                                photo == 1 ? "" : ", about half a metre on",
+                                ", then press Enter; q and Enter end the walk."));
+        const auto answer = readLine(stop);
+        throwIfStopped(stop);
+        return answer && *answer != "q";
+    }
+
+    void placesFound(const jobs::PlacesFound& found) override { m_progress.warning(found.sentence()); }
 
     bool tryAgain(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
                   int /*tries*/, const std::stop_token& stop) override {
@@ -94,18 +107,21 @@ Result resultOf(const jobs::CaptureSurveyReport& report, const store::SurveyStor
     const int undecided = store.counts().unclearShots;
     const std::string notCompared =
         jobs::notComparedText(report.taken, report.notCompared, report.contentNotCompared);
-    return {jobs::toJson(report),
-            text("Took ", report.taken, " photos in ",
-                 humanDuration(std::chrono::duration<double>(report.seconds)), "; ", report.remaining, " of ",
-                 report.stations, " stations are still without a photo.",
-                 report.flawed.empty()
-                     ? ""
-                     : text(" ", report.flawed.size(), " photos are not good; review lists them."),
-                 undecided == 0 ? ""
-                                : text(" ", counted(undecided, "shot needs", "shots need"),
-                                       " a person's decision; shots lists what can be done."),
-                 notCompared.empty() ? "" : "\n", notCompared),
-            report.missed.empty()};
+    return {
+        jobs::toJson(report),
+        text("Took ", report.taken, " photos in ",
+             humanDuration(std::chrono::duration<double>(report.seconds)), report.places ? ". " : "; ",
+             report.places
+                 ? report.places->sentence() + " align --positions free solves all of them in earnest."
+                 : text(report.remaining, " of ", report.stations, " stations are still without a photo."),
+             report.flawed.empty()
+                 ? ""
+                 : text(" ", report.flawed.size(), " photos are not good; review lists them."),
+             undecided == 0 ? ""
+                            : text(" ", counted(undecided, "shot needs", "shots need"),
+                                   " a person's decision; shots lists what can be done."),
+             notCompared.empty() ? "" : "\n", notCompared),
+        report.missed.empty()};
 }
 
 /// A robot sends positions on standard input and is answered on standard output, a line each.
@@ -170,10 +186,12 @@ Result capture(const CaptureArguments& options, Context& context) {
         captureOptions = jobs::practiceCaptureOptions(options.camera.timeScale());
     }
     captureOptions.most = options.most;
+    captureOptions.byHand = options.byHand;
     captureOptions.again = stationsNamed(store, options.again);
     for (const std::int64_t station : stationsToRetake(store, options.retakes)) {
         captureOptions.again.push_back(station);
     }
+    captureOptions.byHand |= captureOptions.again.empty() && jobs::isByHand(store);
     return resultOf(jobs::captureSurvey(store, *client, *people, systemClock(), captureOptions,
                                         context.progress, context.stop),
                     store);
@@ -190,6 +208,10 @@ void addCapture(Commands& commands) {
     options->camera.declare(command);
     command.flag("--practice", options->practice,
                  "The camera is a practice camera: bring it to each station by itself, without asking");
+    command.flag(
+        "--by-hand", options->byHand,
+        "Take photos wherever the operator stands, and not at stations; align --positions free then solves "
+        "where. A survey without rails is taken so in any case");
     command.option("--most", options->most, "Photos to take at most; 0: all that are missing")
         .notNegative()
         .showDefault();

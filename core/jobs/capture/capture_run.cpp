@@ -44,7 +44,7 @@ std::vector<std::string> lookAtDisk(const store::SurveyStore& survey) {
 
 CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& people, Clock& clock,
                        const camera::CaptureOptions& options, ProgressSink& progress,
-                       const std::stop_token& stop)
+                       const std::stop_token& stop, PlaceFinder* finder)
     : m_store(store),
       m_people(people),
       m_clock(clock),
@@ -54,6 +54,7 @@ CaptureRun::CaptureRun(SharedStore& store, camera::OscClient& client, Operator& 
       m_capture(client, m_journal, clock, options),
       m_begin(clock.now()),
       m_judge(store),
+      m_finder(finder),
       m_fetchersClient(client.another()) {
     const std::vector<survey::Shot> open =
         store.use([](const store::SurveyStore& survey) { return survey.openShots(); });
@@ -258,6 +259,9 @@ void CaptureRun::account(const camera::ShotOutcome& given, bool isTold) {
     if (verdict && newer) {
         warn({text(station.name, ": an older photo came in; the newer one, ", newer->fileName,
                    ", stays chosen. review --choose takes another.")});
+    }
+    if (verdict && m_finder != nullptr) {
+        m_finder->wake();
     }
     const std::scoped_lock lock(m_mutex);
     camera::ShotOutcome outcome = given;

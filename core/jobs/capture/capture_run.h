@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/clock.h"
 #include "spherewalk/camera/capture.h"
+#include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/capture_survey.h"
 
 #include <condition_variable>
@@ -75,6 +76,40 @@ class PhotoFetcher {
     std::jthread m_thread;
 };
 
+/// Looks where photos were taken, on a thread of its own, while more are taken. Its places show people what
+/// is covered by now, and have no other use: alignSurvey() finds them in earnest.
+class PlaceFinder {
+  public:
+    /// Owner: all references must outlive the object.
+    PlaceFinder(SharedStore& store, Operator& people, ProgressSink& progress);
+    /// Stops at once.
+    ~PlaceFinder() = default;
+    PlaceFinder(const PlaceFinder&) = delete;
+    PlaceFinder& operator=(const PlaceFinder&) = delete;
+
+    /// Tells the thread that a photo has come in.
+    void wake();
+
+    /// Returns once all photos were looked at, what was found last. Errors: Stopped.
+    PlacesFound finish(const std::stop_token& stop);
+
+  private:
+    void run(const std::stop_token& stop);
+    void look(const std::stop_token& stop);
+    PlacesFound show(store::SurveyStore& store, const PlacesSoFar& found);
+
+    SharedStore& m_store;
+    Operator& m_people;
+    ProgressSink& m_progress;
+    std::set<std::int64_t> m_shown; ///< Stations that show a place. Only the thread uses it.
+    std::mutex m_mutex;             ///< Guards all members below.
+    std::condition_variable_any m_changed;
+    bool m_isWoken = false;
+    bool m_isBusy = false;
+    PlacesFound m_found;
+    std::jthread m_thread;
+};
+
 /// The stations of a run, one after the other.
 class Route {
   public:
@@ -87,9 +122,11 @@ class Route {
 /// One run of the capture workflow: exposes along a route, while a PhotoFetcher follows.
 class CaptureRun {
   public:
-    /// Owner: all references must outlive the run.
+    /// Owner: all references must outlive the run. finder: is told of the photos that come in; null without
+    /// one.
     CaptureRun(SharedStore& store, camera::OscClient& client, Operator& people, Clock& clock,
-               const camera::CaptureOptions& options, ProgressSink& progress, const std::stop_token& stop);
+               const camera::CaptureOptions& options, ProgressSink& progress, const std::stop_token& stop,
+               PlaceFinder* finder = nullptr);
 
     /// Ends the shots that an earlier run left open. Afterwards the store knows which stations lack a photo.
     void begin();
@@ -133,6 +170,7 @@ class CaptureRun {
     std::map<std::int64_t, std::vector<std::string>> m_warningsOf; ///< By the number of the shot.
     std::set<std::int64_t> m_unfetched;                            ///< Shots that were tried in vain.
     PhotoJudge m_judge;
+    PlaceFinder* m_finder;
     std::unique_ptr<camera::OscClient> m_fetchersClient;
     std::unique_ptr<PhotoFetcher> m_fetcher;
 };

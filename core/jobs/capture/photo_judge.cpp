@@ -8,6 +8,8 @@
 #include "spherewalk/base/text.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 #include <utility>
 
 namespace spherewalk::jobs {
@@ -15,6 +17,10 @@ namespace spherewalk::jobs {
 namespace {
 
 constexpr std::size_t kMostSketches = 1000; ///< 55 kB each
+/// Of photos by hand, the last one is about so far away. Nothing that needs to know it better is asked of
+/// them.
+constexpr double kStepByHandM = 0.6;
+static_assert(kStepByHandM < photo::kNeighbourhoodM && kStepByHandM > photo::kContentNeighbourhoodM);
 
 photo::ExpectedSettings expectedBy(const std::optional<survey::CaptureProfile>& profile) {
     photo::ExpectedSettings expected;
@@ -53,20 +59,30 @@ PhotoJudge::PhotoJudge(SharedStore& store) : m_store(store) {
     });
 }
 
-std::vector<store::PhotoRecord> PhotoJudge::neighbours(const store::PhotoRecord& of) const {
-    const auto distance = [&](const store::PhotoRecord& other) {
-        return (other.positionM - of.positionM).norm();
-    };
+std::vector<PhotoJudge::Near> PhotoJudge::neighbours(const store::PhotoRecord& of) const {
     return m_store.use([&](const store::SurveyStore& store) {
-        std::vector<store::PhotoRecord> all = store.keptPhotos();
-        std::ranges::stable_sort(all, {}, distance);
-        std::vector<store::PhotoRecord> near;
-        for (const store::PhotoRecord& other : all) {
-            if (other.station != of.station && isUsable(store, other.id)) {
-                near.push_back(other);
+        std::set<std::int64_t> unknown; // stations
+        for (const store::StationRecord& station : store.stations()) {
+            if (!station.isPlaceKnown) {
+                unknown.insert(station.id);
             }
-            if (near.size() == photo::kMostNeighbours + photo::kMostAround) {
-                break;
+        }
+        const bool isByHand = unknown.contains(of.station);
+        std::vector<Near> all;
+        for (store::PhotoRecord& other : store.keptPhotos()) {
+            if (other.station != of.station && unknown.contains(other.station) == isByHand) {
+                const double distanceM = isByHand
+                                             ? kStepByHandM * static_cast<double>(std::abs(other.id - of.id))
+                                             : (other.positionM - of.positionM).norm();
+                all.push_back({std::move(other), distanceM});
+            }
+        }
+        std::ranges::stable_sort(all, {}, &Near::distanceM);
+        std::vector<Near> near;
+        for (Near& other : all) {
+            if (near.size() < photo::kMostNeighbours + photo::kMostAround &&
+                isUsable(store, other.photo.id)) {
+                near.push_back(std::move(other));
             }
         }
         return near;
@@ -115,7 +131,9 @@ void PhotoJudge::tellIfUnmoved(Standing standing, photo::Verdict& verdict) {
         m_latest = standingOf(*last);
     }
     const std::optional<Standing> before = std::exchange(m_latest, std::move(standing));
-    const bool isElsewhere = last && before && before->photo.station != m_latest->photo.station &&
+    const bool isPlaced = m_store.use(
+        [&](const store::SurveyStore& store) { return store.station(m_latest->photo.station).isPlaceKnown; });
+    const bool isElsewhere = isPlaced && last && before && before->photo.station != m_latest->photo.station &&
                              (before->photo.positionM - m_latest->photo.positionM).norm() > kStepM;
     if (isElsewhere && photo::isSameView(m_latest->band, before->band).value_or(false)) {
         verdict.findings.push_back({photo::Flaw::Unmoved, survey::Quality::Doubtful,
@@ -145,10 +163,10 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
         m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
     std::vector<std::shared_ptr<const photo::Sketch>> sketches;
     std::vector<photo::Neighbour> near;
-    for (const store::PhotoRecord& other : neighbours(record)) {
+    for (const auto& [other, distanceM] : neighbours(record)) {
         throwIfStopped(stop);
         if (auto sketch = sketchOf(other)) {
-            near.push_back({sketch.get(), (other.positionM - record.positionM).norm(), other.fileName});
+            near.push_back({sketch.get(), distanceM, other.fileName});
             sketches.push_back(std::move(sketch));
         }
     }

@@ -38,8 +38,15 @@ class PhotoJudge {
         photo::ViewBand band;
     };
 
-    /// As many as a verdict asks for, the nearest first.
-    std::vector<store::PhotoRecord> neighbours(const store::PhotoRecord& of) const;
+    /// A photo near another.
+    struct Near {
+        store::PhotoRecord photo;
+        double distanceM = 0;
+    };
+
+    /// As many as a verdict asks for, the nearest first. A photo of unknown place has the others of unknown
+    /// places.
+    std::vector<Near> neighbours(const store::PhotoRecord& of) const;
     /// Null for a photo that cannot be read.
     std::shared_ptr<const photo::Sketch> sketchOf(const store::PhotoRecord& photo);
     std::shared_ptr<const photo::Sketch> keep(std::int64_t photo, photo::Sketch sketch);

@@ -64,6 +64,7 @@ survey::Shot StoreJournal::downloaded(std::int64_t shot, const camera::Downloade
         stationName = station.name;
         arrival.station = record.station;
         arrival.positionM = station.station.positionM;
+        arrival.isPlaced = station.isPlaceKnown;
         arrival.cameraSerial = record.cameraSerial;
     });
     arrival.jpeg = readFile(photo.temporaryFile);

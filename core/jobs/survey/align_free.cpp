@@ -66,21 +66,6 @@ void widen(Radians commonLean, AlignReport& report) {
     }
 }
 
-/// A survey by hand has the room that its photos show.
-void takeRoom(store::SurveyStore& store, const align::FreePlaces& places) {
-    survey::Room room = store.room();
-    room.outline = places.outline;
-    room.obstacles.clear();
-    room.names.clear();
-    room.ceilingM = std::max(room.ceilingM, places.ceilingM); // A bare ceiling shows no points.
-    try {
-        room.validate();
-    } catch (const Error&) {
-        return; // Too few points make no room. The survey keeps the one that it has.
-    }
-    store.replaceRoom(room);
-}
-
 std::string scaleText(const align::FreePlaces& places) {
     const std::string sigma = text(fixed(100 * places.scaleSigma, 1), " % (one standard deviation)");
     switch (places.scaleBy) {
@@ -187,33 +172,49 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report) {
     }
 }
 
+void takeRoom(store::SurveyStore& store, const Polygon& outline, double ceilingM) {
+    survey::Room room = store.room();
+    room.outline = outline;
+    room.obstacles.clear();
+    room.names.clear();
+    room.ceilingM = std::max(room.ceilingM, ceilingM); // A bare ceiling shows no points.
+    try {
+        room.validate();
+    } catch (const Error&) {
+        return; // Too few points make no room. The survey keeps the one that it has.
+    }
+    store.replaceRoom(room);
+}
+
 void moveStations(store::SurveyStore& store, AlignReport& report) {
     std::vector<PhotoPlace> moved;
-    std::vector<std::int64_t> left;
+    std::vector<store::PlacedStation> places;
     for (AlignedPhoto& aligned : report.photos) {
-        const store::PhotoRecord photo = store.photo(aligned.photo);
-        const Eigen::Vector3d& positionM = aligned.pose.roomFromPhoto.translation;
         if (!aligned.isHandedOn()) {
             continue;
         }
-        aligned.station = text("place of ", photo.cameraFileName);
+        const store::PhotoRecord photo = store.photo(aligned.photo);
         const store::StationRecord before = store.station(photo.station);
-        moved.push_back({photo.id, store.addStation(positionM, aligned.station), positionM, true});
-        if (before.station.placement < 0 && !store.shotOf(photo.id)) {
-            left.push_back(before.id);
+        const Eigen::Vector3d& positionM = aligned.pose.roomFromPhoto.translation;
+        aligned.station = text("place of ", photo.cameraFileName);
+        if (before.station.placement < 0 && store.photosAt(before.id).size() == 1) {
+            places.push_back({before.id, positionM, aligned.station, before.isPlaceKnown});
+            moved.push_back({photo.id, before.id, positionM, true});
+        } else {
+            moved.push_back({photo.id, store.addStation(positionM, aligned.station), positionM, true});
         }
     }
+    store.placeStations(places);
     retagPhotos(store, moved, noProgress(), {});
+    for (store::PlacedStation& place : places) { // Known once its photo says so, too.
+        place.isPlaceKnown = true;
+    }
+    store.placeStations(places);
     for (AlignedPhoto& aligned : report.photos) {
         aligned.file = store.photo(aligned.photo).fileName;
     }
-    for (const std::int64_t station : left) {
-        if (store.photosAt(station).empty()) {
-            store.removeStation(station);
-        }
-    }
     if (report.places && store.plan().placements.empty()) {
-        takeRoom(store, *report.places);
+        takeRoom(store, report.places->outline, report.places->ceilingM);
     }
 }
 

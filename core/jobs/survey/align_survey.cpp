@@ -9,7 +9,6 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/photo/metadata.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
@@ -27,9 +26,6 @@ using SteadyClock = std::chrono::steady_clock;
 namespace {
 
 constexpr const char* kCacheFolder = "align-cache";
-/// What cameras say of their own tilt agrees with their pictures to about a degree.
-constexpr Degrees kStatedTiltSigma{1};
-constexpr Degrees kLevelledTiltSigma{0.5};
 
 double secondsSince(SteadyClock::time_point begin) {
     return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -38,7 +34,7 @@ double secondsSince(SteadyClock::time_point begin) {
 /// One run, step by step.
 class AlignRun {
   public:
-    AlignRun(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
+    AlignRun(const store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
              std::stop_token stop)
         : m_store(store), m_options(options), m_progress(progress), m_stop(std::move(stop)) {}
 
@@ -52,11 +48,19 @@ class AlignRun {
         solve();
         judge();
         m_report.seconds = secondsSince(begin);
-        if (m_options.isRecorded) {
-            record();
-        }
-        m_progress.progress(1, "Aligned");
         return std::move(m_report);
+    }
+
+    PlacesSoFar places() {
+        readPhotos();
+        findFeatures();
+        matchPhotos();
+        PlacesSoFar result;
+        for (const store::PhotoRecord& photo : m_photos) {
+            result.photos.push_back(photo.id);
+        }
+        result.places = freePlaces();
+        return result;
     }
 
   private:
@@ -97,21 +101,9 @@ class AlignRun {
             aligned.file = photo.fileName;
             aligned.station = station.name;
             m_report.photos.push_back(std::move(aligned));
-            readTilt(photo, m_priors.back());
+            readTilt(m_store.photoFolder() / photo.fileName, m_priors.back(), m_progress);
             step.progress(static_cast<double>(m_priors.size()) / static_cast<double>(m_photos.size()),
                           "Reading what the photos say");
-        }
-    }
-
-    /// A photo that cannot be read is named by what looks for features in it.
-    void readTilt(const store::PhotoRecord& photo, align::PhotoPrior& prior) const {
-        const std::filesystem::path file = m_store.photoFolder() / photo.fileName;
-        try {
-            const photo::PhotoMetadata metadata = photo::readMetadata(readFile(file), file.string());
-            prior.levelFromPhoto = photo::levelFromPhoto(metadata);
-            prior.tiltSigma = photo::isLevel(metadata) ? kLevelledTiltSigma : kStatedTiltSigma;
-        } catch (const Error& error) {
-            m_progress.warning(error.sentence());
         }
     }
 
@@ -298,11 +290,15 @@ class AlignRun {
         m_report.solveSeconds = secondsSince(begin);
     }
 
-    void solveFree() {
+    align::FreePlaces freePlaces() {
         ProgressStep step(m_progress, 0.86, 0.9);
         align::FreeOptions options = freeOptions(m_store, m_options, m_report.photos);
         options.tags = m_aprilTags;
-        m_report.places = align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
+        return align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
+    }
+
+    void solveFree() {
+        m_report.places = freePlaces();
         usePlaces(*m_report.places, m_priors, m_estimates);
         m_tagged = m_priors;
         solvePoses(0.9, 0.98);
@@ -402,23 +398,7 @@ class AlignRun {
         }
     }
 
-    void record() {
-        throwIfStopped(m_stop);
-        store::NewSolution solution = recordOf(m_report);
-        // A mirrored survey is recorded: nothing of it shall be exported at places that are wrong.
-        if (solution.photos.empty() && !m_report.tagFrame.isMirrored) {
-            m_progress.warning("No photo could be aligned, so no solution was recorded; see what is said of "
-                               "each photo.");
-            return;
-        }
-        solution.report = toJson(m_report).dump();
-        m_report.solution = m_store.addSolution(solution, m_options.isActivated);
-        if (m_options.isFree && m_options.isActivated) {
-            moveStations(m_store, m_report);
-        }
-    }
-
-    store::SurveyStore& m_store;
+    const store::SurveyStore& m_store;
     const AlignOptions& m_options;
     ProgressSink& m_progress;
     std::stop_token m_stop;
@@ -444,7 +424,18 @@ class AlignRun {
 
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop) {
-    return AlignRun(store, options, progress, stop).run();
+    AlignReport report = AlignRun(store, options, progress, stop).run();
+    throwIfStopped(stop);
+    if (options.isRecorded) {
+        recordSolution(store, options, report, progress);
+    }
+    progress.progress(1, "Aligned");
+    return report;
+}
+
+PlacesSoFar placesSoFar(const store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
+                        const std::stop_token& stop) {
+    return AlignRun(store, options, progress, stop).places();
 }
 
 } // namespace spherewalk::jobs

@@ -131,4 +131,20 @@ store::NewSolution recordOf(const AlignReport& report) {
     return solution;
 }
 
+void recordSolution(store::SurveyStore& store, const AlignOptions& options, AlignReport& report,
+                    ProgressSink& progress) {
+    store::NewSolution solution = recordOf(report);
+    // A mirrored survey is recorded: nothing of it shall be exported at places that are wrong.
+    if (solution.photos.empty() && !report.tagFrame.isMirrored) {
+        progress.warning("No photo could be aligned, so no solution was recorded; see what is said of "
+                         "each photo.");
+        return;
+    }
+    solution.report = toJson(report).dump();
+    report.solution = store.addSolution(solution, options.isActivated);
+    if (options.isFree && options.isActivated) {
+        moveStations(store, report);
+    }
+}
+
 } // namespace spherewalk::jobs

@@ -362,14 +362,15 @@ void addPlace(Findings& findings, const Sketch& photo, std::span<const MatchedSk
         return;
     }
     constexpr double kClearly = 0.1;
+    constexpr std::size_t kWitnesses = 2; // One alone may look like anything.
     const std::vector<double> upright =
         each(neighbours, [](const MatchedSketch& one) { return one.match.likeness; });
     const std::vector<double> upsideDown =
         each(neighbours, [](const MatchedSketch& one) { return one.match.upsideDownLikeness; });
     // Beside furniture most neighbours look like nothing much: the one that is most alike counts, too.
     const double best = std::ranges::max(upright);
-    if (median(upsideDown) >= kAlike && median(upsideDown) > median(upright) + kClearly &&
-        std::ranges::max(upsideDown) > best + kClearly) {
+    if (neighbours.size() >= kWitnesses && median(upsideDown) >= kAlike &&
+        median(upsideDown) > median(upright) + kClearly && std::ranges::max(upsideDown) > best + kClearly) {
         findings.push_back(
             {Flaw::UpsideDown, survey::Quality::Failed,
              "It is upside down against its neighbours; put the camera upright and take it again."});

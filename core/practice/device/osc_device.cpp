@@ -248,6 +248,21 @@ Eigen::Vector3d OscDevice::position() const {
     return m_position;
 }
 
+bool OscDevice::walkOn() {
+    const std::scoped_lock lock(m_mutex);
+    if (!m_walk) {
+        m_walk = m_exposer.walk();
+        std::ranges::reverse(*m_walk);
+    }
+    if (m_walk->empty()) {
+        return false;
+    }
+    m_standing = 0;
+    m_position = m_walk->back();
+    m_walk->pop_back();
+    return true;
+}
+
 int OscDevice::exposures() const {
     const std::scoped_lock lock(m_mutex);
     return m_exposures;

@@ -101,6 +101,8 @@ class OscDevice {
 
     void setPosition(const Eigen::Vector3d& positionM);
     Eigen::Vector3d position() const;
+    /// Carries the camera to the next place of a walk through the room. Returns false at its end.
+    bool walkOn();
     int exposures() const;
     std::filesystem::path storageFolder() const;
     std::filesystem::path truthFile() const;
@@ -172,6 +174,7 @@ class OscDevice {
     std::filesystem::path m_truthFile;
     CameraOptions m_settings;
     Eigen::Vector3d m_position;
+    std::optional<std::vector<Eigen::Vector3d>> m_walk; ///< What is left of it, the next place last.
     int m_standing = 0; ///< The first shot since the camera was moved; 0 before that shot.
     std::chrono::system_clock::duration m_clockOffset{0};
     std::chrono::minutes m_zone{0};

@@ -214,6 +214,18 @@ const PlacedPhoto& Exposer::nearestPhoto(const Eigen::Vector3d& positionM) const
         [&](const PlacedPhoto& a, const PlacedPhoto& b) { return distance(a) < distance(b); });
 }
 
+std::vector<Eigen::Vector3d> Exposer::walk() const {
+    constexpr double kStepM = 0.5;
+    if (m_room) {
+        return walkThrough(*m_room, kStepM, m_options.positionM.z());
+    }
+    std::vector<Eigen::Vector3d> places;
+    for (const PlacedPhoto& photo : m_options.photos) {
+        places.push_back(photo.positionM);
+    }
+    return places;
+}
+
 ExposedPhoto Exposer::taken(const ExposureSettings& settings) const {
     const PlacedPhoto& nearest = nearestPhoto(settings.nominalPositionM);
     ExposedPhoto photo;

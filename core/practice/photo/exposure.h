@@ -9,6 +9,7 @@
 #include "spherewalk/practice/truth.h"
 
 #include <stop_token>
+#include <vector>
 
 namespace spherewalk::practice {
 
@@ -58,6 +59,9 @@ class Exposer {
     /// The picture of the same photo in this size, as a JPEG without metadata. Errors, Stop: as expose().
     Bytes preview(const ExposureSettings& settings, const EquirectSize& size,
                   const std::stop_token& stop) const;
+
+    /// Where a person takes photos on a walk through the room, or where the given photos were taken.
+    std::vector<Eigen::Vector3d> walk() const;
 
   private:
     ExposedPhoto drawn(const ExposureSettings& settings, const std::stop_token& stop) const;

@@ -6,8 +6,12 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/polygon.h"
 #include "spherewalk/photo/april_tag.h"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <utility>
 
 namespace spherewalk::practice {
@@ -145,6 +149,53 @@ DepthImage PracticeRoom::viewDepth(const CameraModel& camera, const Rigid3& room
     return Picture(m_state->scene, rays, options, noProgress(), {})
         .distances(
             [&](const Eigen::Vector3d& direction) { return std::max(1e-12, direction.dot(rays.axis())); });
+}
+
+namespace {
+
+/// All places of a grid that are clear.
+std::vector<Eigen::Vector3d> clearPlaces(const PracticeRoom& room, double stepM, double lensHeightM) {
+    constexpr double kClearM = 0.3;
+    const RoomPlan plan = room.plan();
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : plan.outline) {
+        box.extend(corner);
+    }
+    std::vector<Eigen::Vector3d> places;
+    for (double y = box.min().y() + stepM; y < box.max().y(); y += stepM) {
+        for (double x = box.min().x() + stepM; x < box.max().x(); x += stepM) {
+            const Eigen::Vector2d p(x, y);
+            const bool isOnFloor = contains(plan.outline, p) &&
+                                   std::ranges::none_of(plan.obstacles, [&](const Polygon& obstacle) {
+                                       return contains(obstacle, p);
+                                   });
+            const Eigen::Vector3d lens(x, y, lensHeightM);
+            if (isOnFloor && room.surfaceDistanceM(lens) > kClearM) {
+                places.push_back(lens);
+            }
+        }
+    }
+    return places;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d> walkThrough(const PracticeRoom& room, double stepM, double lensHeightM) {
+    constexpr double kThroughWallsM = 100; // as if they were so much farther away
+    std::vector<Eigen::Vector3d> left = clearPlaces(room, stepM, lensHeightM);
+    std::vector<Eigen::Vector3d> walk;
+    while (!left.empty()) {
+        const Eigen::Vector3d here = walk.empty() ? left.front() : walk.back();
+        const auto way = [&](const Eigen::Vector3d& there) {
+            const double away = (there - here).norm();
+            const bool isSeen = away == 0 || room.cast(here, there - here, 1e-3).rangeM > away;
+            return isSeen ? away : away + kThroughWallsM;
+        };
+        const auto next = std::ranges::min_element(left, {}, way);
+        walk.push_back(*next);
+        left.erase(next);
+    }
+    return walk;
 }
 
 } // namespace spherewalk::practice

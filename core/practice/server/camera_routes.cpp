@@ -243,6 +243,7 @@ void CameraServer::routePractice() {
         m_device.setPosition({reader.number("x"), reader.number("y"), reader.number("z")});
         return positionJson(m_device.position());
     });
+    route("POST /practice/walk", [this](const http::Request&) { return Json{{"moved", m_device.walkOn()}}; });
     route("GET /practice/stats", [this](const http::Request&) {
         const PracticeCameraStats given = stats();
         return Json{

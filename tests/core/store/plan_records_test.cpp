@@ -97,6 +97,28 @@ TEST_F(PlanRecords, AddStationsOutsideThePlan) {
     });
 }
 
+TEST_F(PlanRecords, MoveStationsOutsideThePlanAllOrNone) {
+    const std::int64_t first = m_store.addStation({0, 0, 1}, "unknown place 1", false);
+    const std::int64_t second = m_store.addStation({1, 0, 1}, "unknown place 2", false);
+    m_store.beginShot(first, "", {"", 0}); // it is in use all the same
+    m_store.placeStations({{first, {0.2, 0.3, 1.1}, "window", true}, {second, {0.4, 0.3, 1.1}, "", false}});
+    EXPECT_EQ(m_store.station(first).name, "window");
+    EXPECT_EQ(m_store.station(first).station.positionM, Eigen::Vector3d(0.2, 0.3, 1.1));
+    EXPECT_TRUE(m_store.station(first).isPlaceKnown);
+    EXPECT_EQ(m_store.station(second).name, "unknown place 2");
+    EXPECT_FALSE(m_store.station(second).isPlaceKnown);
+    expectRefused(ErrorKind::InvalidInput, "it is part of the plan", [&] {
+        m_store.placeStations({{second, {9, 9, 9}}, {stationAt(0), {9, 9, 9}}});
+    });
+    expectRefused(ErrorKind::InvalidInput, "its position is not a number", [&] {
+        m_store.placeStations({{second, {9, 9, 9}}, {first, {NAN, 0, 0}}});
+    });
+    expectRefused(ErrorKind::NotFound, "", [&] {
+        m_store.placeStations({{second, {9, 9, 9}}, {99'999, {0, 0, 0}}});
+    });
+    EXPECT_EQ(m_store.station(second).station.positionM, Eigen::Vector3d(0.4, 0.3, 1.1));
+}
+
 TEST_F(PlanRecords, AreReplacedBeforeTheFirstShot) {
     const survey::PlanOptions coarse{.stepM = 0.4};
     m_store.replacePlan(test::smallRoom(), coarse, survey::plan(test::smallRoom(), coarse));

@@ -190,6 +190,45 @@ TEST_F(CaptureModeTest, AtTheEndOfAGoodSurveyTheKeyGoesOnToAlign) {
     EXPECT_EQ(wanted[0][0].toString(), "align");
 }
 
+TEST_F(CaptureModeTest, AWalkByHandShowsWherePhotosWereTaken) {
+    const std::filesystem::path byHand = folder / "walk.spherewalk";
+    store::SurveyStore::create(byHand, "walk", survey::unknownRoom(), {}, {});
+    const auto walk = SurveySession::open(QString::fromStdString(byHand.string()));
+    mode.setSession(walk.get());
+    auto* stop = mode.findChild<QPushButton*>("stopCapture");
+    auto* plan = mode.findChild<CapturePlanView*>();
+    auto* toAlign = mode.findChild<QPushButton*>("goToAlign");
+    connectPractice();
+    EXPECT_TRUE(desk().isByHand());
+    EXPECT_EQ(desk().nextText(), "Photo 1");
+    EXPECT_FALSE(toAlign->isVisible());
+    for (int photo = 1; photo <= 4; ++photo) {
+        QTest::keyClick(&mode, Qt::Key_Space);
+        waitUntil([&] {
+            return desk().state() == State::AtStation && desk().nextText().endsWith(QString::number(photo));
+        });
+    }
+    stop->click(); // what was shot comes in, and is looked at
+    waitFor(State::Ready);
+    waitUntil([&] { return desk().places() && desk().places()->placed.size() == 3; });
+    waitUntil([&] { return plan->stations().size() == 3; });
+    EXPECT_EQ(walk->state().counts.stationsWithPhoto, 3);
+    EXPECT_EQ(desk().nextText(), "Photo 4");
+    EXPECT_EQ(mode.findChild<BigText*>("photosLeft")->text(), "3");
+    EXPECT_EQ(mode.findChild<BigText*>("timeLeft")->text(), "3");
+    EXPECT_NE(walk->state().room.outline, survey::unknownRoom().outline);
+    EXPECT_TRUE(toAlign->isVisible());
+    EXPECT_TRUE(mode.findChild<QPushButton*>("shutter")->isEnabled());
+    QSignalSpy wanted(&mode, &Mode::pageRequested);
+    QTest::keyClick(&mode, Qt::Key_A);
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted[0][0].toString(), "align");
+    QTest::keyClick(&mode, Qt::Key_Space);
+    waitFor(State::AtStation);
+    mode.setSession(session.get());
+    waitUntil([&] { return !desk().isRunning(); });
+}
+
 TEST_F(CaptureModeTest, OnTheWholeScreenOnlyWhatTheCartNeedsIsShown) {
     connectPractice();
     desk().setHideSeconds(30);

@@ -69,6 +69,16 @@ TEST(ShutterKey, AStoppedRunWaitsNoLonger) {
     test::expectError(ErrorKind::Stopped, "", [&] { key.wait(seconds(30), stop.get_token()); });
 }
 
+TEST(ShutterKey, WhoeverWaitsGoesOnWhenTheOperatorLeaves) {
+    ShutterKey key;
+    key.leave();
+    EXPECT_TRUE(key.wait(std::chrono::milliseconds(0), {}));
+    EXPECT_TRUE(key.hasLeft());
+    key.begin();
+    EXPECT_FALSE(key.hasLeft());
+    EXPECT_FALSE(key.wait(std::chrono::milliseconds(0), {}));
+}
+
 TEST(ShotQuality, IsGoodOnlyForAStoredPhotoWithoutAWord) {
     camera::ShotOutcome stored = outcomeAt(survey::ShotStep::Downloaded);
     EXPECT_EQ(qualityOf(stored, nullptr), survey::Quality::Good);

@@ -232,6 +232,20 @@ TEST(MainWindow, TheMainButtonOfTheFirstPagePhotographsThePracticeRoom) {
     EXPECT_EQ(counts.stationsWithPhoto, counts.stations);
 }
 
+TEST(MainWindow, ASurveyByHandBeginsWhereItsPhotosAreTaken) {
+    const test::TemporaryFolder folder;
+    QSettings().setValue("surveysPlace", QString::fromStdString(folder.path().string()));
+    MainWindow window;
+    for (const char* name : {"walk", "walk-2"}) {
+        window.findChild<QAction*>("newByHand")->trigger();
+        ASSERT_NE(window.session(), nullptr);
+        EXPECT_EQ(window.session()->name(), name);
+        EXPECT_EQ(window.mode(), modeOf<CaptureMode>(window));
+        EXPECT_TRUE(modeOf<CaptureMode>(window)->desk().isByHand());
+    }
+    QSettings().remove("surveysPlace");
+}
+
 TEST(MainWindow, F1OpensTheGuideAtThePageInSight) {
     const test::TemporaryFolder folder;
     MainWindow window;

@@ -6,6 +6,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/practice/practice_room.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace spherewalk::practice {
@@ -58,6 +59,28 @@ TEST(PracticeRoom, ObjectsAreMetAtTheirAnalyticDistance) {
     EXPECT_NEAR(withObjects.cast(before, -normal, 1e-3).rangeM, 0.65, 1e-12);
     EXPECT_EQ(withObjects.cast(before, normal, 1e-3, Content::Objects).rangeM,
               std::numeric_limits<double>::infinity());
+}
+
+TEST(PracticeRoom, AWalkIsClearOfFurnitureAndGoesThroughDoors) {
+    PracticeRoomOptions options;
+    options.style = RoomStyle::Flat;
+    options.sizeM = {8, 6, 2.5};
+    const PracticeRoom flat(options);
+    const std::vector<Eigen::Vector3d> walk = walkThrough(flat, 0.5, 1.2);
+    ASSERT_GT(walk.size(), 40U);
+    int throughWalls = 0;
+    double wayM = 0;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+        EXPECT_GT(flat.surfaceDistanceM(walk[i]), 0.3);
+        EXPECT_EQ(std::ranges::count(walk, walk[i]), 1);
+        if (i > 0) {
+            const Eigen::Vector3d step = walk[i] - walk[i - 1];
+            wayM += step.norm() / static_cast<double>(walk.size() - 1);
+            throughWalls += flat.cast(walk[i - 1], step, 1e-3).rangeM < step.norm() ? 1 : 0;
+        }
+    }
+    EXPECT_LT(wayM, 0.8);
+    EXPECT_LT(throughWalls, 4);
 }
 
 TEST(PracticeRoom, ViewDepthIsTheRangeAlongTheAxis) {

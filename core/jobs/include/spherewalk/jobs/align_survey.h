@@ -134,6 +134,17 @@ struct AlignReport {
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop);
 
+/// Where the photos of a survey seem to have been taken, before anything is checked.
+struct PlacesSoFar {
+    std::vector<std::int64_t> photos; ///< Numbers in the store.
+    align::FreePlaces places;         ///< Its photos have the same order.
+};
+
+/// Solves where all chosen photos were taken from the pictures alone, and records nothing: a look at a survey
+/// that still grows. options: those of a free solution. Errors, Stop: as alignSurvey().
+PlacesSoFar placesSoFar(const store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
+                        const std::stop_token& stop);
+
 /// Notes what helps the photo, unless something that should be tried first is noted already.
 void propose(Cure cure, AlignedPhoto& photo);
 
@@ -142,6 +153,10 @@ void propose(Cure cure, AlignedPhoto& photo);
 /// those that can be read. folder: of the photos. Stop: Error{Stopped}.
 void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
                        AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
+
+/// Takes from a photo's metadata how it leans, and how well it says so. A photo that cannot be read is warned
+/// of alone: what looks for features in it names it.
+void readTilt(const std::filesystem::path& photo, align::PhotoPrior& prior, ProgressSink& progress);
 
 /// Names the imported photos for which another stands: perhaps two were given one place by mistake.
 void tellLeftOut(const store::SurveyStore& store, ProgressSink& progress);
@@ -160,11 +175,16 @@ std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
 /// reading; InvalidInput for a picture that is not twice as wide as high.
 MaskImage readMask(const std::filesystem::path& file);
 
-/// The photos that have a pose, as the store keeps them.
-store::NewSolution recordOf(const AlignReport& report);
+/// Records the solution, and moves the stations of a free one: see moveStations(). A solution without any
+/// photo is not recorded, with a warning.
+void recordSolution(store::SurveyStore& store, const AlignOptions& options, AlignReport& report,
+                    ProgressSink& progress);
 
 /// Errors: InvalidInput, naming a photo, if nobody knows where photos were taken.
 void refuseUnknownPlaces(const store::SurveyStore& store);
+
+/// The photos that have a pose, as the store keeps them.
+store::NewSolution recordOf(const AlignReport& report);
 
 /// The options of a free solution for the survey's camera. Errors: NotFound for a photo of the distance.
 align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptions& options,
@@ -177,9 +197,13 @@ void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> pri
 /// Writes the found places into the report's alignment, with what makes them doubtful.
 void takePlaces(const align::FreePlaces& places, AlignReport& report);
 
-/// Gives each photo that has a place a station there. The station where it was before goes if nothing needs
-/// it. A survey without rails takes over the outline, and a ceiling that is higher than its own, if they make
-/// a room. Errors: those of the store.
+/// Makes what photos by hand show the survey's room: the outline of the walls, and a ceiling that is higher
+/// than its own. Does nothing if they make no room. Errors: those of SurveyStore::replaceRoom().
+void takeRoom(store::SurveyStore& store, const Polygon& outline, double ceilingM);
+
+/// Gives each photo that has a place a station there: its own moves, unless it belongs to the plan or to
+/// other photos, too. A survey without rails takes over the outline, and a ceiling that is higher than its
+/// own, if they make a room. Errors: those of the store.
 void moveStations(store::SurveyStore& store, AlignReport& report);
 
 /// Takes the stretch of the tags from where the photos were found to be, if they were solved for and that is

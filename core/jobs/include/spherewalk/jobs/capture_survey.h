@@ -9,6 +9,7 @@
 #include "spherewalk/photo/verdict.h"
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -27,6 +28,16 @@ struct StationRecord;
 
 namespace spherewalk::jobs {
 
+/// Where the photos of a survey by hand seem to have been taken, as far as they tell by now.
+struct PlacesFound {
+    int photos = 0;                    ///< All that were looked at.
+    std::vector<std::int64_t> placed;  ///< Stations whose photos are placed against each other.
+    std::vector<std::string> unplaced; ///< Names of the others' stations.
+
+    /// A sentence for the operator.
+    std::string sentence() const;
+};
+
 /// Who brings the camera from station to station: a person at a terminal, a window, a robot, a practice cart.
 /// Threads: calls come from the capturing thread, except for shotEnded().
 class Operator {
@@ -39,6 +50,13 @@ class Operator {
 
     /// Returns when the camera stands at the station. Errors: Stopped.
     virtual void moveTo(const store::StationRecord& station, const std::stop_token& stop) = 0;
+
+    /// In a survey by hand: returns true when the camera stands where the next photo is to be taken, and
+    /// false when no more are wanted. photo: its number in this run, counted from 1. Errors: Stopped.
+    virtual bool walkOn(int /*photo*/, const std::stop_token& /*stop*/) { return false; }
+
+    /// In a survey by hand, called each time when places were looked for. Threads: any, one at a time.
+    virtual void placesFound(const PlacesFound& /*found*/) {}
 
     /// Called after a shot that certainly took no picture. Returns true to trigger once more. tries: shots at
     /// this station so far, counted from 1.
@@ -59,6 +77,8 @@ struct CaptureSurveyOptions {
     camera::CaptureOptions camera;        ///< The job itself sets the download check and the profile.
     int most = 0;                         ///< Largest number of photos to take; 0 means all that are missing.
     std::vector<std::int64_t> again = {}; ///< Stations to photograph although they have a photo.
+    /// Whether photos are taken wherever the operator stands, and not at stations: see isByHand().
+    bool byHand = false;
 };
 
 /// A station whose photo is not in the survey after all.
@@ -90,12 +110,19 @@ struct CaptureSurveyReport {
     double secondsExposing = 0;   ///< Part of secondsAtStations from the triggers to the known files.
     double secondsFetching = 0;   ///< Downloads with their checks; they run beside the exposures.
     double secondsJudging = 0;    ///< Verdicts; they run beside the exposures.
+    std::optional<PlacesFound> places; ///< Of a survey by hand.
 };
 
-/// Takes the missing photos of the survey, and those of `options.again`, in walking order. The survey's
-/// capture profile sets the camera. Downloads and verdicts run in the background while the cart moves on.
-/// The survey queues photos that could not be downloaded, and a later run fetches them. The program may be
-/// killed at any instant; the next call goes on.
+/// Whether capturing goes on by hand by itself: the survey has no rails, and no photo of a known place is
+/// missing.
+bool isByHand(const store::SurveyStore& store);
+
+/// Takes the missing photos of the survey, and those of `options.again`, in walking order. By hand, it takes
+/// photos wherever the operator stands instead; each gets a station of unknown place. While more are taken,
+/// it looks where they were taken, and a survey without rails shows these places, and the room as far as it
+/// was seen. The survey's capture profile sets the camera. Downloads and verdicts run in the background while
+/// the cart moves on. The survey queues photos that could not be downloaded, and a later run fetches them.
+/// The program may be killed at any instant; the next call goes on.
 ///
 /// Errors: NotFound for an unknown station in `options.again`; those of camera::Capture and of the store.
 /// Stop: Stopped, with all complete photos kept.
@@ -108,8 +135,8 @@ camera::PhotoCheck photoCheck();
 
 Json toJson(const CaptureSurveyReport& report);
 
-/// Moves a practice camera to each station, over HTTP. Triggers a shot that took no picture up to three
-/// times.
+/// Moves a practice camera to each station, or on through its room, over HTTP. Triggers a shot that took no
+/// picture up to three times.
 class PracticeOperator : public Operator {
   public:
     /// moveTime: how long the cart takes from one station to the next.
@@ -119,10 +146,13 @@ class PracticeOperator : public Operator {
 
     /// Errors: Stopped; Unsupported if the camera is no practice camera.
     void moveTo(const store::StationRecord& station, const std::stop_token& stop) override;
+    bool walkOn(int photo, const std::stop_token& stop) override;
     bool tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome, int tries,
                   const std::stop_token& stop) override;
 
   private:
+    Json ask(const std::string& path, const Json& body, const std::stop_token& stop);
+
     camera::HttpClient m_http;
     Clock::Duration m_moveTime;
     Clock& m_clock;

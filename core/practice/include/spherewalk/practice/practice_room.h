@@ -144,6 +144,10 @@ class PracticeRoom {
     std::unique_ptr<State> m_state;
 };
 
+/// Where a person stands who walks once through the room with the camera on a stick: a step apart, clear of
+/// walls and furniture, from one door to the next as far as the rooms are joined. Range: stepM above 0.
+std::vector<Eigen::Vector3d> walkThrough(const PracticeRoom& room, double stepM, double lensHeightM);
+
 /// Free places on the walls for tags 0 to count - 1, spread around the room at about the height of a lens.
 /// Nothing stands in front of them for a metre. Fewer if the walls have no more free places.
 std::vector<PracticeTag> tagsOnWalls(const PracticeRoom& room, int count, double sizeM);

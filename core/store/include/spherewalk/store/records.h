@@ -31,7 +31,17 @@ struct StationRecord {
     std::int64_t id = 0;
     std::string name; ///< Name that people read, "rail 3, stop 5" for example.
     survey::Station station;
-    bool isPlaceKnown = true; ///< If not, its position has no meaning: a photo came without one.
+    /// If not, its position tells nothing for sure: a photo came without one. It may be where the photo seems
+    /// to have been taken, as far as it is solved.
+    bool isPlaceKnown = true;
+};
+
+/// Where a station outside the plan turns out to be.
+struct PlacedStation {
+    std::int64_t station = 0;
+    Eigen::Vector3d positionM = Eigen::Vector3d::Zero();
+    std::string name = {}; ///< Empty: it keeps its name.
+    bool isPlaceKnown = true;
 };
 
 /// A photo that is to become part of the survey. Its file is already complete in the photo folder.

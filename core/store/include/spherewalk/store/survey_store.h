@@ -96,6 +96,9 @@ class SurveyStore {
     /// "unplanned position (x, y)".
     std::int64_t addStation(const Eigen::Vector3d& positionM, const std::string& name = {},
                             bool isPlaceKnown = true);
+    /// Moves stations that were added, all or none. Their photos stay where they are: movePhotos(). Errors:
+    /// NotFound; InvalidInput for a station of the plan, or values that cannot be.
+    void placeStations(const std::vector<PlacedStation>& places);
     /// Removes a station that was added and is not used. Errors: NotFound; InvalidInput for a station of the
     /// plan, or with a photo or a shot.
     void removeStation(std::int64_t id);
