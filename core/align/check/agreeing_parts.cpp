@@ -4,6 +4,8 @@
 #include "check/content_witness.h"
 #include "pairs/disjoint_sets.h"
 
+#include "spherewalk/base/statistics.h"
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -18,11 +20,32 @@ constexpr double kLeastExpected = 20;   ///< Fewer things say nothing for or aga
 constexpr double kClearlyExpected = 50; ///< So many things that are not there contradict a pair.
 constexpr double kContradicted = 0.05;  ///< Share of the expected things.
 constexpr double kBesideM = 0.6;        ///< No wall is between lenses that are no farther apart.
-constexpr double kBesideShare = 0.9;    ///< Of what usual neighbours show, which stand farther apart.
+constexpr double kBesideShare = 0.5;    ///< Of what most photos beside each other show.
 
-bool isContradiction(const PhotoAgreement& pair) {
-    const bool isUnlike = pair.apartM < kBesideM && pair.betterShare < kBesideShare;
-    return pair.expected >= kClearlyExpected && (isUnlike || pair.seen < kContradicted * pair.expected);
+bool isBeside(const PhotoAgreement& pair) {
+    return pair.apartM < kBesideM && pair.expected >= kClearlyExpected;
+}
+
+/// What photos beside each other usually show of each other; 0 if no photos are. Where photos are dense,
+/// neighbours stand as near as these, and it is about 1; else it is more.
+double usualShareBeside(std::span<const PhotoAgreement> agreements) {
+    std::vector<double> shares;
+    for (const PhotoAgreement& pair : agreements) {
+        if (isBeside(pair)) {
+            shares.push_back(pair.betterShare);
+        }
+    }
+    return shares.empty() ? 0 : median(std::move(shares));
+}
+
+std::vector<PhotoAgreement> contradictionsIn(std::span<const PhotoAgreement> agreements) {
+    const double usualBeside = usualShareBeside(agreements);
+    std::vector<PhotoAgreement> contradictions;
+    std::ranges::copy_if(agreements, std::back_inserter(contradictions), [&](const PhotoAgreement& pair) {
+        const bool isUnlike = isBeside(pair) && pair.betterShare < kBesideShare * usualBeside;
+        return isUnlike || (pair.expected >= kClearlyExpected && pair.seen < kContradicted * pair.expected);
+    });
+    return contradictions;
 }
 
 double betterShare(const ExpectedThings& inA, const ExpectedThings& inB) {
@@ -39,8 +62,7 @@ DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreemen
         return pair.expected < kLeastExpected ? leastShare : pair.seen / pair.expected;
     };
     std::vector<PhotoAgreement> sorted(agreements.begin(), agreements.end());
-    std::vector<PhotoAgreement> contradictions;
-    std::ranges::copy_if(sorted, std::back_inserter(contradictions), isContradiction);
+    const std::vector<PhotoAgreement> contradictions = contradictionsIn(agreements);
     std::ranges::stable_sort(sorted, std::greater<>(), share);
     DisjointSets sets(photos);
     for (const PhotoAgreement& pair : sorted) {

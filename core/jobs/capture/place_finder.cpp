@@ -115,7 +115,7 @@ void PlaceFinder::look(const std::stop_token& stop) {
     const auto reader = store::SurveyStore::open(folder, store::Access::Read);
     AlignOptions options;
     options.isFree = true;
-    options.effort = align::Effort::Normal;
+    options.effort = align::Effort::Fine;
     const PlacesSoFar places = placesSoFar(reader, options, noProgress(), stop);
     const PlacesFound found = m_store.use([&](store::SurveyStore& store) { return show(store, places); });
     {

@@ -121,6 +121,16 @@ TEST_F(AgreeingParts, AreTwoWherePhotosBesideEachOtherShowLessThanUsual) {
     EXPECT_THAT(found(), Each(0));
 }
 
+TEST_F(AgreeingParts, AreOneWhereAllPhotosAreDense) {
+    // Neighbours stand as near: they show about as much as usual, some more and some less.
+    std::vector<PhotoAgreement> dense;
+    for (const auto& [a, b] :
+         {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(0, 2), std::pair(1, 3)}) {
+        dense.push_back({a, b, 100, 100, 0.2, b - a == 1 ? 1.1 : 0.8});
+    }
+    EXPECT_THAT(agreeingParts({true, true, true, true}, dense, 0.3), Each(0));
+}
+
 TEST_F(AgreeingParts, ExpectAsMuchOfABlurredPhotoAsItShows) {
     // Four of five features of one photo are lost: its things are seen beside it, and few of theirs in it.
     std::vector<PhotoPair> pairs = survey.pairs;

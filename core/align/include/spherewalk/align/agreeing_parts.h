@@ -37,8 +37,8 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// Two photos disagree if less than `leastShare` of the expected things is seen. Where fewer than 20 things
 /// are expected, nothing speaks against the pair. Two photos contradict each other if hardly any of 50 things
 /// or more is there, or if they stand within 0.6 m, so that no wall is between their lenses, and both show
-/// clearly less of the other than usual neighbours do. They are never in one part, and the pairs that agree
-/// least are cut between them.
+/// less than half of what most photos so near to each other show. They are never in one part, and the pairs
+/// that agree least are cut between them.
 ///
 /// Shape: isPlaced has one entry a photo, and all photos that agreements name are placed. The result has one
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
