@@ -247,7 +247,7 @@ void SurveyStore::replacePlan(const Room& room, const PlanOptions& options, cons
     transaction.commit();
 }
 
-void SurveyStore::replaceRoom(const Room& room) {
+void SurveyStore::replaceRoom(const Room& room, RoomOrigin origin) {
     room.validate();
     Database& database = m_parts->writable();
     Transaction transaction(database);
@@ -257,7 +257,13 @@ void SurveyStore::replaceRoom(const Room& room) {
                          ": its rails were planned for the room as it is."));
     }
     insertRoom(database, room);
+    database.run("UPDATE survey SET is_room_drawn = ?", origin == RoomOrigin::Drawn ? 1 : 0);
     transaction.commit();
+}
+
+RoomOrigin SurveyStore::roomOrigin() const {
+    Statement survey = m_parts->db().query("SELECT is_room_drawn FROM survey");
+    return survey.step() && survey.boolean(0) ? RoomOrigin::Drawn : RoomOrigin::Solved;
 }
 
 std::vector<StationRecord> SurveyStore::stations() const {

@@ -204,9 +204,14 @@ CREATE TABLE face_search (
 ) STRICT;
 )sql";
 
+/// Whether a person drew the room of a survey without rails. Else it is the one that solved photos show.
+constexpr const char* kVersion8 = R"sql(
+ALTER TABLE survey ADD COLUMN is_room_drawn INTEGER NOT NULL DEFAULT 0 CHECK (is_room_drawn IN (0, 1));
+)sql";
+
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
                                  Migration{4, kVersion4}, Migration{5, kVersion5}, Migration{6, kVersion6},
-                                 Migration{7, kVersion7}};
+                                 Migration{7, kVersion7}, Migration{8, kVersion8}};
 
 void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);

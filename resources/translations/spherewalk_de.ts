@@ -849,6 +849,10 @@
         <source>Go on, or solve where the photos were taken.</source>
         <translation>Machen Sie weiter, oder lassen Sie berechnen, wo die Fotos aufgenommen wurden.</translation>
     </message>
+    <message>
+        <source>Go on where photos are missing.</source>
+        <translation>Machen Sie weiter, wo Fotos fehlen.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -4050,6 +4054,14 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>Remove the selected corner, obstacle, stop or rail (Delete)</source>
         <translation>Die gewählte Ecke, das Hindernis, den Halt oder die Schiene entfernen (Entf)</translation>
     </message>
+    <message>
+        <source>Stored. Align keeps the room as you drew it.</source>
+        <translation>Gespeichert. Beim Ausrichten bleibt der Raum, wie Sie ihn gezeichnet haben.</translation>
+    </message>
+    <message>
+        <source>The room is what the photos show. If you draw it as it is, Align keeps it so.</source>
+        <translation>Der Raum ist, was die Fotos zeigen. Zeichnen Sie ihn, wie er ist, dann bleibt er beim Ausrichten so.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanPanel</name>
@@ -4270,6 +4282,13 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>Page %1</source>
         <translation>Seite %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) by hand</source>
+        <translation>
+            <numerusform>%n Foto von Hand</numerusform>
+            <numerusform>%n Fotos von Hand</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -258,6 +258,13 @@ Found in %2: %n photos, %L3 cm apart.</numerusform>
             <numerusform>%n rails</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n photo(s) by hand</source>
+        <translation>
+            <numerusform>%n photo by hand</numerusform>
+            <numerusform>%n photos by hand</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PreviewMode</name>

@@ -859,6 +859,10 @@
         <source>Go on, or solve where the photos were taken.</source>
         <translation>Fotografuj dalej albo oblicz, gdzie zrobiono zdjęcia.</translation>
     </message>
+    <message>
+        <source>Go on where photos are missing.</source>
+        <translation>Fotografuj dalej tam, gdzie brakuje zdjęć.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CapturePlanView</name>
@@ -4078,6 +4082,14 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Remove the selected corner, obstacle, stop or rail (Delete)</source>
         <translation>Usuń wybrany narożnik, przeszkodę, postój lub szynę (Delete)</translation>
     </message>
+    <message>
+        <source>Stored. Align keeps the room as you drew it.</source>
+        <translation>Zapisano. Orientacja zachowa pomieszczenie tak, jak je narysowano.</translation>
+    </message>
+    <message>
+        <source>The room is what the photos show. If you draw it as it is, Align keeps it so.</source>
+        <translation>Pomieszczenie jest takie, jak widać na zdjęciach. Narysowane tak, jak jest, zostanie takie przy orientacji.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanPanel</name>
@@ -4301,6 +4313,14 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>arrow %1</source>
         <translation>strzałka %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photo(s) by hand</source>
+        <translation>
+            <numerusform>%n zdjęcie z ręki</numerusform>
+            <numerusform>%n zdjęcia z ręki</numerusform>
+            <numerusform>%n zdjęć z ręki</numerusform>
+        </translation>
     </message>
 </context>
 <context>

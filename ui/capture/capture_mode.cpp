@@ -314,9 +314,10 @@ void CaptureMode::showNext() {
     if (isComplete) { // after a walk, the key is the main one
         makePrimary(isDoubtful ? m_toReview : m_toAlign);
     }
-    m_way->setText(isAfterWalk  ? tr("Go on, or solve where the photos were taken.")
-                   : isDoubtful ? tr("Look at the doubtful photos while the rail is still here.")
-                                : tr("Next: solve how each photo is turned."));
+    m_way->setText(isAfterWalk && isKnown ? tr("Go on where photos are missing.")
+                   : isAfterWalk          ? tr("Go on, or solve where the photos were taken.")
+                   : isDoubtful           ? tr("Look at the doubtful photos while the rail is still here.")
+                                          : tr("Next: solve how each photo is turned."));
 }
 
 /// Does what the shutter key means once every station has its photo.

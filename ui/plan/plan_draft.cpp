@@ -84,7 +84,7 @@ void keepLocked(PlanDraft& draft) {
 
 survey::Plan planOf(const PlanDraft& draft) {
     if (!draft.hasRails) {
-        return {};
+        return {.placements = {}, .stations = draft.byHand};
     }
     return draft.rails.empty() || draft.laysRest ? survey::plan(draft.room, draft.options, draft.rails)
                                                  : survey::planOfLaid(draft.room, draft.options, draft.rails);
@@ -104,6 +104,9 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
 }
 
 QString countsText(const survey::PlanReport& report) {
+    if (report.placements == 0 && report.stations > 0) {
+        return PlanWords::tr("%n photo(s) by hand", nullptr, report.stations);
+    }
     return PlanWords::tr("%n station(s)", nullptr, report.stations) + PlanWords::tr(" on ") +
            PlanWords::tr("%n rail(s)", nullptr, report.placements);
 }

@@ -18,6 +18,7 @@ struct PlanDraft {
     std::vector<survey::RailPlacement> rails = {}; ///< As a person laid them; none: the program lays all.
     bool laysRest = false;                         ///< The program lays more rails around those.
     bool hasRails = true;                          ///< Photos by hand need none.
+    std::vector<survey::Station> byHand = {};      ///< Where photos by hand stand.
 };
 
 /// Returns a rectangular room for a new survey.

@@ -57,6 +57,11 @@ void PlanEditorView::paintPlan(QPainter& painter, const QTransform& widgetFromRo
     colour.setAlphaF(m_editor.isSettled() ? 1.0F : 0.5F);
     const double spacingPx = m_editor.draft().options.stepM * pixelsPerMetre();
     const double radius = std::clamp(0.14 * spacingPx, 1.2, 5.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    for (const survey::Station& photo : m_editor.draft().byHand) {
+        painter.drawEllipse(mapped(photo.positionM.head<2>(), widgetFromRoom), radius, radius);
+    }
     for (std::size_t i = 0; i < rails.size(); ++i) {
         paintRail(painter, static_cast<int>(i), radius, colour, widgetFromRoom);
     }

@@ -43,6 +43,7 @@ PlanMode::PlanMode(TaskList& tasks, QWidget* parent)
     m_locked = makeLocked();
     m_stored = new QLabel(this);
     m_stored->setObjectName("planStored");
+    m_stored->setWordWrap(true);
     sideLayout->addWidget(m_locked);
     sideLayout->addWidget(new RailPanel(m_editor, side));
     sideLayout->addWidget(new PlanPanel(m_editor, side), 1);
@@ -196,11 +197,12 @@ QWidget* PlanMode::makeLocked() {
 void PlanMode::beginWithThisRoom() {
     m_nextDraft = m_editor.draft();
     m_nextDraft->hasRails = true;
+    m_nextDraft->byHand.clear();
     emit newRequested();
 }
 
 void PlanMode::useStep(double stepM) {
-    if (m_editor.isLocked()) {
+    if (m_editor.isLocked() || !m_editor.draft().hasRails) {
         m_nextStepM = stepM;
         return beginWithThisRoom();
     }
@@ -245,14 +247,27 @@ void PlanMode::showState() {
     m_form->setPossible(m_editor.outcome().problem.isEmpty());
     m_locked->setVisible(state == State::Locked);
     m_stored->setVisible(state == State::Stored || state == State::Edited);
-    m_stored->setText(state == State::Stored ? tr("Stored.") : tr("Storing..."));
-    for (QAction* action : std::as_const(m_edits)) {
-        action->setEnabled(state != State::Locked);
-    }
+    m_stored->setText(storedWords());
     using Tool = PlanEditorView::Tool;
+    for (QAction* action : std::as_const(m_edits)) {
+        const bool isOfRails = action->data() == static_cast<int>(Tool::Rails);
+        action->setEnabled(state != State::Locked && (m_editor.draft().hasRails || !isOfRails));
+    }
     if (state == State::Locked && m_view->tool() != Tool::Scale && m_view->tool() != Tool::Place) {
         m_view->setTool(Tool::Select); // its sentence, too
     }
+}
+
+QString PlanMode::storedWords() const {
+    if (m_storage.state() != PlanStorage::State::Stored) {
+        return tr("Storing...");
+    }
+    if (m_editor.draft().hasRails) {
+        return tr("Stored.");
+    }
+    return m_storage.isRoomDrawn()
+               ? tr("Stored. Align keeps the room as you drew it.")
+               : tr("The room is what the photos show. If you draw it as it is, Align keeps it so.");
 }
 
 void PlanMode::create(const QString& folder) {

@@ -69,6 +69,7 @@ class PlanMode : public Mode {
     void chooseSheet();
     void create(const QString& folder);
     void showState();
+    QString storedWords() const;
     void keepPicture() const;
 
     TaskList& m_tasks;

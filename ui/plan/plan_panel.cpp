@@ -260,6 +260,10 @@ void PlanPanel::showDraft() {
     m_cornersTitle->setText(polygon > PlanPart::kOutline ? tr("Corners of obstacle %1").arg(polygon)
                                                          : tr("Corners of the room"));
     m_grid->setEnabled(!m_editor.isLocked());
+    for (QWidget* ofRails :
+         std::initializer_list<QWidget*>{m_step, m_rail, m_clearance, m_heights, m_photoPace, m_railPace}) {
+        ofRails->setEnabled(draft.hasRails);
+    }
 }
 
 void PlanPanel::showOutcome() {
@@ -270,6 +274,7 @@ void PlanPanel::showOutcome() {
     for (QLabel* label : {m_counts, m_walk, m_floor, m_uncovered}) {
         label->setVisible(isPlan);
     }
+    m_walk->setVisible(isPlan && m_editor.draft().hasRails);
     m_counts->setText(countsText(outcome.report));
     m_walk->setText(walkText(outcome.report));
     m_floor->setText(floorText(outcome.report));

@@ -63,23 +63,36 @@ void PlanStorage::setSession(SurveySession* session) {
     read();
 }
 
+/// Whether nobody may change the plan. The room of photos by hand may be drawn anew once their places are
+/// known.
+bool PlanStorage::isLocked(const SurveyState& survey) const {
+    const store::Counts& counts = survey.counts;
+    const bool isInUse = counts.photos + counts.openShots + counts.unclearShots > 0;
+    return m_session->isReadOnly() || (isInUse && (!survey.isByHand() || survey.hasUnknownPlaces()));
+}
+
 void PlanStorage::read() {
     const SurveyState& survey = m_session->state();
-    const store::Counts& counts = survey.counts;
-    const bool isLocked =
-        counts.photos + counts.openShots + counts.unclearShots > 0 || m_session->isReadOnly();
-    const survey::Room& shown = m_editor.draft().room;
-    const bool isSameRoom = shown.outline == survey.room.outline && shown.ceilingM == survey.room.ceilingM;
-    if (isLocked && m_state == State::Locked && isSameRoom) {
-        return; // as it was
+    const State state = isLocked(survey) ? State::Locked : State::Stored;
+    PlanDraft draft{survey.room, survey.options,
+                    survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>(),
+                    false, !survey.isByHand()};
+    if (survey.isByHand() && !survey.hasUnknownPlaces()) {
+        draft.byHand = survey.plan.stations;
+    }
+    const PlanDraft& shown = m_editor.draft();
+    const bool isSameRoom = shown.room.outline == draft.room.outline &&
+                            shown.room.obstacles == draft.room.obstacles &&
+                            shown.room.ceilingM == draft.room.ceilingM;
+    const bool keepsShown = state == State::Locked || survey.isByHand(); // edits can be undone as before
+    if (keepsShown && m_state == state && isSameRoom && shown.byHand.size() == draft.byHand.size()) {
+        return;
     }
     m_isReading = true;
-    m_editor.setLocked(isLocked);
-    m_editor.begin({survey.room, survey.options,
-                    survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>(),
-                    false, !isLocked || !survey.plan.placements.empty()});
+    m_editor.setLocked(state == State::Locked);
+    m_editor.begin(std::move(draft));
     m_isReading = false;
-    setState(isLocked ? State::Locked : State::Stored);
+    setState(state);
 }
 
 void PlanStorage::beginNew() {
@@ -113,7 +126,8 @@ void PlanStorage::flush() {
     m_isWriting = true;
     try {
         m_session->write(SurveySession::Plan, [&](store::SurveyStore& store) {
-            store.replacePlan(draft.room, draft.options, outcome.plan);
+            draft.hasRails ? store.replacePlan(draft.room, draft.options, outcome.plan)
+                           : store.replaceRoom(draft.room, store::RoomOrigin::Drawn);
         });
         setState(State::Stored);
     } catch (const Error& error) {

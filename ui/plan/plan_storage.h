@@ -14,7 +14,8 @@ class QPushButton;
 namespace spherewalk::ui {
 
 /// Stores the plan of the editor in the open survey soon after the last edit, if the plan has no problem. It
-/// locks the editor of a survey with photos. It holds no widget. Threads: the GUI thread.
+/// locks the editor of a survey with photos; of photos by hand the room stays open. It holds no widget.
+/// Threads: the GUI thread.
 class PlanStorage : public QObject {
     Q_OBJECT
 
@@ -29,6 +30,11 @@ class PlanStorage : public QObject {
     explicit PlanStorage(PlanEditor& editor, QObject* parent = nullptr);
 
     State state() const { return m_state; }
+
+    /// Whether a person drew the room of photos by hand.
+    bool isRoomDrawn() const {
+        return m_session && m_session->state().roomOrigin == store::RoomOrigin::Drawn;
+    }
 
     /// Calls flush() and takes the plan of this survey into the editor. Null: begins a new draft.
     void setSession(SurveySession* session);
@@ -51,6 +57,7 @@ class PlanStorage : public QObject {
 
   private:
     void setState(State state);
+    bool isLocked(const SurveyState& survey) const;
     void read();
 
     PlanEditor& m_editor;

@@ -82,6 +82,7 @@ SurveyState readState(const store::SurveyStore& store) {
         state.missing.insert(station.id);
     }
     state.counts = store.counts();
+    state.roomOrigin = store.roomOrigin();
     try {
         state.findings = jobs::activeFindings(store);
     } catch (const Error& error) {

@@ -38,6 +38,7 @@ struct SurveyState {
     std::vector<store::StationRecord> stations; ///< In walking order.
     std::set<std::int64_t> missing;             ///< Ids of the stations without a photo.
     store::Counts counts;
+    store::RoomOrigin roomOrigin = store::RoomOrigin::Solved; ///< Of a survey by hand.
     /// What the active solution says; nothing without one, or with one that cannot be read.
     std::optional<jobs::SolutionFindings> findings;
     std::map<std::int64_t, Standing> standings; ///< Standing of each station's photo, by station.
@@ -46,6 +47,9 @@ struct SurveyState {
     int count(Standing standing) const;
     /// Whether there is a photo of which nobody knows where it was taken.
     bool hasUnknownPlaces() const;
+
+    /// Whether photos were taken by hand: there are some, and no rails.
+    bool isByHand() const { return plan.placements.empty() && counts.photos > 0; }
 };
 
 /// Reads the state from the database. Errors: those of the store.

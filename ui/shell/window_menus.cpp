@@ -258,7 +258,7 @@ bool MainWindow::openNewByHand(const QString& base) {
     const QString folder = freeFolder(base, ".spherewalk");
     try {
         store::SurveyStore::create(folder.toStdString(), QFileInfo(folder).completeBaseName().toStdString(),
-                                   survey::unknownRoom(), {}, {});
+                                   survey::unknownRoom(), {.stepM = survey::kStepByHandM}, {});
     } catch (const Error& error) {
         say(coreTold(error.sentence()));
         return false;

@@ -18,6 +18,7 @@
 
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace spherewalk::cli {
@@ -88,6 +89,7 @@ struct NewArguments {
     bool isByHand = false;
     double ceilingM = 0;
     survey::PlanOptions plan;
+    std::optional<double> stepM;
     std::string profile = "auto";
 };
 
@@ -124,15 +126,17 @@ survey::Room roomGiven(const NewArguments& options) {
 /// A survey without a plan.
 Result createByHand(const NewArguments& options) {
     const survey::Room room = survey::unknownRoom();
-    options.plan.validate(room);
+    survey::PlanOptions plan = options.plan;
+    plan.stepM = options.stepM.value_or(survey::kStepByHandM);
+    plan.validate(room);
     const std::filesystem::path folder = options.survey;
-    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, {});
+    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, plan, {});
     store.setCaptureProfile(survey::parseProfile(options.profile));
     return {
         {{"survey", options.survey}, {"id", store.info().uuid}},
         text("Made the survey ", options.survey,
-             ", without a plan. Import the photos; align --positions free solves where they were taken, and "
-             "the room around them.")};
+             ", without a plan. Capture or import the photos; align --positions free solves where they were "
+             "taken, and the room around them.")};
 }
 
 Result create(const NewArguments& options) {
@@ -140,19 +144,21 @@ Result create(const NewArguments& options) {
         return createByHand(options);
     }
     const survey::Room room = roomGiven(options);
+    survey::PlanOptions planOptions = options.plan;
+    planOptions.stepM = options.stepM.value_or(planOptions.stepM);
     room.validate();
-    options.plan.validate(room);
+    planOptions.validate(room);
     const std::optional<survey::CaptureProfile> profile = survey::parseProfile(options.profile);
-    const survey::Plan plan = survey::plan(room, options.plan);
-    const survey::PlanReport report = survey::report(room, options.plan, plan);
+    const survey::Plan plan = survey::plan(room, planOptions);
+    const survey::PlanReport report = survey::report(room, planOptions, plan);
     const std::filesystem::path folder = options.survey;
-    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, options.plan, plan);
+    auto store = store::SurveyStore::create(folder, folder.stem().string(), room, planOptions, plan);
     store.setCaptureProfile(profile);
-    Json json = planJson(report, options.plan);
+    Json json = planJson(report, planOptions);
     json["survey"] = options.survey;
     json["profile"] = survey::profileText(profile);
     json["id"] = store.info().uuid;
-    return {json, text("Made the survey ", options.survey, ".\n", planText(report, options.plan))};
+    return {json, text("Made the survey ", options.survey, ".\n", planText(report, planOptions))};
 }
 
 struct PlanArguments {
@@ -235,7 +241,10 @@ void addNew(Commands& commands) {
     shape.flag("--by-hand", options->isByHand,
                "Not known: photos are taken by hand, and align --positions free solves it from them");
     command.option("--ceiling", options->ceilingM, "Height of the ceiling, metres");
-    command.option("--step", options->plan.stepM, "Distance of neighbouring stations, metres").showDefault();
+    command.option("--step", options->stepM,
+                   text("Distance of neighbouring stations, metres; without it ",
+                        fixed(survey::PlanOptions().stepM, 1), ", and ", fixed(survey::kStepByHandM, 1),
+                        " by hand"));
     command
         .option("--height", options->plan.heightsM,
                 "Height of the lens above the floor, metres; several make layers")

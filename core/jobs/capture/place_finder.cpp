@@ -4,8 +4,6 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 
-#include <Eigen/Geometry>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -14,39 +12,19 @@ namespace spherewalk::jobs {
 
 namespace {
 
-/// A turn about the vertical and then a shift along the floor.
-struct FloorMotion {
-    Eigen::Rotation2Dd turn{0};
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-
-    Eigen::Vector2d operator*(const Eigen::Vector2d& p) const { return turn * p + shift; }
-};
-
-/// Brings the first points as near to the second ones as quarter turns and a shift can: walls lie along the
-/// axes before and after. Shape: as many of both; without any, nothing is moved.
-FloorMotion motionBetween(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to) {
-    FloorMotion motion;
-    if (from.empty()) {
-        return motion;
-    }
-    Eigen::Vector2d middleFrom = Eigen::Vector2d::Zero();
-    Eigen::Vector2d middleTo = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        middleFrom += from[i] / static_cast<double>(from.size());
-        middleTo += to[i] / static_cast<double>(from.size());
-    }
-    double sine = 0;
-    double cosine = 0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        const Eigen::Vector2d a = from[i] - middleFrom;
-        const Eigen::Vector2d b = to[i] - middleTo;
-        sine += a.x() * b.y() - a.y() * b.x();
-        cosine += a.dot(b);
+/// Brings places to those that are shown already by quarter turns and a shift: walls lie along the axes
+/// before and after. Shape: as many of both; without any, nothing is moved.
+FloorMotion motionToShown(const std::vector<Eigen::Vector2d>& places,
+                          const std::vector<Eigen::Vector2d>& shown) {
+    if (places.empty()) {
+        return {};
     }
     constexpr double kQuarter = std::numbers::pi / 2;
-    motion.turn = Eigen::Rotation2Dd(kQuarter * std::round(std::atan2(sine, cosine) / kQuarter));
-    motion.shift = middleTo - motion.turn * middleFrom;
-    return motion;
+    const Eigen::Vector2d& first = places.front();
+    const FloorMotion common =
+        commonMotion(places, shown).value_or(FloorMotion{Eigen::Rotation2Dd(0), shown.front() - first});
+    const Eigen::Rotation2Dd turn(kQuarter * std::round(common.turn.angle() / kQuarter));
+    return {turn, common * first - turn * first};
 }
 
 } // namespace
@@ -152,7 +130,7 @@ PlacesFound PlaceFinder::show(store::SurveyStore& store, const PlacesSoFar& foun
     if (!store.plan().placements.empty()) {
         return result; // Its stations lie in the frame of its rails.
     }
-    const FloorMotion motion = motionBetween(from, to);
+    const FloorMotion motion = motionToShown(from, to);
     for (store::PlacedStation& place : places) {
         place.positionM.head<2>() = motion * place.positionM.head<2>();
         m_shown.insert(place.station);

@@ -137,6 +137,35 @@ void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> pri
     }
 }
 
+void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoRecord> photos,
+               align::FreePlaces& places) {
+    std::vector<Eigen::Vector2d> found;
+    std::vector<Eigen::Vector2d> known;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        if (places.photos[i].roomFromPhoto && store.station(photos[i].station).isPlaceKnown) {
+            found.emplace_back(places.photos[i].roomFromPhoto->translation.head<2>());
+            known.emplace_back(photos[i].positionM.head<2>());
+        }
+    }
+    const std::optional<FloorMotion> motion = places.join ? std::nullopt : commonMotion(found, known);
+    if (!motion) {
+        return;
+    }
+    const Eigen::Quaterniond turn = yawRotation(Radians(motion->turn.angle()));
+    for (align::FreePlace& place : places.photos) {
+        if (place.roomFromPhoto) {
+            place.roomFromPhoto->rotation = turn * place.roomFromPhoto->rotation;
+            place.roomFromPhoto->translation.head<2>() = *motion * place.roomFromPhoto->translation.head<2>();
+        }
+    }
+    for (Eigen::Vector3d& point : places.pointsM) {
+        point.head<2>() = *motion * point.head<2>();
+    }
+    for (Eigen::Vector2d& corner : places.outline) {
+        corner = *motion * corner;
+    }
+}
+
 void takePlaces(const align::FreePlaces& places, AlignReport& report) {
     const Eigen::Vector3d middle = middleOf(places);
     for (std::size_t i = 0; i < report.photos.size(); ++i) {
@@ -173,6 +202,9 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report) {
 }
 
 void takeRoom(store::SurveyStore& store, const Polygon& outline, double ceilingM) {
+    if (store.roomOrigin() == store::RoomOrigin::Drawn) {
+        return;
+    }
     survey::Room room = store.room();
     room.outline = outline;
     room.obstacles.clear();
@@ -183,7 +215,7 @@ void takeRoom(store::SurveyStore& store, const Polygon& outline, double ceilingM
     } catch (const Error&) {
         return; // Too few points make no room. The survey keeps the one that it has.
     }
-    store.replaceRoom(room);
+    store.replaceRoom(room, store::RoomOrigin::Solved);
 }
 
 void moveStations(store::SurveyStore& store, AlignReport& report) {

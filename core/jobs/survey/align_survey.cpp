@@ -294,7 +294,9 @@ class AlignRun {
         ProgressStep step(m_progress, 0.86, 0.9);
         align::FreeOptions options = freeOptions(m_store, m_options, m_report.photos);
         options.tags = m_aprilTags;
-        return align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
+        align::FreePlaces places = align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
+        keepFrame(m_store, m_photos, places);
+        return places;
     }
 
     void solveFree() {

@@ -66,16 +66,10 @@ struct Places {
     std::vector<Eigen::Vector2d> solved;
 };
 
-/// A turn and a shift along the floor.
-struct FloorMotion {
-    Eigen::Rotation2Dd turn{0};
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-};
-
 std::vector<double> offsets(const Places& places, const FloorMotion& motion) {
     std::vector<double> metres;
     for (std::size_t i = 0; i < places.tagged.size(); ++i) {
-        metres.push_back((places.solved[i] - (motion.turn * places.tagged[i] + motion.shift)).norm());
+        metres.push_back((places.solved[i] - motion * places.tagged[i]).norm());
     }
     return metres;
 }
@@ -96,31 +90,54 @@ std::optional<FloorMotion> motionOfTwo(const Places& places, std::size_t a, std:
     return motion;
 }
 
-/// How far each photo was moved besides what more than half of them have in common. A wrong tag pulls at all
-/// photos together, and that must not hide it.
-std::vector<double> ownMoves(const Places& places) {
-    std::vector<double> best = offsets(places, {});
-    const std::size_t count = best.size();
+/// What more than half of the photos have in common. A wrong tag pulls at all photos together, and that must
+/// not hide it.
+FloorMotion likeliestMotion(const Places& places) {
+    FloorMotion best;
+    const std::size_t count = places.tagged.size();
     if (count < kLeastTogether) {
         return best;
     }
-    double bestMedian = median(best);
+    double bestMedian = median(offsets(places, best));
     constexpr std::size_t kMostPairs = 2000;
     const std::size_t step = std::max<std::size_t>(1, count * (count - 1) / 2 / kMostPairs);
     for (std::size_t pair = 0, a = 0; a < count; ++a) {
         for (std::size_t b = a + 1; b < count; ++b, ++pair) {
             const auto motion = pair % step == 0 ? motionOfTwo(places, a, b) : std::nullopt;
-            if (!motion) {
-                continue;
-            }
-            std::vector<double> own = offsets(places, *motion);
-            if (const double usual = median(own); usual < bestMedian) {
+            const double usual = motion ? median(offsets(places, *motion)) : bestMedian;
+            if (usual < bestMedian) {
                 bestMedian = usual;
-                best = std::move(own);
+                best = *motion;
             }
         }
     }
     return best;
+}
+
+Eigen::Vector2d middleOf(const std::vector<Eigen::Vector2d>& points) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& point : points) {
+        sum += point;
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+/// The best motion of all places. Source: the closed form of least squares in the plane.
+FloorMotion bestMotion(const Places& places) {
+    const Eigen::Vector2d tagged = middleOf(places.tagged);
+    const Eigen::Vector2d solved = middleOf(places.solved);
+    double sine = 0;
+    double cosine = 0;
+    for (std::size_t i = 0; i < places.tagged.size(); ++i) {
+        const Eigen::Vector2d a = places.tagged[i] - tagged;
+        const Eigen::Vector2d b = places.solved[i] - solved;
+        sine += a.x() * b.y() - a.y() * b.x();
+        cosine += a.dot(b);
+    }
+    FloorMotion motion;
+    motion.turn = Eigen::Rotation2Dd(std::atan2(sine, cosine)); // 0 where all are one
+    motion.shift = solved - motion.turn * tagged;
+    return motion;
 }
 
 } // namespace
@@ -215,6 +232,34 @@ void tellLeftOut(const store::SurveyStore& store, ProgressSink& progress) {
     }
 }
 
+std::optional<FloorMotion> commonMotion(std::span<const Eigen::Vector2d> from,
+                                        std::span<const Eigen::Vector2d> to) {
+    Places all{{from.begin(), from.end()}, {to.begin(), to.end()}};
+    const auto isTogether = [](const std::vector<Eigen::Vector2d>& points) {
+        constexpr double kTogetherM = 0.1;
+        return std::ranges::all_of(points, [&](const Eigen::Vector2d& point) {
+            return (point - points.front()).norm() < kTogetherM;
+        });
+    };
+    if (isTogether(all.tagged) || isTogether(all.solved)) {
+        return std::nullopt;
+    }
+    if (all.tagged.size() < kLeastTogether) {
+        return bestMotion(all);
+    }
+    const std::vector<double> offM = offsets(all, likeliestMotion(all));
+    constexpr double kFarTimes = 3;
+    const double mostM = kFarTimes * std::max(median(offM), 0.001);
+    Places fitting;
+    for (std::size_t i = 0; i < offM.size(); ++i) {
+        if (offM[i] <= mostM) {
+            fitting.tagged.push_back(all.tagged[i]);
+            fitting.solved.push_back(all.solved[i]);
+        }
+    }
+    return isTogether(fitting.tagged) ? bestMotion(all) : bestMotion(fitting);
+}
+
 std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
                                    const align::Alignment& alignment) {
     std::map<int, std::vector<std::size_t>> parts;
@@ -231,7 +276,7 @@ std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
             places.tagged.emplace_back(tagged[photo].positionM.head<2>());
             places.solved.emplace_back(alignment.photos[photo].roomFromPhoto.translation.head<2>());
         }
-        const std::vector<double> own = ownMoves(places);
+        const std::vector<double> own = offsets(places, likeliestMotion(places));
         for (std::size_t i = 0; i < photos.size(); ++i) {
             moves.push_back({photos[i], own[i]});
         }

@@ -138,7 +138,7 @@ TEST_F(PlanRecords, AreNotReplacedOnceThereIsAShot) {
 
 TEST_F(PlanRecords, KeepARoomThatRailsWerePlannedFor) {
     expectRefused(ErrorKind::InvalidInput, "its rails were planned for the room as it is",
-                  [&] { m_store.replaceRoom(survey::unknownRoom()); });
+                  [&] { m_store.replaceRoom(survey::unknownRoom(), RoomOrigin::Solved); });
     EXPECT_EQ(m_store.room().outline, test::smallRoom().outline);
 }
 
@@ -147,14 +147,17 @@ TEST_F(PlanRecords, TakeAnotherRoomWithoutRails) {
     const std::int64_t station = m_store.addStation({1, 1, 1});
     survey::Room room = survey::unknownRoom();
     room.names = {{"kitchen", {0, 0}}};
-    m_store.replaceRoom(room);
+    EXPECT_EQ(m_store.roomOrigin(), RoomOrigin::Solved);
+    m_store.replaceRoom(room, RoomOrigin::Drawn);
+    EXPECT_EQ(m_store.roomOrigin(), RoomOrigin::Drawn);
     EXPECT_EQ(m_store.room().outline, room.outline);
     EXPECT_EQ(m_store.room().ceilingM, room.ceilingM);
     EXPECT_EQ(m_store.room().names.size(), 1U);
     EXPECT_EQ(m_store.planOptions().heightsM, test::twoHeights().heightsM);
     EXPECT_EQ(m_store.station(station).station.positionM, Eigen::Vector3d(1, 1, 1));
     room.ceilingM = -1;
-    expectRefused(ErrorKind::InvalidInput, "", [&] { m_store.replaceRoom(room); });
+    expectRefused(ErrorKind::InvalidInput, "", [&] { m_store.replaceRoom(room, RoomOrigin::Solved); });
+    EXPECT_EQ(m_store.roomOrigin(), RoomOrigin::Drawn);
 }
 
 TEST_F(PlanRecords, RefusePlansThatContradictThemselves) {
@@ -201,7 +204,8 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     {
         Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         database.execute(
-            "DROP TABLE private_region; DROP TABLE face_search; "
+            "ALTER TABLE survey DROP COLUMN is_room_drawn; DROP TABLE private_region; DROP TABLE "
+            "face_search; "
             "ALTER TABLE placement DROP COLUMN is_locked; ALTER TABLE survey DROP COLUMN is_by_hand; "
             "ALTER TABLE station DROP COLUMN is_place_known; DROP TABLE room_name; DROP TABLE verdict; "
             "DROP TABLE capture_profile; PRAGMA user_version = 2");

@@ -98,8 +98,39 @@ TEST_F(PlanStorageTest, PhotosByHandNeedNoRailsAndTheRoomFollowsThem) {
     EXPECT_TRUE(planOf(editor.draft()).stations.empty());
     survey::Room room = survey::unknownRoom();
     room.outline[0].x() -= 1;
-    session->write(SurveySession::Everything, [&](store::SurveyStore& store) { store.replaceRoom(room); });
+    session->write(SurveySession::Everything,
+                   [&](store::SurveyStore& store) { store.replaceRoom(room, store::RoomOrigin::Solved); });
     EXPECT_EQ(editor.draft().room.outline, room.outline);
+}
+
+TEST_F(PlanStorageTest, TheRoomOfPhotosByHandIsDrawnOnceTheirPlacesAreKnown) {
+    const test::PhotographedSurvey other(2);
+    {
+        auto store = store::SurveyStore::create(path, "room", survey::unknownRoom(), {}, {});
+        jobs::importPhotos(store, {other / "in", {}}, noProgress(), {});
+        for (const store::StationRecord& station : store.stations()) {
+            store.placeStations({{station.id, station.station.positionM, {}, true}});
+        }
+    }
+    session = SurveySession::open(QString::fromStdString(path.string()));
+    storage.setSession(session.get());
+    EXPECT_EQ(storage.state(), State::Stored);
+    EXPECT_FALSE(storage.isRoomDrawn());
+    EXPECT_EQ(planOf(editor.draft()).stations.size(), 2U);
+    Polygon drawn = survey::unknownRoom().outline;
+    drawn[1].x() += 0.4;
+    drawn[2].x() += 0.4;
+    editor.setOutline(drawn);
+    EXPECT_EQ(storage.state(), State::Edited);
+    storage.flush();
+    EXPECT_EQ(storage.state(), State::Stored);
+    EXPECT_TRUE(storage.isRoomDrawn());
+    EXPECT_EQ(session->store().room().outline, drawn);
+    EXPECT_EQ(session->store().photos().size(), 2U);
+    EXPECT_TRUE(session->store().plan().placements.empty());
+    session->noteChanged(SurveySession::Photos); // somebody reviews them
+    editor.undoStack()->undo();
+    EXPECT_EQ(editor.draft().room.outline, survey::unknownRoom().outline);
 }
 
 TEST_F(PlanStorageTest, ANewSurveyNeedsAPlan) {

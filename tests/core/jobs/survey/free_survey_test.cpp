@@ -115,4 +115,35 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
     refuseUnknownPlaces(store); // throws nothing: it is a survey like any other now
 }
 
+TEST_F(FreeSurvey, ASecondAlignmentKeepsTheFrameAndTheRoomThatSomebodyDrew) {
+    store::SurveyStore store = imported();
+    AlignOptions options;
+    options.isFree = true;
+    options.effort = align::Effort::Normal;
+    alignSurvey(store, options, noProgress(), {});
+    // As if the room had been measured in a frame of its own.
+    const Eigen::Isometry2d drawn = Eigen::Translation2d(7, -3) * Eigen::Rotation2Dd(0.6);
+    std::vector<PhotoPlace> moved;
+    std::vector<store::PlacedStation> places;
+    for (const store::PhotoRecord& photo : store.photos()) {
+        Eigen::Vector3d positionM = photo.positionM;
+        positionM.head<2>() = drawn * positionM.head<2>();
+        moved.push_back({photo.id, photo.station, positionM, true});
+        places.push_back({photo.station, positionM, {}, true});
+    }
+    moved.front().positionM->x() += 2; // one is wrong
+    store.placeStations(places);
+    retagPhotos(store, moved, noProgress(), {});
+    survey::Room room = store.room();
+    room.outline = {{0, -10}, {14, -10}, {14, 4}, {0, 4}};
+    store.replaceRoom(room, store::RoomOrigin::Drawn);
+    alignSurvey(store, options, noProgress(), {});
+    EXPECT_EQ(store.room().outline, room.outline);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_LT((store.station(places[i].station).station.positionM - places[i].positionM).norm(), 0.005)
+            << i;
+    }
+    EXPECT_EQ(store.stations().size(), 6U);
+}
+
 } // namespace spherewalk::jobs

@@ -11,6 +11,8 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/survey/shot.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -22,6 +24,7 @@
 
 namespace spherewalk::store {
 struct NewSolution;
+struct PhotoRecord;
 class SurveyStore;
 } // namespace spherewalk::store
 
@@ -193,6 +196,24 @@ align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptio
 /// Makes the found places those that photos are aligned with. Pairs with a photo that has none hold nothing.
 void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> priors,
                std::span<align::PairEstimate> estimates);
+
+/// A turn about the vertical and then a shift along the floor.
+struct FloorMotion {
+    Eigen::Rotation2Dd turn{0};
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+
+    Eigen::Vector2d operator*(const Eigen::Vector2d& p) const { return turn * p + shift; }
+};
+
+/// What brings the first places to the second ones. Of five and more, the half may be wrong. Nothing if they
+/// all lie together, or there are none. Shape: as many of both.
+std::optional<FloorMotion> commonMotion(std::span<const Eigen::Vector2d> from,
+                                        std::span<const Eigen::Vector2d> to);
+
+/// Brings found places into the frame of those that the survey knows already, so that what was drawn or
+/// measured in it stays true. A frame that known tags gave stays. photos: one a place.
+void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoRecord> photos,
+               align::FreePlaces& places);
 
 /// Writes the found places into the report's alignment, with what makes them doubtful.
 void takePlaces(const align::FreePlaces& places, AlignReport& report);

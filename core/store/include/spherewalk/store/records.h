@@ -36,6 +36,12 @@ struct StationRecord {
     bool isPlaceKnown = true;
 };
 
+/// Who says what the room of a survey without rails is.
+enum class RoomOrigin {
+    Solved, ///< The photos, as far as they are solved.
+    Drawn,  ///< A person, whose room no solution replaces.
+};
+
 /// Where a station outside the plan turns out to be.
 struct PlacedStation {
     std::int64_t station = 0;

@@ -77,7 +77,9 @@ class SurveyStore {
     void replacePlan(const survey::Room& room, const survey::PlanOptions& options, const survey::Plan& plan);
     /// Replaces the room of a survey by hand. Errors: InvalidInput for a plan with rails, which belong to the
     /// present room; those of Room::validate().
-    void replaceRoom(const survey::Room& room);
+    void replaceRoom(const survey::Room& room, RoomOrigin origin);
+    /// Who has given the present room of a survey by hand.
+    RoomOrigin roomOrigin() const;
 
     /// How the camera is set for the photos. A new survey has the automatic profile. Nothing means that the
     /// camera's settings stay as they are, as in surveys that are older than profiles.

@@ -31,6 +31,9 @@ struct PlanOptions {
     void validate(const Room& room) const;
 };
 
+/// Photos by hand are about so far apart, along their way and beside it.
+inline constexpr double kStepByHandM = 0.5;
+
 /// Where the rail lies. The stops are at origin + k * step along the heading.
 struct RailPlacement {
     Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< Position of stop 0, where the operator begins.
