@@ -149,6 +149,23 @@ std::string inertia(double massKg) {
                                tag("inertia", tag("ixx", moment) + tag("iyy", moment) + tag("izz", moment)));
 }
 
+/// The robot's camera inside of Gazebo, on the topics that the process beside it has in the guide.
+std::string cameraPlugin(const std::string& dataset) {
+    if (dataset.empty()) {
+        return {};
+    }
+    if (dataset.find_first_of("<>&") != std::string::npos) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The world cannot name the dataset ", printable(dataset),
+                         ": its path has one of the letters < > &. Give its folder another name."));
+    }
+    return text("<plugin filename=\"spherewalk-gz-system\" name=\"spherewalk::gazebo::CameraSystem\">\n",
+                tag("dataset", dataset), tag("camera", "camera.yaml"), tag("frame", "camera"),
+                tag("image", "/robot/front/image"), tag("overlay_colour", "/robot/overlay_colour/image"),
+                tag("overlay_depth", "/robot/overlay_depth/image"),
+                tag("overlay_labels", "/robot/overlay_labels/labels_map"), "</plugin>\n");
+}
+
 std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
     const Eigen::Vector3d& at = room.cameraAt;
     const std::string body =
@@ -163,9 +180,9 @@ std::string robotModel(const WorldRoom& room, const CameraIntrinsics& camera) {
         "<!-- Drives by /model/robot/cmd_vel; says at each step where it is on /model/robot/pose. -->\n"
         "<model name=\"robot\">\n",
         pose(at.x(), at.y(), room.floorM), label(kRoomLabel), system("velocity-control", "VelocityControl"),
-        system("pose-publisher", "PosePublisher", poses), "<link name=\"base\">\n", inertia(5), body, lidar(),
-        "</link>\n<link name=\"camera\">\n", pose(0, 0, at.z() - room.floorM), inertia(0.1),
-        overlaySensors(camera),
+        system("pose-publisher", "PosePublisher", poses), cameraPlugin(room.pluginDataset),
+        "<link name=\"base\">\n", inertia(5), body, lidar(), "</link>\n<link name=\"camera\">\n",
+        pose(0, 0, at.z() - room.floorM), inertia(0.1), overlaySensors(camera),
         "</link>\n<joint name=\"mast\" type=\"fixed\"><parent>base</parent><child>camera</child></joint>\n"
         "</model>\n");
 }

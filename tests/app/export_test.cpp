@@ -278,6 +278,13 @@ TEST(ExportCommand, MakesTheSameWorldOfASurveyAndOfItsDataset) {
     EXPECT_THAT(readTextFile(dataset + ".world/camera.yaml"),
                 HasSubstr("data: [120, 0, 79.5, 0, 120, 59.5,"));
     EXPECT_EQ(runCli({"export", dataset, dataset + ".world", "--format", "sdf"}).status, 1);
+    ASSERT_EQ(runCli({"export", dataset, survey / "in/world", "--format", "sdf", "--plugin"}).status, 0);
+    EXPECT_THAT(readTextFile(survey / "in/world/world.sdf"), HasSubstr("<dataset>../../d</dataset>"));
+    const CliResult noDataset =
+        runCli({"export", survey.path(), survey / "other", "--format", "sdf", "--plugin"});
+    EXPECT_EQ(noDataset.status, 1);
+    EXPECT_THAT(noDataset.errors, HasSubstr("export the survey first"));
+    EXPECT_EQ(runCli({"export", dataset, survey / "other", "--format", "mjcf", "--plugin"}).status, 1);
 }
 
 TEST(ExportCommand, GivesNerfstudioThePhotosAsTheyAre) {

@@ -149,7 +149,12 @@ bool DeskOperator::walkOn(int photo, const std::stop_token& stop) {
 }
 
 void DeskOperator::placesFound(const jobs::PlacesFound& found) {
-    post([found](CaptureDesk& desk) { desk.showPlaces(found); });
+    post([found](CaptureDesk& desk) {
+        desk.showPlaces(found);
+        if (!found.trouble.empty()) {
+            desk.say(coreTold(QString::fromStdString(found.sentence())), survey::Quality::Doubtful);
+        }
+    });
 }
 
 bool DeskOperator::tryAgain(const store::StationRecord& station, const camera::ShotOutcome& outcome,

@@ -12,8 +12,10 @@
 #include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/place/surface_files.h"
 #include "spherewalk/render/camera_info.h"
+#include "spherewalk/render/dataset_format.h"
 #include "spherewalk/store/survey_store.h"
 
+#include <filesystem>
 #include <iterator>
 #include <memory>
 
@@ -34,6 +36,7 @@ struct ExportArguments {
     bool withFaces = false;
     bool withPoints = false;
     bool isCheck = false;
+    bool withPlugin = false;
     jobs::PlaceOptions place;
     std::string measured;
 };
@@ -150,6 +153,9 @@ Result exportWorld(const ExportArguments& options, jobs::WorldFormat format, Con
     const CameraIntrinsics camera = cameraOf(options);
     dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
     room.validate();
+    if (options.withPlugin) {
+        room.pluginDataset = std::filesystem::relative(options.survey, options.dataset).string();
+    }
     if (jobs::hasDepths(options.survey)) {
         requireAbsent(options.dataset, "the world");
         jobs::Furniture furniture =
@@ -212,6 +218,22 @@ Result exportWeb(const ExportArguments& options, Context& context) {
                                           : "")};
 }
 
+/// Errors: InvalidInput where no world gets a plugin, or its source is no dataset, which the plugin shows.
+void checkPlugin(const ExportArguments& options) {
+    if (!options.withPlugin) {
+        return;
+    }
+    if (options.format != "sdf") {
+        throw Error(ErrorKind::InvalidInput,
+                    "Gazebo's worlds alone have plugins: --plugin goes with --format sdf.");
+    }
+    if (!std::filesystem::exists(std::filesystem::path(options.survey) / render::kDatasetFile)) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("The plugin shows a dataset, and ", options.survey,
+                         " is none: export the survey first, and make the world of its dataset."));
+    }
+}
+
 /// Errors: InvalidInput for what learners want, in an export that is not for them.
 void checkLearning(const ExportArguments& options) {
     const bool isForLearners = options.format == "colmap" || options.format == "nerfstudio";
@@ -228,6 +250,7 @@ void checkLearning(const ExportArguments& options) {
 
 Result exportSurvey(const ExportArguments& options, Context& context) {
     checkLearning(options);
+    checkPlugin(options);
     if (options.format == "web") {
         return exportWeb(options, context);
     }
@@ -285,6 +308,10 @@ void addExport(Commands& commands) {
                 "With sdf, mjcf or urdf, height of the plan's obstacles, metres")
         .range(0.01, 10.0)
         .showDefault();
+    command.flag(
+        "--plugin", options->withPlugin,
+        "With sdf, and a dataset in place of the survey: the robot's camera is a plugin of Gazebo, and needs "
+        "no process beside it");
     command
         .option("--voxel", options->place.fusion.voxelM,
                 "With a world, ply, gltf, obj, occupancy or --points, edge of the voxels that depths are "

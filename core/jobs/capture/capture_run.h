@@ -81,7 +81,7 @@ class PhotoFetcher {
 class PlaceFinder {
   public:
     /// Owner: all references must outlive the object.
-    PlaceFinder(SharedStore& store, Operator& people, ProgressSink& progress);
+    PlaceFinder(SharedStore& store, Operator& people);
     /// Stops at once.
     ~PlaceFinder() = default;
     PlaceFinder(const PlaceFinder&) = delete;
@@ -97,10 +97,10 @@ class PlaceFinder {
     void run(const std::stop_token& stop);
     void look(const std::stop_token& stop);
     PlacesFound show(store::SurveyStore& store, const PlacesSoFar& found);
+    void tell(const PlacesFound& found);
 
     SharedStore& m_store;
     Operator& m_people;
-    ProgressSink& m_progress;
     std::set<std::int64_t> m_shown; ///< Stations that show a place. Only the thread uses it.
     std::mutex m_mutex;             ///< Guards all members below.
     std::condition_variable_any m_changed;

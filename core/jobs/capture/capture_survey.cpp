@@ -116,7 +116,7 @@ CaptureSurveyReport captureSurvey(store::SurveyStore& store, camera::OscClient& 
     SharedStore shared(store);
     std::optional<PlaceFinder> finder;
     if (options.byHand) {
-        finder.emplace(shared, people, progress);
+        finder.emplace(shared, people);
     }
     CaptureRun run(shared, client, people, clock, options.camera, progress, stop,
                    finder ? &*finder : nullptr);

@@ -6,6 +6,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/survey/plan.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,10 +18,10 @@ namespace spherewalk::jobs {
 namespace {
 
 constexpr std::size_t kMostSketches = 1000; ///< 55 kB each
-/// Of photos by hand, the last one is about so far away. Nothing that needs to know it better is asked of
-/// them.
-constexpr double kStepByHandM = 0.6;
-static_assert(kStepByHandM < photo::kNeighbourhoodM && kStepByHandM > photo::kContentNeighbourhoodM);
+/// Photos by hand follow each other about so far apart. It is taken for a little more, so that nothing is
+/// asked of them that needs to know it better.
+constexpr double kFollowingM = 1.2 * survey::kStepByHandM;
+static_assert(kFollowingM < photo::kNeighbourhoodM && kFollowingM > photo::kContentNeighbourhoodM);
 
 photo::ExpectedSettings expectedBy(const std::optional<survey::CaptureProfile>& profile) {
     photo::ExpectedSettings expected;
@@ -72,7 +73,7 @@ std::vector<PhotoJudge::Near> PhotoJudge::neighbours(const store::PhotoRecord& o
         for (store::PhotoRecord& other : store.keptPhotos()) {
             if (other.station != of.station && unknown.contains(other.station) == isByHand) {
                 const double distanceM = isByHand
-                                             ? kStepByHandM * static_cast<double>(std::abs(other.id - of.id))
+                                             ? kFollowingM * static_cast<double>(std::abs(other.id - of.id))
                                              : (other.positionM - of.positionM).norm();
                 all.push_back({std::move(other), distanceM});
             }

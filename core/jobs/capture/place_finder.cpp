@@ -30,6 +30,9 @@ FloorMotion motionToShown(const std::vector<Eigen::Vector2d>& places,
 } // namespace
 
 std::string PlacesFound::sentence() const {
+    if (!trouble.empty()) {
+        return text("Where the photos were taken is not known yet: ", trouble);
+    }
     if (photos == 0) {
         return "No place is known yet.";
     }
@@ -44,11 +47,8 @@ std::string PlacesFound::sentence() const {
                 unplaced.size() > 3 ? " and others" : "", "; take photos between them and the rest.");
 }
 
-PlaceFinder::PlaceFinder(SharedStore& store, Operator& people, ProgressSink& progress)
-    : m_store(store),
-      m_people(people),
-      m_progress(progress),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {
+PlaceFinder::PlaceFinder(SharedStore& store, Operator& people)
+    : m_store(store), m_people(people), m_thread([this](const std::stop_token& stop) { run(stop); }) {
 }
 
 void PlaceFinder::wake() {
@@ -80,9 +80,11 @@ void PlaceFinder::run(const std::stop_token& stop) {
         }
         try {
             look(stop);
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::Stopped) { // No reason to end a walk: align says it once more.
-                m_progress.warning(text("Where the photos were taken is not known yet: ", error.sentence()));
+        } catch (const std::exception& error) { // No reason to end a walk: align says it once more.
+            if (!stop.stop_requested()) {
+                PlacesFound found = m_found;
+                found.trouble = error.what();
+                tell(found);
             }
         }
     }
@@ -95,7 +97,10 @@ void PlaceFinder::look(const std::stop_token& stop) {
     options.isFree = true;
     options.effort = align::Effort::Fine;
     const PlacesSoFar places = placesSoFar(reader, options, noProgress(), stop);
-    const PlacesFound found = m_store.use([&](store::SurveyStore& store) { return show(store, places); });
+    tell(m_store.use([&](store::SurveyStore& store) { return show(store, places); }));
+}
+
+void PlaceFinder::tell(const PlacesFound& found) {
     {
         const std::scoped_lock lock(m_mutex);
         m_found = found;

@@ -74,6 +74,28 @@ class WorldFile : public testing::Test {
     const sdf::World* world = nullptr;
 };
 
+TEST_F(WorldFile, ThePluginIsTheRobotsCameraIfOneIsWanted) {
+    const auto plugin = [](const sdf::ElementPtr& model) {
+        sdf::ElementPtr found = model->GetElement("plugin");
+        while (found && found->Get<std::string>("filename") != "spherewalk-gz-system") {
+            found = found->GetNextElement("plugin");
+        }
+        return found;
+    };
+    EXPECT_EQ(plugin(world->ModelByName("robot")->Element()), nullptr);
+    room.pluginDataset = "../my dataset";
+    sdf::Root with;
+    EXPECT_TRUE(with.LoadSdfString(sdfWorld(room, vga())).empty());
+    const sdf::Model* robot = with.WorldByIndex(0)->ModelByName("robot");
+    const sdf::ElementPtr camera = plugin(robot->Element());
+    ASSERT_NE(camera, nullptr);
+    EXPECT_EQ(camera->Get<std::string>("name"), "spherewalk::gazebo::CameraSystem");
+    EXPECT_EQ(camera->Get<std::string>("dataset"), "../my dataset");
+    EXPECT_NE(robot->LinkByName(camera->Get<std::string>("frame")), nullptr);
+    room.pluginDataset = "a&b";
+    expectError(ErrorKind::InvalidInput, "another name", [&] { sdfWorld(room, vga()); });
+}
+
 TEST_F(WorldFile, RaysMeetWallsFloorAndCeilingWhereTheRoomHasThem) {
     const render::RoomShape shape{room.outline, room.floorM, room.ceilingM};
     for (const Eigen::Vector3d& from : {Eigen::Vector3d(1, 1, 1.2), Eigen::Vector3d(4, 1.9, 0.3)}) {

@@ -176,6 +176,24 @@ TEST_F(CaptureByHand, NobodyIsSentToAnUnknownPlace) {
     EXPECT_EQ(capture(walker).exposed, 0);
 }
 
+TEST_F(CaptureByHand, ALookThatFailsEndsNoWalk) {
+    survey::Room hall = survey::unknownRoom();
+    hall.ceilingM = 40;
+    survey::PlanOptions plan;
+    plan.heightsM = {25}; // of a crane: no free solution takes it for a lens's height
+    m_store.reset();
+    m_store = std::make_unique<store::SurveyStore>(
+        store::SurveyStore::create(m_folder / "crane.spherewalk", "crane", hall, plan, {}));
+    Walker walker(endpoint());
+    walker.most = 2;
+    const CaptureSurveyReport report = walk(walker);
+    EXPECT_EQ(report.taken, 2);
+    ASSERT_FALSE(walker.looks.empty());
+    EXPECT_NE(walker.looks.back().trouble, "");
+    EXPECT_THAT(report.places->sentence(), HasSubstr("is not known yet"));
+    EXPECT_EQ(m_store->room().outline, hall.outline);
+}
+
 TEST_F(CaptureByHand, ASurveyWithRailsKeepsItsRoomAndItsStations) {
     store::SurveyStore planned = store::SurveyStore::open(m_folder / "s.spherewalk", store::Access::Write);
     EXPECT_FALSE(isByHand(planned));

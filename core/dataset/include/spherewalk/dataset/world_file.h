@@ -38,6 +38,9 @@ struct WorldRoom {
     /// the robot cannot begin.
     std::vector<Eigen::AlignedBox3d> furniture = {};
     std::string furnitureMesh = {};
+    /// The dataset that the robot's camera shows by a plugin of Gazebo, as seen from the world's folder.
+    /// Empty: a process beside Gazebo shows it.
+    std::string pluginDataset = {};
 
     bool hasFurniture() const { return !furniture.empty() || !furnitureMesh.empty(); }
 
@@ -66,7 +69,8 @@ std::string worldIdentifier(std::string_view name);
 /// The world as SDF 1.9 for Gazebo Fortress. Walls, floor, ceiling and obstacles stop things and lasers; the
 /// camera does not see them. A robot carries a laser and the cameras that overlays are made from. One object
 /// stands before the camera where the camera sees it, high enough where the room is too small for a low one.
-/// Errors: those of WorldRoom::validate(); Unsupported for a camera with distortion.
+/// Errors: those of WorldRoom::validate(); Unsupported for a camera with distortion; InvalidInput for a
+/// dataset whose path has letters that XML gives a meaning.
 std::string sdfWorld(const WorldRoom& room, const CameraIntrinsics& camera);
 
 /// The world as MJCF for MuJoCo. Floor, ceiling, walls and furniture are boxes, and so are the sides of

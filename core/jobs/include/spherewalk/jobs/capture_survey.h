@@ -33,13 +33,14 @@ struct PlacesFound {
     int photos = 0;                    ///< All that were looked at.
     std::vector<std::int64_t> placed;  ///< Stations whose photos are placed against each other.
     std::vector<std::string> unplaced; ///< Names of the others' stations.
+    std::string trouble = {}; ///< A sentence if the look has failed; the rest is then of the one before.
 
     /// A sentence for the operator.
     std::string sentence() const;
 };
 
 /// Who brings the camera from station to station: a person at a terminal, a window, a robot, a practice cart.
-/// Threads: calls come from the capturing thread, except for shotEnded().
+/// Threads: calls come from the capturing thread, except for shotEnded() and placesFound().
 class Operator {
   public:
     virtual ~Operator() = default;
