@@ -79,27 +79,36 @@ double wholeNumber(std::string_view text) {
 
 } // namespace
 
-std::string detail::piece(double number) {
-    std::string words;
-    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out.precision(digits);
-        out << number;
-        words = out.str();
-        if (wholeNumber(words) == number) {
-            break;
-        }
-    }
-    return words;
-}
-
 std::string fixed(double number, int digits) {
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out.precision(digits);
     out << std::fixed << number;
     return out.str();
+}
+
+/// The fewest digits that give the number back, as to_chars has them: without an exponent unless that is
+/// shorter.
+std::string detail::piece(double number) {
+    std::string words;
+    int decimals = 0; // with an exponent
+    for (; decimals < std::numeric_limits<double>::max_digits10; ++decimals) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out.precision(decimals);
+        out << std::scientific << number;
+        words = out.str();
+        if (wholeNumber(words) == number) {
+            break;
+        }
+    }
+    const std::size_t e = words.find('e');
+    if (e == std::string::npos) { // no finite number
+        return words;
+    }
+    const int exponent = std::stoi(words.substr(e + 1));
+    std::string plain = fixed(number, std::max(0, decimals - exponent));
+    return plain.size() <= words.size() ? plain : words;
 }
 
 #endif

@@ -113,9 +113,14 @@ class Sections {
         if (!node.IsDefined()) {
             return;
         }
+        // yaml-cpp 0.6 takes -1 for the largest of those that have no sign.
+        bool isValue = !(std::is_unsigned_v<Value> && node.IsScalar() && node.Scalar().starts_with('-'));
         try {
-            value = node.as<Value>();
+            value = isValue ? node.as<Value>() : value;
         } catch (const YAML::Exception&) {
+            isValue = false;
+        }
+        if (!isValue) {
             fail(text("the entry ", section, section.empty() ? "" : "/", name, " is not a ", what));
         }
     }

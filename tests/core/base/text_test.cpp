@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <locale>
+#include <utility>
 
 namespace spherewalk {
 
@@ -15,6 +16,25 @@ TEST(Text, WritesNumbersSoThatTheyReadBackAsTheSame) {
         EXPECT_EQ(parseNumber(text(number)), number);
     }
     EXPECT_EQ(text("a ", 3, " b ", 2.5), "a 3 b 2.5");
+}
+
+TEST(Text, WritesNumbersWithoutAnExponentUnlessThatIsShorter) {
+    const std::pair<double, const char*> cases[] = {{10, "10"},
+                                                    {360, "360"},
+                                                    {-0.0, "-0"},
+                                                    {1234567, "1234567"},
+                                                    {100000, "1e+05"},
+                                                    {1e22, "1e+22"},
+                                                    {0.001, "0.001"},
+                                                    {1e-5, "1e-05"},
+                                                    {1234.5678, "1234.5678"},
+                                                    {2.5e-7, "2.5e-07"},
+                                                    {NAN, "nan"},
+                                                    {-1e3, "-1000"},
+                                                    {1.0 / 3, "0.3333333333333333"}};
+    for (const auto& [number, words] : cases) {
+        EXPECT_EQ(text(number), words);
+    }
 }
 
 TEST(Text, ParsesWholeNumbersOnlyAndNothingElse) {

@@ -11,7 +11,7 @@
 
 #include <chrono>
 #include <cmath>
-#include <latch>
+#include <future>
 
 namespace spherewalk::render {
 namespace {
@@ -174,22 +174,22 @@ TEST(Prefetcher, DecodesItsPlanInOrder) {
 TEST(Prefetcher, LeavesAnOldPlanAfterOneBlock) {
     const Corridor corridor;
     auto source = std::make_shared<test::MadeTiles>(kPhoto);
-    std::latch begun(1);
-    std::latch replaced(1);
+    std::promise<void> begun; // GCC 10 has no latch
+    std::promise<void> replaced;
     std::once_flag once;
     source->onDecode = [&](std::size_t) {
         std::call_once(once, [&] {
-            begun.count_down();
-            replaced.wait();
+            begun.set_value();
+            replaced.get_future().wait();
         });
     };
     TileStore store(source, 256 << 20);
     Prefetcher prefetcher(store);
     const TileSet all = TileSet::all(corridor.grid);
     prefetcher.setPlan(always({{{1}, all}, {{2}, all}}));
-    begun.wait();
+    begun.get_future().wait();
     prefetcher.setPlan(always({{{3}, corridor.tiles(ahead(1), 5)}}));
-    replaced.count_down();
+    replaced.set_value();
     prefetcher.waitUntilIdle();
     EXPECT_FALSE(store.acquire({2}, all, Missing::LeaveOut).isComplete());
     EXPECT_EQ(store.acquire({2}, all, Missing::LeaveOut).missing().count(), corridor.grid.count());
