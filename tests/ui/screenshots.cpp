@@ -45,11 +45,12 @@ using namespace spherewalk::ui;
 
 namespace {
 
-constexpr int kPhotos = 12;
+constexpr std::size_t kPhotos = 12;
+constexpr PracticeSettings kPractice{.width = 2048, .timeScale = 0.001, .keepsPhotos = false};
 
 /// Which pictures the guide shows.
-const QStringList kGuide{"start-first", "plan",          "capture", "review-slider",
-                         "align",       "preview-split", "export"};
+const QStringList kGuide{"start-first",   "plan",  "capture",       "capture-by-hand",
+                         "review-slider", "align", "preview-split", "export"};
 
 /// As documents can carry it: fewer pixels, and fewer colours, which are packed better.
 QImage small(const QImage& picture) {
@@ -102,6 +103,7 @@ class Album {
         shoot("start-first");
         shootPlan(place);
         shootTour();
+        shootWalk(place);
         jobs::newPracticeSurvey((place + "/practice room.spherewalk").toStdString(), 0.8);
         m_window.openSurvey(place + "/practice room.spherewalk");
         shootCapture();
@@ -153,6 +155,30 @@ class Album {
         waitUntil([&] { return !m_window.tasks().hasRunning(); });
     }
 
+    /// Photos by hand: the plan shows where they were taken so far.
+    void shootWalk(const QString& place) {
+        const QString folder = place + "/walk.spherewalk";
+        store::SurveyStore::create(folder.toStdString(), "walk", survey::unknownRoom(),
+                                   {.stepM = survey::kStepByHandM}, {});
+        m_window.openSurvey(folder);
+        CaptureDesk& desk = open<CaptureMode>().desk();
+        desk.setPracticeSettings(kPractice);
+        desk.connectToPractice();
+        waitUntil([&] { return desk.state() == CaptureDesk::State::Ready; });
+        desk.setAutomatic(false); // as the tour has left it
+        desk.trigger();
+        for (std::size_t photos = 1; photos <= kPhotos; ++photos) {
+            waitUntil([&] { return desk.state() == CaptureDesk::State::AtStation; });
+            desk.trigger();
+            waitUntil([&] { return desk.places() && desk.places()->placed.size() == photos; });
+        }
+        waitUntil([&] { return desk.state() == CaptureDesk::State::AtStation; });
+        shoot("capture-by-hand");
+        desk.end();
+        waitUntil([&] { return !desk.isRunning(); });
+        shoot("capture-by-hand-done");
+    }
+
     void shootPlan(const QString& place) {
         auto& plan = open<PlanMode>();
         PlanEditor& editor = plan.editor();
@@ -202,11 +228,11 @@ class Album {
         CaptureDesk& desk = open<CaptureMode>().desk();
         shoot("capture-no-camera");
         shootLogin(desk);
-        desk.setPracticeSettings({.width = 2048, .timeScale = 0.001, .keepsPhotos = false});
+        desk.setPracticeSettings(kPractice);
         desk.connectToPractice();
         waitUntil([&] { return desk.state() == State::Ready; });
         desk.trigger();
-        for (int photos = 0; photos < kPhotos; ++photos) {
+        for (std::size_t photos = 0; photos < kPhotos; ++photos) {
             waitUntil([&] { return desk.state() == State::AtStation; });
             desk.trigger();
             waitUntil([&] { return desk.state() != State::Shooting; });

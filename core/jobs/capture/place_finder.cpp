@@ -113,6 +113,10 @@ void PlaceFinder::tell(const PlacesFound& found) {
 PlacesFound PlaceFinder::show(store::SurveyStore& store, const PlacesSoFar& found) {
     PlacesFound result;
     result.photos = static_cast<int>(found.photos.size());
+    if (result.photos == 1) { // Wherever it is, the next ones are placed beside it.
+        result.placed.push_back(store.photo(found.photos.front()).station);
+        return result;
+    }
     std::vector<store::PlacedStation> places;
     std::vector<Eigen::Vector2d> from;
     std::vector<Eigen::Vector2d> to;

@@ -153,7 +153,7 @@ TEST_F(CaptureByHand, AShotThatTookNoPictureLeavesItsStationToTheNext) {
 TEST_F(CaptureByHand, PhotosFromOnePlaceAreNoFault) {
     Walker walker(endpoint());
     walker.most = 1;
-    walk(walker);
+    EXPECT_EQ(walk(walker).places->sentence(), "The photo is placed."); // the first is where all begins
 
     class Standing : public Walker {
       public:
